@@ -1,4 +1,4 @@
-"""The step as docs/architecture.md shows it is the step as it is."""
+"""The control step in docs/architecture.md agrees with the code."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ DOCUMENT = Path(__file__).parents[1] / "docs" / "architecture.md"
 
 
 def calls(source: str) -> list[str]:
-    """The functions called in a source, in the order of its lines."""
+    """Return the functions called in a source, in the order of its lines."""
     found = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
     in_order = sorted(found, key=lambda node: (node.lineno, node.col_offset))
     return [ast.unparse(node.func).split(".")[-1] for node in in_order]
 
 
 def body(module: object, name: str) -> list[str]:
-    """The calls of a function of a module."""
+    """Return the calls of a function of a module."""
     file = Path(str(vars(module)["__file__"]))
     tree = ast.parse(file.read_text(encoding="utf-8"))
     (function,) = (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name)
@@ -28,7 +28,7 @@ def body(module: object, name: str) -> list[str]:
 
 
 def shown() -> list[str]:
-    """The calls that the document shows, without its comments."""
+    """Return the calls in the document, without its comments."""
     text = DOCUMENT.read_text(encoding="utf-8")
     block = re.search(r"^    def step\(.*?(?=^\S)", text, re.MULTILINE | re.DOTALL)
     assert block is not None
@@ -36,21 +36,21 @@ def shown() -> list[str]:
     return [name for line in lines for name in re.findall(r"(\w+)\(", line) if name != "step"]
 
 
-def test_every_call_that_is_shown_is_made_and_in_this_order() -> None:
-    told = shown()
-    assert len(told) > 10 and "go" in told
-    at = told.index("go")
+def test_documented_calls_are_made_in_the_documented_order() -> None:
+    documented = shown()
+    assert len(documented) > 10 and "go" in documented
+    at = documented.index("go")
     inner = body(aftdeck.simulation.fly, "go")
-    ends = at + 1 + sum(name in inner for name in told[at + 1 :])
+    ends = at + 1 + sum(name in inner for name in documented[at + 1 :])
     for names, made in (
-        (told[: at + 1] + told[ends:], body(aftdeck.simulation.step, "step")),
-        (told[at + 1 : ends], inner),
+        (documented[: at + 1] + documented[ends:], body(aftdeck.simulation.step, "step")),
+        (documented[at + 1 : ends], inner),
     ):
         left = iter(made)
         assert all(name in left for name in names), f"shown: {names}; made: {made}"
 
 
-def test_every_call_of_the_step_that_changes_something_is_shown() -> None:
-    """Left out are only what a camera's drive, the log and the report's own words do."""
+def test_calls_of_the_step_that_change_the_state_are_documented() -> None:
+    """Exceptions: calls for camera drives, the log and the report's words."""
     left_out = set(body(aftdeck.simulation.step, "step")) - set(shown())
     assert left_out <= {"phase_name", "hand_over", "initialise", "driven"}

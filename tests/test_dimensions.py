@@ -1,8 +1,9 @@
-"""Dimensions by name and quantities derived from them: arithmetic with units, and every mistake with its place."""
+"""Named dimensions and quantities derived from them: arithmetic with units, and the location of mistakes."""
 
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import pytest
@@ -31,7 +32,7 @@ def wrong(expression: object, **dimensions: object) -> str:
 
 
 @given(sizes, sizes, sizes)
-def test_a_result_is_that_of_the_same_arithmetic_in_si(a: float, b: float, c: float) -> None:
+def test_expression_equals_the_same_arithmetic_in_si(a: float, b: float, c: float) -> None:
     names = {"a": f"{a!r} ft", "b": f"{b!r} ft", "c": c}
     result = derived("= -(a - b / 2) * c + max(a, b, 1 m) * cos(30 deg) - 2 ft", **names)
     a, b = a * FOOT, b * FOOT
@@ -40,7 +41,7 @@ def test_a_result_is_that_of_the_same_arithmetic_in_si(a: float, b: float, c: fl
 
 
 @given(sizes, sizes)
-def test_units_go_through_products_quotients_and_roots(a: float, b: float) -> None:
+def test_units_propagate_through_products_quotients_and_roots(a: float, b: float) -> None:
     names = {"a": f"{a!r} ft", "b": f"{b!r} in", "t": "2 s"}
     assert derived("= sqrt(a * a + b * b)", **names).endswith(" m")
     assert derived("= a / t", **names).endswith(" m/s")
@@ -48,41 +49,41 @@ def test_units_go_through_products_quotients_and_roots(a: float, b: float) -> No
     assert derived("= 3 deg / t + 1 deg/s", **names).endswith(" rad/s")
 
 
-def test_a_dimension_is_derived_from_those_above_it() -> None:
+def test_dimension_can_use_only_those_above_it() -> None:
     assert derived("= c", a="1 m", b="= a * 2", c="= b + a") == "3.0 m"
-    assert wrong("= a", a="= b", b="1 m").startswith("dimensions.a: no dimension 'b'")
+    assert wrong("= a", a="= b", b="1 m").startswith("dimensions.a: ")
 
 
 @pytest.mark.parametrize(
-    ("expression", "said"),
+    ("expression", "pattern"),
     [
-        ("= heigth", "body.size: no dimension 'heigth'; there are: height, turn"),
-        ("= height + turn", "body.size: a length and an angle cannot be added or compared"),
-        ("= height + 1", "body.size: a length and a number cannot be added or compared"),
-        ("= height * height", "body.size: the result is no length"),
-        ("= height / (height - height)", "body.size: it divides by 0"),
-        ("= 2 parsnips", "body.size: 'parsnips' is no unit"),
-        ("= height ** 2", "body.size: it may use + - * / alone"),
-        ("= __import__('os')", "body.size: "),
-        ("= height.real", "body.size: 'height.real' cannot be computed"),
-        ("= cos(height)", "body.size: cos takes an angle"),
-        ("= sqrt(-height)", "body.size: sqrt of"),
-        ("= (height", "body.size: '(height' is no expression"),
-        ("=" + "(" * 400, "body.size: an expression has at most 300 characters"),
-        ("=" + "-" * 299, "body.size: "),
-        ("= 1e308 m * 10 + 1e308 m * 10", "body.size: "),
+        ("= heigth", r"body\.size: .*'heigth'.* height, turn"),
+        ("= height + turn", r"body\.size: .*length.* angle "),
+        ("= height + 1", r"body\.size: .*length.* number "),
+        ("= height * height", r"body\.size: .*result.* length"),
+        ("= height / (height - height)", r"body\.size: .*divide.* 0"),
+        ("= 2 parsnips", r"body\.size: 'parsnips'.* unit"),
+        ("= height ** 2", r"body\.size: .*\+ - \* /"),
+        ("= __import__('os')", r"body\.size: "),
+        ("= height.real", r"body\.size: 'height\.real'"),
+        ("= cos(height)", r"body\.size: cos .*angle"),
+        ("= sqrt(-height)", r"body\.size: sqrt of"),
+        ("= (height", r"body\.size: '\(height'"),
+        ("=" + "(" * 400, r"body\.size: .*300"),
+        ("=" + "-" * 299, r"body\.size: "),
+        ("= 1e308 m * 10 + 1e308 m * 10", r"body\.size: "),
     ],
 )
-def test_a_mistake_is_told_with_its_place(expression: str, said: str) -> None:
-    assert wrong(expression, height="2 ft", turn="30 deg").startswith(said)
+def test_invalid_expression_is_rejected_with_its_location(expression: str, pattern: str) -> None:
+    assert re.match(pattern, wrong(expression, height="2 ft", turn="30 deg"))
 
 
 @pytest.mark.parametrize("given_", [True, [1], float("nan")])
-def test_a_dimension_that_is_none_is_refused(given_: object) -> None:
-    assert wrong("1 m", height=given_).startswith("dimensions.height: expected a quantity")
+def test_invalid_dimension_is_rejected(given_: object) -> None:
+    assert wrong("1 m", height=given_).startswith("dimensions.height: ")
 
 
-def test_another_files_dimensions_serve_expressions() -> None:
+def test_expressions_can_use_the_dimensions_of_another_file() -> None:
     raw: dict[str, Any] = {"phase": [{"above": "= depth + 0.5 ft"}]}
     assert derive_from({"depth": "1.0 m"}, raw) == []
     assert float(Length.read(raw["phase"][0]["above"])) == pytest.approx(1.0 + 0.5 * FOOT)

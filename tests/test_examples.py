@@ -1,4 +1,4 @@
-"""The examples run as a reader runs them, and the README's Python and commands do what it says."""
+"""The examples run without error, and the Python and the commands in the README are correct."""
 
 import doctest
 import subprocess
@@ -19,7 +19,7 @@ STEERING = ROOT / "docs" / "steering.md"
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
-def test_an_example_runs_from_anywhere_without_a_warning(example: Path, tmp_path: Path) -> None:
+def test_example_runs_from_any_folder_without_a_warning(example: Path, tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", str(example)]
     ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=400, check=False)
     assert (ended.returncode, ended.stderr) == (0, "")
@@ -30,33 +30,33 @@ def test_examples_are_numbered_from_one_without_a_gap() -> None:
     assert [path.name[:3] for path in EXAMPLES] == [f"{i:02}_" for i in range(1, len(EXAMPLES) + 1)]
 
 
-def test_the_readme_begins_with_its_two_commands() -> None:
+def test_readme_begins_with_its_two_commands() -> None:
     lines = [line.strip() for line in README.read_text(encoding="utf-8").splitlines() if line.strip()]
     assert [line.split("#")[0].strip() for line in lines[1:3]] == ["make fly", "make test"]
 
 
-def test_the_python_of_the_readme_gives_what_it_shows() -> None:
+def test_readme_python_gives_the_results_it_shows() -> None:
     failed, tried = doctest.testfile(str(README), module_relative=False, encoding="utf-8")
     assert tried > 0
     assert failed == 0
 
 
-def test_the_readme_names_every_command_and_every_scenario() -> None:
+def test_readme_names_every_command_and_every_scenario() -> None:
     text = README.read_text(encoding="utf-8")
-    commands = getattr(get_command(app), "commands")  # noqa: B009  (a group has it, a command has not)
+    commands = getattr(get_command(app), "commands")  # noqa: B009  (only a group has this attribute)
     missing = [f"aftdeck {name}" for name in commands if f"`aftdeck {name}" not in text]
     missing += [name for name in built_in() if f"`{name}`" not in text]
     assert not missing
 
 
 @pytest.mark.parametrize("page", [README, *sorted((ROOT / "docs").glob("*.md"))], ids=lambda path: path.name)
-def test_every_file_that_a_page_links_to_exists(page: Path) -> None:
+def test_files_linked_from_a_document_exist(page: Path) -> None:
     targets = [part.split(")")[0].split("#")[0] for part in page.read_text(encoding="utf-8").split("](")[1:]]
     missing = [t for t in targets if t and "://" not in t and not (page.parent / t).exists()]
     assert not missing
 
 
-def test_the_sequence_that_steering_md_shows_is_loaded_as_it_stands() -> None:
+def test_sequence_in_steering_md_loads_unchanged() -> None:
     lines = STEERING.read_text(encoding="utf-8").splitlines()
     begin = lines.index("    [[sequence]]")
     end = next(i for i, line in enumerate(lines) if i > begin and line and not line.startswith("    "))

@@ -1,4 +1,4 @@
-"""Angles and frames, there and back, and against pictures that can be drawn by hand."""
+"""Angles and coordinate frames: round trips, and known orientations."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_endori_is_azimuth_then_elevation_then_roll(roll: float, elevation: floa
 @example(0.7, -QUARTER, 0.2)
 @example(-3.0, QUARTER - 1e-8, 3.0)
 @example(-3.0, -QUARTER + 1e-10, 3.0)
-def test_oriend_undoes_endori_also_straight_up_and_down(roll: float, elevation: float, azimuth: float) -> None:
+def test_oriend_inverts_endori_also_straight_up_and_down(roll: float, elevation: float, azimuth: float) -> None:
     rotation = endori(roll, elevation, azimuth)
     found = oriend(rotation)
     assert endori(*found) == pytest.approx(rotation, abs=3e-9)
@@ -67,7 +67,7 @@ def test_oriend_undoes_endori_also_straight_up_and_down(roll: float, elevation: 
 @example(0.7, QUARTER, 0.2)
 @example(0.7, -QUARTER, 0.2)
 @example(0.7, QUARTER - 1e-8, 0.2)
-def test_the_panels_attitude_goes_there_and_back_also_at_its_singularity(pitch: float, yaw: float, roll: float) -> None:
+def test_panel_attitude_round_trips_also_at_its_singularity(pitch: float, yaw: float, roll: float) -> None:
     rotation = panel_rotation(pitch, yaw, roll)
     theirs = Rotation.from_euler("YZX", [pitch, yaw, roll]).as_matrix()
     assert rotation == pytest.approx(theirs, abs=1e-12)
@@ -76,7 +76,7 @@ def test_the_panels_attitude_goes_there_and_back_also_at_its_singularity(pitch: 
     assert panel_rotation(*shown) == pytest.approx(rotation, abs=3e-9)
 
 
-def test_a_hair_below_nothing_is_shown_as_zero_not_as_a_whole_turn() -> None:
+def test_tiny_negative_attitude_is_not_shown_as_a_full_turn() -> None:
     assert max(panel_attitude(panel_rotation(-1e-18, -1e-18, -1e-18))) < math.tau
 
 
@@ -86,7 +86,7 @@ def test_a_hair_below_nothing_is_shown_as_zero_not_as_a_whole_turn() -> None:
 @example((0.0, 0.0, 1.0, 0.0))
 @example((0.0, 0.0, -1.0, 1.0))
 @example((1e-9, 0.0, 0.0, -1.0))
-def test_a_quaternion_stands_for_its_rotation(given: tuple[float, float, float, float]) -> None:
+def test_quaternion_represents_its_rotation(given: tuple[float, float, float, float]) -> None:
     turn = Rotation.from_quat(given, scalar_first=True)
     w, x, y, z = quaternion(turn.as_matrix())
     assert w >= 0.0
@@ -95,7 +95,7 @@ def test_a_quaternion_stands_for_its_rotation(given: tuple[float, float, float, 
 
 
 @pytest.mark.parametrize("frame", ["L", "orbiter", "panel"])
-def test_poses_go_to_a_frame_and_back(frame: FrameName) -> None:
+def test_pose_round_trips_through_each_coordinate_frame(frame: FrameName) -> None:
     mount = aftdeck.load_arm("srms").model.mount
     rng = np.random.default_rng(90)
     pose = Pose(rng.normal(size=(20, 3)) * 10, Rotation.random(20, rng=91).as_matrix())
@@ -104,7 +104,7 @@ def test_poses_go_to_a_frame_and_back(frame: FrameName) -> None:
     assert back.rotation == pytest.approx(pose.rotation, abs=1e-14)
 
 
-def test_the_shoulder_lies_where_the_drawings_put_it_in_each_frame() -> None:
+def test_shoulder_is_at_its_drawn_position_in_each_coordinate_frame() -> None:
     mount = aftdeck.load_arm("srms").model.mount
     shoulder = Pose(np.zeros(3), np.eye(3))
     panel = mount.to("panel", shoulder).position / INCH
@@ -114,7 +114,7 @@ def test_the_shoulder_lies_where_the_drawings_put_it_in_each_frame() -> None:
     assert body == pytest.approx([1097 - 679.5, -103.998, 375 - 433.452])
 
 
-def test_l_points_aft_port_and_down_and_its_yaw_axis_leans_to_port() -> None:
+def test_l_axes_point_aft_port_and_down_and_lean_to_port() -> None:
     aft, port, down = aftdeck.load_arm("srms").model.mount.rotation.T
     assert aft == pytest.approx([-1, 0, 0])
     # Space Shuttle Vessel: the yaw axis is (0, -0.33348, 0.94276) in structural Xo, Yo, Zo
@@ -122,7 +122,7 @@ def test_l_points_aft_port_and_down_and_its_yaw_axis_leans_to_port() -> None:
     assert np.cross(aft, port) == pytest.approx(down)
 
 
-def test_a_mount_is_a_rotation() -> None:
+def test_mount_matrix_is_a_rotation() -> None:
     rotation = aftdeck.load_arm("srms").model.mount.rotation
     assert rotation @ rotation.T == pytest.approx(np.eye(3), abs=1e-15)
     assert np.linalg.det(rotation) == pytest.approx(1.0)

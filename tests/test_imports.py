@@ -44,7 +44,7 @@ ROOMS = (
     ("cli",),
     ("__init__", "__main__"),
 )
-"""The rooms, each a folder or a module of ``src/aftdeck`` (or several that share a place), in their order."""
+"""The rooms, each a folder or a module of ``src/aftdeck`` (or several with equal rank), in order."""
 
 PLACE = {name: place for place, names in enumerate(ROOMS) for name in names}
 
@@ -81,11 +81,11 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
         ("__init__",),
     ),
 }
-"""The same within the largest rooms; imports for types alone may go against the order there."""
+"""Order within the largest rooms; imports only for types may violate it."""
 
 
 def imports(module: str, text: str) -> Iterator[tuple[int, str]]:
-    """Yields (line, full name) of everything of Aftdeck that the source ``text`` of ``module`` imports.
+    """Yield (line, full name) of every import from Aftdeck in the source ``text`` of ``module``.
 
     ``module`` is a dotted name; a package's own file is ``package.__init__``. Imports inside functions count.
     """
@@ -102,21 +102,21 @@ def imports(module: str, text: str) -> Iterator[tuple[int, str]]:
 
 
 def wrong_imports(module: str, text: str) -> list[str]:
-    """Returns a sentence for each import in ``text`` that goes against the order of ROOMS."""
+    """Return a message for each import in ``text`` that violates the order of ROOMS."""
     room = module.split(".")[1]
     if room not in PLACE:
-        return [f"{module} stands in no room: add {room!r} to ROOMS"]
+        return [f"{module} is in no room: add {room!r} to ROOMS"]
     wrong = []
     for line, name in imports(module, text):
         target = [*name.split("."), "__init__"][1]
-        # What is no room is a name taken from the package itself, which stands after all rooms.
+        # A name that is not a room is a name of the package itself, which comes after all rooms.
         if PLACE.get(target, PLACE["__init__"]) > PLACE[room]:
             wrong.append(f"{module}, line {line}: {room} may not import {name}")
     return wrong
 
 
 def wrong_within(module: str, text: str) -> list[str]:
-    """Returns a sentence for each import in ``text`` that goes against the order of WITHIN."""
+    """Return a message for each import in ``text`` that violates the order of WITHIN."""
     room, own = [*module.split("."), "__init__"][1:3]
     place = {name: place for place, names in enumerate(WITHIN.get(room, ())) for name in names}
     if not place:
@@ -132,7 +132,7 @@ def wrong_within(module: str, text: str) -> list[str]:
 
 
 def without_types(text: str) -> str:
-    """Returns the source without what stands under ``if TYPE_CHECKING``."""
+    """Return the source without the blocks ``if TYPE_CHECKING``."""
     tree = ast.parse(text)
     tree.body = [
         node for node in tree.body if not (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING")
@@ -140,7 +140,7 @@ def without_types(text: str) -> str:
     return ast.unparse(tree)
 
 
-def test_rooms_import_only_themselves_and_the_rooms_before_them() -> None:
+def test_rooms_import_only_themselves_and_earlier_rooms() -> None:
     wrong = []
     for path in sorted(SOURCE.rglob("*.py")):
         module = ".".join(("aftdeck", *path.relative_to(SOURCE).with_suffix("").parts))
@@ -149,7 +149,7 @@ def test_rooms_import_only_themselves_and_the_rooms_before_them() -> None:
     assert not wrong, "\n".join(wrong)
 
 
-def test_no_room_but_that_of_the_arms_knows_a_family_of_arms() -> None:
+def test_only_the_arms_room_uses_arm_families() -> None:
     families = {family.__name__ for family in get_args(ArmFile)}
     known = {
         path.relative_to(SOURCE).parts[0]
@@ -175,7 +175,7 @@ def test_no_room_but_that_of_the_arms_knows_a_family_of_arms() -> None:
         pytest.param("aftdeck.cellar.rats", "", id="a folder that is no room"),
     ],
 )
-def test_an_import_against_the_order_is_found(module: str, text: str) -> None:
+def test_import_against_the_order_is_found(module: str, text: str) -> None:
     assert len(wrong_imports(module, text)) == 1
 
 
@@ -187,7 +187,7 @@ def test_an_import_against_the_order_is_found(module: str, text: str) -> None:
         pytest.param("aftdeck.station.cellar", "", id="a module without a place"),
     ],
 )
-def test_an_import_against_the_order_within_a_room_is_found(module: str, text: str) -> None:
+def test_import_against_the_order_within_a_room_is_found(module: str, text: str) -> None:
     assert len(wrong_within(module, text)) == 1
 
 
@@ -202,7 +202,7 @@ def test_an_import_against_the_order_within_a_room_is_found(module: str, text: s
         pytest.param("aftdeck.__init__", "from aftdeck.arms import load_arm", id="the package's own file"),
     ],
 )
-def test_an_import_along_the_order_is_let_through(module: str, text: str) -> None:
+def test_import_along_the_order_is_accepted(module: str, text: str) -> None:
     assert wrong_imports(module, text) == []
 
 

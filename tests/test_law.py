@@ -1,4 +1,4 @@
-"""The shared sine and cosine, against the standard library's."""
+"""The shared sine and cosine against the standard library, and the compilation of laws."""
 
 from __future__ import annotations
 
@@ -29,24 +29,24 @@ def off(angle: float) -> float:
 
 @settings(derandomize=True, deadline=None, max_examples=500, database=None)
 @given(st.floats(-1e5, 1e5))
-def test_sine_and_cosine_are_right_to_their_promise(angle: float) -> None:
+def test_sine_and_cosine_are_within_the_promised_error(angle: float) -> None:
     assert off(angle) <= OURS + THEIRS
 
 
 @pytest.mark.parametrize("reach", [1e-8, 1.0, 10.0, 1e3, 1e5])
-def test_sine_and_cosine_are_right_over_many_angles(reach: float) -> None:
+def test_sine_and_cosine_are_accurate_over_many_angles(reach: float) -> None:
     angles = np.random.default_rng(80).uniform(-reach, reach, 20_000)
     assert max(off(float(a)) for a in angles) <= OURS + THEIRS
 
 
-def test_sine_and_cosine_are_right_about_multiples_of_an_eighth_turn() -> None:
+def test_sine_and_cosine_are_accurate_near_multiples_of_45_deg() -> None:
     for k in range(-4000, 4000):
         middle = k * math.pi / 4
         for angle in (math.nextafter(middle, -math.inf), middle, math.nextafter(middle, math.inf)):
             assert off(angle) <= OURS + THEIRS
 
 
-def test_the_smallest_angles_are_their_own_sine() -> None:
+def test_smallest_angles_equal_their_sine() -> None:
     for angle in (0.0, 5e-324, 1e-300, -1e-20, 1e-9):
         assert sincos(angle) == (angle, 1.0)
 
@@ -58,7 +58,7 @@ def test_squares_of_sine_and_cosine_add_up_to_one() -> None:
 
 
 def cache_folder(source: Path, home: Path) -> str:
-    """Where a copy of the package keeps its laws' machine code."""
+    """Return the folder in which a copy of the package stores the machine code of its laws."""
     code = "import aftdeck.law as law; print(law._cache())"
     env = {**os.environ, "PYTHONPATH": str(source), "NUMBA_CACHE_DIR": str(home)}
     done = subprocess.run(
@@ -70,9 +70,7 @@ def cache_folder(source: Path, home: Path) -> str:
 @pytest.mark.parametrize(
     "changed", ["law.py", "bodies/closest.py", "kinematics/linkage.py", "steering/layout.py", "steering/limiters.py"]
 )
-def test_machine_code_of_a_law_is_not_used_once_anything_it_is_made_of_has_changed(
-    tmp_path: Path, changed: str
-) -> None:
+def test_changed_source_selects_another_machine_code_cache(tmp_path: Path, changed: str) -> None:
     shutil.copytree(
         Path(aftdeck.__file__).parent, tmp_path / "src" / "aftdeck", ignore=shutil.ignore_patterns("static")
     )
@@ -85,7 +83,7 @@ def test_machine_code_of_a_law_is_not_used_once_anything_it_is_made_of_has_chang
 
 
 def runs(code: str) -> None:
-    """Run code in a process of its own, in which no law has been called."""
+    """Run code in a new process, in which no law has been called."""
     done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
 
@@ -103,7 +101,7 @@ def test_station_and_command_line_import_no_numba() -> None:
     runs("import sys, aftdeck.cli, aftdeck.station.server.serve; assert 'numba' not in sys.modules")
 
 
-def test_first_call_of_a_law_puts_the_compiled_laws_in_place_of_all() -> None:
+def test_first_call_of_a_law_replaces_all_laws_by_compiled_ones() -> None:
     runs("""
 import gc, importlib, pkgutil
 import aftdeck
@@ -121,7 +119,7 @@ assert not left, left
 """)
 
 
-def test_law_under_a_name_that_loading_missed_works_in_python_and_in_compiled_code() -> None:
+def test_law_missed_by_loading_works_in_python_and_compiled_code() -> None:
     runs("""
 from aftdeck import law
 kept = [law.nearest]

@@ -1,4 +1,4 @@
-"""The page's sources import each other in one direction: no file comes back to itself, by types neither."""
+"""The page's sources import each other without cycles, including type imports."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FROM = re.compile(r"^(?:import|export)\b[^;]*?\bfrom '(\.[^']+)'", re.MULTILINE)
 
 
 def imports() -> dict[Path, set[Path]]:
-    """What each source imports of the page's own."""
+    """Return the page's own sources that each source imports."""
     found = {}
     for file in SOURCES.rglob("*.ts"):
         named = [(file.parent / path).resolve() for path in FROM.findall(file.read_text(encoding="utf-8"))]
@@ -23,7 +23,7 @@ def imports() -> dict[Path, set[Path]]:
     return found
 
 
-def test_no_file_imports_itself_through_others() -> None:
+def test_page_sources_have_no_import_cycle() -> None:
     found = imports()
     assert len(found) > 150 and SOURCES / "link" / "live.ts" in found[SOURCES / "main.ts"]
     try:

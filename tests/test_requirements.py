@@ -1,4 +1,4 @@
-"""The pins in ``requirements/`` are what pyproject.toml asks for, with their hashes and no address."""
+"""The pins in ``requirements/`` satisfy pyproject.toml, with hashes and without addresses."""
 
 import re
 import tomllib
@@ -14,14 +14,14 @@ PINNED = sorted((ROOT / "requirements").glob("*.txt"))
 
 
 def pins(path: Path) -> Iterator[Requirement]:
-    """Yields the requirements of a file that ``uv pip compile`` wrote."""
+    """Yield the requirements in a file from ``uv pip compile``."""
     for line in path.read_text(encoding="utf-8").splitlines():
         if re.match(r"[a-z0-9]", line):
             yield Requirement(line.removesuffix("\\"))
 
 
-def asked(groups: tuple[str, ...]) -> Iterator[Requirement]:
-    """Yields what the package and these dependency groups of pyproject.toml ask for."""
+def required(groups: tuple[str, ...]) -> Iterator[Requirement]:
+    """Yield the requirements of the package and of these dependency groups in pyproject.toml."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     lists = [project["project"]["dependencies"], *(project["dependency-groups"][name] for name in groups)]
     for entry in (entry for entries in lists for entry in entries):
@@ -30,18 +30,18 @@ def asked(groups: tuple[str, ...]) -> Iterator[Requirement]:
 
 
 @pytest.mark.parametrize(("name", "groups"), [("fly", ("build",)), ("dev", ("build", "dev"))])
-def test_every_requirement_is_pinned_to_a_version_that_it_allows(name: str, groups: tuple[str, ...]) -> None:
+def test_every_requirement_is_pinned_to_an_allowed_version(name: str, groups: tuple[str, ...]) -> None:
     versions: dict[str, list[str]] = {}
     for pin in pins(ROOT / "requirements" / f"{name}.txt"):
         versions.setdefault(canonicalize_name(pin.name), []).append(str(pin.specifier).removeprefix("=="))
-    for wanted in asked(groups):
-        found = versions.get(canonicalize_name(wanted.name), [])
-        assert found, f"{wanted.name} is not pinned: run `make requirements`"
-        assert all(wanted.specifier.contains(version) for version in found), f"{wanted} against {found}"
+    for requirement in required(groups):
+        found = versions.get(canonicalize_name(requirement.name), [])
+        assert found, f"{requirement.name} is not pinned: run `make requirements`"
+        assert all(requirement.specifier.contains(version) for version in found), f"{requirement} against {found}"
 
 
 @pytest.mark.parametrize("path", PINNED, ids=lambda path: path.stem)
-def test_every_pin_carries_a_hash(path: Path) -> None:
+def test_every_pin_has_a_hash(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     blocks = re.split(r"(?m)^(?=[a-z0-9])", text)[1:]
     assert len(blocks) == len(list(pins(path))) > 0
@@ -49,7 +49,7 @@ def test_every_pin_carries_a_hash(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", PINNED, ids=lambda path: path.stem)
-def test_no_pin_names_an_address(path: Path) -> None:
+def test_pins_contain_no_address(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert "://" not in text
     assert "index-url" not in text

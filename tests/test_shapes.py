@@ -1,7 +1,8 @@
-"""Drawable shapes: what is refused and how, and the arm's looks against its surveyed measures."""
+"""Shapes: rejection of invalid ones, and the arm's shapes against its surveyed dimensions."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from math import cos, hypot, pi, radians, sin
@@ -33,7 +34,7 @@ def srms() -> ArmShapes:
 
 
 def leaves(shapes: tuple[Shape, ...]) -> Iterator[Shape]:
-    """All shapes but groups, once each."""
+    """Yield all shapes except groups, once each."""
     for shape in shapes:
         if isinstance(shape, Group):
             yield from leaves(shape.shapes)
@@ -42,93 +43,93 @@ def leaves(shapes: tuple[Shape, ...]) -> Iterator[Shape]:
 
 
 @pytest.mark.parametrize(
-    ("text", "message"),
+    ("text", "pattern"),
     [
         (
             'kind = "loft", material = "metal", sections = [{ ' + SECTION + " }]",
-            "the loft has 1 sections; it needs at least 2",
+            "loft has 1 .* 2",
         ),
         (
             'kind = "loft", material = "metal", sections = [{ ' + SECTION + " }, { " + SECTION + " }]",
-            "the loft's sections have to be listed in order of growing x",
+            "loft.* order .* x",
         ),
         (
             'kind = "loft", material = "metal", sections = [{ ' + SECTION.replace("width = 1", "width = 0") + " }]",
-            ".sections[0]: the section's half_width is 0; it has to be above 0",
+            r"\.sections\[0\]: .*half_width is 0; .*above 0",
         ),
         (
             'kind = "cylinder", material = "metal", length = 1, radius = -0.1',
-            "the cylinder's radius is -0.1; it has to be above 0",
+            r"cylinder.*radius is -0\.1; .*above 0",
         ),
         (
             'kind = "box", material = "metal", size = [1, 0, 1]',
-            "the box's size along y is 0; it has to be above 0",
+            "box.*size along y is 0; .*above 0",
         ),
         (
             'kind = "plate", material = "metal", normal = "z", thickness = 0.1, outline = [[0, 0], [1, 0]]',
-            "the plate's outline has 2 corners; it needs at least 3",
+            "outline has 2 .* 3",
         ),
         (
             'kind = "plate", material = "metal", normal = "z", thickness = 0.1, bevel = 0.06, '
             "outline = [[0, 0], [1, 0], [0, 1]]",
-            "the plate's bevel is 0.06; it has to be 0 to half the thickness",
+            r"bevel is 0\.06; .*half the thickness",
         ),
         (
             'kind = "shell", material = "metal", length = 1, radius = 1, thickness = 0.1, sweep = 7',
-            "the shell's sweep is 7; it has to be above 0 and at most 2 pi",
+            "sweep is 7; .*2 pi",
         ),
         (
             'kind = "shell", material = "metal", length = 1, radius = 1, radius_end = 0.5, thickness = 0.6',
-            "the shell's thickness is 0.6; it has to be at most its radius",
+            r"thickness is 0\.6; .*radius",
         ),
         (
             'kind = "ring", material = "metal", radius = 1, bar = 0',
-            "the ring's bar is 0; it has to be above 0",
+            "ring.*bar is 0; .*above 0",
         ),
-        ('kind = "sphere", material = "metal", radius = inf', "the sphere's radius is inf"),
-        ('kind = "light", radius = 1, cone = 1, reach = 0, intensity = 1', "the light's reach is 0"),
-        ('kind = "group", shapes = []', "the group has no shapes; it needs at least 1"),
+        ('kind = "sphere", material = "metal", radius = inf', "sphere.*radius is inf"),
+        ('kind = "light", radius = 1, cone = 1, reach = 0, intensity = 1', "light.*reach is 0"),
+        ('kind = "group", shapes = []', "group has no shapes.* 1"),
         (
             'kind = "group", shapes = [{ kind = "sphere", material = "metal", radius = -1 }]',
-            "the sphere's radius is -1; it has to be above 0",
+            "sphere.*radius is -1; .*above 0",
         ),
-        ('kind = "sphere", material = "cheese", radius = 1', "expected one of blanket, liner, tiles"),
+        ('kind = "sphere", material = "cheese", radius = 1', " blanket, liner, tiles"),
         (
             'kind = "sphere", material = "metal", radius = 1, colour = "red"',
-            "colour: unknown field; allowed here: position",
+            "colour: unknown.* position",
         ),
-        ('kind = "pyramid"', "kind: expected one of box, cylinder, shell"),
+        ('kind = "pyramid"', "kind: .*box, cylinder, shell"),
     ],
 )
-def test_a_shape_that_cannot_be_drawn_is_refused_with_its_place(tmp_path: Path, text: str, message: str) -> None:
+def test_invalid_shape_is_rejected_with_its_location(tmp_path: Path, text: str, pattern: str) -> None:
     file = tmp_path / "bad.toml"
     file.write_text(f'camera = []\n[[body]]\nname = "arm.base"\nshapes = [{{ {text} }}]\n')
     with pytest.raises(ScenarioError) as caught:
         shapes_of(replace(load_model("srms"), shapes=read(file)))
     assert str(caught.value).startswith("bad.toml:4: body[0].shapes[0]")
-    assert message in str(caught.value)
+    assert re.search(pattern, str(caught.value))
 
 
-def test_an_arm_without_all_its_frames_is_refused(tmp_path: Path) -> None:
+def test_arm_shapes_without_all_frames_are_rejected(tmp_path: Path) -> None:
     file = tmp_path / "short.toml"
     file.write_text('camera = []\n[[body]]\nname = "arm.base"\nshapes = []\n')
-    with pytest.raises(ScenarioError, match=r"the frames are arm\.base; they have to be, in order, arm\.base, arm"):
+    with pytest.raises(ScenarioError, match=r"arm\.base; .* arm\.base, arm"):
         shapes_of(replace(load_model("srms"), shapes=read(file)))
 
 
-def test_a_missing_shape_file_is_named(tmp_path: Path) -> None:
+def test_missing_shape_file_is_rejected_by_name(tmp_path: Path) -> None:
     file = tmp_path / "arm.toml"
     file.write_text(SRMS.with_name("srms.toml").read_text().replace("srms.shapes.toml", "none.toml"))
-    with pytest.raises(ScenarioError, match=r"none\.toml: cannot be read: No such file"):
+    with pytest.raises(ScenarioError, match=r"none\.toml: .*No such file"):
         load_model(file)
 
 
-def test_the_arm_has_its_seven_frames_in_order_and_each_is_seen(srms: ArmShapes) -> None:
+def test_arm_shapes_have_seven_visible_frames_in_order(srms: ArmShapes) -> None:
     assert tuple(srms.bodies) == FRAMES
     assert all(srms.bodies.values())
 
 
-def test_shapes_survive_the_wire(srms: ArmShapes) -> None:
+def test_shapes_round_trip_through_json(srms: ArmShapes) -> None:
     shapes = srms.bodies["arm.wrist_roll"]
     assert msgspec.json.decode(msgspec.json.encode(shapes), type=tuple[Shape, ...]) == shapes
 
@@ -149,9 +150,7 @@ def test_every_material_is_used(srms: ArmShapes) -> None:
 @pytest.mark.parametrize(
     ("frame", "length", "below"), [("arm.shoulder_pitch", 5.30, 0.0), ("arm.elbow_pitch", 5.75, -0.1524)]
 )
-def test_booms_are_15_inches_across_and_lie_on_the_boom_line(
-    srms: ArmShapes, frame: str, length: float, below: float
-) -> None:
+def test_booms_are_15_in_wide_and_on_the_boom_line(srms: ArmShapes, frame: str, length: float, below: float) -> None:
     shapes = leaves(srms.bodies[frame])
     (boom,) = (shape for shape in shapes if isinstance(shape, Cylinder) and shape.material == "boom")
     assert boom.length == pytest.approx(length)
@@ -160,29 +159,29 @@ def test_booms_are_15_inches_across_and_lie_on_the_boom_line(
 
 
 def in_arm_axes(structural: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Structural inches (x aft, y starboard, z up) along L's axes [m]: x aft, y port, z down, leaning."""
+    """Return structural components [in] (aft, starboard, up) along L's axes [m] (aft, port, down, leaning to port)."""
     x, y, z = (component * INCH for component in structural)
     return x, -cos(LEAN) * y - sin(LEAN) * z, sin(LEAN) * y - cos(LEAN) * z
 
 
 def axis_of_camera(srms: ArmShapes, name: str) -> tuple[float, ...]:
-    """A camera's own place: 0.18 m behind its lens, along its boresight."""
+    """Return a camera's reference position: 0.18 m behind its lens, along its boresight."""
     (camera,) = (camera for camera in srms.cameras if camera.name == name)
     length = hypot(*camera.boresight)
     return tuple(p - 0.18 * b / length for p, b in zip(camera.position, camera.boresight, strict=True))
 
 
-def test_the_elbow_camera_stands_at_its_surveyed_place(srms: ArmShapes) -> None:
+def test_elbow_camera_is_at_its_surveyed_position(srms: ArmShapes) -> None:
     surveyed = in_arm_axes((953.03 - 930.55, -100.59 + 105.999, 468.44 - 439.108))
     assert axis_of_camera(srms, "ELB") == pytest.approx(surveyed, abs=0.002)
 
 
-def test_the_wrist_camera_stands_straight_above_the_cradled_roll_axis(srms: ArmShapes) -> None:
+def test_wrist_camera_is_straight_above_the_cradled_roll_axis(srms: ArmShapes) -> None:
     surveyed = in_arm_axes((1253.7 - 1226.5, 0.0, 456.015 - 444.765))
     assert axis_of_camera(srms, "WR") == pytest.approx(surveyed, abs=0.002)
 
 
-def test_the_wrist_camera_looks_along_the_roll_axis_past_the_rim(srms: ArmShapes) -> None:
+def test_wrist_camera_points_along_the_roll_axis_past_the_rim(srms: ArmShapes) -> None:
     (camera,) = (camera for camera in srms.cameras if camera.name == "WR")
     assert camera.boresight == (1.0, 0.0, 0.0)
     rim = 0.176

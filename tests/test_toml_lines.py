@@ -1,4 +1,4 @@
-"""Line numbers of TOML texts, against documents that are written with every place's line noted."""
+"""Line numbers in TOML texts, against generated documents with known lines."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ DISGUISED = st.sampled_from(
 
 
 class Writer:
-    """A TOML text in the making, with the line of everything in it."""
+    """A TOML text under construction, with the line of each location."""
 
     def __init__(self) -> None:
         self.text, self.lines = "", dict[Where, int]()
@@ -88,7 +88,7 @@ def write_pair(out: Writer, data: st.DataObject, where: Where, key: str, depth: 
 
 
 def write_table(out: Writer, data: st.DataObject, where: Where, names: tuple[str, ...], depth: int) -> None:
-    """A table's own keys, then tables and lists of tables in it."""
+    """Write a table's own keys, then its tables and lists of tables."""
     keys = data.draw(st.lists(KEYS, max_size=5, unique=True))
     own = data.draw(st.integers(0, len(keys)))
     for key in keys[:own]:
@@ -109,14 +109,14 @@ def write_table(out: Writer, data: st.DataObject, where: Where, names: tuple[str
 
 
 def places(value: Any, where: Where = ()) -> set[Where]:
-    """The places of everything in decoded contents."""
+    """Return all locations in decoded contents."""
     inner = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     return {where}.union(*(places(item, (*where, key)) for key, item in inner))
 
 
 @settings(max_examples=60)
 @given(st.data())
-def test_every_place_of_a_file_is_found_on_its_line(data: st.DataObject) -> None:
+def test_every_location_in_a_file_is_found_on_its_line(data: st.DataObject) -> None:
     out = Writer()
     write_table(out, data, (), (), 3)
     written = tomllib.loads(out.text)

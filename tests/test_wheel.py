@@ -1,4 +1,4 @@
-"""A built wheel installs, runs and flies on a machine with neither node nor the source."""
+"""A built wheel installs and runs on a machine without Node.js and without the source."""
 
 import json
 import os
@@ -23,12 +23,12 @@ PAGE = "aftdeck/station/static/index.html"
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("wheel")]
 
 WAIT_S = 400.0
-"""The longest that any program may take, or a station to answer: it may have to compile the laws first [s]."""
+"""Maximum time for a program, or for the station's answer, which may include the compilation of laws [s]."""
 
 
 @pytest.fixture(scope="module")
 def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the sdist of this tree, and the wheel that was built from that sdist alone."""
+    """Build the sdist of this tree and the wheel from that sdist alone; return their folder."""
     folder = tmp_path_factory.mktemp("packages")
     build: list[str | Path] = [UV, "build", "--quiet", "--no-build-isolation", "--python", sys.executable]
     run([*build, "--out-dir", folder, ROOT], dict(os.environ))
@@ -43,13 +43,13 @@ def wheel(packages: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def bare() -> dict[str, str]:
-    """An environment whose PATH holds nothing: no node, no npm, no other Python."""
+    """Return an environment with an empty PATH: no Node.js, no npm, no other Python."""
     return {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")} | {"PATH": ""}
 
 
 @pytest.fixture(scope="module")
 def command(wheel: Path, tmp_path_factory: pytest.TempPathFactory, bare: dict[str, str]) -> Path:
-    """The `aftdeck` command of a clean virtual environment that holds the wheel and what it requires."""
+    """Install the wheel and its requirements into a clean virtual environment; return its `aftdeck` command."""
     clean = tmp_path_factory.mktemp("clean") / "venv"
     run([UV, "venv", "--quiet", "--python", sys.executable, clean], bare)
     pins = ROOT / "requirements" / "fly.txt"
@@ -58,7 +58,7 @@ def command(wheel: Path, tmp_path_factory: pytest.TempPathFactory, bare: dict[st
 
 
 def run(arguments: list[str | Path], environment: dict[str, str], cwd: Path | None = None) -> str:
-    """Runs a command to its end and returns what it printed; fails with all it said."""
+    """Run a command to its end and return its output; fail with its output if it fails."""
     ended = subprocess.run(
         arguments, env=environment, cwd=cwd, capture_output=True, text=True, timeout=WAIT_S, check=False
     )
@@ -66,14 +66,14 @@ def run(arguments: list[str | Path], environment: dict[str, str], cwd: Path | No
     return ended.stdout
 
 
-def test_the_wheel_holds_the_page_and_no_node_modules(wheel: Path) -> None:
+def test_wheel_contains_the_page_and_no_node_modules(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert PAGE in names
     assert any(name.startswith("aftdeck/station/static/") and name.endswith(".js") for name in names)
     assert not [name for name in names if "node_modules" in name]
 
 
-def test_the_sdist_holds_the_page_with_its_sources_and_no_node_modules(packages: Path) -> None:
+def test_sdist_contains_the_page_its_sources_and_no_node_modules(packages: Path) -> None:
     (sdist,) = packages.glob("*.tar.gz")
     with tarfile.open(sdist) as archive:
         names = [name.partition("/")[2] for name in archive.getnames()]
@@ -82,13 +82,11 @@ def test_the_sdist_holds_the_page_with_its_sources_and_no_node_modules(packages:
     assert not [name for name in names if "node_modules" in name]
 
 
-def test_the_installed_command_explains_itself(command: Path, bare: dict[str, str], tmp_path: Path) -> None:
+def test_installed_command_prints_its_help(command: Path, bare: dict[str, str], tmp_path: Path) -> None:
     assert "fly" in run([command, "--help"], bare, tmp_path)
 
 
-def test_the_installed_command_flies_a_scenario_without_a_screen(
-    command: Path, bare: dict[str, str], tmp_path: Path
-) -> None:
+def test_installed_command_runs_a_scenario_headless(command: Path, bare: dict[str, str], tmp_path: Path) -> None:
     summary = json.loads(run([command, "run", "first-flight", "--json"], bare, tmp_path))
     assert summary["scenario"] == "first-flight"
     assert summary["ended"] in ("completed", "time")
@@ -96,9 +94,9 @@ def test_the_installed_command_flies_a_scenario_without_a_screen(
 
 @pytest.fixture
 def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str]:
-    """The address of a station that the installed command serves."""
-    said = tmp_path / "said.txt"
-    with said.open("w") as output:
+    """Start a station by the installed command; yield its address."""
+    log_file = tmp_path / "output.txt"
+    with log_file.open("w") as output:
         server = subprocess.Popen(
             [command, "fly", "--no-browser", "--port", "0"],
             env=bare,
@@ -108,7 +106,7 @@ def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str
             stderr=subprocess.STDOUT,
         )
         try:
-            yield address(said, server)
+            yield address(log_file, server)
         finally:
             server.terminate()
             try:
@@ -118,21 +116,23 @@ def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str
                 server.wait(timeout=60)
 
 
-def address(said: Path, server: subprocess.Popen[bytes]) -> str:
-    """The address that a station says it serves, once it does."""
+def address(log_file: Path, server: subprocess.Popen[bytes]) -> str:
+    """Return the address in a station's output, once the station serves it."""
     end = time.monotonic() + WAIT_S
     while time.monotonic() < end and server.poll() is None:
         time.sleep(0.1)
-        if found := re.search(r"^Aftdeck station: (http://127\.0\.0\.1:\d+/)$", said.read_text(), re.MULTILINE):
+        if found := re.search(r"^Aftdeck station: (http://127\.0\.0\.1:\d+/)$", log_file.read_text(), re.MULTILINE):
             try:
-                urllib.request.urlopen(found[1], timeout=WAIT_S).close()  # it listens before it has compiled the laws
+                urllib.request.urlopen(
+                    found[1], timeout=WAIT_S
+                ).close()  # the station listens before the laws are compiled
             except OSError:
                 break
             return found[1]
-    pytest.fail(f"no answer from the station:\n{said.read_text()}")
+    pytest.fail(f"no answer from the station:\n{log_file.read_text()}")
 
 
-def test_the_installed_station_serves_its_page(station: str) -> None:
+def test_installed_station_serves_its_page(station: str) -> None:
     with urllib.request.urlopen(station, timeout=WAIT_S) as answer:
         page = answer.read().decode()
     script = re.search(r'<script type="module"[^>]* src="(?:\./|/)?([^"]+)"', page)

@@ -1,7 +1,8 @@
-"""What of an arm collides: whole, where the arm is, and never smaller than what is drawn."""
+"""Solids of an arm: valid, at the arm's pose, and never smaller than its shapes."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +26,7 @@ from aftdeck.scene.solids import solid as surface_of
 
 FOOT = 0.3048
 HAIR = 1e-3
-"""How far what is drawn may stand out of the solids [m]: the rounding of places in the arm file, turned."""
+"""Allowed distance of a shape outside the solids [m]: the rounded positions in the arm file, after rotation."""
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 
 
@@ -41,7 +42,7 @@ def file(concept: ArmModel) -> HeadingArmFile:
 
 
 def depth(points: Array, solids: list[Solid]) -> Array:
-    """(n,) how far each point stands out of all the solids [m]; negative inside one."""
+    """Return the distance (n,) of each point outside all solids [m]; negative inside one."""
     out = []
     for solid in solids:
         body = pack(solid.vertices)
@@ -55,14 +56,14 @@ def the(model: ArmModel, part: str) -> Solid:
 
 
 def face(solid: Solid, letter: str) -> tuple[Array, Array]:
-    """A face's outward normal (3,) and its corners (4, 3), in the solid's frame."""
+    """Return a face's outward normal (3,) and its corners (4, 3), in the solid's frame."""
     body = pack(solid.vertices)
     k = list(FACES).index(letter)
     return body[[24 + k, 30 + k, 36 + k]], solid.vertices[[v - 1 for v in FACES[letter]]]
 
 
 @ARMS
-def test_every_solid_is_a_hexahedron_in_a_frame_of_the_arm_and_cannot_be_changed(name: str) -> None:
+def test_every_solid_is_a_read_only_hexahedron_in_an_arm_frame(name: str) -> None:
     model = load_model(name)
     for solid in solids_of(model):
         hexahedron(solid.vertices, solid.part)
@@ -72,7 +73,7 @@ def test_every_solid_is_a_hexahedron_in_a_frame_of_the_arm_and_cannot_be_changed
 
 
 @ARMS
-def test_what_is_drawn_lies_inside_the_solids_of_its_frame(name: str) -> None:
+def test_shapes_lie_inside_the_solids_of_their_frame(name: str) -> None:
     model = load_model(name)
     rng = np.random.default_rng(71)
     for frame, shapes in shapes_of(model).bodies.items():
@@ -85,7 +86,7 @@ def test_what_is_drawn_lies_inside_the_solids_of_its_frame(name: str) -> None:
             assert depth(inside, solids).max() <= HAIR, (frame, shape)
 
 
-def test_the_parts_have_the_names_that_people_use() -> None:
+def test_parts_have_the_names_that_the_operator_reads() -> None:
     def parts(name: str) -> list[str]:
         return list(dict.fromkeys(solid.part for solid in solids_of(load_model(name))))
 
@@ -99,25 +100,25 @@ def test_the_parts_have_the_names_that_people_use() -> None:
     ]  # fmt: skip
 
 
-def test_the_palms_face_d_looks_out_of_the_hand_and_has_the_tip_in_its_middle(concept: ArmModel) -> None:
+def test_palm_face_d_points_outward_with_the_tip_at_its_centre(concept: ArmModel) -> None:
     normal, corners = face(the(concept, "palm"), "d")
     assert normal == pytest.approx([1.0, 0.0, 0.0])
     assert corners.mean(axis=0) == pytest.approx([concept.links[L5], 0.0, 0.0])
     assert face(the(concept, "palm"), "c")[0] == pytest.approx([-1.0, 0.0, 0.0])
 
 
-def test_the_fingers_look_at_each_other_with_their_faces_b_and_e(concept: ArmModel, file: HeadingArmFile) -> None:
+def test_finger_faces_b_and_e_face_each_other(concept: ArmModel, file: HeadingArmFile) -> None:
     normal, corners = face(the(concept, "fixed finger"), "b")
     assert normal == pytest.approx([0.0, -1.0, 0.0])
     assert corners[:, 1] == pytest.approx(np.full(4, file.effector.fixed_finger.value))
     prong = the(concept, "prong")
     normal, corners = face(prong, "e")
     assert prong.frame == "arm.prong" and normal == pytest.approx([0.0, 1.0, 0.0])
-    assert corners[:, 1] == pytest.approx(np.zeros(4))  # its frame moves with it
+    assert corners[:, 1] == pytest.approx(np.zeros(4))  # its frame is at this face
 
 
-def test_the_first_vertex_of_the_palm_is_the_reports(concept: ArmModel, file: HeadingArmFile) -> None:
-    # v1 = -W Y2 + H Z2 (worksite findings), at the palm's inner end; v2 stands L along X2 from it
+def test_first_vertices_of_the_palm_are_those_of_the_report(concept: ArmModel, file: HeadingArmFile) -> None:
+    # v1 = -W Y2 + H Z2 at the palm's inner end; v2 = v1 + L X2
     e = file.effector
     v1, v2 = the(concept, "palm").vertices[:2]
     assert v1 == pytest.approx([e.palm.value[0], -e.palm_half_width.value, e.palm_half_height.value])
@@ -125,7 +126,7 @@ def test_the_first_vertex_of_the_palm_is_the_reports(concept: ArmModel, file: He
 
 
 @pytest.mark.parametrize("share", np.linspace(0.0, 1.0, 9))
-def test_the_stand_is_covered_from_its_foot_to_below_the_shoulder(
+def test_telescope_is_covered_from_its_foot_to_below_the_shoulder(
     concept: ArmModel, file: HeadingArmFile, share: float
 ) -> None:
     s = file.stand
@@ -153,7 +154,7 @@ def in_base(solid: Solid, rows: dict[str, Array]) -> Solid:
     return solid._replace(vertices=solid.vertices @ row[3:].reshape(3, 3).T + row[:3])
 
 
-def test_inside_the_soft_limits_the_booms_the_stub_and_the_housings_keep_clear_of_each_other(concept: ArmModel) -> None:
+def test_arm_parts_do_not_overlap_inside_the_soft_limits(concept: ArmModel) -> None:
     soft = concept.limits.soft
     rng = np.random.default_rng(72)
     apart = (
@@ -172,21 +173,21 @@ def test_inside_the_soft_limits_the_booms_the_stub_and_the_housings_keep_clear_o
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "said"),
+    ("old", "new", "pattern"),
     [
-        ('frame = "arm.base"', 'frame = "arm.foot"', "bodies[0].frame: 'arm.foot' is no frame of the arm; there are"),
-        ("radius = 0.27", "radius = 0.0", "bodies[0]: the radius is 0; it has to be above 0"),
-        ("sides = 6", "sides = 7", "bodies[0]: the prism has 7 sides; an even number, 4 or more, is allowed"),
-        ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.0, 0.12]", "bodies[1]: shoulder base: "),
-        ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.34, -0.12]", "bodies[1]: shoulder base: "),
-        ('kind = "box"', 'kind = "ball"', "bodies[1]"),
+        ('frame = "arm.base"', 'frame = "arm.foot"', r"bodies\[0\]\.frame: 'arm\.foot'"),
+        ("radius = 0.27", "radius = 0.0", r"bodies\[0\]: .*radius.* 0; .*above 0"),
+        ("sides = 6", "sides = 7", r"bodies\[0\]: .*7 sides.* 4 or more"),
+        ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.0, 0.12]", r"bodies\[1\]: shoulder base: "),
+        ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.34, -0.12]", r"bodies\[1\]: shoulder base: "),
+        ('kind = "box"', 'kind = "ball"', r"bodies\[1\]"),
     ],
 )
-def test_a_body_that_is_none_is_refused_with_its_place(tmp_path: Path, old: str, new: str, said: str) -> None:
+def test_invalid_body_is_rejected_with_its_location(tmp_path: Path, old: str, new: str, pattern: str) -> None:
     text = (HERE / "srms.toml").read_text(encoding="utf-8").replace('shapes = "srms.shapes.toml"\n', "")
     assert old in text
     bad = tmp_path / "bad.toml"
     bad.write_text(text.replace(old, new, 1), encoding="utf-8")
     with pytest.raises(ScenarioError) as caught:
         load_model(bad)
-    assert any(said in problem for problem in caught.value.problems), caught.value.problems
+    assert any(re.search(pattern, problem) for problem in caught.value.problems), caught.value.problems

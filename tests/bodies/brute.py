@@ -1,4 +1,4 @@
-"""The clearance of two hexahedra the long way, by other means than the laws'."""
+"""The clearance of two hexahedra by exhaustive computation, independent of the laws."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from tests.bodies.shapes import EDGES, FACES, normals
 
 
 def clearance(a: Array, b: Array) -> float:
-    """Signed clearance of bodies (8, 3) [m].
+    """Return the signed clearance of bodies (8, 3) [m].
 
-    The Minkowski difference is the hull of 64 points. If it holds the origin, the nearest of its faces is the depth;
-    if not, the bodies' distance is the least over all 144 pairs of edges and all 96 of a vertex and a face.
+    The Minkowski difference is the hull of 64 points. If it contains the origin, the penetration depth is the
+    distance to its nearest face. If not, the clearance is the minimum over all 144 pairs of edges and all 96 pairs of
+    a vertex and a face.
     """
     hull = ConvexHull((a[:, None] - b[None]).reshape(64, 3))
     reach = float(hull.equations[:, 3].max())
@@ -23,7 +24,7 @@ def clearance(a: Array, b: Array) -> float:
 
 
 def _edges(a: Array, b: Array) -> float:
-    """Least distance of their edges: inside both, or from an end of one to the other."""
+    """Return the minimum distance of the edges: between inner points of both, or from an end of one to the other."""
     p, q = (a[ends] for ends in np.repeat(EDGES, 12, axis=0).T)
     r, s = (b[ends] for ends in np.tile(EDGES, (12, 1)).T)
     least = min(_to_segments(r, p, q), _to_segments(s, p, q), _to_segments(p, r, s), _to_segments(q, r, s))
@@ -43,7 +44,7 @@ def _to_segments(points: Array, p: Array, q: Array) -> float:
 
 
 def _vertices(points: Array, body: Array) -> float:
-    """Least distance from a point to a face that it stands over."""
+    """Return the minimum distance from a point to a face that is perpendicularly below the point."""
     least = np.inf
     for normal, rim in zip(normals(body[None])[0], body[FACES], strict=True):
         height = (points - rim[0]) @ normal

@@ -1,4 +1,4 @@
-"""Answers for some pairs near contact, to be had with and without the compiler: ``python -m tests.bodies.plain``."""
+"""Results for pairs near contact, for runs with and without the compiler: ``python -m tests.bodies.plain``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.bodies.shapes import boxes, near_contact, skewed
 
 
 def results() -> list[list[float]]:
-    """Clearance and verdict of each pair."""
+    """Return clearance and verdict of each pair."""
     rng = np.random.default_rng(41)
     a, b = skewed(rng, 30), boxes(rng, 30)
     b = b + near_contact(rng, a, b).shift[:, None]

@@ -14,7 +14,7 @@ Ints = NDArray[np.int64]
 CUBE = np.array([(x, y, z) for y in (-1, 1) for x in (-1, 1) for z in (-1, 1)]) / 2.0
 """(8, 3) unit cube about the origin, vertices 1 to 8."""
 FACES = np.array([(1, 2, 6, 5), (1, 3, 4, 2), (1, 5, 7, 3), (2, 4, 8, 6), (5, 6, 8, 7), (3, 7, 8, 4)]) - 1
-"""(6, 4) rims of faces a to f, seen from outside against the clock."""
+"""(6, 4) vertices of faces a to f, counterclockwise seen from outside."""
 EDGES = (
     np.array(
         [(1, 2), (3, 4), (5, 6), (7, 8), (1, 3), (2, 4), (5, 7), (6, 8), (1, 5), (2, 6), (3, 7), (4, 8)],
@@ -24,17 +24,17 @@ EDGES = (
 
 
 def moved(body: Array, x: float, y: float, z: float) -> Array:
-    """A body (8, 3) moved by (x, y, z) [m]."""
+    """Return a body (8, 3) moved by (x, y, z) [m]."""
     return np.asarray(body + np.array([x, y, z]))
 
 
 def boxes(rng: np.random.Generator, count: int) -> Array:
-    """Boxes (count, 8, 3) with edges of 0.05 to 2 m."""
+    """Return random boxes (count, 8, 3) with edges of 0.05 to 2 m."""
     return CUBE * np.exp(rng.uniform(np.log(0.05), np.log(2.0), (count, 1, 3)))
 
 
 def skewed(rng: np.random.Generator, count: int) -> Array:
-    """Hexahedra (count, 8, 3) with each face of a box tilted by itself, so that they taper and lean."""
+    """Return random hexahedra (count, 8, 3): boxes whose faces are tilted independently."""
     normals = np.zeros((count, 6, 3))
     for face, (axis, sign) in enumerate([(0, -1), (1, -1), (2, -1), (2, 1), (1, 1), (0, 1)]):
         normals[:, face] = rng.uniform(-0.25, 0.25, (count, 3))
@@ -47,7 +47,7 @@ def skewed(rng: np.random.Generator, count: int) -> Array:
 
 
 def rotations(rng: np.random.Generator, count: int) -> Array:
-    """Random rotations (count, 3, 3)."""
+    """Return random rotations (count, 3, 3)."""
     w, x, y, z = (q := rng.normal(size=(4, count))) / np.linalg.norm(q, axis=0)
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -58,24 +58,24 @@ def rotations(rng: np.random.Generator, count: int) -> Array:
 
 
 def normals(bodies: Array) -> Array:
-    """Outward unit normals (n, 6, 3) of bodies (n, 8, 3)."""
+    """Return the outward unit normals (n, 6, 3) of bodies (n, 8, 3)."""
     p, q, r, s = np.moveaxis(bodies[:, FACES], 2, 0)
     found = np.cross(r - p, s - q)
     return np.asarray(found / np.linalg.norm(found, axis=2, keepdims=True))
 
 
 class Placing(NamedTuple):
-    """How to move the second bodies, (n, 3) [m], and the clearance that they then have, (n,): NaN where unknown [m]."""
+    """Translations (n, 3) [m] of the second bodies, and the clearances (n,) [m] after them; NaN if unknown."""
 
     shift: Array
     clearance: Array
 
 
 def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
-    """Places bodies b (n, 8, 3) 1e-10 to 0.3 m before or inside bodies a, an eighth of them anywhere about it.
+    """Return positions of bodies b (n, 8, 3) 1e-10 to 0.3 m outside or inside bodies a, an eighth of them random.
 
-    Vertices meet vertices, a face or each other, and edges edges. Where the meeting points are apart, they lie on two
-    parallel planes with all of a before and all of b behind, and so at the bodies' distance.
+    The closest features are two vertices, a vertex and a face, or two edges. Closest points that are apart are on two
+    parallel planes that separate the bodies, so their distance is the clearance.
     """
     n, rows = len(a), np.arange(len(a))
     kind = rng.integers(8, size=n)
@@ -98,7 +98,7 @@ def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
 
 
 def _support(rng: np.random.Generator, bodies: Array, way: Array) -> Array:
-    """A random point of each body's highest feature along a way (n, 3)."""
+    """Return a random point (n, 3) of each body's extreme feature along a direction (n, 3)."""
     height = np.einsum("nvk,nk->nv", bodies, way)
     share = rng.random(height.shape) * (height >= height.max(axis=1, keepdims=True) - 1e-12)
     return np.asarray(np.einsum("nv,nvk->nk", share / share.sum(axis=1, keepdims=True), bodies))

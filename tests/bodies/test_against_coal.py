@@ -1,4 +1,4 @@
-"""Random pairs near contact: verdicts against coal's, clearances against the placing, every witness checked."""
+"""Random pairs near contact: verdicts against coal, clearances against the known ones, and every witness."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from tests.bodies.witnesses import ROUNDING, features_penetrate, planes_hold, po
 
 Ints = NDArray[np.int64]
 GAP, USUAL = coal.GJKConvergenceCriterion.DualityGap, coal.GJKConvergenceCriterion.Default
-"""Coal's ends of its search. At a tolerance of 1e-12 the duality gap misses depths of up to 1e-8 m, a pair in 50,000,
-and the usual one calls gaps of up to 3e-6 m collisions, a pair in 70. So coal is asked by the duality gap; where it
-disagrees it is asked again by the usual one, and the clearance has to be that of brute force."""
+"""Coal's convergence criteria. At a tolerance of 1e-12, the duality gap misses depths of up to 1e-8 m (1 pair in
+50,000), and the default reports gaps of up to 3e-6 m as collisions (1 pair in 70). So the test uses the duality gap.
+If it disagrees, the test uses the default, and compares the clearance with brute force."""
 KINDS = {"boxes": boxes, "skewed": skewed}
 
 
 def hull(body: Array) -> object:
-    """A body (8, 3) as coal's."""
+    """Return a body (8, 3) as a convex of coal."""
     points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
     for point in body:
         points.append(point)
@@ -36,7 +36,7 @@ def hull(body: Array) -> object:
 
 
 def witnessed(a: Array, b: Array, pairs: Array, clearance: Array) -> None:
-    """Checks that each pair that is apart has a plane, and that each that overlaps names what penetrates."""
+    """Check that each separate pair has a plane, and that each overlapping pair names penetrating features."""
     apart, inside = clearance > CONTACT, clearance < -ROUNDING
     assert planes_hold(a[apart], b[apart], pairs[apart]).all()
     assert features_penetrate(a[inside], b[inside], pairs[inside]).all()
@@ -44,7 +44,7 @@ def witnessed(a: Array, b: Array, pairs: Array, clearance: Array) -> None:
 
 
 def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, int]:
-    """Pairs of `shapes` first bodies and as many second ones, in new places each round: how many, how many wrong."""
+    """Return the number of pairs compared, and of disagreements, over random placements of `shapes` pairs per round."""
     rng = np.random.default_rng(seed)
     first = np.einsum("nij,nvj->nvi", rotations(rng, shapes), KINDS[kind](rng, shapes))
     second = KINDS[kind](rng, shapes)
@@ -71,16 +71,16 @@ def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, 
         request.gjk_convergence_criterion = GAP
         bodies, pairs = np.empty((2 * shapes, BODY)), np.zeros((shapes, PAIR))
         bodies[:shapes] = packed_first
-        theirs = np.empty(shapes, dtype=bool)
+        coal_collides = np.empty(shapes, dtype=bool)
         for k in range(shapes):
             place(packed_second[order[k]], placing.shift[k], turn[k], bodies[shapes + k])
-            theirs[k] = collide(k)
+            coal_collides[k] = collide(k)
         measure_all(bodies, watched, pairs)
         clearance = pairs[:, CLEARANCE].copy()
         a, b = vertices(bodies[:shapes]), vertices(bodies[shapes:])
         collides = clearance <= CONTACT
         request.gjk_convergence_criterion = USUAL
-        for pair in np.flatnonzero((collides != theirs) & (np.abs(clearance) > CONTACT)):
+        for pair in np.flatnonzero((collides != coal_collides) & (np.abs(clearance) > CONTACT)):
             wrong += collide(int(pair)) != bool(collides[pair])
             assert clearance[pair] == pytest.approx(brute.clearance(a[pair], b[pair]), abs=ROUNDING)
         known = np.isfinite(placing.clearance)
@@ -88,19 +88,19 @@ def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, 
         assert points_hold(a, b, pairs).all()
         witnessed(a, b, pairs, clearance)
         pairs[:] = 0.0
-        ours = [verdict(bodies[k], bodies[shapes + k], pairs[k]) for k in range(shapes)]
-        assert np.array_equal(ours, collides)
+        verdicts = [verdict(bodies[k], bodies[shapes + k], pairs[k]) for k in range(shapes)]
+        assert np.array_equal(verdicts, collides)
         witnessed(a, b, pairs, clearance)
         seen += shapes
     return seen, wrong
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_verdict_is_coals_and_every_witness_holds(kind: str) -> None:
+def test_verdict_agrees_with_coal_and_every_witness_holds(kind: str) -> None:
     assert disagreements(kind, 5, 1000, 5) == (5000, 0)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_verdict_is_coals_and_every_witness_holds_a_million_times(kind: str) -> None:
+def test_verdict_agrees_with_coal_for_a_million_pairs(kind: str) -> None:
     assert disagreements(kind, 6, 2000, 250) == (500_000, 0)

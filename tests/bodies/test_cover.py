@@ -1,4 +1,4 @@
-"""Covers hold all of the curved body, and stand out of it by no more than they say."""
+"""Covers contain the whole curved body, and exceed it by no more than their stated bound."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ AXES: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (1, 2, 0), "z": (
 
 
 def covered(points: Array, bodies: Array) -> bool:
-    """Whether each of the points lies in one of the bodies."""
+    """Return whether each point is in one of the bodies."""
     inside = np.zeros(len(points), dtype=bool)
     for body in bodies:
         packed = hexahedron(body)
@@ -28,7 +28,7 @@ def covered(points: Array, bodies: Array) -> bool:
 
 
 def radii(bodies: Array, axis: Axis) -> Array:
-    """Distance from the axis of points spread through the bodies."""
+    """Return the distances from the axis of random points in the bodies."""
     rng = np.random.default_rng(51)
     share = rng.dirichlet(np.full(8, 0.3), 4000)
     points = np.concatenate([share @ body for body in bodies])
@@ -37,7 +37,7 @@ def radii(bodies: Array, axis: Axis) -> Array:
 
 
 def around(axis: Axis, along: Array, radius: Array, angle: Array) -> Array:
-    """Points by their place along an axis, distance from it and angle about it."""
+    """Return points from their position along an axis, distance from it and angle about it."""
     points = np.empty((len(along), 3))
     for k, values in zip(AXES[axis], (along, radius * np.cos(angle), radius * np.sin(angle)), strict=True):
         points[:, k] = values
@@ -47,7 +47,9 @@ def around(axis: Axis, along: Array, radius: Array, angle: Array) -> Array:
 @pytest.mark.parametrize("axis", AXES)
 @pytest.mark.parametrize(("count", "start", "sweep"), [(8, math.pi, math.pi), (8, 0.0, math.tau), (20, 1.0, 5.0)])
 @pytest.mark.parametrize("taper", [1.0, 0.7])
-def test_a_tubes_wall_is_covered(axis: Axis, count: int, start: float, sweep: float, taper: float) -> None:
+def test_tube_wall_is_covered_by_its_hexahedra(
+    axis: Axis, count: int, start: float, sweep: float, taper: float
+) -> None:
     radius, thickness, length = 2.33, 0.02, 18.54
     walls = tube_wall(
         radius, thickness, length, radius_end=taper * radius, axis=axis, start=start, sweep=sweep, count=count
@@ -61,7 +63,7 @@ def test_a_tubes_wall_is_covered(axis: Axis, count: int, start: float, sweep: fl
 
 
 @pytest.mark.parametrize("count", [8, 16])
-def test_a_tubes_wall_stands_out_by_no_more_than_it_says(count: int) -> None:
+def test_tube_wall_cover_exceeds_the_wall_within_its_stated_bound(count: int) -> None:
     half = math.pi / (2 * count)
     found = radii(tube_wall(2.33, 0.02, 18.54, start=math.pi, sweep=math.pi, count=count), "x")
     assert found.min() >= 2.31 * math.cos(half) - 1e-12
@@ -70,13 +72,13 @@ def test_a_tubes_wall_stands_out_by_no_more_than_it_says(count: int) -> None:
         assert 2.31 * (1.0 - math.cos(half)) == pytest.approx(0.0444, abs=1e-4)
 
 
-def test_walls_lie_side_by_side() -> None:
+def test_adjacent_tube_wall_hexahedra_touch() -> None:
     walls = tube_wall(2.33, 0.02, 18.54)
     for one, other in zip(walls, np.roll(walls, -1, axis=0), strict=True):
         assert separation(one, other).clearance == pytest.approx(0.0, abs=1e-12)
 
 
-def test_clearance_from_a_tubes_wall_is_never_overstated() -> None:
+def test_tube_wall_clearance_is_never_overstated() -> None:
     walls = tube_wall(2.33, 0.02, 18.54, start=math.pi, sweep=math.pi)
     rng = np.random.default_rng(53)
     for _ in range(60):
@@ -90,7 +92,7 @@ def test_clearance_from_a_tubes_wall_is_never_overstated() -> None:
 
 @pytest.mark.parametrize("axis", AXES)
 @pytest.mark.parametrize(("sides", "turn", "taper"), [(12, 0.0, 1.0), (6, 0.5, 1.0), (8, 0.2, 0.5), (4, 0.1, 1.2)])
-def test_a_round_body_is_covered_by_its_prism(axis: Axis, sides: int, turn: float, taper: float) -> None:
+def test_round_body_is_covered_by_its_prism(axis: Axis, sides: int, turn: float, taper: float) -> None:
     slices = prism(2.0, 9.0, radius_end=2.0 * taper, axis=axis, sides=sides, turn=turn)
     assert slices.shape == (sides // 2 - 1, 8, 3)
     rng = np.random.default_rng(54)
@@ -100,18 +102,18 @@ def test_a_round_body_is_covered_by_its_prism(axis: Axis, sides: int, turn: floa
     assert radii(slices, axis).max() <= 2.0 * max(1.0, taper) / math.cos(math.pi / sides) + 1e-12
 
 
-def test_a_prism_of_twelve_sides_stands_out_by_less_than_a_twentyeighth() -> None:
+def test_twelve_sided_prism_exceeds_its_radius_by_less_than_1_in_28() -> None:
     assert radii(prism(1.0, 1.0), "x").max() < 1.0 + 1.0 / 28.0
 
 
-def test_slices_of_a_prism_overlap_nowhere() -> None:
+def test_prism_slices_do_not_overlap() -> None:
     slices = prism(2.0, 9.0)
     for k, one in enumerate(slices):
         for other in slices[:k]:
             assert separation(one, other).clearance >= -1e-12
 
 
-def test_clearance_from_a_round_body_is_never_overstated() -> None:
+def test_round_body_clearance_is_never_overstated() -> None:
     slices = prism(1.5, 6.0)
     rng = np.random.default_rng(55)
     for _ in range(60):
@@ -123,7 +125,7 @@ def test_clearance_from_a_round_body_is_never_overstated() -> None:
         assert true - 1.5 * (1.0 / math.cos(math.pi / 12) - 1.0) - 1e-3 <= found <= true
 
 
-def test_a_prisms_flat_stands_where_it_is_turned_to() -> None:
+def test_prism_flat_is_at_its_turn_angle() -> None:
     for turn in (0.0, 0.4):
         grain = CUBE * 1e-3 + np.array([0.0, 3.0 * math.cos(turn), 3.0 * math.sin(turn)])
         clearance = min(separation(grain, part).clearance for part in prism(2.0, 4.0, turn=turn))
@@ -144,7 +146,7 @@ def test_a_prisms_flat_stands_where_it_is_turned_to() -> None:
         ({"axis": "w"}, "axis is 'w'"),
     ],
 )
-def test_walls_that_are_none_are_refused(sizes: dict[str, float], message: str) -> None:
+def test_invalid_tube_wall_argument_is_rejected(sizes: dict[str, float], message: str) -> None:
     given = {"radius": 2.0, "thickness": 0.1, "length": 5.0} | sizes
     with pytest.raises(InputError, match=message):
         tube_wall(**given)  # type: ignore[arg-type]  # an axis among the numbers
@@ -160,7 +162,7 @@ def test_walls_that_are_none_are_refused(sizes: dict[str, float], message: str) 
         ({"turn": math.inf}, "turn is inf"),
     ],
 )
-def test_prisms_that_are_none_are_refused(sizes: dict[str, float], message: str) -> None:
+def test_invalid_prism_argument_is_rejected(sizes: dict[str, float], message: str) -> None:
     given = {"radius": 2.0, "length": 5.0} | sizes
     with pytest.raises(InputError, match=message):
         prism(**given)  # type: ignore[arg-type]  # whole numbers among the others

@@ -1,4 +1,4 @@
-"""What `aftdeck.separation` says, against brute force and against the laws of distance."""
+"""Results of `aftdeck.separation`, against brute force and against the properties of a distance."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ PLATE = CUBE * [4.0, 4.0, 0.5]
 
 
 def near_pairs(seed: int, count: int) -> list[tuple[Array, Array]]:
-    """Pairs near contact, boxes and skewed bodies mixed."""
+    """Return pairs near contact, boxes and skewed bodies mixed."""
     rng = np.random.default_rng(seed)
     both = np.concatenate([boxes(rng, count), skewed(rng, count)])
     bodies = np.einsum("nij,nvj->nvi", rotations(rng, 2 * count), both)[rng.permutation(2 * count)]
@@ -25,16 +25,16 @@ def near_pairs(seed: int, count: int) -> list[tuple[Array, Array]]:
 
 
 def apart(found: Separation) -> Array:
-    """The way from the first closest point to the second."""
+    """Return the vector from the first closest point to the second."""
     return found.closest.b - found.closest.a
 
 
-def test_the_clearance_is_that_of_brute_force() -> None:
+def test_clearance_agrees_with_brute_force() -> None:
     for a, b in near_pairs(1, 400):
         assert separation(a, b).clearance == pytest.approx(brute.clearance(a, b), abs=1e-12)
 
 
-def test_needles_and_slabs_large_and_small_have_the_clearance_of_brute_force() -> None:
+def test_clearance_of_needles_and_slabs_agrees_with_brute_force() -> None:
     rng = np.random.default_rng(2)
     for _ in range(200):
         sizes = np.exp(rng.uniform(np.log(1e-3), np.log(20.0), (2, 3)))
@@ -43,17 +43,17 @@ def test_needles_and_slabs_large_and_small_have_the_clearance_of_brute_force() -
         assert separation(a, b).clearance == pytest.approx(brute.clearance(a, b), abs=1e-12)
 
 
-def test_bodies_changed_over_have_the_same_clearance_and_the_plane_the_other_way() -> None:
+def test_exchanged_bodies_have_equal_clearance_and_opposite_normal() -> None:
     for a, b in near_pairs(3, 300):
         one, other = separation(a, b), separation(b, a)
         assert one.clearance == pytest.approx(other.clearance, abs=1e-13)
         assert one.collides == other.collides
         if one.plane is not None and other.plane is not None:
-            # Of a pair very close, the direction is known as well as rounding lets it.
+            # For a small clearance, rounding limits the accuracy of the direction.
             assert one.plane.normal == pytest.approx(-other.plane.normal, abs=1e-12 + 1e-14 / one.clearance)
 
 
-def test_turned_and_moved_together_bodies_keep_their_clearance() -> None:
+def test_rigid_motion_of_both_bodies_keeps_their_clearance() -> None:
     rng = np.random.default_rng(4)
     for a, b in near_pairs(4, 300):
         turn, move = rotations(rng, 1)[0], rng.normal(size=3) * 10.0
@@ -62,7 +62,7 @@ def test_turned_and_moved_together_bodies_keep_their_clearance() -> None:
         assert there.clearance == pytest.approx(here.clearance, abs=1e-12)
 
 
-def test_bodies_moved_apart_along_the_shortest_way_gain_just_that_clearance() -> None:
+def test_moving_apart_along_the_normal_adds_exactly_that_clearance() -> None:
     rng = np.random.default_rng(5)
     for a, b in near_pairs(5, 300):
         found = separation(a, b)
@@ -72,7 +72,7 @@ def test_bodies_moved_apart_along_the_shortest_way_gain_just_that_clearance() ->
             assert beyond.clearance == pytest.approx(found.clearance + step, abs=1e-12)
 
 
-def test_bodies_moved_apart_by_their_depth_touch() -> None:
+def test_bodies_moved_apart_by_their_penetration_depth_touch() -> None:
     for a, b in near_pairs(6, 300):
         found = separation(a, b)
         if found.clearance < -1e-6:
@@ -82,7 +82,7 @@ def test_bodies_moved_apart_by_their_depth_touch() -> None:
             assert not separation(a, b + 1.01 * out).collides
 
 
-def test_bodies_moved_away_from_each_other_never_come_closer() -> None:
+def test_moving_apart_never_reduces_clearance() -> None:
     rng = np.random.default_rng(7)
     for a, b in near_pairs(7, 100):
         found = separation(a, b)
@@ -95,7 +95,7 @@ def test_bodies_moved_away_from_each_other_never_come_closer() -> None:
 
 
 @pytest.mark.parametrize("across", [False, True])
-def test_a_needle_through_a_face_collides_from_either_side(across: bool) -> None:
+def test_needle_through_a_face_collides_in_either_argument_order(across: bool) -> None:
     turn = np.array([[1.0, 0.0, 0.0], [0.0, 0.96, -0.28], [0.0, 0.28, 0.96]])
     needle = NEEDLE @ turn.T + [0.3, 0.2, 0.1]
     found = separation(needle, PLATE) if across else separation(PLATE, needle)
@@ -107,8 +107,8 @@ def test_a_needle_through_a_face_collides_from_either_side(across: bool) -> None
     assert found.clearance < -0.5
 
 
-def test_a_needle_that_ends_before_a_face_is_apart_from_it() -> None:
-    # Its edges, prolonged, pierce the plate.
+def test_needle_that_ends_before_a_face_does_not_collide() -> None:
+    # The extensions of its edges pierce the plate.
     found = separation(moved(NEEDLE, 0.3, 0.2, 3.25 + 1e-6), PLATE)
     assert found.clearance == pytest.approx(1e-6, abs=1e-12)
     assert not found.collides
@@ -119,9 +119,7 @@ def test_a_needle_that_ends_before_a_face_is_apart_from_it() -> None:
     [(0.0, True), (0.9e-9, True), (1.1e-9, False), (1e-6, False), (-0.9e-9, True), (-1e-3, True)],
 )
 @pytest.mark.parametrize("turned", [False, True])
-def test_contact_is_a_clearance_of_a_millionth_of_a_millimetre_at_most(
-    gap: float, collides: bool, turned: bool
-) -> None:
+def test_contact_is_a_clearance_of_at_most_1_nm(gap: float, collides: bool, turned: bool) -> None:
     turn = rotations(np.random.default_rng(8), 1)[0] if turned else np.eye(3)
     for shift in ([1.0 + gap, 0.0, 0.0], [0.3, 1.0 + gap, -0.4]):
         found = separation(CUBE @ turn.T, (CUBE + shift) @ turn.T)
@@ -138,21 +136,21 @@ def test_touching_edges_vertices_and_faces_collide(shift: list[float]) -> None:
     assert found.closest.a == pytest.approx(found.closest.b, abs=1e-15)
 
 
-def test_a_body_is_as_deep_in_itself_as_it_is_thin() -> None:
+def test_body_overlaps_itself_by_its_least_thickness() -> None:
     for body in near_pairs(9, 50)[0]:
         found = separation(body, body)
         assert found.clearance == pytest.approx(brute.clearance(body, body), abs=1e-13)
     assert separation(CUBE * [3.0, 2.0, 1.0], CUBE * [3.0, 2.0, 1.0]).clearance == pytest.approx(-1.0, abs=1e-15)
 
 
-def test_a_nested_body_has_to_come_out_by_its_own_thickness_and_its_distance_from_the_nearest_face() -> None:
+def test_nested_body_depth_is_face_distance_plus_half_thickness() -> None:
     found = separation(CUBE * 4.0, CUBE * [0.5, 0.6, 0.7] + [1.2, 0.0, 0.0])
     assert found.clearance == pytest.approx(-(2.0 - 1.2 + 0.25), abs=1e-15)
     assert apart(found) == pytest.approx([found.clearance, 0.0, 0.0], abs=1e-15)
     assert found.feature.a == "body"
 
 
-def test_parallel_faces_give_points_that_face_each_other() -> None:
+def test_parallel_faces_give_closest_points_that_face_each_other() -> None:
     found = separation(CUBE, CUBE * [2.0, 0.5, 0.5] + [2.0, 0.1, -0.2])
     assert found.clearance == pytest.approx(0.5, abs=1e-15)
     assert apart(found) == pytest.approx([0.5, 0.0, 0.0], abs=1e-15)
@@ -173,7 +171,7 @@ def test_features_are_named_by_their_vertices(shift: list[float], feature: tuple
     assert separation(CUBE, CUBE + shift).feature == feature
 
 
-def test_an_edge_and_a_face_are_named_where_points_lie_on_them() -> None:
+def test_closest_points_on_an_edge_or_a_face_name_it() -> None:
     turn = np.array([[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]]) @ np.array(
         [[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]]
     )
@@ -182,7 +180,7 @@ def test_an_edge_and_a_face_are_named_where_points_lie_on_them() -> None:
     assert separation(CUBE * 4.0, moved(pin, 3.0, 3.0, 0.3)).feature.a == "edge 78"
 
 
-def test_points_and_planes_share_no_memory() -> None:
+def test_separation_results_share_no_memory() -> None:
     one, two = separation(CUBE, CUBE + 3.0), separation(CUBE, CUBE + 4.0)
     assert one.plane is not None
     assert two.plane is not None

@@ -1,4 +1,4 @@
-"""The page turns cameras by a law of its own: both it and `view` have to give these views."""
+"""The page computes camera views with its own code: both the page and `view` have to give these views."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ VIEWS = Path(__file__).parents[2] / "web" / "tests" / "views.json"
 
 
 class Witness(msgspec.Struct):
-    """A camera, how its drives stand, and what it shows then."""
+    """A camera, the setting of its drives, and its view at that setting."""
 
     camera: Camera
     setting: Setting
@@ -22,7 +22,7 @@ class Witness(msgspec.Struct):
     up: Vec3
 
 
-def test_the_page_and_the_simulation_turn_cameras_alike() -> None:
+def test_simulation_computes_the_camera_views_of_the_page() -> None:
     witnesses = msgspec.json.decode(VIEWS.read_bytes(), type=list[Witness])
     assert len(witnesses) > 10
     for one in witnesses:

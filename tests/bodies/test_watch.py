@@ -1,4 +1,4 @@
-"""Pairs watched frame by frame: what is remembered makes an answer quicker, never another one."""
+"""Pairs measured repeatedly: their memory makes a result faster, and never changes it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from tests.bodies.witnesses import features_penetrate, planes_hold, points_hold
 
 
 def motions(seed: int, count: int, frames: int) -> list[tuple[Array, list[Array]]]:
-    """A body, and the places of another one that drifts past it and turns, in steps of some millimetres."""
+    """Return bodies, each with the vertices of another body that drifts past it and turns, in steps of millimetres."""
     rng = np.random.default_rng(seed)
     a, b = skewed(rng, count), boxes(rng, count)
     start = near_contact(rng, a, b).shift
@@ -40,7 +40,7 @@ def motions(seed: int, count: int, frames: int) -> list[tuple[Array, list[Array]
     return passes
 
 
-def test_a_warm_pair_says_what_a_cold_one_says() -> None:
+def test_warm_pair_gives_the_same_result_as_a_cold_pair() -> None:
     for a, places in motions(31, 30, 20):
         first, warm, quick = hexahedron(a), np.zeros(PAIR), np.zeros(PAIR)
         for place in places:
@@ -55,7 +55,7 @@ def test_a_warm_pair_says_what_a_cold_one_says() -> None:
                 assert (features_penetrate(*there) | (clearance > -1e-12)).all()
 
 
-def test_a_pair_remembered_from_other_bodies_changes_nothing() -> None:
+def test_stale_pair_memory_does_not_change_the_result() -> None:
     rng = np.random.default_rng(32)
     bodies = np.einsum("nij,nvj->nvi", rotations(rng, 600), np.concatenate([skewed(rng, 300), boxes(rng, 300)]))
     a, b = bodies[:300], bodies[300:]
@@ -73,7 +73,7 @@ def test_a_pair_remembered_from_other_bodies_changes_nothing() -> None:
         assert measure(first, second, stale) == pytest.approx(clearance, abs=1e-12)
 
 
-def test_the_last_plane_is_kept_while_it_separates_and_only_then() -> None:
+def test_last_plane_is_kept_only_while_it_separates() -> None:
     first, pair = hexahedron(CUBE), np.zeros(PAIR)
     assert not verified(first, hexahedron(CUBE + 3.0), pair)
     measure(first, hexahedron(moved(CUBE, 1.5, 0.0, 0.0)), pair)
@@ -84,7 +84,7 @@ def test_the_last_plane_is_kept_while_it_separates_and_only_then() -> None:
             assert planes_hold(CUBE[None], unpack(second)[None], pair[None]).all()
 
 
-def test_many_pairs_are_measured_as_each_by_itself() -> None:
+def test_measuring_many_pairs_equals_measuring_each_alone() -> None:
     rng = np.random.default_rng(33)
     bodies = np.array(
         [hexahedron(body + shift) for body, shift in zip(boxes(rng, 8), rng.normal(size=(8, 3)), strict=True)]
@@ -98,7 +98,7 @@ def test_many_pairs_are_measured_as_each_by_itself() -> None:
         assert np.array_equal(alone, pair)
 
 
-def test_laws_that_are_not_compiled_agree_with_the_compiled_ones() -> None:
+def test_uncompiled_laws_agree_with_the_compiled_ones() -> None:
     done = subprocess.run(
         [sys.executable, "-m", "tests.bodies.plain"],
         cwd=Path(__file__).parents[2],

@@ -32,11 +32,11 @@ PLACES = {
     (1, -1, 1): "bdf",
     (-1, 1, -1): "ace",
 }
-"""Where a small body stands about a large one, and on which faces' TRUE sides all its vertices are."""
+"""Position of a small body around a large one, and the faces that have all its vertices on their TRUE side."""
 
 
 def words(a: Array, b: Array) -> list[int]:
-    """The location words of body a against body b."""
+    """Return the location words of body a relative to body b."""
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)
@@ -44,7 +44,7 @@ def words(a: Array, b: Array) -> list[int]:
 
 
 def pierced(a: Array, b: Array) -> tuple[int, int]:
-    """Which edge of a pierces which face of b, from zero."""
+    """Return the edge of a that pierces a face of b, and that face, counted from 0; -1 if no edge does."""
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)
@@ -53,7 +53,7 @@ def pierced(a: Array, b: Array) -> tuple[int, int]:
 
 
 @pytest.mark.parametrize(("place", "faces"), PLACES.items(), ids=str)
-def test_location_words_name_the_faces_whose_outside_a_vertex_is_on(place: tuple[int, int, int], faces: str) -> None:
+def test_location_words_name_the_faces_that_a_vertex_is_outside_of(place: tuple[int, int, int], faces: str) -> None:
     word = sum(BIT[letter] for letter in faces)
     turn = rotations(np.random.default_rng(21), 1)[0]
     for rotation in (np.eye(3), turn):
@@ -61,15 +61,15 @@ def test_location_words_name_the_faces_whose_outside_a_vertex_is_on(place: tuple
         assert words(small, large) == [word] * 8
 
 
-def test_location_words_of_a_body_round_another_are_those_of_its_corners() -> None:
+def test_location_words_of_an_enclosing_body_are_those_of_its_corners() -> None:
     assert words(CUBE * 3.0, CUBE) == [BIT[z] + BIT[x] + BIT[y] for y in "be" for x in "af" for z in "cd"]
 
 
-def test_a_vertex_on_a_face_is_on_its_false_side() -> None:
+def test_vertex_on_a_face_is_on_its_false_side() -> None:
     assert words(CUBE, CUBE) == [0] * 8
 
 
-def test_faces_and_edges_are_those_of_the_numbering() -> None:
+def test_faces_and_edges_follow_the_numbering() -> None:
     assert {letter: "".join(map(str, face)) for letter, face in FACES.items()} == {
         "a": "1256",
         "b": "1234",
@@ -85,14 +85,14 @@ def test_faces_and_edges_are_those_of_the_numbering() -> None:
     }
 
 
-def test_normals_turned_from_a_face_beside_an_edge_to_the_other_turn_along_the_edge() -> None:
+def test_edge_direction_follows_the_turn_between_its_face_normals() -> None:
     for body in skewed(np.random.default_rng(22), 20):
         normals = hexahedron(body)[24:42].reshape(3, 6).T
         turns = np.cross(normals[BESIDE[:, 0]], normals[BESIDE[:, 1]])
         assert ((body[ENDS[:, 1]] - body[ENDS[:, 0]]) * turns).sum(axis=1).min() > 0.0
 
 
-def test_every_vertex_lies_inside_the_faces_it_is_not_on() -> None:
+def test_each_vertex_is_inside_the_faces_that_do_not_contain_it() -> None:
     for body in skewed(np.random.default_rng(23), 20):
         packed, above = hexahedron(body), np.empty((6, 8))
         heights(packed, packed, above)
@@ -103,7 +103,7 @@ def test_every_vertex_lies_inside_the_faces_it_is_not_on() -> None:
 
 
 @pytest.mark.parametrize("reach", [0.6, 1.5, 5.0])
-def test_an_edge_pierces_a_face_just_as_far_as_it_reaches(reach: float) -> None:
+def test_edge_that_passes_through_a_face_pierces_it(reach: float) -> None:
     # Edges 12 and 56 of the needle run along z, through face c, where they are inside in x and y.
     needle = CUBE * [0.02, 0.02, 2.0 * reach]
     edge, face = pierced(needle, CUBE)
@@ -111,7 +111,7 @@ def test_an_edge_pierces_a_face_just_as_far_as_it_reaches(reach: float) -> None:
     assert list(FACES)[face] == "c"
 
 
-def test_an_edge_whose_line_would_pierce_a_face_beyond_its_end_does_not() -> None:
+def test_edge_that_ends_before_a_face_does_not_pierce_it() -> None:
     turn = rotations(np.random.default_rng(24), 40)
     for rotation in turn:
         needle = (CUBE * [0.02, 0.02, 1.0]) @ rotation.T
@@ -119,13 +119,13 @@ def test_an_edge_whose_line_would_pierce_a_face_beyond_its_end_does_not() -> Non
         assert pierced(beyond, CUBE)[0] == -1
 
 
-def test_a_plate_does_not_pierce_the_needle_through_it() -> None:
+def test_plate_does_not_pierce_the_needle_through_it() -> None:
     plate, needle = CUBE * [4.0, 4.0, 0.5], CUBE * [0.02, 0.02, 3.0]
     assert pierced(plate, needle)[0] == -1
     assert pierced(needle, plate)[0] >= 0
 
 
-def test_a_placed_body_is_the_one_packed_there() -> None:
+def test_placed_body_equals_the_body_packed_at_that_pose() -> None:
     rng = np.random.default_rng(25)
     for body, rotation in zip(skewed(rng, 50), rotations(rng, 50), strict=True):
         position, placed = rng.normal(size=3) * 5.0, np.empty(48)

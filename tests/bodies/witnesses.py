@@ -1,4 +1,4 @@
-"""Whether what a packed pair says is proved by what stands in it."""
+"""Checks of the witnesses in a packed pair: planes, features and closest points."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from tests.bodies.shapes import EDGES, FACES, normals
 Bools = NDArray[np.bool_]
 
 ROUNDING = 1e-12
-"""How far from the exact answer a clearance may be [m]."""
+"""Allowed error of a clearance [m]."""
 
 
 def vertices(packed: Array) -> Array:
-    """The vertices (n, 8, 3) of packed bodies (n, 48)."""
+    """Return the vertices (n, 8, 3) of packed bodies (n, 48)."""
     return packed[:, :NX].reshape(-1, 3, 8).transpose(0, 2, 1)
 
 
 def planes_hold(a: Array, b: Array, pairs: Array) -> Bools:
-    """Whether each pair's plane (n,) has all of a (n, 8, 3) before it and all of b behind, CONTACT between them."""
+    """Return whether each pair's plane (n,) separates a (n, 8, 3) from b, with a gap of more than CONTACT."""
     normal = pairs[:, NORMAL : NORMAL + 3]
     reach = np.einsum("nvk,nk->nv", a, normal).max(axis=1)
     begin = np.einsum("nvk,nk->nv", b, normal).min(axis=1)
@@ -32,7 +32,7 @@ def planes_hold(a: Array, b: Array, pairs: Array) -> Bools:
 
 
 def features_penetrate(a: Array, b: Array, pairs: Array) -> Bools:
-    """Whether each pair (n,) names a vertex inside the other body, or an edge that passes through a face of it."""
+    """Return whether each pair (n,) names a vertex inside the other body, or an edge that passes through its face."""
     of_a, of_b = pairs[:, FEATURE_A].astype(int), pairs[:, FEATURE_B].astype(int)
     return np.asarray(_enters(a, b, of_a, of_b) | _enters(b, a, of_b, of_a))
 
@@ -56,7 +56,7 @@ def _enters(a: Array, b: Array, of_a: NDArray[np.int64], of_b: NDArray[np.int64]
 
 
 def points_hold(a: Array, b: Array, pairs: Array) -> Bools:
-    """Whether each pair's closest points (n,) are points of their bodies, as far apart as the clearance says."""
+    """Return whether each pair's closest points (n,) are in their bodies, at a distance equal to the clearance."""
     p, q = pairs[:, POINT_A : POINT_A + 3], pairs[:, POINT_B : POINT_B + 3]
     apart = np.abs(np.linalg.norm(p - q, axis=1) - np.abs(pairs[:, CLEARANCE])) <= ROUNDING
     on_a = _heights(p[:, None], a).max(axis=(1, 2)) <= ROUNDING
@@ -65,6 +65,6 @@ def points_hold(a: Array, b: Array, pairs: Array) -> Bools:
 
 
 def _heights(points: Array, bodies: Array) -> Array:
-    """How far points (n, m, 3) stand over the faces of bodies (n, 8, 3), (n, m, 6) [m]."""
+    """Return the heights (n, m, 6) of points (n, m, 3) over the faces of bodies (n, 8, 3) [m]."""
     outward, first = normals(bodies), bodies[:, FACES[:, 0]]
     return np.asarray(np.einsum("nmk,nfk->nmf", points, outward) - np.einsum("nfk,nfk->nf", first, outward)[:, None])

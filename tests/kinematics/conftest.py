@@ -1,4 +1,4 @@
-"""What the tests of kinematics share."""
+"""Fixtures of the kinematics tests."""
 
 from __future__ import annotations
 
@@ -14,5 +14,5 @@ def arm() -> aftdeck.Arm:
 
 @pytest.fixture(scope="session", params=["srms", "concept-1972"])
 def any_arm(request: pytest.FixtureRequest) -> aftdeck.Arm:
-    """One arm of each family."""
+    """Return one arm of each family."""
     return aftdeck.load_arm(request.param)

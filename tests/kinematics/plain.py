@@ -1,4 +1,4 @@
-"""Run laws over fixed numbers and print what they give, as JSON; run with and without NUMBA_DISABLE_JIT."""
+"""Run laws on fixed numbers and print the results as JSON, for runs with and without NUMBA_DISABLE_JIT."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ STEPS = 120
 
 
 def results() -> dict[str, list[Any]]:
-    """What the laws give for kinematics, an arm of each family, and for the first steps of three scenarios."""
+    """Return results of the kinematics of an arm of each family, and of the first steps of three scenarios."""
     found: dict[str, list[Any]] = {}
     for name in ("srms", "concept-1972"):
         arm = aftdeck.load_arm(name)

@@ -1,10 +1,11 @@
-"""Random joint angles for tests, and the structural coordinates in which sources give places."""
+"""Joint angles for tests, random and singular, and the structural coordinates of the sources."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
+from scipy.optimize import brentq
 
 import aftdeck
 from aftdeck.arrays import Array
@@ -25,15 +26,17 @@ ORIGIN = np.array(CENTRES["shoulder_yaw"]) * INCH
 """L's origin, structural [m]."""
 BODY = np.diag([-1.0, 1.0, -1.0])
 """From structural components (aft, starboard, up) to the orbiter's body axes (forward, starboard, down)."""
+STRAIGHT = -(math.atan2(6.0, 251.05) + math.atan2(6.0, 277.95))
+"""Elbow angle at which upper and lower arm are in line [rad]; both are 6 in off the boom line."""
 
 
 def structural(position: Array) -> Array:
-    """Structural coordinates [m] of places (..., 3) given in L."""
+    """Return the structural coordinates [m] of positions (..., 3) in L."""
     return np.asarray(position @ AXES.T + ORIGIN)
 
 
 def legal(arm: aftdeck.Arm, seed: int, count: int) -> Array:
-    """(count, 6) angles inside the hard limits; a tenth of all angles stands at or just inside a limit."""
+    """Return random angles (count, 6) inside the hard limits; a tenth of them is at or just inside a limit."""
     rng = np.random.default_rng(seed)
     low, high = arm.limits.hard[:, 0], arm.limits.hard[:, 1]
     q = rng.uniform(low, high, (count, 6))
@@ -44,12 +47,32 @@ def legal(arm: aftdeck.Arm, seed: int, count: int) -> Array:
     return q
 
 
+def over_the_shoulder(arm: aftdeck.Arm) -> Array:
+    """Return legal angles at which the wrist yaw joint is on the shoulder yaw axis."""
+    tip = 56 * 0.0254
+
+    def off_axis(elbow: float) -> float:
+        pose = arm.forward([0.0, 2.0, elbow, 0.3, 0.1, 0.2])
+        return float(pose.position[0] - tip * pose.rotation[0, 0])
+
+    return np.array([0.0, 2.0, brentq(off_axis, -2.5, -0.1, xtol=1e-15), 0.3, 0.1, 0.2])
+
+
+def singular_poses(arm: aftdeck.Arm) -> dict[str, Array]:
+    """Return angles exactly at each singularity, away from the others."""
+    return {
+        "shoulder": over_the_shoulder(arm),
+        "elbow": np.array([0.3, 1.0, STRAIGHT, 0.4, 0.2, 0.1]),
+        "wrist": np.array([0.3, 1.0, -1.3, 0.4, math.pi / 2, 0.1]),
+    }
+
+
 def turned(a: Array, b: Array) -> Array:
-    """(..., 3) rotation vector [rad] from b to a, rotation matrices (..., 3, 3), for small turns."""
+    """Return the rotation vectors [rad] (..., 3) from b to a, rotation matrices (..., 3, 3), for small rotations."""
     r = a @ np.swapaxes(b, -1, -2)
     return 0.5 * np.stack([r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]], -1)
 
 
 def apart(a: Array, b: Array) -> Array:
-    """Differences of angles [rad], whole turns left out."""
+    """Return the differences of angles [rad], without full turns."""
     return np.asarray(np.remainder(a - b + math.pi, math.tau) - math.pi)

@@ -1,4 +1,4 @@
-"""The concept arm of 1972: its report's rotations, stand, branches, singularities, and the mission it was meant for."""
+"""The concept arm of 1972: the report's rotations, telescope, branches, singularities, and its mission."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def concept() -> aftdeck.Arm:
 
 
 def by_the_report(q: Array) -> Array:
-    """R(-HO) R(-PO) R(-P1) R(-H2) R(-P2) R(-R2), each as the report prints it, its heading about Z."""
+    """Return R(-HO) R(-PO) R(-P1) R(-H2) R(-P2) R(-R2), each as printed in the report, with headings about Z."""
 
     def heading(x: float) -> Array:
         return np.array([[math.cos(x), -math.sin(x), 0], [math.sin(x), math.cos(x), 0], [0, 0, 1]])
@@ -40,12 +40,12 @@ def by_the_report(q: Array) -> Array:
     return reduce(np.matmul, [turn(float(x)) for turn, x in zip(turns, q, strict=True)])
 
 
-def test_system_2_stands_in_r_as_the_reports_rotations_say(concept: aftdeck.Arm) -> None:
+def test_orientation_equals_the_product_of_the_reports_rotations(concept: aftdeck.Arm) -> None:
     for q in legal(concept, 50, 200):
         assert concept.forward(q).rotation == pytest.approx(by_the_report(q), abs=1e-14)
 
 
-def test_at_zero_angles_the_arm_is_stretched_out_aft_at_the_stands_height(concept: aftdeck.Arm) -> None:
+def test_arm_is_stretched_aft_at_telescope_height_at_zero_angles(concept: aftdeck.Arm) -> None:
     pose = concept.forward(np.zeros(6))
     assert pose.position / FOOT == pytest.approx([25 + 25 + 2, 0, -12])
     assert pose.rotation == pytest.approx(np.eye(3))
@@ -56,7 +56,7 @@ def test_at_zero_angles_the_arm_is_stretched_out_aft_at_the_stands_height(concep
     [(0, 1, 1), (1, 2, -1), (2, 2, -1), (3, 1, 1), (4, 2, -1)],
     ids=["heading to port", "pitch up", "pitch up", "heading to port", "pitch up"],
 )
-def test_headings_swing_the_stretched_arm_to_port_and_pitches_lift_it(
+def test_headings_move_the_stretched_arm_to_port_and_pitches_lift_it(
     concept: aftdeck.Arm, joint: int, axis: int, sign: int
 ) -> None:
     q = np.zeros(6)
@@ -65,16 +65,16 @@ def test_headings_swing_the_stretched_arm_to_port_and_pitches_lift_it(
     assert sign * moved[axis] > 0.0
 
 
-def test_roll_turns_the_hands_port_side_down(concept: aftdeck.Arm) -> None:
+def test_roll_turns_the_port_side_of_the_end_effector_down(concept: aftdeck.Arm) -> None:
     assert concept.forward([0, 0, 0, 0, 0, 0.1]).rotation[2, 1] > 0.0
 
 
-def test_the_hands_own_axes_are_those_of_system_2(concept: aftdeck.Arm) -> None:
+def test_end_effector_axes_are_those_of_system_2(concept: aftdeck.Arm) -> None:
     rotation = concept.forward(USUAL).rotation
     assert (concept.end_effector(rotation) == rotation).all()
 
 
-def test_a_longer_stand_lifts_the_whole_arm_and_changes_nothing_else(concept: aftdeck.Arm) -> None:
+def test_longer_telescope_lifts_the_arm_and_changes_nothing_else(concept: aftdeck.Arm) -> None:
     tall = concept.at(stand=16 * FOOT)
     assert tall.stand == 16 * FOOT and concept.stand == pytest.approx(12 * FOOT)
     q = legal(concept, 51, 100)
@@ -85,28 +85,28 @@ def test_a_longer_stand_lifts_the_whole_arm_and_changes_nothing_else(concept: af
     assert tall.inverse(tall.forward(USUAL), near=USUAL)[0] == pytest.approx(USUAL, abs=1e-9)
 
 
-def test_a_stand_outside_its_limits_is_refused(concept: aftdeck.Arm) -> None:
+def test_telescope_length_outside_its_limits_is_rejected(concept: aftdeck.Arm) -> None:
     for length in (9.5 * FOOT, 18 * FOOT):
         assert concept.at(stand=length).stand == length
     for length in (9.4 * FOOT, 18.1 * FOOT):
-        with pytest.raises(InputError, match=r"the stand of concept-1972 is 2\.8956 to 5\.4864 m long, got"):
+        with pytest.raises(InputError, match=r"concept-1972 .*2\.8956 to 5\.4864 m"):
             concept.at(stand=length)
     for given in (math.nan, [4.0, 5.0]):
-        with pytest.raises(InputError, match="stand: expected"):
+        with pytest.raises(InputError, match="stand: "):
             concept.at(stand=given)  # type: ignore[arg-type]
 
 
-def test_an_arm_without_a_telescope_has_no_stand() -> None:
+def test_arm_without_a_telescope_rejects_a_stand() -> None:
     srms = aftdeck.load_arm("srms")
     assert srms.stand is None
-    with pytest.raises(InputError, match="the arm srms stands on no telescope"):
+    with pytest.raises(InputError, match=r"srms .*telescope"):
         srms.at(stand=4.0)
 
 
 # --- inverse ----------------------------------------------------------------------------------------------
 
 
-def test_a_pose_well_inside_reach_has_two_shoulders_two_elbows_and_two_wrists(concept: aftdeck.Arm) -> None:
+def test_pose_inside_reach_has_two_shoulders_elbows_and_wrists(concept: aftdeck.Arm) -> None:
     found = concept.inverse(concept.forward(USUAL), limits=False)
     assert len(found) == 8
     turned = np.abs(apart(found[:, 0], USUAL[0])) > 1.0
@@ -114,18 +114,18 @@ def test_a_pose_well_inside_reach_has_two_shoulders_two_elbows_and_two_wrists(co
     flipped = np.cos(found[:, 4]) < 0.0
     assert len(set(zip(turned, up, flipped, strict=True))) == 8
     assert np.abs(found[:, 2]) == pytest.approx(np.full(8, math.radians(90)))
-    # for each shoulder and elbow the flipped wrist is the other one's: heading and roll turned by half a turn
+    # for each shoulder and elbow, the flipped wrist has heading and roll changed by 180 deg
     for one in found[~flipped]:
         other = np.array([*one[:3], one[3] + math.pi, math.pi - one[4], one[5] + math.pi])
         assert min(np.abs(apart(row, other)).max() for row in found[flipped]) < 1e-9
 
 
-def test_the_stretched_arm_is_within_reach_and_its_elbows_meet(concept: aftdeck.Arm) -> None:
+def test_stretched_arm_is_within_reach_and_its_elbows_coincide(concept: aftdeck.Arm) -> None:
     found = concept.inverse(concept.forward([0.3, 0.5, 0.0, 0.2, -0.4, 0.1]), limits=False)
     assert np.abs(found[:, 2]).max() < 1e-7
 
 
-def test_limits_leave_out_exactly_the_solutions_outside_the_hard_stops(concept: aftdeck.Arm) -> None:
+def test_limits_exclude_exactly_the_solutions_outside_the_hard_stops(concept: aftdeck.Arm) -> None:
     low, high = concept.limits.hard.T
     counts = set()
     for q in legal(concept, 52, 300):
@@ -141,15 +141,15 @@ def test_limits_leave_out_exactly_the_solutions_outside_the_hard_stops(concept: 
 
 
 @pytest.mark.parametrize("beyond", [1e-3, 0.25, 20.0])
-def test_a_pose_out_of_reach_says_by_how_much(concept: aftdeck.Arm, beyond: float) -> None:
+def test_pose_out_of_reach_is_rejected_with_its_excess(concept: aftdeck.Arm, beyond: float) -> None:
     pose = concept.forward([0.4, 0.7, 0.0, -0.1, 0.15, 0.3])
     along = by_the_report(np.array([0.4, 0.7, 0, 0, 0, 0]))[:, 0]
-    with pytest.raises(UnreachableError, match="too far out") as caught:
+    with pytest.raises(UnreachableError) as caught:
         concept.inverse(Pose(pose.position + beyond * along, pose.rotation))
     assert caught.value.excess == pytest.approx(beyond, abs=1e-9)
 
 
-def test_near_the_wrists_singularity_every_branch_still_maps_back(concept: aftdeck.Arm) -> None:
+def test_every_branch_near_the_wrist_singularity_maps_back(concept: aftdeck.Arm) -> None:
     for off in (1e-3, 1e-5, 1e-7, 1e-8):
         for sign in (1.0, -1.0):
             q = np.array([0.2, 1.0, -1.0, 0.3, sign * (math.pi / 2 - off), 0.2])
@@ -171,13 +171,13 @@ SINGULAR = {
 
 
 @pytest.mark.parametrize("name", SINGULAR)
-def test_a_distance_is_zero_at_its_singularity_and_only_there(concept: aftdeck.Arm, name: str) -> None:
+def test_distance_is_zero_only_at_its_own_singularity(concept: aftdeck.Arm, name: str) -> None:
     found = concept.singularities(SINGULAR[name])._asdict()
     assert abs(float(found.pop(name.partition(",")[0]))) < 1e-15
     assert min(abs(float(d)) for d in found.values()) > 0.1
 
 
-def test_the_product_of_the_three_is_the_jacobians_determinant_but_for_a_length(concept: aftdeck.Arm) -> None:
+def test_product_of_distances_is_proportional_to_the_determinant(concept: aftdeck.Arm) -> None:
     q = legal(concept, 53, 5000)
     boom = 25 * FOOT
     product = np.prod(np.stack(concept.singularities(q)), axis=0) * boom * boom * (boom + boom)
@@ -188,29 +188,29 @@ def test_the_product_of_the_three_is_the_jacobians_determinant_but_for_a_length(
 
 
 @pytest.mark.parametrize("name", SINGULAR)
-def test_a_singular_pose_gives_no_rates_but_finite_ones_under_mask(concept: aftdeck.Arm, name: str) -> None:
+def test_singular_pose_raises_or_gives_finite_rates_under_mask(concept: aftdeck.Arm, name: str) -> None:
     kind = name.partition(",")[0]
-    with pytest.raises(SingularityError, match=f"stands at its {kind} singularity") as caught:
+    with pytest.raises(SingularityError, match=f"{kind} singularity") as caught:
         concept.joint_rates(SINGULAR[name], np.ones(6))
     assert caught.value.singularity == kind
     rates, mask = concept.joint_rates([SINGULAR[name], USUAL], np.ones(6), singular="mask")
     assert mask.tolist() == [True, False] and np.isfinite(rates).all()
 
 
-def test_a_pose_with_the_wrist_over_the_heading_axis_is_refused_by_name(concept: aftdeck.Arm) -> None:
-    with pytest.raises(SingularityError, match="from the shoulder heading axis: shoulder singularity") as caught:
+def test_wrist_over_the_heading_axis_raises_the_shoulder_singularity(concept: aftdeck.Arm) -> None:
+    with pytest.raises(SingularityError, match="shoulder heading axis: shoulder singularity") as caught:
         concept.inverse(concept.forward(SINGULAR["shoulder"]))
     assert caught.value.singularity == "shoulder"
 
 
-def test_a_singular_wrist_is_refused_where_it_is_among_the_solutions_and_not_where_it_is_left_out(
+def test_singular_wrist_is_rejected_only_among_returned_solutions(
     concept: aftdeck.Arm,
 ) -> None:
-    # the mirror image of this arm, elbow down, would have its hand square to its lower arm
+    # in the elbow-down branch of this pose, the end effector is perpendicular to the lower arm
     q = np.radians([20.0, 60.0, -60.0, 0.0, -30.0, 0.0])
     pose = concept.forward(q)
     assert concept.inverse(pose) == pytest.approx(q[None, :], abs=1e-9)
-    with pytest.raises(SingularityError, match=r"wrist pitch joint stands at \+-90 deg") as caught:
+    with pytest.raises(SingularityError, match=r"wrist pitch .*\+-90 deg") as caught:
         concept.inverse(pose, limits=False)
     assert caught.value.singularity == "wrist"
 
@@ -222,8 +222,8 @@ BAR = np.array([28.0, 0.0, 0.74])
 DOCKED = np.array([-4.0 + 16.0, 16.0, -22.0 - (7.12 - 0.74)])
 """The same with the probe's forward face, 16 ft ahead of the payload's centre, in the port (-4, 16, -22) [ft]."""
 DOWN = by_the_report(np.radians([0, 0, 0, 0, -90, 0]))
-"""The hand straight down, its fingers on the sides of a bar that lies along the bay."""
-WAY: list[Array] = [
+"""Orientation with the end effector straight down and its fingers on the sides of a bar along the bay."""
+PATH: list[Array] = [
     BAR - [0, 0, 4.0],
     BAR - [0, 0, 0.03],
     np.array([BAR[0], BAR[1], DOCKED[2]]),
@@ -231,12 +231,12 @@ WAY: list[Array] = [
     np.array([26.0, 16.0, DOCKED[2]]),
     DOCKED,
 ]
-"""Acquire, extract and lift, come forward, move sideways, dock: places of the tip [ft]."""
+"""Tip positions [ft]: acquire, extract and lift, move forward, move sideways, dock."""
 
 
-def flown(arm: aftdeck.Arm) -> Array:
-    """(n, 6) angles [rad] along the way, each solution the nearest to the one before; the payload stays level."""
-    legs = [np.linspace(a, b, 50) for a, b in pairwise(WAY)]
+def path_angles(arm: aftdeck.Arm) -> Array:
+    """Return angles (n, 6) [rad] along the path, each solution nearest to the previous one, with a level payload."""
+    legs = [np.linspace(a, b, 50) for a, b in pairwise(PATH)]
     near, found = np.radians([0.0, 40.0, -100.0, 0.0, -30.0, 0.0]), []
     for place in np.concatenate(legs):
         near = arm.inverse(Pose(place * FOOT, DOWN), near=near)[0]
@@ -245,11 +245,9 @@ def flown(arm: aftdeck.Arm) -> Array:
 
 
 @pytest.mark.parametrize("height", [9.5, 12.0, 16.0, 18.0])
-def test_the_mission_is_within_the_limits_on_one_branch_at_heights_of_the_stand(
-    concept: aftdeck.Arm, height: float
-) -> None:
+def test_mission_stays_within_the_limits_on_one_branch_at_each_height(concept: aftdeck.Arm, height: float) -> None:
     arm = concept.at(stand=height * FOOT)
-    q = flown(arm)
+    q = path_angles(arm)
     low, high = arm.limits.soft.T
     assert (q >= low).all() and (q <= high).all()
     assert np.degrees(np.abs(np.diff(q, axis=0)).max()) < 5.0
@@ -257,7 +255,7 @@ def test_the_mission_is_within_the_limits_on_one_branch_at_heights_of_the_stand(
     assert np.abs(np.stack(arm.singularities(q))).min() > 0.1
 
 
-def test_at_16_ft_of_stand_the_mission_takes_the_angles_found_before(concept: aftdeck.Arm) -> None:
-    q = np.degrees(flown(concept.at(stand=16 * FOOT)))
+def test_mission_at_16_ft_has_the_known_angle_ranges(concept: aftdeck.Arm) -> None:
+    q = np.degrees(path_angles(concept.at(stand=16 * FOOT)))
     expected = [(0, 53), (23, 96), (-121, -95), (0, 0), (-68, -11), (-53, 0)]
     assert np.stack([q.min(axis=0), q.max(axis=0)], axis=1) == pytest.approx(np.array(expected), abs=1.0)

@@ -1,4 +1,4 @@
-"""The frames that carry an arm's bodies: against the arm's own closed form, and against turns made joint by joint."""
+"""The coordinate frames of an arm's bodies: against the closed form, and against rotations joint by joint."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def arm(request: pytest.FixtureRequest) -> aftdeck.Arm:
 
 
 def placed(arm: aftdeck.Arm, q: Array, stand: float, prong: float = PRONG) -> dict[str, tuple[Array, Array]]:
-    """Place (3,) and axes (3, 3) of each frame, in L."""
+    """Return origin (3,) and axes (3, 3) of each frame, in L."""
     frames = frames_of(arm.model)
     rows = frames.rows()
     place_frames(frames.joints, q, stand, prong, rows)
@@ -37,7 +37,7 @@ def random_angles(arm: aftdeck.Arm, count: int) -> Array:
     return np.random.default_rng(11).uniform(hard[:, 0], hard[:, 1], (count, 6))
 
 
-def test_the_tip_stands_on_the_last_joints_frame_where_forward_kinematics_puts_it(arm: aftdeck.Arm) -> None:
+def test_last_joint_frame_agrees_with_forward_kinematics(arm: aftdeck.Arm) -> None:
     for q in random_angles(arm, 50):
         place, axes = placed(arm, q, height(arm))[arm.model.linkage.frames[-1]]
         tip = arm.forward(q)
@@ -45,7 +45,7 @@ def test_the_tip_stands_on_the_last_joints_frame_where_forward_kinematics_puts_i
         assert place + axes @ [arm.model.links[L5], 0.0, 0.0] == pytest.approx(tip.position, abs=1e-12)
 
 
-def test_each_frame_is_the_one_before_it_moved_by_a_step_and_turned_about_its_own_axis(arm: aftdeck.Arm) -> None:
+def test_each_frame_is_the_previous_one_moved_and_turned_about_its_axis(arm: aftdeck.Arm) -> None:
     linkage = arm.model.linkage
     for q in random_angles(arm, 20):
         found = placed(arm, q, height(arm))
@@ -58,14 +58,14 @@ def test_each_frame_is_the_one_before_it_moved_by_a_step_and_turned_about_its_ow
             assert found[name][1] == pytest.approx(turn.as_matrix(), abs=1e-12)
 
 
-def test_an_arm_on_a_telescope_has_two_frames_more_and_the_shuttles_none() -> None:
+def test_concept_arm_has_two_more_frames_than_srms() -> None:
     concept, srms = (frames_of(aftdeck.load_arm(name).model) for name in ("concept-1972", "srms"))
     assert concept.names[-2:] == ("arm.stand", "arm.prong") and len(concept.names) == 9
     assert len(srms.names) == 7
 
 
 @pytest.mark.parametrize("feet", [8.0, 11.3, 18.0])
-def test_the_stand_lifts_everything_but_the_foot_and_turns_with_nothing(feet: float) -> None:
+def test_telescope_lifts_all_frames_above_its_foot_without_rotation(feet: float) -> None:
     arm = aftdeck.load_arm("concept-1972")
     for q in random_angles(arm, 5):
         low, high = placed(arm, q, 8.0 * FOOT), placed(arm, q, feet * FOOT)
@@ -77,7 +77,7 @@ def test_the_stand_lifts_everything_but_the_foot_and_turns_with_nothing(feet: fl
         assert high["arm.stand"][1] == pytest.approx(np.eye(3))
 
 
-def test_the_prong_moves_along_y2_alone() -> None:
+def test_prong_moves_only_along_y2() -> None:
     arm = aftdeck.load_arm("concept-1972")
     for q in random_angles(arm, 5):
         found = placed(arm, q, height(arm))
@@ -86,7 +86,7 @@ def test_the_prong_moves_along_y2_alone() -> None:
         assert prong[1] == pytest.approx(hand[1])
 
 
-def test_the_rows_are_rotations_and_the_law_keeps_nothing() -> None:
+def test_rows_are_rotations_and_repeat_exactly() -> None:
     arm = aftdeck.load_arm("concept-1972")
     first = placed(arm, np.full(6, 0.3), 3.0)
     placed(arm, np.full(6, -0.4), 4.0)

@@ -1,35 +1,31 @@
-"""RMANGS: every branch, round trips, order, revolutions, limits, and what it refuses."""
+"""RMANGS: all branches, round trips, order, revolutions, limits, and rejected poses."""
 
 from __future__ import annotations
 
 import math
-import re
 from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
 
 import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError, SingularityError, UnreachableError
 from aftdeck.frames import Pose
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
-from tests.kinematics.poses import apart, legal
+from tests.kinematics.poses import STRAIGHT, apart, legal, over_the_shoulder
 from tests.reference.tables import table
 
 MADE_UP = Path(__file__).parents[1] / "arms" / "made-up.toml"
-STRAIGHT = -(math.atan2(6.0, 251.05) + math.atan2(6.0, 277.95))
-"""Elbow angle at which upper and lower arm are in line [rad]: both stand 6 in off the boom line."""
 
 
 def anywhere(seed: int, count: int) -> Array:
-    """(count, 6) angles all round, limits or not."""
+    """Return random angles (count, 6) in a full turn, without limits."""
     return np.random.default_rng(seed).uniform(-math.pi, math.pi, (count, 6))
 
 
 def all_branches(arm: aftdeck.Arm, q: Array) -> tuple[Array, Array]:
-    """(n, 8, 6) angles and (n, 8) excess of RMANGS at the poses of (n, 6) angles."""
+    """Return angles (n, 8, 6) and excess (n, 8) of RMANGS at the poses of angles (n, 6)."""
     pose = arm.forward(q)
     packed = np.concatenate([pose.position, pose.rotation.reshape(-1, 9)], axis=1)
     angles, excess = np.empty((len(q), BRANCHES, 6)), np.empty((len(q), BRANCHES))
@@ -39,14 +35,12 @@ def all_branches(arm: aftdeck.Arm, q: Array) -> tuple[Array, Array]:
 
 
 def nearness(arm: aftdeck.Arm, q: Array) -> Array:
-    """Distance from the nearest singularity."""
+    """Return the distance from the nearest singularity."""
     return np.asarray(np.abs(np.stack(arm.singularities(q))).min(axis=0))
 
 
 @pytest.mark.parametrize("where", ["legal", "anywhere"])
-def test_every_branch_of_a_hundred_thousand_poses_maps_back_and_one_is_the_original(
-    any_arm: aftdeck.Arm, where: str
-) -> None:
+def test_every_branch_of_50000_poses_maps_back_and_one_is_the_original(any_arm: aftdeck.Arm, where: str) -> None:
     q = legal(any_arm, 10, 50_000) if where == "legal" else anywhere(11, 50_000)
     angles, excess = all_branches(any_arm, q)
     found = excess == 0.0
@@ -54,18 +48,18 @@ def test_every_branch_of_a_hundred_thousand_poses_maps_back_and_one_is_the_origi
     off = np.linalg.norm(back.position - pose.position[:, None], axis=2)
     turned = np.abs(back.rotation - pose.rotation[:, None]).max(axis=(2, 3))
     assert max(off[found].max(), turned[found].max()) < 1e-9
-    # how well a pose fixes its angles falls with the distance from a singularity
+    # the accuracy of the angles is proportional to the distance from a singularity
     near = nearness(any_arm, q)
     miss = np.where(found, np.abs(apart(angles, q[:, None])).max(axis=2), np.inf).min(axis=1)
     assert (miss * near)[near > 1e-5].max() < 1e-11
-    # shoulder and wrist branches each give two elbows or none
+    # each shoulder and wrist branch has two elbow solutions or none
     assert (found[:, 0::2] == found[:, 1::2]).all()
     if where == "anywhere":
         original = np.where(found, np.abs(apart(angles, q[:, None])).max(axis=2), np.inf).argmin(axis=1)
         assert set(original) == set(range(BRANCHES))
 
 
-def test_branches_away_from_singularities_are_different_arms(any_arm: aftdeck.Arm) -> None:
+def test_branches_away_from_singularities_are_distinct(any_arm: aftdeck.Arm) -> None:
     q = anywhere(12, 3000)
     q = q[nearness(any_arm, q) > 0.05]
     angles, excess = all_branches(any_arm, q)
@@ -76,7 +70,7 @@ def test_branches_away_from_singularities_are_different_arms(any_arm: aftdeck.Ar
 
 
 @pytest.mark.parametrize("name", ["srms", str(MADE_UP), "concept-1972"])
-def test_inverse_finds_the_angles_it_came_from_first_when_they_are_near(name: str) -> None:
+def test_inverse_returns_the_original_angles_first_when_near(name: str) -> None:
     arm = aftdeck.load_arm(name)
     for q in legal(arm, 13, 400):
         if nearness(arm, q) < 1e-4 or np.abs(q[:4]).max() > math.pi - 1e-6:
@@ -91,7 +85,7 @@ def test_inverse_finds_the_angles_it_came_from_first_when_they_are_near(name: st
         assert np.abs(back.rotation - pose.rotation).max() < 1e-9
 
 
-def test_inverse_finds_a_shoulder_yaw_at_its_stop_of_180_deg_on_the_side_that_is_near(arm: aftdeck.Arm) -> None:
+def test_inverse_returns_shoulder_yaw_of_180_deg_on_the_near_side(arm: aftdeck.Arm) -> None:
     for yaw in (math.pi, -math.pi):
         q = np.array([yaw, 1.0, -1.2, 0.3, 0.2, 0.1])
         assert arm.inverse(arm.forward(q), near=q)[0] == pytest.approx(q, abs=1e-9)
@@ -107,25 +101,25 @@ def test_solutions_are_sorted_by_their_distance_from_near(any_arm: aftdeck.Arm) 
         assert (np.diff(ways) >= 0.0).all()
 
 
-def test_a_pose_well_inside_reach_has_eight_solutions_without_limits(arm: aftdeck.Arm) -> None:
+def test_pose_well_inside_reach_has_eight_solutions_without_limits(arm: aftdeck.Arm) -> None:
     pose = arm.forward(np.radians([30, 70, -90, 40, 20, 10]))
     assert len(arm.inverse(pose, limits=False)) == 8
 
 
 @pytest.mark.parametrize("turns", [-1, 0, 1])
-def test_wrist_roll_comes_in_the_revolution_nearest_to_near(arm: aftdeck.Arm, turns: int) -> None:
+def test_wrist_roll_is_in_the_revolution_nearest_to_near(arm: aftdeck.Arm, turns: int) -> None:
     q = np.radians([30, 70, -90, 40, 20, 60 + 360 * turns])
     assert arm.inverse(arm.forward(q), near=q)[0] == pytest.approx(q, abs=1e-9)
 
 
-def test_wrist_roll_without_near_comes_within_half_a_turn(arm: aftdeck.Arm) -> None:
+def test_wrist_roll_is_within_half_a_turn_without_near(arm: aftdeck.Arm) -> None:
     q = np.radians([30, 70, -90, 40, 20, 420])
     found = arm.inverse(arm.forward(q))
     assert np.abs(found[:, 5]).max() <= math.pi
     assert any(apart(row, q) == pytest.approx(np.zeros(6), abs=1e-9) for row in found)
 
 
-def test_wrist_roll_stays_inside_its_stops_however_far_near_is(arm: aftdeck.Arm) -> None:
+def test_wrist_roll_stays_inside_its_stops_for_any_near(arm: aftdeck.Arm) -> None:
     pose = arm.forward(np.radians([30, 70, -90, 40, 20, 60]))
     found = arm.inverse(pose, near=np.radians([30, 70, -90, 40, 20, 1000]))
     assert any(row[5] == pytest.approx(math.radians(420), abs=1e-9) for row in found)
@@ -133,7 +127,7 @@ def test_wrist_roll_stays_inside_its_stops_however_far_near_is(arm: aftdeck.Arm)
     assert any(row[5] == pytest.approx(math.radians(60 + 1080), abs=1e-9) for row in free)
 
 
-def test_limits_leave_out_exactly_the_solutions_outside_the_published_stops(arm: aftdeck.Arm) -> None:
+def test_limits_exclude_exactly_the_solutions_outside_the_stops(arm: aftdeck.Arm) -> None:
     low, high = np.radians(table("srms-limits")["hard"]).T
     refused = 0
     for q in legal(arm, 15, 300):
@@ -148,19 +142,19 @@ def test_limits_leave_out_exactly_the_solutions_outside_the_published_stops(arm:
 
 
 @pytest.mark.parametrize("beyond", [1e-3, 0.25, 20.0])
-def test_a_pose_out_of_reach_says_by_how_much(arm: aftdeck.Arm, beyond: float) -> None:
+def test_pose_out_of_reach_is_rejected_with_its_excess(arm: aftdeck.Arm, beyond: float) -> None:
     q = np.array([0.4, 0.7, STRAIGHT, -0.1, 0.15, 0.3])
     pose = arm.forward(q)
     # the straight line from shoulder pitch to wrist pitch lies a boom angle above the upper arm's line
     lift = q[1] - math.atan2(6.0, 251.05)
     along = np.array([math.cos(0.4) * math.cos(lift), math.sin(0.4) * math.cos(lift), -math.sin(lift)])
-    with pytest.raises(UnreachableError, match="too far out") as caught:
+    with pytest.raises(UnreachableError, match="too far") as caught:
         arm.inverse(Pose(pose.position + beyond * along, pose.rotation))
     assert caught.value.excess == pytest.approx(beyond, abs=1e-9)
     assert caught.value.joint is None
 
 
-def test_the_stretched_arm_is_within_reach(arm: aftdeck.Arm) -> None:
+def test_stretched_arm_is_within_reach(arm: aftdeck.Arm) -> None:
     q = legal(arm, 16, 5000)
     q[:, 2] = STRAIGHT
     q = q[np.abs(np.stack(arm.singularities(q)))[[0, 2]].min(axis=0) > 1e-3]
@@ -168,18 +162,18 @@ def test_the_stretched_arm_is_within_reach(arm: aftdeck.Arm) -> None:
     assert (excess == 0.0).any(axis=1).all()
 
 
-def test_a_pose_too_close_says_by_how_much(arm: aftdeck.Arm) -> None:
-    # the wrist yaw joint 0.1 m out from shoulder pitch, the hand level: wrist pitch 18 in further in or out
+def test_pose_too_close_is_rejected_with_its_excess(arm: aftdeck.Arm) -> None:
+    # the wrist yaw joint is 0.1 m from shoulder pitch, the end effector level: wrist pitch is 18 in further in or out
     upper, lower = math.hypot(251.05, 6.0) * 0.0254, math.hypot(277.95, 6.0) * 0.0254
     inside = lower - upper - (0.1 - 18 * 0.0254) * -1.0
     outside = lower - upper - (0.1 + 18 * 0.0254)
     pose = Pose(np.array([0.1 + 56 * 0.0254, 0.0, -0.3048]), np.eye(3))
-    with pytest.raises(UnreachableError, match="too close to the shoulder") as caught:
+    with pytest.raises(UnreachableError, match="too close") as caught:
         arm.inverse(pose)
     assert caught.value.excess == pytest.approx(min(inside, outside), abs=1e-9)
 
 
-def test_a_pose_outside_the_stops_names_the_joint_and_the_figure_of_the_nearest_branch(arm: aftdeck.Arm) -> None:
+def test_pose_outside_the_stops_is_rejected_with_joint_and_excess(arm: aftdeck.Arm) -> None:
     low, high = np.radians(table("srms-limits")["hard"]).T
     seen = set()
     for q in anywhere(17, 400):
@@ -191,37 +185,25 @@ def test_a_pose_outside_the_stops_names_the_joint_and_the_figure_of_the_nearest_
         except UnreachableError as error:
             free = arm.inverse(pose, limits=False)
             turns = free + math.tau * np.arange(-2, 3)[:, None, None]
-            beyond = np.maximum(low - turns, turns - high).min(axis=0)  # in the revolution that suits each joint best
+            beyond = np.maximum(low - turns, turns - high).min(axis=0)  # in the best revolution of each joint
             branch = beyond.max(axis=1).argmin()
             joint = int(beyond[branch].argmax())
             assert error.joint == arm.joints[joint]
             assert error.excess == pytest.approx(beyond[branch, joint], abs=1e-9)
-            assert arm.joints[joint] in str(error)
-            assert f"{math.degrees(beyond[branch, joint]):.2f} deg outside" in str(error)
+            assert f"{math.degrees(beyond[branch, joint]):.2f} deg" in str(error)
             seen.add(joint)
     assert len(seen) >= 3
 
 
 @pytest.mark.parametrize("yaw", [90.0, -90.0])
-def test_a_wrist_yaw_of_90_deg_is_named_as_the_wrist_singularity(arm: aftdeck.Arm, yaw: float) -> None:
-    with pytest.raises(SingularityError, match=r"wrist yaw joint stands at \+-90 deg") as caught:
+def test_wrist_yaw_of_90_deg_raises_the_wrist_singularity(arm: aftdeck.Arm, yaw: float) -> None:
+    with pytest.raises(SingularityError, match=r"wrist yaw .*\+-90 deg") as caught:
         arm.inverse(arm.forward(np.radians([20, 60, -80, 30, yaw, 15])))
     assert caught.value.singularity == "wrist"
     assert abs(caught.value.distance) < 1e-9
 
 
-def over_the_shoulder(arm: aftdeck.Arm) -> Array:
-    """Legal angles whose wrist yaw joint stands over the shoulder yaw axis."""
-    hand = 56 * 0.0254
-
-    def off_axis(elbow: float) -> float:
-        pose = arm.forward([0.0, 2.0, elbow, 0.3, 0.1, 0.2])
-        return float(pose.position[0] - hand * pose.rotation[0, 0])
-
-    return np.array([0.0, 2.0, brentq(off_axis, -2.5, -0.1, xtol=1e-15), 0.3, 0.1, 0.2])
-
-
-def test_a_wrist_over_the_shoulder_axis_is_named_as_the_shoulder_singularity(arm: aftdeck.Arm) -> None:
+def test_wrist_over_the_shoulder_axis_raises_the_shoulder_singularity(arm: aftdeck.Arm) -> None:
     q = over_the_shoulder(arm)
     with pytest.raises(SingularityError, match="shoulder singularity") as caught:
         arm.inverse(arm.forward(q))
@@ -229,7 +211,7 @@ def test_a_wrist_over_the_shoulder_axis_is_named_as_the_shoulder_singularity(arm
     assert abs(caught.value.distance) < 1e-9
 
 
-def test_near_a_singularity_the_inverse_still_maps_back(arm: aftdeck.Arm) -> None:
+def test_inverse_near_a_singularity_maps_back(arm: aftdeck.Arm) -> None:
     for off in (1e-3, 1e-5, 1e-7):
         beside = over_the_shoulder(arm) + np.array([0, off, 0, 0, 0, 0])
         for q in (beside, np.array([0.2, 1, -1, 0.3, math.pi / 2 - off, 0.2])):
@@ -244,26 +226,24 @@ MIRROR = np.diag([1.0, 1.0, -1.0])
 
 
 @pytest.mark.parametrize(
-    ("pose", "near", "message"),
+    ("pose", "near", "pattern"),
     [
-        (Pose(np.zeros(2), np.eye(3)), None, "a pose has a position (3,) and a rotation (3, 3), got (2,) and (3, 3)"),
-        (Pose(np.zeros(3), np.zeros(9)), None, "a pose has a position (3,) and a rotation (3, 3), got (3,) and (9,)"),
-        (Pose(np.zeros(3), 2 * np.eye(3)), None, "R R^T is off by 3"),
-        (Pose(np.zeros(3), MIRROR), None, "the rotation is a mirror image: its determinant is -1, +1 is allowed"),
-        (Pose(np.full(3, math.nan), np.eye(3)), None, "a position: expected finite numbers"),
-        (Pose(np.zeros(3), np.full((3, 3), math.inf)), None, "a rotation: expected finite numbers"),
-        (Pose(np.full(3, 5.0), np.eye(3)), np.zeros(5), "near has shape (6,), got (5,)"),
-        (Pose(np.full(3, 5.0), np.eye(3)), np.full(6, math.nan), "near: expected finite numbers"),
+        (Pose(np.zeros(2), np.eye(3)), None, r"\(2,\) and \(3, 3\)$"),
+        (Pose(np.zeros(3), np.zeros(9)), None, r"\(3,\) and \(9,\)$"),
+        (Pose(np.zeros(3), 2 * np.eye(3)), None, r"R R\^T .*3"),
+        (Pose(np.zeros(3), MIRROR), None, r"determinant.*-1.*\+1"),
+        (Pose(np.full(3, math.nan), np.eye(3)), None, "position: .*finite"),
+        (Pose(np.zeros(3), np.full((3, 3), math.inf)), None, "rotation: .*finite"),
+        (Pose(np.full(3, 5.0), np.eye(3)), np.zeros(5), r"near .*\(6,\).*\(5,\)"),
+        (Pose(np.full(3, 5.0), np.eye(3)), np.full(6, math.nan), "near: .*finite"),
     ],
 )
-def test_what_is_no_pose_is_refused_in_a_sentence(
-    arm: aftdeck.Arm, pose: Pose, near: Array | None, message: str
-) -> None:
-    with pytest.raises(InputError, match=re.escape(message)):
+def test_invalid_pose_is_rejected(arm: aftdeck.Arm, pose: Pose, near: Array | None, pattern: str) -> None:
+    with pytest.raises(InputError, match=pattern):
         arm.inverse(pose, near=near)
 
 
-def test_panel_components_go_there_and_back(arm: aftdeck.Arm) -> None:
+def test_panel_coordinates_round_trip(arm: aftdeck.Arm) -> None:
     for q in legal(arm, 18, 100):
         pose = arm.forward(q)
         place, attitude = arm.panel(pose)
@@ -273,8 +253,8 @@ def test_panel_components_go_there_and_back(arm: aftdeck.Arm) -> None:
         assert back.rotation == pytest.approx(pose.rotation, abs=1e-7)
 
 
-def test_the_cradled_arm_reads_what_the_panel_showed(arm: aftdeck.Arm) -> None:
+def test_cradled_arm_reads_the_historical_panel_values(arm: aftdeck.Arm) -> None:
     place, attitude = arm.panel(arm.forward(np.zeros(6)))
     assert [round(x) for x in place] == [-1282, -108, -445] or place == pytest.approx((-1282.5, -108, -445), abs=0.5)
-    # the end effector looks aft and its camera stands up: half a turn of yaw from the orbiter's axes
+    # the end effector points aft with its camera up: a yaw of 180 deg from the orbiter's axes
     assert attitude == pytest.approx((180.0, 0.0, 180.0)) or attitude == pytest.approx((0.0, 180.0, 0.0))

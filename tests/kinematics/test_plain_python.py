@@ -1,4 +1,4 @@
-"""The laws' text runs as plain Python too, and says the same."""
+"""Laws run as plain Python give the same results as compiled laws."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.kinematics.poses import apart
 
 
 @pytest.mark.slow
-def test_laws_that_are_not_compiled_agree_with_the_compiled_ones() -> None:
+def test_uncompiled_laws_agree_with_the_compiled_ones() -> None:
     root = Path(__file__).parents[2]
     done = subprocess.run(
         [sys.executable, "-m", "tests.kinematics.plain"],

@@ -1,4 +1,4 @@
-"""RMSRAT: the rates that give a twist, and what happens where none does."""
+"""RMSRAT: joint rates for a twist, and singular poses."""
 
 from __future__ import annotations
 
@@ -15,22 +15,12 @@ from aftdeck.kinematics.jacobian import Twist, jacobi
 from aftdeck.kinematics.linkage import sines
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.kinematics.singular import distances
-from tests.kinematics.poses import legal
-from tests.kinematics.test_inverse import STRAIGHT, over_the_shoulder
+from tests.kinematics.poses import legal, singular_poses
 
 AWAY = [0.3, 1.0, -1.3, 0.4, 0.2, 0.1]
 
 
-def singular_poses(arm: aftdeck.Arm) -> dict[str, Array]:
-    """A pose exactly at each singularity, away from the others."""
-    return {
-        "shoulder": over_the_shoulder(arm),
-        "elbow": np.array([0.3, 1.0, STRAIGHT, 0.4, 0.2, 0.1]),
-        "wrist": np.array([0.3, 1.0, -1.3, 0.4, math.pi / 2, 0.1]),
-    }
-
-
-def test_the_rates_times_the_jacobian_are_the_twist(any_arm: aftdeck.Arm) -> None:
+def test_rates_times_the_jacobian_give_the_twist(any_arm: aftdeck.Arm) -> None:
     q = legal(any_arm, 20, 20_000)
     near = np.abs(np.stack(any_arm.singularities(q))).min(axis=0)
     q, near = q[near > 1e-3], near[near > 1e-3]
@@ -40,7 +30,7 @@ def test_the_rates_times_the_jacobian_are_the_twist(any_arm: aftdeck.Arm) -> Non
     assert (np.abs(got - twist).max(axis=1) * near).max() < 1e-11
 
 
-def test_the_rates_are_those_of_a_general_linear_solver(any_arm: aftdeck.Arm) -> None:
+def test_rates_agree_with_a_general_linear_solver(any_arm: aftdeck.Arm) -> None:
     q = legal(any_arm, 21, 3000)
     q = q[np.abs(np.stack(any_arm.singularities(q))).min(axis=0) > 0.02]
     twist = np.random.default_rng(21).normal(size=(len(q), 6))
@@ -48,8 +38,8 @@ def test_the_rates_are_those_of_a_general_linear_solver(any_arm: aftdeck.Arm) ->
     assert np.asarray(any_arm.joint_rates(q, twist)) == pytest.approx(expected, rel=1e-9, abs=1e-9)
 
 
-def as_the_report_has_it(arm: aftdeck.Arm, angles: Array, twist: Array, floor: float) -> Array:
-    """RMSRAT by the report's equations in frame 5, its denominators held away from zero by `floor`, one arm."""
+def by_the_report(arm: aftdeck.Arm, angles: Array, twist: Array, floor: float) -> Array:
+    """Return RMSRAT by the report's equations in frame 5, with denominators of at least `floor`, for one pose."""
     links = arm.model.links
     _, l2, l3, l4, *_ = (float(x) for x in links)
     a = sines(links, *angles)
@@ -75,29 +65,25 @@ def as_the_report_has_it(arm: aftdeck.Arm, angles: Array, twist: Array, floor: f
 
 
 @pytest.mark.parametrize("floor", [1e-7, 0.5])
-def test_the_rates_are_those_of_the_reports_equations_in_frame_5_nearer_than_the_floor_too(
-    arm: aftdeck.Arm, floor: float
-) -> None:
+def test_rates_agree_with_the_reports_equations_also_below_the_floor(arm: aftdeck.Arm, floor: float) -> None:
     rng = np.random.default_rng(22)
     for q in [*legal(arm, 22, 300), *singular_poses(arm).values()]:
         twist = rng.normal(size=6)
-        expected = as_the_report_has_it(arm, q, twist, floor)
+        expected = by_the_report(arm, q, twist, floor)
         got = rmsrat(arm.model.links, sines(arm.model.links, *q), Twist(*twist), floor)
         assert np.array(got) == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
-def test_a_singular_pose_is_refused_by_name(arm: aftdeck.Arm, kind: str) -> None:
-    with pytest.raises(SingularityError, match=f"stands at its {kind} singularity") as caught:
+def test_singular_pose_is_rejected_by_name(arm: aftdeck.Arm, kind: str) -> None:
+    with pytest.raises(SingularityError, match=f"{kind} singularity") as caught:
         arm.joint_rates(singular_poses(arm)[kind], np.ones(6))
     assert caught.value.singularity == kind
     assert abs(caught.value.distance) < 1e-7
 
 
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
-def test_under_mask_a_singular_row_is_marked_and_finite_and_the_others_are_untouched(
-    arm: aftdeck.Arm, kind: str
-) -> None:
+def test_mask_marks_singular_rows_and_leaves_the_others_unchanged(arm: aftdeck.Arm, kind: str) -> None:
     q = np.stack([np.array(AWAY), singular_poses(arm)[kind]]).reshape(2, 1, 6)
     twist = np.array([0.01, -0.02, 0.03, 0.1, 0.2, -0.3])
     rates, mask = arm.joint_rates(q, twist, singular="mask")
@@ -106,23 +92,23 @@ def test_under_mask_a_singular_row_is_marked_and_finite_and_the_others_are_untou
     assert (rates[0, 0] == np.asarray(arm.joint_rates(AWAY, twist))).all()
 
 
-def test_one_twist_serves_many_poses_and_one_pose_many_twists(arm: aftdeck.Arm) -> None:
+def test_single_twist_or_single_pose_broadcasts(arm: aftdeck.Arm) -> None:
     q, twist = np.array([AWAY, AWAY]), np.array([[0.0, 0, 0, 0.1, 0, 0], [0.1, 0, 0, 0, 0, 0]])
     assert np.asarray(arm.joint_rates(q, twist[0])).shape == (2, 6)
     assert (np.asarray(arm.joint_rates(AWAY, twist)) == np.asarray(arm.joint_rates(q, twist))).all()
 
 
 @pytest.mark.parametrize("twist", [0.1, [0.1], [1.0, 2.0, 3.0], [[1.0], [2.0]]])
-def test_a_twist_that_is_not_six_numbers_is_refused(arm: aftdeck.Arm, twist: ArrayLike) -> None:
-    with pytest.raises(InputError, match=r"a twist: expected shape \(\.\.\., 6\)"):
+def test_twist_without_six_components_is_rejected(arm: aftdeck.Arm, twist: ArrayLike) -> None:
+    with pytest.raises(InputError, match=r"twist: .*\(\.\.\., 6\)"):
         arm.joint_rates(AWAY, twist)
 
 
-def test_leading_dimensions_that_do_not_go_together_are_refused(arm: aftdeck.Arm) -> None:
+def test_mismatched_leading_dimensions_are_rejected(arm: aftdeck.Arm) -> None:
     with pytest.raises(InputError, match=r"\(2, 6\).*\(3, 6\)"):
         arm.joint_rates(np.array([AWAY] * 2), np.zeros((3, 6)))
 
 
-def test_an_unknown_way_with_singular_poses_is_refused(arm: aftdeck.Arm) -> None:
-    with pytest.raises(InputError, match="singular is 'raise' or 'mask', got 'ignore'"):
+def test_unknown_singular_option_is_rejected(arm: aftdeck.Arm) -> None:
+    with pytest.raises(InputError, match=r"singular .*'raise' or 'mask'.*'ignore'"):
         arm.joint_rates(AWAY, np.zeros(6), singular="ignore")  # type: ignore[arg-type]

@@ -8,15 +8,13 @@ import numpy as np
 import pytest
 
 import aftdeck
-from tests.kinematics.poses import legal
-from tests.kinematics.test_inverse import STRAIGHT
-from tests.kinematics.test_rates import singular_poses
+from tests.kinematics.poses import STRAIGHT, legal, singular_poses
 
 INCH = 0.0254
 
 
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
-def test_a_distance_is_zero_at_its_singularity_and_only_there(arm: aftdeck.Arm, kind: str) -> None:
+def test_distance_is_zero_only_at_its_own_singularity(arm: aftdeck.Arm, kind: str) -> None:
     found = arm.singularities(singular_poses(arm)[kind])._asdict()
     assert abs(float(found.pop(kind))) < 1e-15
     assert min(abs(float(d)) for d in found.values()) > 0.1
@@ -29,7 +27,7 @@ def test_distances_lie_between_minus_one_and_one(arm: aftdeck.Arm) -> None:
     assert (found.max(axis=1) > 0.9).all()
 
 
-def test_the_product_of_the_three_is_the_jacobians_determinant_but_for_a_length(arm: aftdeck.Arm) -> None:
+def test_product_of_distances_is_proportional_to_the_determinant(arm: aftdeck.Arm) -> None:
     upper, lower, wrist = math.hypot(251.05, 6.0) * INCH, math.hypot(277.95, 6.0) * INCH, 18 * INCH
     q = legal(arm, 31, 5000)
     product = np.prod(np.stack(arm.singularities(q)), axis=0) * upper * lower * (upper + lower + wrist)
@@ -39,7 +37,7 @@ def test_the_product_of_the_three_is_the_jacobians_determinant_but_for_a_length(
     assert abs(sign.sum()) == len(sign)
 
 
-def test_the_signs_are_those_of_the_usual_way_to_hold_the_arm(arm: aftdeck.Arm) -> None:
+def test_distances_are_positive_in_the_usual_configuration(arm: aftdeck.Arm) -> None:
     usual = arm.singularities(np.radians([0, 60, -90, 30, 0, 0]))
     assert min(float(d) for d in usual) > 0.0
     assert float(arm.singularities([0, 1, STRAIGHT + 0.01, 0, 0, 0]).elbow) < 0.0
@@ -47,5 +45,5 @@ def test_the_signs_are_those_of_the_usual_way_to_hold_the_arm(arm: aftdeck.Arm) 
     assert float(arm.singularities(np.radians([0, 140, -10, 0, 0, 0])).shoulder) < 0.0
 
 
-def test_at_the_cradle_the_elbow_is_announced_as_the_checklist_expects(arm: aftdeck.Arm) -> None:
+def test_elbow_singularity_is_announced_at_the_cradle(arm: aftdeck.Arm) -> None:
     assert abs(float(arm.singularities(np.zeros(6)).elbow)) < arm.model.singular

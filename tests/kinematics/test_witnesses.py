@@ -57,7 +57,7 @@ engines = pytest.mark.parametrize("engine", [in_mujoco, in_pinocchio])
 
 
 @engines
-def test_the_shuttles_arm_stands_and_moves_as_one_built_from_its_joint_centres(
+def test_srms_agrees_with_a_model_built_from_its_joint_centres(
     arm: aftdeck.Arm, engine: Callable[[Chain], Witness]
 ) -> None:
     # seven printed centres, each off by up to half a thousandth of an inch in three coordinates
@@ -72,7 +72,7 @@ def test_the_shuttles_arm_stands_and_moves_as_one_built_from_its_joint_centres(
 
 
 @engines
-def test_another_arm_of_the_family_stands_and_moves_as_its_lengths_say(engine: Callable[[Chain], Witness]) -> None:
+def test_made_up_arm_agrees_with_a_model_built_from_its_lengths(engine: Callable[[Chain], Witness]) -> None:
     other = aftdeck.load_arm(MADE_UP)
     see = engine(OTHER)
     for q in legal(other, 7, 300):
@@ -84,7 +84,7 @@ def test_another_arm_of_the_family_stands_and_moves_as_its_lengths_say(engine: C
 
 @engines
 @pytest.mark.parametrize("height", [3.6576, 5.0])
-def test_the_concept_arm_stands_and_moves_as_its_lengths_and_axes_say(
+def test_concept_arm_agrees_with_a_model_built_from_its_lengths(
     height: float, engine: Callable[[Chain], Witness]
 ) -> None:
     ours = aftdeck.load_arm("concept-1972").at(stand=height)

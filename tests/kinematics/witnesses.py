@@ -13,7 +13,7 @@ from aftdeck.arrays import Array
 
 
 class Seen(NamedTuple):
-    """What a witness says of the tip in the frame in which the joint centres were given."""
+    """Pose and Jacobian of the tip from a witness, in the coordinate frame of the joint centres."""
 
     position: Array
     rotation: Array
@@ -33,7 +33,7 @@ class Chain(NamedTuple):
 
 
 def in_mujoco(chain: Chain) -> Witness:
-    """The chain as MuJoCo bodies, each with a hinge at its origin."""
+    """Build the chain from MuJoCo bodies, each with a hinge at its origin."""
     spec = mujoco.MjSpec()
     body, before = spec.worldbody, np.zeros(3)
     for k in range(6):
@@ -60,7 +60,7 @@ def in_mujoco(chain: Chain) -> Witness:
 
 
 def in_pinocchio(chain: Chain) -> Witness:
-    """The chain as Pinocchio revolute joints about free axes."""
+    """Build the chain from Pinocchio revolute joints about free axes."""
     model, joint, before = pinocchio.Model(), 0, np.zeros(3)
     for k in range(6):
         place = pinocchio.SE3(np.eye(3), chain.centres[k] - before)

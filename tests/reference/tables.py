@@ -1,4 +1,4 @@
-"""The reference tables that stand beside this module."""
+"""Reference tables in the folder of this module."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from typing import Any
 
 
 def table(name: str) -> dict[str, Any]:
-    """A reference table by its file's stem."""
+    """Load a reference table by the stem of its file name."""
     return tomllib.loads((Path(__file__).parent / f"{name}.toml").read_text(encoding="utf-8"))

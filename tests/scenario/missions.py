@@ -1,4 +1,4 @@
-"""The scripted missions at the worksites, each flown once: what was seen on the way, and states saved on it."""
+"""The scripted missions at the worksites, each run once: its frames, log and saved states."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from aftdeck.simulation.run import SavedSimulation
 from aftdeck.worksite.report import Work
 
 MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy", "tutorial")
-"""Built-in scenarios that fly a whole task at a worksite: longer than the others."""
+"""Built-in scenarios with a whole task at a worksite, longer than the others."""
 SCRIPTED = tuple(name for name in built_in() if name != "concept-1972")
-"""Built-in scenarios that fly themselves; the other is for a person."""
+"""Built-in scenarios with a script."""
 FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in MISSIONS else name for name in SCRIPTED]
-"""They, for a test of each: the missions among the slow ones."""
+"""The scripted scenarios as test parameters; the missions are marked slow."""
 TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
-"""Kinds of the log's lines that tell how a mission goes on."""
+"""Kinds of log lines that mark the progress of a mission."""
 HOLD, LET_GO, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"
 TOLD = {
     "concept-1972-script": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
@@ -31,20 +31,20 @@ TOLD = {
     "srms-deploy": [HOLD, "unlatched", UNDOCK, LET_GO, LET_GO],
     "tutorial": [HOLD, "unlatched", UNDOCK],
 }
-"""A mission's turning points, in their order."""
+"""Expected turning points of each mission, in order."""
 _SAVED = 1.0 / 1500.0
-"""How likely a state is saved before a step; it is as well after every turning point."""
+"""Probability that a state is saved before a step. A state is also saved after each turning point."""
 
 
 class Flown(NamedTuple):
-    """A mission flown to its end.
+    """Record of a complete run of a mission.
 
     Attributes:
-        scenario: what was flown.
+        scenario: the mission's scenario.
         work: the worksite after each step.
-        digests: `sha256` of each step's frame.
+        digests: `sha256` of each frame.
         events: the log.
-        saved: states by the number of steps flown.
+        saved: saved states by the number of steps before them.
         ended: how the script ended.
     """
 
@@ -56,24 +56,24 @@ class Flown(NamedTuple):
     ended: str
 
     def turning_points(self) -> list[str]:
-        """Kinds of the log's lines that tell how the mission went."""
+        """Return the kinds of the log lines that mark the progress of the mission."""
         return [event.kind for event in self.events if event.kind in TURNING_POINTS]
 
     def at(self, kind: str, which: int = 0) -> Work:
-        """The worksite after the step in which the log has a line of a kind for the first time, or a later one."""
+        """Return the worksite after the step with the first log line of a kind, or with a later one by its index."""
         return self.about(kind, which)[1]
 
     def about(self, kind: str, which: int = 0) -> tuple[Work, Work]:
-        """The worksite before and after that step."""
+        """Return the worksite before and after that step."""
         ticks = [self.tick(event) for event in self.events if event.kind == kind]
         return self.work[ticks[which] - 2], self.work[ticks[which] - 1]
 
     def tick(self, event: Event) -> int:
-        """The step that a line of the log is of, from 1."""
+        """Return the number of the step of a log line, from 1."""
         return round(event.time_s / self.scenario.control_period)
 
     def during(self, phase: str) -> list[Work]:
-        """The worksite in each step of a phase but its first and last."""
+        """Return the worksite in each step of a phase, without the first and the last step."""
         begins = [(self.tick(event), event.text) for event in self.events if event.kind == "phase"]
         begin = next(k for k, (_, text) in enumerate(begins) if text == f"phase {phase!r} begins")
         end = begins[begin + 1][0] if begin + 1 < len(begins) else len(self.work)
@@ -82,7 +82,7 @@ class Flown(NamedTuple):
 
 @functools.cache
 def flown(name: str) -> Flown:
-    """A mission flown to its end, once for all tests."""
+    """Run a mission to its end, once for all tests."""
     sim = aftdeck.Simulation(name)
     rng = np.random.default_rng(5)
     done = Flown(sim.scenario, [], [], [], {}, "")

@@ -1,4 +1,4 @@
-"""The scenarios that come with Aftdeck."""
+"""The built-in scenarios."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ NAMES = {
 }
 
 
-def test_every_scenario_promised_is_there() -> None:
+def test_promised_scenarios_are_built_in() -> None:
     assert set(built_in()) >= NAMES
 
 
 @pytest.mark.parametrize("name", built_in())
-def test_a_built_in_scenario_loads_and_says_what_it_is(name: str) -> None:
+def test_built_in_scenario_loads_with_title_and_description(name: str) -> None:
     scenario = load_scenario(name)
     assert scenario.name == name and scenario.title and scenario.description
     assert len({phase.name for phase in scenario.phases}) == len(scenario.phases)
@@ -44,13 +44,13 @@ def test_a_built_in_scenario_loads_and_says_what_it_is(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", FLOWN)
-def test_a_built_in_scenario_flies_its_script_to_the_end(name: str) -> None:
+def test_built_in_scenario_completes_its_script(name: str) -> None:
     done = aftdeck.run(name, keep_frames=False)
     assert done.summary.ended == "completed"
     assert done.summary.worst_rate_ratio <= 1.0
     assert done.summary.time_s <= done.scenario.duration
     log = done.summary.events
-    # each phase is told of in turn, nothing was refused or given up, and no line is written twice in a step
+    # each phase is logged in order, no command is rejected or abandoned, and no line is repeated in a step
     assert [e.text for e in log if e.kind == "phase"] == [f"phase {p.name!r} begins" for p in done.scenario.phases]
     assert not {e.kind for e in log} & {"refused", "blocked", "fault"}
     assert len({(e.time_s, e.text) for e in log}) == len(log)
@@ -59,7 +59,7 @@ def test_a_built_in_scenario_flies_its_script_to_the_end(name: str) -> None:
         assert event.text == event.text.strip() and "_" not in event.text and len(event.text) <= 100
 
 
-def test_the_sequence_scenario_flies_by_two_points_waits_at_one_and_comes_home() -> None:
+def test_sequence_scenario_passes_two_points_pauses_at_one_and_returns() -> None:
     done = aftdeck.run("sequence", keep_frames=False)
     arrivals = [e.text for e in done.summary.events if e.kind == "arrived"]
     assert arrivals == [
@@ -73,7 +73,7 @@ def test_the_sequence_scenario_flies_by_two_points_waits_at_one_and_comes_home()
     assert done.summary.tip.position_m == pytest.approx(home.position, abs=1e-3)
 
 
-def test_the_singular_scenario_starts_near_all_three_and_leaves_every_one() -> None:
+def test_singular_scenario_starts_near_all_singularities_and_leaves_each() -> None:
     scenario = load_scenario("singular")
     assert all(abs(float(d)) < scenario.arm.model.singular for d in scenario.arm.singularities(scenario.initial_angles))
     last = aftdeck.run(scenario).frames
@@ -83,7 +83,7 @@ def test_the_singular_scenario_starts_near_all_three_and_leaves_every_one() -> N
     assert left == {f"{name} singularity left behind" for name in ("shoulder", "elbow", "wrist")}
 
 
-def test_first_flight_starts_over_the_bay_far_from_every_limit() -> None:
+def test_first_flight_starts_over_the_bay_far_from_all_limits() -> None:
     scenario = load_scenario("first-flight")
     arm, q = scenario.arm, scenario.initial_angles
     xo, yo, zo = structural(arm.forward(q).position)
@@ -95,15 +95,15 @@ def test_first_flight_starts_over_the_bay_far_from_every_limit() -> None:
     assert np.degrees(room.min()) >= 15.0
 
 
-def test_first_flights_tour_stays_clear_of_stops_and_singularities() -> None:
+def test_first_flight_stays_clear_of_stops_and_singularities() -> None:
     for frame in aftdeck.run("first-flight").frames:
         assert frame.zones == (0,) * 6 and frame.singular == ()
 
 
-def test_the_cradled_arm_stands_at_all_zeros() -> None:
+def test_cradled_arm_starts_with_zero_joint_angles() -> None:
     assert load_scenario("uncradle").initial_angles.tolist() == [0.0] * 6
 
 
-def test_an_unknown_name_is_refused_with_the_names_there_are() -> None:
-    with pytest.raises(ScenarioError, match="no scenario 'sts-999': built in are concept-1972"):
+def test_unknown_scenario_is_rejected_with_the_built_in_names() -> None:
+    with pytest.raises(ScenarioError, match=r"'sts-999': .* concept-1972, "):
         load_scenario("sts-999")

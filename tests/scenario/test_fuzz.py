@@ -1,4 +1,4 @@
-"""Random scenario files: they load, or they are refused with sentences; nothing else."""
+"""Random scenario files load, or raise ScenarioError with problems."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ values: st.SearchStrategy[Any] = st.one_of(
 
 
 def table(**fields: st.SearchStrategy[Any]) -> st.SearchStrategy[dict[str, Any]]:
-    """Some of the fields, each as it should be or anything at all."""
+    """Return a strategy for some of the fields, each with a valid or a random value."""
     return st.fixed_dictionaries({}, optional={name: st.one_of(good, values) for name, good in fields.items()})
 
 
@@ -80,19 +80,19 @@ def loads(text: str) -> None:
 
 @PROVE
 @given(files)
-def test_no_values_bring_the_loader_down(file: dict[str, Any]) -> None:
+def test_random_values_load_or_raise_scenario_error(file: dict[str, Any]) -> None:
     loads(tomlkit.dumps(file))
 
 
 @settings(PROVE, max_examples=40)
 @given(files)
-def test_no_values_bring_the_loader_down_behind_a_good_beginning(file: dict[str, Any]) -> None:
+def test_random_values_with_a_valid_start_load_or_raise_scenario_error(file: dict[str, Any]) -> None:
     good = {"title": "t", "initial": {"joints": [0, 1, -1, 0, 0, 0]}, "duration": 600, "control_period": 0.02}
     loads(tomlkit.dumps({**file, **good}))
 
 
 @PROVE
 @given(st.text(max_size=200))
-def test_no_text_brings_the_loader_down(text: str) -> None:
+def test_random_text_loads_or_raises_scenario_error(text: str) -> None:
     loads(text)
     loads('title = "t"\n[initial]\njoints = [0, 1, -1, 0, 0, 0]\n' + text)

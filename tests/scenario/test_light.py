@@ -1,8 +1,9 @@
-"""Light as a scenario's condition: what its names stand for, and what is said of wrong ones."""
+"""Light conditions of a scenario: their names, and the rejection of invalid ones."""
 
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -25,7 +26,7 @@ def angle(a: tuple[float, float, float], b: tuple[float, float, float]) -> float
     return math.degrees(math.acos(max(-1.0, min(1.0, dot / (math.hypot(*a) * math.hypot(*b))))))
 
 
-def test_without_a_word_of_light_the_sun_is_high_and_all_lamps_are_lit() -> None:
+def test_lighting_defaults_to_high_sun_with_all_lamps_on() -> None:
     plain = scenario("")
     assert plain.lamps == SWITCHES
     assert plain.lighting.condition == conditions()[0].name == "high sun"
@@ -34,48 +35,48 @@ def test_without_a_word_of_light_the_sun_is_high_and_all_lamps_are_lit() -> None
 
 
 @pytest.mark.parametrize("name", [condition.name for condition in conditions()])
-def test_each_condition_can_be_named_and_lamps_come_in_their_order(name: str) -> None:
+def test_light_condition_is_selected_by_name_and_lamps_are_sorted(name: str) -> None:
     lit = scenario(f'[light]\ncondition = "{name}"\nlamps = ["end effector", "fwd floods"]').lighting
     assert lit.condition == name
     assert lit.lamps == ("fwd floods", "end effector")
 
 
-def test_lamps_can_all_be_dark() -> None:
+def test_all_lamps_can_be_off() -> None:
     assert scenario("[light]\nlamps = []").lighting.lamps == ()
 
 
-def test_a_place_without_lamps_has_no_switches() -> None:
+def test_worksite_without_lamps_has_no_switches() -> None:
     assert load_scenario("concept-1972").lamps == ()
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "pattern"),
     [
-        ('condition = "noon"', "no condition of light 'noon': there are high sun, low sun, night, terminator"),
+        ('condition = "noon"', "'noon'.* high sun, low sun, night, terminator"),
         (
             'lamps = ["bow"]',
-            "light.lamps[0]: no lamps 'bow': there are fwd floods, mid floods, aft floods, end effector",
+            r"light\.lamps\[0\]: .*'bow'.* fwd floods, mid floods, aft floods, end effector",
         ),
-        ("condition = 3", "light.condition: Expected `str`"),
-        ('lamps = "end effector"', "light.lamps: Expected `array`"),
+        ("condition = 3", r"light\.condition: .*`str`"),
+        ('lamps = "end effector"', r"light\.lamps: .*`array`"),
         ('colour = "red"', "colour"),
     ],
 )
-def test_what_is_wrong_is_said_with_its_place_and_what_there_is(text: str, said: str) -> None:
+def test_invalid_light_is_rejected_with_its_line_and_valid_names(text: str, pattern: str) -> None:
     with pytest.raises(ScenarioError) as caught:
         scenario(f"[light]\n{text}")
     (problem,) = caught.value.problems
     assert problem.startswith("a.toml:5: light.")
-    assert said in problem
+    assert re.search(pattern, problem)
 
 
-def test_at_a_place_without_lamps_a_lamp_is_said_to_be_none_of_its() -> None:
-    with pytest.raises(ScenarioError, match="no lamps 'end effector': this place has none"):
+def test_lamp_is_rejected_at_a_worksite_without_lamps() -> None:
+    with pytest.raises(ScenarioError, match=r"'end effector'.* none"):
         text = '[initial]\njoints = [0, 1, -1, 0, 0, 0]\n[light]\nlamps = ["end effector"]'
         parse_scenario(f'title = "t"\narm = "concept-1972"\nworksite = "space"\n{text}', "a", "a.toml", Path())
 
 
-def test_conditions_are_what_their_names_say() -> None:
+def test_light_conditions_match_their_names() -> None:
     known = {condition.name: condition for condition in conditions()}
     assert list(known) == ["high sun", "low sun", "night", "terminator"]
     up = (0.0, 0.0, 1.0)

@@ -1,4 +1,4 @@
-"""What a scenario file's fields do."""
+"""Effects of the fields of a scenario file."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def load(text: str, folder: Path = Path(".")) -> Scenario:
     return parse_scenario('title = "t"\n' + text, "a", "a.toml", folder)
 
 
-def test_a_scenario_is_frozen_and_so_are_its_arrays() -> None:
+def test_scenario_and_its_arrays_are_read_only() -> None:
     made = scenario()
     with pytest.raises(AttributeError):
         made.seed = 3  # type: ignore[misc]
@@ -35,16 +35,16 @@ def test_a_scenario_is_frozen_and_so_are_its_arrays() -> None:
             array[0] = 1.0
 
 
-def test_joints_may_carry_units_or_be_radians() -> None:
+def test_joints_accept_units_or_radians() -> None:
     by_units = load('[initial]\njoints = ["0 deg", "60 deg", "-0.25 turn", 0.5, 0, "1 rad"]').initial_angles
     assert by_units == pytest.approx([0, math.pi / 3, -math.pi / 2, 0.5, 0, 1])
 
 
-def test_a_mode_may_be_given_by_number_or_by_its_place_on_the_panel() -> None:
+def test_mode_accepts_a_number_or_a_panel_position() -> None:
     assert scenario(extra="mode = 5").mode == scenario(extra='mode = "END EFF"').mode == "END EFF"
 
 
-def test_a_pose_in_the_panel_frame_stands_where_the_panel_says() -> None:
+def test_pose_in_the_panel_frame_has_the_panel_coordinates() -> None:
     made = load(
         '[initial]\nnear = ["-31 deg", "79 deg", "-103 deg", "-77 deg", "17 deg", "-128 deg"]\n'
         '[initial.pose]\nframe = "panel"\nposition = ["-942 in", "10 in", "-560 in"]\npitch = "270 deg"\n'
@@ -52,12 +52,12 @@ def test_a_pose_in_the_panel_frame_stands_where_the_panel_says() -> None:
     pose = made.arm.forward(made.initial_angles)
     assert structural(pose.position) / INCH == pytest.approx([942, 10, 560])
     e_axes = BODY @ AXES @ made.arm.end_effector(pose.rotation)
-    # pitched by 270 deg: what looked forward looks straight down
+    # a pitch of 270 deg turns the forward axis straight down
     assert e_axes[:, 0] == pytest.approx([0, 0, 1], abs=1e-12)
     assert e_axes[:, 1] == pytest.approx([0, 1, 0], abs=1e-12)
 
 
-def test_a_pose_in_the_orbiter_frame_is_given_by_endori_angles_or_a_matrix() -> None:
+def test_pose_in_the_orbiter_frame_accepts_endori_angles_or_a_matrix() -> None:
     angles = load('[initial.pose]\nposition = ["5 m", "-1 m", "-6 m"]\nroll = 0.2\npitch = 0.3\nyaw = 2.9\n')
     rotation = Rotation.from_euler("ZYX", [2.9, 0.3, 0.2]).as_matrix()
     rows = [[float(x) for x in row] for row in rotation]
@@ -70,7 +70,7 @@ def test_a_pose_in_the_orbiter_frame_is_given_by_endori_angles_or_a_matrix() -> 
     assert body == pytest.approx([5, -1, -6], abs=1e-9)
 
 
-def test_a_pose_in_l_is_taken_as_it_is_and_by_the_branch_near_to_near() -> None:
+def test_pose_in_l_uses_the_branch_nearest_to_near() -> None:
     arm = aftdeck.load_arm("srms")
     for q in arm.inverse(arm.forward(np.radians(BAY))):
         pose = arm.forward(q)
@@ -82,7 +82,7 @@ def test_a_pose_in_l_is_taken_as_it_is_and_by_the_branch_near_to_near() -> None:
         assert made.initial_angles == pytest.approx(q, abs=1e-9)
 
 
-def test_a_pose_by_joints_is_the_pose_of_those_joints() -> None:
+def test_target_by_joints_is_the_pose_of_those_joints() -> None:
     made = load(
         "[initial]\njoints = [0, 1, -1, 0, 0, 0]\n[[phase]]\nmode = 2\n[phase.target]\njoints = [0.1, 1, -1, 0, 0, 0]"
     )
@@ -91,14 +91,14 @@ def test_a_pose_by_joints_is_the_pose_of_those_joints() -> None:
     assert target.position == pytest.approx(made.arm.forward([0.1, 1, -1, 0, 0, 0]).position)
 
 
-def test_an_arm_file_is_sought_beside_the_scenario() -> None:
+def test_arm_file_is_found_beside_the_scenario() -> None:
     made = load("arm = 'made-up.toml'\n[initial]\njoints = [0, 1, -1, 0, 0, 0]", MADE_UP.parent)
     assert made.arm.name == "made-up"
     frames = fly(aftdeck.Simulation(made), 1.0, aftdeck.Inputs(translation=(0.3, 0.0, 0.0)))
     assert speed(frames[-1]) > 0.1
 
 
-def test_hard_limits_in_the_scenario_stop_the_joint_there() -> None:
+def test_scenario_hard_limits_stop_the_joint() -> None:
     hard = "[[-3, 3], [0, 2], [-2, 0], [-1.5, 1.5], [-2, 2], [-3, 3]]"
     made = scenario((0, 60, -80, 10, 0, 0), f"[limits]\nhard = {hard}\nsoft = {hard}\nreach = {hard}")
     frames = fly(aftdeck.Simulation(made), 60.0, aftdeck.Inputs(mode="SINGLE", joint=5, drive=1.0))
@@ -107,7 +107,7 @@ def test_hard_limits_in_the_scenario_stop_the_joint_there() -> None:
     assert max(f.angles[5] for f in frames) < 3.0
 
 
-def test_soft_and_reach_limits_in_the_scenario_move_the_zones() -> None:
+def test_scenario_soft_and_reach_limits_move_the_zones() -> None:
     soft = "[[-3, 3], [0.1, 2], [-2, -0.1], [-1.5, 1.5], [-1, 1], [-3, 3]]"
     reach = "[[-3, 3], [0.1, 2], [-2, -0.1], [-1.5, 1.5], [-0.5, 0.5], [-3, 3]]"
     made = [
@@ -118,7 +118,7 @@ def test_soft_and_reach_limits_in_the_scenario_move_the_zones() -> None:
 
 
 @pytest.mark.parametrize("which", ["servo", "coarse", "vernier"])
-def test_joint_rates_in_the_scenario_take_the_place_of_the_arms(which: str) -> None:
+def test_scenario_joint_rates_replace_those_of_the_arm(which: str) -> None:
     own = {"servo": "3 deg/s", "coarse": "1 deg/s", "vernier": "0.1 deg/s"}[which]
     made = scenario(BAY, f"[limits]\n{which} = {[own] * 6}")
     mode = "ORB UNL" if which == "servo" else "SINGLE"
@@ -130,7 +130,7 @@ def test_joint_rates_in_the_scenario_take_the_place_of_the_arms(which: str) -> N
         assert math.degrees(frame.rates_commanded[0]) == pytest.approx(float(own.split()[0]))
 
 
-def test_por_limits_in_the_scenario_take_the_place_of_the_arms_whatever_the_payload() -> None:
+def test_scenario_por_limits_replace_those_of_the_arm_for_any_payload() -> None:
     por = '[limits.por]\ntranslation = "1 ft/s"\nvernier_translation = "0.1 ft/s"\nrotation = "2 deg/s"\n'
     por += 'vernier_rotation = "0.5 deg/s"\nreached_in = "2 s"\n'
     for payload in ("", "[payload]\nmass = 20000\n"):
@@ -144,7 +144,7 @@ def test_por_limits_in_the_scenario_take_the_place_of_the_arms_whatever_the_payl
         )
 
 
-def test_a_payload_chooses_the_limits_by_its_mass() -> None:
+def test_payload_mass_selects_the_por_limits() -> None:
     made = scenario(BAY, '[payload]\nmass = "15000 lb"\nposition = ["3 m", 0, 0]\nyaw = "90 deg"\npor = [0, 1, 0]')
     por = por_with(made.arm.model, made.payload.mass if made.payload else 0.0, made.por)
     assert por.translation[0] == pytest.approx(0.2 * 0.3048)
@@ -154,13 +154,13 @@ def test_a_payload_chooses_the_limits_by_its_mass() -> None:
     assert made.payload.por.tolist() == [0.0, 1.0, 0.0]
 
 
-def test_initial_rates_carry_into_the_first_step() -> None:
+def test_initial_rates_apply_in_the_first_step() -> None:
     made = load('[initial]\njoints = [0, 1, -1, 0, 0, 0]\nrates = ["1 deg/s", 0, 0, 0, 0, 0]')
     frame = aftdeck.Simulation(made).step(aftdeck.Inputs())
     assert 0.9 < math.degrees(frame.rates_commanded[0]) <= 1.0
 
 
-def test_the_end_sphere_is_the_scenarios() -> None:
+def test_scenario_sets_the_arrival_tolerance() -> None:
     for within in (1e-2, 1e-4):
         text = f"arrive_within = {within}\narrive_within_angle = '1 deg'\n[initial]\njoints = [0.3, 1, -1, 0, 0.1, 0]\n"
         done = aftdeck.run(load(text + "[[phase]]\nmode = 2\ntarget = { joints = [0.4, 1, -1, 0, 0.1, 0] }"))
@@ -168,7 +168,7 @@ def test_the_end_sphere_is_the_scenarios() -> None:
         assert done.summary.position_error_m is not None and done.summary.position_error_m <= within
 
 
-def test_the_soft_stop_rule_rate_mode_and_period_are_the_scenarios() -> None:
+def test_scenario_sets_soft_stop_rule_rate_mode_and_period() -> None:
     made = scenario(BAY, 'soft_stops = "as-flown"\nrate = "vernier"\nmode = 5\ncontrol_period = "80 ms"\nduration = 8')
     assert made.as_flown and not made.strict
     frame = aftdeck.Simulation(made).step()

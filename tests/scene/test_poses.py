@@ -29,13 +29,13 @@ def random_angles(arm: aftdeck.Arm, count: int) -> Array:
 
 
 def placed(arm: aftdeck.Arm, q: Array) -> tuple[Array, list[Rotation]]:
-    """Origins (n, 3) and orientations of the base and the moving frames, in the scene."""
+    """Return origins (n, 3) and orientations of the base and the moving frames, in the scene."""
     rows = np.array(ArmPoses(arm.model).at(q)).reshape(-1, 7)
     return rows[:, :3], [Rotation.from_quat(row[[4, 5, 6, 3]]) for row in rows]
 
 
 @pytest.mark.parametrize("name", ["srms", "concept-1972"])
-def test_the_tip_stands_where_forward_kinematics_puts_it(name: str) -> None:
+def test_tip_is_where_forward_kinematics_puts_it(name: str) -> None:
     arm = aftdeck.load_arm(name)
     hand = arm.model.links[L5]
     for q in random_angles(arm, 50):
@@ -46,7 +46,7 @@ def test_the_tip_stands_where_forward_kinematics_puts_it(name: str) -> None:
         assert places[6] + turns[6].apply([hand, 0.0, 0.0]) == pytest.approx(SCENE @ tip.position - ORIGIN, abs=1e-12)
 
 
-def test_every_quaternion_is_a_unit_one_and_every_link_keeps_its_length(arm: aftdeck.Arm) -> None:
+def test_quaternions_have_unit_norm_and_links_keep_their_length(arm: aftdeck.Arm) -> None:
     at_rest, _ = placed(arm, np.zeros(6))
     lengths = np.linalg.norm(np.diff(at_rest, axis=0), axis=1)
     for q in random_angles(arm, 20):
@@ -56,7 +56,7 @@ def test_every_quaternion_is_a_unit_one_and_every_link_keeps_its_length(arm: aft
 
 
 @pytest.mark.parametrize("joint", range(6))
-def test_a_joint_turns_what_lies_beyond_it_about_its_own_axis(arm: aftdeck.Arm, joint: int) -> None:
+def test_joint_turns_all_frames_beyond_it_about_its_own_axis(arm: aftdeck.Arm, joint: int) -> None:
     axis = {0: 2, 1: 1, 2: 1, 3: 1, 4: 2, 5: 0}[joint]
     q = np.radians([20.0, 60.0, -80.0, 30.0, -40.0, 70.0])
     turned = q.copy()
@@ -71,13 +71,13 @@ def test_a_joint_turns_what_lies_beyond_it_about_its_own_axis(arm: aftdeck.Arm, 
         assert (after[k] * before[k].inv()).magnitude() == pytest.approx(math.radians(15.0), abs=1e-12)
 
 
-def test_at_zero_angles_every_frame_is_parallel_to_the_base(arm: aftdeck.Arm) -> None:
+def test_frames_are_parallel_to_the_base_at_zero_angles(arm: aftdeck.Arm) -> None:
     _, turns = placed(arm, np.zeros(6))
     for turn in turns:
         assert turn.as_matrix() == pytest.approx(SCENE @ arm.model.mount.rotation, abs=1e-12)
 
 
-def test_the_scenes_origin_is_the_bays_middle() -> None:
+def test_scene_origin_is_the_middle_of_the_bay() -> None:
     assert point_in_scene(np.array([-942.0, 0.0, -400.0]) * 0.0254) == pytest.approx([0.0, 0.0, 0.0], abs=1e-12)
     # 1 m forward, 2 m to starboard, 3 m down of it
     there = point_in_scene(np.array([-942.0, 0.0, -400.0]) * 0.0254 + [1.0, 2.0, 3.0])
@@ -85,7 +85,7 @@ def test_the_scenes_origin_is_the_bays_middle() -> None:
 
 
 @pytest.mark.parametrize("name", ["srms", "concept-1972"])
-def test_the_links_add_up_to_the_poses(name: str) -> None:
+def test_links_compose_to_the_poses(name: str) -> None:
     arm = aftdeck.load_arm(name)
     poses = ArmPoses(arm.model)
     for q in random_angles(arm, 10):
@@ -102,7 +102,7 @@ def test_the_links_add_up_to_the_poses(name: str) -> None:
             )
 
 
-def test_the_concept_arms_stand_and_prong_are_drawn_where_they_are() -> None:
+def test_telescope_and_prong_are_drawn_at_their_positions() -> None:
     arm = aftdeck.load_arm("concept-1972")
     poses = ArmPoses(arm.model)
     q = random_angles(arm, 1)[0]
@@ -116,7 +116,7 @@ def test_the_concept_arms_stand_and_prong_are_drawn_where_they_are() -> None:
     assert as_loaded[7, 2] - as_loaded[0, 2] == pytest.approx(arm.stand)
 
 
-def test_every_quaternion_is_that_of_its_matrix_whichever_of_its_components_is_largest() -> None:
+def test_quaternion_is_right_whichever_component_is_largest() -> None:
     rows = np.zeros((400, 12))
     turns = Rotation.random(400, random_state=7).as_matrix()
     turns[:4] = [np.eye(3), np.diag([1.0, -1.0, -1.0]), np.diag([-1.0, 1.0, -1.0]), np.diag([-1.0, -1.0, 1.0])]
@@ -127,7 +127,7 @@ def test_every_quaternion_is_that_of_its_matrix_whichever_of_its_components_is_l
         assert pose[3:] == pytest.approx(quaternion(turn), abs=1e-14)
 
 
-def test_a_scene_with_an_origin_of_its_own_is_the_shuttles_moved() -> None:
+def test_own_scene_origin_shifts_all_positions() -> None:
     arm = aftdeck.load_arm("concept-1972")
     q = random_angles(arm, 1)[0]
     shuttles = np.array(ArmPoses(arm.model).at(q)).reshape(-1, 7)

@@ -62,10 +62,10 @@ ROUND: list[tuple[Leaf, float, float]] = [
     ),
     (Loft(material="metal", sections=HULL), 1.5 * PI * 2.0, math.nan),
 ]
-"""Shapes with what they hold [m^3] and show [m^2] in closed form."""
+"""Shapes with their volumes [m^3] and areas [m^2] in closed form."""
 
 WEDGE = tuple((x, y * (1.5 if z else 1.0), z) for y in (-0.5, 0.5) for x in (0.0, 1.8) for z in (0.0, 1.0))
-"""1.8 long, 1 high, 1 wide below and 1.5 above."""
+"""A wedge 1.8 m long and 1 m high, 1 m wide at the bottom and 1.5 m at the top."""
 CORNERED: list[tuple[Leaf, float, float]] = [
     (Box(material="metal", size=(1.0, 2.0, 3.0)), 6.0, 22.0),
     (Hexahedron(material="metal", vertices=WEDGE), 2.25, 7.0 + 3.6 * 1.0625**0.5),
@@ -76,9 +76,7 @@ CORNERED: list[tuple[Leaf, float, float]] = [
 
 
 @pytest.mark.parametrize(("shape", "holds", "shows"), ROUND)
-def test_a_round_surface_is_closed_and_nears_its_true_size_as_its_sides_grow(
-    shape: Leaf, holds: float, shows: float
-) -> None:
+def test_round_surface_is_closed_and_converges_with_more_sides(shape: Leaf, holds: float, shows: float) -> None:
     surfaces = [solid(shape, sides) for sides in (32, 256)]
     assert all(closed(surface) for surface in surfaces)
     misses = [abs(volume(surface) - holds) for surface in surfaces]
@@ -89,7 +87,7 @@ def test_a_round_surface_is_closed_and_nears_its_true_size_as_its_sides_grow(
 
 
 @pytest.mark.parametrize(("shape", "holds", "shows"), CORNERED)
-def test_a_cornered_surface_is_closed_and_exact(shape: Leaf, holds: float, shows: float) -> None:
+def test_cornered_surface_is_closed_and_exact(shape: Leaf, holds: float, shows: float) -> None:
     surface = solid(shape)
     assert closed(surface)
     assert volume(surface) == pytest.approx(holds)
@@ -115,14 +113,14 @@ def test_a_cornered_surface_is_closed_and_exact(shape: Leaf, holds: float, shows
         (Light(radius=0.2, cone=1.0, reach=1.0, intensity=1.0), (0.0, -0.2, -0.2), (0.0, 0.2, 0.2)),
     ],
 )
-def test_a_surface_fills_its_box(shape: Leaf, low: tuple[float, ...], high: tuple[float, ...]) -> None:
+def test_surface_fills_its_bounding_box(shape: Leaf, low: tuple[float, ...], high: tuple[float, ...]) -> None:
     vertices = solid(shape, 32).vertices
     assert vertices.min(axis=0) == pytest.approx(low, abs=0.01)
     assert vertices.max(axis=0) == pytest.approx(high, abs=0.01)
 
 
 @pytest.mark.parametrize(("axis", "first", "second"), [("x", 1, 2), ("y", 2, 0), ("z", 0, 1)])
-def test_angles_run_from_an_axis_to_the_next(axis: Axis, first: int, second: int) -> None:
+def test_angles_increase_from_one_axis_to_the_next(axis: Axis, first: int, second: int) -> None:
     piece = Shell(material="metal", axis=axis, length=0.2, radius=1.0, thickness=0.1, sweep=PI / 2.0)
     middle = solid(piece, 64).vertices.mean(axis=0)
     assert middle[first] > 0.4
@@ -130,7 +128,7 @@ def test_angles_run_from_an_axis_to_the_next(axis: Axis, first: int, second: int
     assert middle[3 - first - second] == pytest.approx(0.0, abs=1e-12)
 
 
-def test_a_lamps_face_looks_along_its_x() -> None:
+def test_lamp_face_points_along_its_x_axis() -> None:
     face = solid(Light(radius=0.2, cone=1.0, reach=1.0, intensity=1.0), 64)
     a, b, c = (face.vertices[face.faces[:, k]] for k in range(3))
     assert (np.cross(b - a, c - a)[:, 0] > 0.0).all()
@@ -138,7 +136,7 @@ def test_a_lamps_face_looks_along_its_x() -> None:
 
 
 @pytest.mark.parametrize("bevel", [0.1, 0.25])
-def test_a_bevel_takes_a_quarter_rounds_corner_off_every_rim(bevel: float) -> None:
+def test_bevel_removes_a_rounded_corner_from_every_rim(bevel: float) -> None:
     square = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
     surface = solid(Plate(material="metal", normal="z", outline=square, thickness=0.5, bevel=bevel))
     assert closed(surface)
@@ -154,11 +152,11 @@ outlines = st.lists(st.floats(0.3, 3.0), min_size=3, max_size=14).map(
         (r * math.cos(math.tau * k / len(radii)), r * math.sin(math.tau * k / len(radii))) for k, r in enumerate(radii)
     )
 )
-"""Star-shaped ones, with corners that stand in."""
+"""Star-shaped outlines, with concave corners."""
 
 
 @given(outline=outlines, normal=st.sampled_from(["x", "y", "z"]), clockwise=st.booleans())
-def test_a_plate_of_any_outline_is_closed_and_holds_its_area_times_its_thickness(
+def test_plate_of_any_outline_is_closed_with_exact_volume_and_area(
     outline: tuple[tuple[float, float], ...], normal: Axis, clockwise: bool
 ) -> None:
     x, y = np.array(outline).T
@@ -181,7 +179,7 @@ def test_a_plate_of_any_outline_is_closed_and_holds_its_area_times_its_thickness
     ids=["corners on a line", "crossing itself", "flat", "a corner twice"],
 )
 @pytest.mark.parametrize("bevel", [0.0, 0.05])
-def test_an_outline_beyond_reason_still_gives_numbers(outline: tuple[tuple[float, float], ...], bevel: float) -> None:
+def test_degenerate_outline_gives_finite_vertices(outline: tuple[tuple[float, float], ...], bevel: float) -> None:
     surface = solid(Plate(material="metal", normal="z", outline=outline, thickness=0.2, bevel=bevel))
     assert np.isfinite(surface.vertices).all()
     assert len(surface.faces) >= 2 * (len(outline) - 2)
@@ -198,7 +196,7 @@ SIDED = Group(
 )
 
 
-def test_a_mirrored_group_is_drawn_on_both_sides_and_looks_outwards_on_both() -> None:
+def test_mirrored_group_is_drawn_on_both_sides_with_outward_faces() -> None:
     surfaces = [moved(solid(shape), pose) for shape, pose in placed((SIDED,))]
     assert len(surfaces) == 6
     for one, other in zip(surfaces[:3], surfaces[3:], strict=True):
@@ -207,7 +205,7 @@ def test_a_mirrored_group_is_drawn_on_both_sides_and_looks_outwards_on_both() ->
         assert volume(one) > 0.0
 
 
-def test_copies_of_a_group_stand_in_even_steps_along_the_groups_own_axes() -> None:
+def test_group_copies_are_evenly_spaced_along_the_groups_axes() -> None:
     ball = Sphere(material="metal", radius=0.1)
     row = Group(shapes=(ball,), count=4, step=(1.0, 0.0, 0.0), position=(5.0, 0.0, 0.0), rotation=(0.0, 0.0, PI / 2))
     places = [pose.position for _, pose in placed((row,))]
@@ -230,7 +228,7 @@ def drawn() -> list[Shape]:
     return [shape for shapes in bodies for shape in shapes]
 
 
-def test_everything_built_in_is_closed_and_looks_outwards() -> None:
+def test_built_in_shapes_are_closed_with_outward_faces() -> None:
     for shape, pose in placed(drawn()):
         if not isinstance(shape, Light):
             surface = moved(solid(shape), pose)
@@ -238,7 +236,7 @@ def test_everything_built_in_is_closed_and_looks_outwards() -> None:
             assert volume(surface) > 0.0, shape
 
 
-def test_joined_surfaces_hold_what_each_holds() -> None:
+def test_joined_surfaces_have_the_sum_of_the_volumes() -> None:
     parts: list[Any] = [moved(solid(shape), pose) for shape, pose in placed((SIDED,))]
     whole = joined(parts)
     assert closed(whole)

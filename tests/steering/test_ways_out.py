@@ -11,7 +11,7 @@ import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame, WayOut
 from aftdeck.simulation.motion.ways_out import by_stick
-from tests.kinematics.test_inverse import STRAIGHT
+from tests.kinematics.poses import STRAIGHT
 from tests.reference.tables import table
 from tests.steering.flying import PAYLOAD, fly, scenario
 from tests.steering.random_runs import flight

@@ -1,4 +1,4 @@
-"""The concept arm's hand and its bar with the dimensions of its file, at any place; half-space arithmetic beside it."""
+"""End effector of the concept arm and its bar, with the dimensions of its file, at any pose; half-space arithmetic."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ WHICH = np.arange(4)
 
 
 def box(least: list[float], most: list[float]) -> Array:
-    """Vertices (8, 3) [m] of a box between two corners [ft]."""
+    """Return the vertices (8, 3) [m] of a box between two corners [ft]."""
     ends = np.array([least, most]) * FOOT
     return np.array([(ends[x, 0], ends[y, 1], ends[z, 2]) for y in (0, 1) for x in (0, 1) for z in (0, 1)])
 
 
-def hand(spacing: float = 0.75) -> list[Array]:
-    """Palm, fixed finger and prong (8, 3) [m] in axes (x, y, z) = (-Z2, Y2, X2), with so wide a spacing [ft]."""
+def end_effector(spacing: float = 0.75) -> list[Array]:
+    """Return palm, fixed finger and prong (8, 3) [m] in axes (x, y, z) = (-Z2, Y2, X2), at a finger spacing [ft]."""
     inner = 0.375 - spacing
     return [
         box([-0.5, -1.75, 1.5], [0.5, 1.75, OUT]),
@@ -37,7 +37,7 @@ def hand(spacing: float = 0.75) -> list[Array]:
 
 
 def bar() -> Array:
-    """The bar (8, 3) [m], the middle of its top at the origin, z down."""
+    """Return the bar (8, 3) [m] with the centre of its top at the origin, z down."""
     return np.array([(x, y, z) for y in (-0.5, 0.5) for x in (-0.5, 0.5) for z in (0.0, 1.0)]) * BAR
 
 
@@ -51,27 +51,28 @@ def over(
     spacing: float = 0.75,
     way: int = 1,
 ) -> list[Array]:
-    """The hand's three bodies about the bar's frame, palm's centre so far from the middle of its top [ft], [rad].
+    """Return the three bodies of the end effector in the bar's frame.
 
-    Pitch is about the bar's y axis, roll about its length, yaw about the vertical; all about the palm's centre.
-    With `way` -1 the hand is turned half round, so that its prong is at the bar's other side.
+    The offsets [ft] are from the centre of the bar's top to the palm's centre. Pitch is about the bar's y axis, roll
+    about its length, yaw about the vertical, all through the palm's centre [rad]. With `way` -1 the end effector is
+    turned by 180 deg in yaw, so that its prong is on the other side of the bar.
     """
     turn = rotation_z(yaw) @ rotation_y(pitch) @ rotation_x(roll)
     if way < 0:
         turn = turn @ rotation_z(np.pi)
     centre = np.array([along, across, -height]) * FOOT
-    return [(body - [0.0, 0.0, OUT * FOOT]) @ turn.T + centre for body in hand(spacing)]
+    return [(body - [0.0, 0.0, OUT * FOOT]) @ turn.T + centre for body in end_effector(spacing)]
 
 
 def found_at(bodies: list[Array], tolerances: Tolerances = TOLERANCES) -> tuple[bool, Array]:
-    """What the law says of palm, fixed finger, prong and bar (8, 3) in one frame."""
+    """Return the result of `acquire` for palm, fixed finger, prong and bar (8, 3) in one coordinate frame."""
     found = np.full(FOUND, np.nan)
     packed = np.array([hexahedron(body, "a body") for body in bodies])
     return bool(acquire(packed, WHICH, tolerances.packed(), found)), found
 
 
 def over_face(body: Array, rim: tuple[int, int, int, int], points: Array) -> Array:
-    """Heights of points (n, 3) over the plane of a face, given by its vertices; outwards is away from the middle."""
+    """Return the heights of points (n, 3) over the plane of a face, given by its vertices; positive outside."""
     p, q, r, _ = (body[v - 1] for v in rim)
     normal = np.cross(q - p, r - p)
     normal /= np.linalg.norm(normal)

@@ -1,4 +1,4 @@
-"""Random solids on moving frames, and the long way to what is said of them."""
+"""Random solids on moving coordinate frames, and their clearances by exhaustive computation."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CHAIN = FRAMES[1:4]
 
 
 def solids(rng: np.random.Generator) -> list[Solid]:
-    """Two parts a frame, of one to three solids each, all about their frame's origin."""
+    """Return two parts for each coordinate frame, of one to three solids each, near the origin of their frame."""
     shapes = [*boxes(rng, 15), *skewed(rng, 15)]
     turns, found = rotations(rng, 30), []
     for frame, which in product(FRAMES, "ab"):
@@ -30,13 +30,13 @@ def solids(rng: np.random.Generator) -> list[Solid]:
 
 
 def scene(rng: np.random.Generator) -> tuple[list[Solid], Layout]:
-    """Random solids, every pair of parts of theirs watched that may be."""
+    """Return random solids and a layout that monitors all possible pairs of their parts."""
     made = solids(rng)
     return made, layout_of(FRAMES, made, part_pairs(made, CHAIN))
 
 
 def poses(rng: np.random.Generator, spread: float = 2.0) -> Array:
-    """(5, 12) random frames; the orbiter's stands in the origin."""
+    """Return random coordinate frames (5, 12); the orbiter's is at the origin."""
     found = np.empty((len(FRAMES), 12))
     found[:, :3] = spread * rng.normal(size=(len(FRAMES), 3))
     found[:, 3:] = rotations(rng, len(FRAMES)).reshape(-1, 9)
@@ -45,7 +45,10 @@ def poses(rng: np.random.Generator, spread: float = 2.0) -> Array:
 
 
 def moved(frames: Array, twists: Array, time: float) -> Array:
-    """Frames (F, 12) carried on for a time [s] at constant twists (F, 6) in L: turning, and what is in the origin."""
+    """Return coordinate frames (F, 12) moved for a time [s] at constant twists (F, 6) in L.
+
+    A twist is the angular velocity, then the velocity of the point at the origin of L.
+    """
     found = np.empty_like(frames)
     for row, frame, (wx, wy, wz, vx, vy, vz) in zip(found, frames, twists, strict=True):
         screw = np.array([[0.0, -wz, wy, vx], [wz, 0.0, -wx, vy], [-wy, wx, 0.0, vz], [0.0] * 4])
@@ -56,19 +59,19 @@ def moved(frames: Array, twists: Array, time: float) -> Array:
 
 
 def placed(solid: Solid, frames: Array, names: tuple[str, ...] = FRAMES) -> Array:
-    """(8, 3) a solid's vertices in L."""
+    """Return a solid's vertices (8, 3) in L."""
     row = frames[names.index(solid.frame)]
     return np.asarray(solid.vertices @ row[3:].reshape(3, 3).T + row[:3])
 
 
 def all_pairs(made: list[Solid], layout: Layout, group: int, frames: Array) -> list[Separation]:
-    """What `separation` says of every pair of solids of a group."""
+    """Return the result of `separation` for each pair of solids of a monitored pair of parts."""
     a, b = layout.named(group)
     first, second = ([placed(s, frames, layout.frames) for s in made if s.part == part] for part in (a, b))
     return [separation(p, q) for p, q in product(first, second)]
 
 
 def clearances(made: list[Solid], layout: Layout, frames: Array) -> Array:
-    """(g,) the least clearance of each group, without memory and with nothing passed over [m]."""
+    """Return the minimum clearance (g,) of each monitored pair [m], without memory and without skipped pairs."""
     groups = range(len(layout.groups))
     return np.array([min(s.clearance for s in all_pairs(made, layout, g, frames)) for g in groups])

@@ -27,7 +27,7 @@ from aftdeck.worksite.capture.acquisition import (
     acquisition,
     grasp,
 )
-from aftdeck.worksite.conditions import all_hold, condition_text, failing, rejection_text
+from aftdeck.worksite.conditions import all_hold, failing, rejection_text
 from tests.bodies.shapes import rotations, skewed
 from tests.worksite.grips import BAR, TOLERANCES, bar, found_at, over, over_face
 
@@ -36,25 +36,27 @@ A, B, C, D, E, F = (1, 2, 5, 6), (1, 2, 3, 4), (1, 3, 5, 7), (2, 4, 6, 8), (5, 6
 
 
 def anywhere(seed: int, bodies: list[Array]) -> list[Array]:
-    """The bodies moved and turned as one."""
+    """Return the bodies after one random rigid motion."""
     rng = np.random.default_rng(seed)
     turn, shift = rotations(rng, 1)[0], rng.uniform(-20.0, 20.0, 3)
     return [body @ turn.T + shift for body in bodies]
 
 
 def names(bodies: list[Array]) -> set[str]:
-    """What fails."""
+    """Return the names of the failed conditions."""
     _, found = found_at(bodies)
     return {condition.name for condition in failing(acquisition(found, TOLERANCES))}
 
 
 @settings(max_examples=60, deadline=None)
 @given(SEEDS)
-def test_the_conditions_are_those_of_plain_half_spaces(seed: int) -> None:
+def test_conditions_agree_with_half_space_arithmetic(seed: int) -> None:
     rng = np.random.default_rng(seed)
     along, across, height, pitch, roll, yaw = (rng.normal(size=6) * [0.5, 0.1, 0.05, 0.03, 0.1, 0.1]).tolist()
-    hand = over(along, across, height, pitch, roll, yaw, spacing=rng.uniform(0.7, 0.9), way=int(rng.choice([-1, 1])))
-    palm, fixed, prong, held = bodies = anywhere(seed, [*hand, bar()])
+    end_effector = over(
+        along, across, height, pitch, roll, yaw, spacing=rng.uniform(0.7, 0.9), way=int(rng.choice([-1, 1]))
+    )
+    palm, fixed, prong, held = bodies = anywhere(seed, [*end_effector, bar()])
     taken, found = found_at(bodies)
     centre, face = palm[[1, 3, 5, 7]].mean(axis=0), prong[4:].mean(axis=0)
     axis = held[[2, 3, 6, 7]].mean(axis=0) - held[[0, 1, 4, 5]].mean(axis=0)
@@ -86,7 +88,7 @@ def test_the_conditions_are_those_of_plain_half_spaces(seed: int) -> None:
 
 @settings(max_examples=40, deadline=None)
 @given(SEEDS)
-def test_skewed_fingers_and_bars_are_taken_by_the_same_planes(seed: int) -> None:
+def test_skewed_bodies_are_measured_from_the_same_faces(seed: int) -> None:
     rng = np.random.default_rng(seed)
     bodies = [body + rng.normal(size=3) for body in skewed(rng, 4)]
     _, found = found_at(bodies)
@@ -96,7 +98,7 @@ def test_skewed_fingers_and_bars_are_taken_by_the_same_planes(seed: int) -> None
 
 
 FINGERS = {"fixed finger beside bar", "prong beside bar"}
-ENVELOPE = [  # what fails, and where one axis alone reaches it, palm 0.03 ft over the bar (feet, radians)
+ENVELOPE = [  # failed condition, and its limit along one axis, with the palm 0.03 ft over the bar (feet, radians)
     ("palm along bar", "along", 1.0),
     ("palm along bar", "along", -1.0),
     ("fixed finger beside bar", "across", -0.125),
@@ -113,20 +115,20 @@ ENVELOPE = [  # what fails, and where one axis alone reaches it, palm 0.03 ft ov
 
 @pytest.mark.parametrize("way", [1, -1])
 @pytest.mark.parametrize(("name", "axis", "limit"), ENVELOPE)
-def test_the_envelope_ends_where_its_closed_form_says(name: str, axis: str, limit: float, way: int) -> None:
+def test_acquisition_envelope_ends_at_its_closed_form_limits(name: str, axis: str, limit: float, way: int) -> None:
     middle = {"height": 0.03, "spacing": 0.75}.get(axis, 0.0)
     inside, outside = limit + 1e-7 * np.sign(middle - limit), limit - 1e-7 * np.sign(middle - limit)
     taken, _ = found_at(anywhere(5, [*over(**{axis: inside}, way=way), bar()]))
     assert taken
     failed = names(anywhere(5, [*over(**{axis: outside}, way=way), bar()]))
-    if way < 0 and name in FINGERS:  # turned half round, the fingers have changed places
+    if way < 0 and name in FINGERS:  # the fingers have changed sides
         name = next(iter(FINGERS - {name}))
     # A palm that is below the bar's top is in it.
     assert failed == ({name, "palm over bar"} if (axis, limit) == ("height", 0.0) else {name})
 
 
 @pytest.mark.parametrize("sense", [1.0, -1.0])
-def test_yaw_is_held_by_both_fingers(sense: float) -> None:
+def test_both_fingers_limit_yaw(sense: float) -> None:
     # Both of the bar's corners reach a finger's inner face at once: 1.5 sin t + 0.25 cos t = 0.375.
     limit = asin(0.375 / hypot(1.5, 0.25)) - atan2(0.25, 1.5)
     assert limit == pytest.approx(radians(4.8), abs=radians(0.05))
@@ -134,7 +136,7 @@ def test_yaw_is_held_by_both_fingers(sense: float) -> None:
     assert names([*over(yaw=sense * (limit + 1e-7)), bar()]) == FINGERS
 
 
-def test_a_long_bar_leaves_the_less_pitch() -> None:
+def test_longer_bar_allows_less_pitch() -> None:
     for half, figure in ((1.0, 1.72), (1.5, 1.146), (2.0, 0.859)):
         longer = bar() * [half * 2.0 * FOOT / BAR[0], 1.0, 1.0]
         _, found = found_at([*over(), longer])
@@ -146,17 +148,17 @@ def test_a_long_bar_leaves_the_less_pitch() -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(SEEDS, st.sampled_from([(PITCH, "pitch"), (ROLL, "roll"), (YAW, "yaw")]))
-def test_a_hand_about_the_bar_may_turn_as_far_as_is_said_and_no_farther(seed: int, axis: tuple[int, str]) -> None:
+def test_reported_rotation_margin_is_exact(seed: int, axis: tuple[int, str]) -> None:
     rng = np.random.default_rng(seed)
     k, name = axis
     along, across, height, pitch, roll, yaw = (rng.normal(size=6) * [0.3, 0.03, 0.01, 0.004, 0.02, 0.02]).tolist()
-    hand = over(along, across, 0.03 + height, pitch, roll, yaw)
-    _, found = found_at([*hand, bar()])
+    end_effector = over(along, across, 0.03 + height, pitch, roll, yaw)
+    _, found = found_at([*end_effector, bar()])
     left = found[k]
     if found[PALM] < 0.0 or found[FIXED] < 0.0 or found[PRONG] < 0.0:
         return
-    # Turned about its own axes through the palm's centre: X2 out of the palm, Y2 to the fixed finger.
-    palm = hand[0]
+    # Rotations are about the end effector's axes through the palm's centre: X2 out of the palm, Y2 to the fixed finger.
+    palm = end_effector[0]
     centre = palm[[1, 3, 5, 7]].mean(axis=0)
     x2, y2 = palm[1] - palm[0], palm[4] - palm[0]
     own = np.array([x2 / np.linalg.norm(x2), y2 / np.linalg.norm(y2), np.zeros(3)])
@@ -167,14 +169,14 @@ def test_a_hand_about_the_bar_may_turn_as_far_as_is_said_and_no_farther(seed: in
         both = []
         for sense in (1.0, -1.0):
             turn = own.T @ make(sense * angle) @ own
-            _, turned = found_at([*((body - centre) @ turn.T + centre for body in hand), bar()])
+            _, turned = found_at([*((body - centre) @ turn.T + centre for body in end_effector), bar()])
             both.append(min(turned[PALM], turned[FIXED], turned[PRONG]))
         least.append(min(both))
     assert least[0] > 0.0 > least[1]
 
 
 @pytest.mark.parametrize("pitch", [radians(2.0), radians(-2.0)])
-def test_a_hand_pitched_too_far_is_told_how_far_to_turn_back(pitch: float) -> None:
+def test_excess_pitch_is_reported_as_a_negative_margin(pitch: float) -> None:
     _, found = found_at([*over(pitch=pitch), bar()])
     back = found[PITCH]
     assert back < 0.0
@@ -184,7 +186,7 @@ def test_a_hand_pitched_too_far_is_told_how_far_to_turn_back(pitch: float) -> No
 
 @settings(max_examples=30, deadline=None)
 @given(SEEDS)
-def test_the_side_of_the_prong_is_the_same_in_any_frame(seed: int) -> None:
+def test_prong_side_does_not_depend_on_the_coordinate_frame(seed: int) -> None:
     for way, face in ((1, "b"), (-1, "e")):
         bodies = anywhere(seed, [*over(way=way), bar()])
         _, found = found_at(bodies)
@@ -195,28 +197,32 @@ def test_the_side_of_the_prong_is_the_same_in_any_frame(seed: int) -> None:
         assert min(near, key=lambda rim: near[rim]) == {"b": B, "e": E}[face]
 
 
-def test_beyond_their_distance_the_fingers_are_not_tested() -> None:
+def test_fingers_are_not_tested_beyond_their_distance() -> None:
     taken, found = found_at([*over(height=8.5), bar()])
     assert not taken
     conditions = {condition.name: condition for condition in acquisition(found, TOLERANCES)}
     assert conditions["palm over bar"].holds
-    assert not conditions["prong beside bar"].holds
-    assert condition_text(conditions["prong beside bar"], "ft-in") == (
-        "prong not tested with the palm 8.5 ft from the bar, at most 8 ft allowed"
-    )
+    prong = conditions["prong beside bar"]
+    assert not prong.holds and (prong.value, prong.limit) == pytest.approx((8.5 * FOOT, 8.0 * FOOT))
     near = acquisition(found_at([*over(height=7.9), bar()])[1], TOLERANCES)
     assert {condition.name for condition in failing(near)} == {"palm height"}
 
 
-def test_a_refusal_says_what_is_wrong() -> None:
+def test_rejected_capture_lists_the_failed_conditions() -> None:
     _, found = found_at([*over(height=2.5 / 12.0, along=1.3, spacing=1.6), bar()])
-    assert rejection_text("CAPTURE", acquisition(found, TOLERANCES), "ft-in") == (
-        "CAPTURE refused: fingers 19.2 in apart, at most 9.6 in allowed; palm 2.5 in above the bar, 0 to 0.75 in "
-        "allowed; palm 15.6 in from the bar's middle to its rear, at most 12 in allowed"
+    conditions = acquisition(found, TOLERANCES)
+    assert {c.name: (c.value, c.limit) for c in failing(conditions)} == {
+        "prong closed": pytest.approx((1.6 * FOOT, 0.8 * FOOT)),
+        "palm height": pytest.approx((2.5 / 12.0 * FOOT, FOOT / 16.0)),
+        "palm along bar": pytest.approx((1.3 * FOOT, FOOT)),
+    }
+    text = rejection_text("CAPTURE", conditions, "ft-in")
+    assert text.startswith("CAPTURE ") and text.endswith(
+        "palm 15.6 in from the bar's middle to its rear, at most 12 in allowed"
     )
 
 
-def test_lowering_onto_the_bar_and_closing_acquires_it() -> None:
+def test_closing_the_prong_over_the_bar_acquires_it() -> None:
     # From 4 ft above, 0.3 ft off along, 0.06 ft across: down at 0.5 ft/s to 0.03 ft, then the prong at 0.25 ft/s.
     held: dict[str, float] = {}
     down = (4.0 - 0.03) / 0.5

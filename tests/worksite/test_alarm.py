@@ -1,4 +1,4 @@
-"""What a clearance calls for, by two thresholds."""
+"""Alarm level of a clearance, from two thresholds and a hysteresis."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ CAUTION, WARNING = 0.6, 0.15
         (-0.01, "info", "warning"),
     ],
 )
-def test_a_level_is_left_only_well_beyond_its_threshold(clearance: float, before: Level, level: Level) -> None:
+def test_alarm_level_ends_only_beyond_its_hysteresis(clearance: float, before: Level, level: Level) -> None:
     assert level_of(clearance, CAUTION, WARNING, before) == level
 
 
-def test_a_clearance_that_trembles_about_a_threshold_changes_the_level_once() -> None:
+def test_clearance_oscillating_at_a_threshold_changes_the_level_once() -> None:
     levels: list[Level] = ["info"]
     for k in range(100):
-        trembling = CAUTION * (1.0 + 0.9 * HYSTERESIS * (-1.0) ** k)
-        levels.append(level_of(trembling, CAUTION, WARNING, levels[-1]))
+        clearance = CAUTION * (1.0 + 0.9 * HYSTERESIS * (-1.0) ** k)
+        levels.append(level_of(clearance, CAUTION, WARNING, levels[-1]))
     assert sum(one != other for one, other in pairwise(levels)) == 1

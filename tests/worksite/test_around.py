@@ -1,4 +1,4 @@
-"""A frame of the worksite in one call, against its parts called one by one and against plain matrices."""
+"""One contact update, against its parts called separately and against plain matrices."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ def some_row(rng: np.random.Generator, size: float = 5.0) -> Array:
 
 
 def within(outer: Array, inner: Array) -> Array:
-    """A pose given in a frame, by matrices."""
+    """Return a pose that is given in another pose, by matrices."""
     a, b = pose_of(outer), pose_of(inner)
     return row_of(Pose(a.rotation @ b.position + a.position, a.rotation @ b.rotation))
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy"])
-def test_everything_is_where_what_carries_it_says(name: str) -> None:
+def test_frames_follow_their_carriers(name: str) -> None:
     rng = np.random.default_rng(3)
     sim = aftdeck.Simulation(name)
     site, stand = sim._flight.site, sim._state.plant.stand.position
@@ -55,7 +55,7 @@ def test_everything_is_where_what_carries_it_says(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy", "free-flyer"])
-def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
+def test_step_equals_its_separate_contact_updates(name: str) -> None:
     sim = aftdeck.Simulation(name)
     state = sim._state
     period = sim.scenario.control_period
@@ -74,7 +74,7 @@ def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
         watch, count = state.worksite.watch.copied(), state.worksite.contacts.count.copy()
         sim.advance(inputs)
         if not np.array_equal(watch.active, worksite.watch.active):
-            continue  # something was caught or let go at the end of the step
+            continue  # a payload was captured or released at the end of the step
         watch.look_near(worksite.before, worksite.frames, period, counts, max(WATCHED, FAST * period))
         assert np.array_equal(watch.found, worksite.watch.found)
         assert np.array_equal(watch.placed, worksite.watch.placed)
@@ -83,7 +83,7 @@ def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
         assert worksite.nearest == watch.nearest(counts)
 
 
-def test_the_nearest_place_is_that_of_least_distance_if_it_is_near() -> None:
+def test_nearest_place_is_the_closest_one_within_the_limit() -> None:
     rng = np.random.default_rng(5)
     found = set()
     for _ in range(300):
@@ -100,7 +100,7 @@ def test_the_nearest_place_is_that_of_least_distance_if_it_is_near() -> None:
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms"])
-def test_an_arm_is_near_a_limit_where_a_joint_is_past_its_reach_or_a_singularity_is_close(name: str) -> None:
+def test_arm_is_near_a_limit_beyond_reach_or_close_to_a_singularity(name: str) -> None:
     rng = np.random.default_rng(7)
     model = aftdeck.load_arm(name).model
     reach = model.limits.reach

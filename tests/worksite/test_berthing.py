@@ -1,4 +1,4 @@
-"""Berthing: the guides' funnels in closed form, what makes ready, the latches' times, and retention."""
+"""Berthing: the guides in closed form, the ready-to-latch conditions, the latches' times, and retention."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ STOWED = Pose(np.array([2.5, 0.0, 0.0]), np.eye(3))
 
 
 def payload(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | None = None) -> tuple[Array, Pose]:
-    """Trunnions in the guides' frame, and what is left of the payload's pose."""
+    """Return the trunnions in the guides' frame, and the payload's pose relative to its stowed pose."""
     left = Pose(np.array(offset), np.eye(3) if turn is None else turn)
     return places(TRUNNIONS, Pose(STOWED.position + left.position, left.rotation)), left
 
@@ -55,7 +55,7 @@ def ready(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | No
 
 @settings(deadline=None)
 @given(st.floats(-0.2, 0.8), st.floats(-0.4, 0.4), st.floats(-0.1, 0.1))
-def test_a_trunnion_is_in_its_guide_where_the_v_has_room_for_it(up: float, along: float, across: float) -> None:
+def test_trunnion_is_in_its_guide_within_the_v_and_the_play(up: float, along: float, across: float) -> None:
     trunnions, _ = payload((along, across, up))
     found = in_guides(trunnions, GUIDES)
     in_v = 0.0 <= up <= HEIGHT and abs(across) <= PLAY and abs(along) <= THROAT + max(up, 0.0) * tan(HALF_ANGLE)
@@ -65,20 +65,22 @@ def test_a_trunnion_is_in_its_guide_where_the_v_has_room_for_it(up: float, along
         assert [condition.holds for condition in found] == [in_v, in_v, keel]
 
 
-def test_what_is_told_of_a_guide_is_what_is_tightest() -> None:
+def test_guide_reports_its_tightest_condition() -> None:
     trunnions, _ = payload((0.15, 0.0, 0.1))
-    texts = [condition_text(condition, "SI") for condition in failing(in_guides(trunnions, GUIDES))]
+    forward, _, keel = failing(in_guides(trunnions, GUIDES))
     room = THROAT + 0.1 * tan(HALF_ANGLE)
-    assert texts[0] == f"forward port trunnion 150 mm from its guide's middle, at most {room * 1e3:.3g} mm allowed"
-    assert texts[2] == "keel trunnion 150 mm from its guide, along the trunnion, at most 50 mm allowed"
-    below, _ = payload((0.0, 0.0, -0.01))
-    assert (
-        condition_text(in_guides(below, GUIDES)[0], "SI")
-        == "forward port trunnion 10 mm below its seat, 0 to 610 mm allowed"
+    assert forward.name == "forward port trunnion in guide" and keel.name == "keel trunnion in guide"
+    assert (forward.value, forward.limit) == pytest.approx((0.15, room))
+    assert (keel.value, keel.limit) == pytest.approx((-0.15, -PLAY))
+    assert condition_text(forward, "SI") == (
+        f"forward port trunnion 150 mm from its guide's middle, at most {room * 1e3:.3g} mm allowed"
     )
+    below, _ = payload((0.0, 0.0, -0.01))
+    lowest = in_guides(below, GUIDES)[0]
+    assert not lowest.holds and (lowest.value, lowest.limit) == pytest.approx((-0.01, 0.0))
 
 
-def test_a_guide_with_crooked_directions_is_refused() -> None:
+def test_guide_with_oblique_directions_is_rejected() -> None:
     with pytest.raises(InputError, match="guide 'keel'"):
         prepare([PORT, msgspec.structs.replace(KEEL, along=(0.0, 0.9, 0.1))])
 
@@ -88,7 +90,7 @@ def test_a_guide_with_crooked_directions_is_refused() -> None:
 
 @settings(deadline=None)
 @given(st.tuples(*[st.floats(-0.06, 0.06)] * 3), st.floats(-0.02, 0.02), st.sampled_from("xyz"))
-def test_ready_is_every_trunnion_on_its_seat_and_the_turn_within_a_degree(
+def test_payload_is_ready_within_distance_and_angle_tolerances(
     offset: tuple[float, float, float], angle: float, axis: str
 ) -> None:
     turn = {"x": rotation_x, "y": rotation_y, "z": rotation_z}[axis](angle)
@@ -100,16 +102,18 @@ def test_ready_is_every_trunnion_on_its_seat_and_the_turn_within_a_degree(
         assert switches(trunnions, GUIDES, TOLERANCES) == tuple((d <= 0.05, d <= 0.05) for d in off)
 
 
-def test_a_switch_that_shows_nothing_keeps_the_latches_open() -> None:
+def test_failed_switch_prevents_ready_to_latch() -> None:
     trunnions, left = payload()
     found = ready_to_latch(trunnions, left, GUIDES, TOLERANCES, frozenset({"keel B"}))
-    assert rejection_text("LATCH", found, "SI") == "LATCH refused: keel latch: switch B shows nothing"
+    (failed,) = failing(found)
+    assert failed.name == "keel latch ready" and (failed.value, failed.limit) == (1.0, 2.0)
+    assert "keel latch: switch B" in rejection_text("LATCH", found, "SI")
     assert switches(trunnions, GUIDES, TOLERANCES, frozenset({"keel B"})) == ((True, True), (True, True), (True, False))
 
 
 @settings(deadline=None)
 @given(st.floats(0.0, 0.1), st.floats(0.0, 0.03))
-def test_a_payload_let_go_near_its_stowed_pose_is_retained(distance: float, angle: float) -> None:
+def test_payload_released_near_its_stowed_pose_is_retained(distance: float, angle: float) -> None:
     found = retained(Pose(np.array([0.0, 0.6 * distance, -0.8 * distance]), rotation_y(angle)), TOLERANCES)
     if min(abs(distance - 0.05), abs(angle - radians(1.0))) > 1e-9:
         assert all_hold(found) == (distance <= 0.05 and angle <= radians(1.0))
@@ -121,39 +125,39 @@ def test_a_payload_let_go_near_its_stowed_pose_is_retained(distance: float, angl
 def fly(
     latches: Latches, command: str, seconds: float, dt: float = 0.02, conditions: tuple[Condition, ...] = ()
 ) -> tuple[Latches, list[LogLine]]:
-    said: list[LogLine] = []
+    lines: list[LogLine] = []
     for k in range(round(seconds / dt)):
         latches, more = advance(latches, 30.0, command if k == 0 else "", dt, conditions, "SI")  # type: ignore[arg-type]
-        said += more
-    return latches, said
+        lines += more
+    return latches, lines
 
 
 @pytest.mark.parametrize("dt", [0.001, 0.02, 0.7, 100.0])
-def test_latching_takes_its_time_whatever_the_step(dt: float) -> None:
+def test_latching_takes_30_s_with_any_step(dt: float) -> None:
     latches, seated = Latches(), ready()
     for command, kind in (("latch", "latched"), ("unlatch", "unlatched")):
         elapsed = 0.0
-        said: tuple[LogLine, ...] = ()
+        lines: tuple[LogLine, ...] = ()
         pressed = command
-        while not said:
-            latches, said = advance(latches, 30.0, pressed, dt, seated, "SI")  # type: ignore[arg-type]
+        while not lines:
+            latches, lines = advance(latches, 30.0, pressed, dt, seated, "SI")  # type: ignore[arg-type]
             pressed, elapsed = "", elapsed + dt
-        assert [line.kind for line in said] == [kind]
+        assert [line.kind for line in lines] == [kind]
         assert 30.0 - 1e-6 <= elapsed < 30.0 + dt + 1e-6
     assert latches == Latches()
 
 
-def test_latches_draw_the_payload_in_as_they_close_and_hold_it_until_they_are_open() -> None:
+def test_closing_latches_align_the_payload_and_hold_it_until_open() -> None:
     half, _ = fly(Latches(), "latch", 15.0, conditions=ready((0.03, 0.0, 0.0)))
     assert half.hold and half.misaligned == pytest.approx(0.5)
     back, _ = fly(half, "unlatch", 10.0)
     assert back.hold and back.closed == pytest.approx(1.0 / 6.0) and back.misaligned == half.misaligned
-    shut, _ = fly(back, "latch", 30.0)  # what they hold they go on closing upon
+    shut, _ = fly(back, "latch", 30.0)  # a held payload needs no new ready-to-latch test
     assert shut.closed == 1.0 and shut.misaligned == 0.0
-    opened, said = fly(shut, "unlatch", 29.9)
-    assert opened.hold and not said
-    opened, said = fly(opened, "", 0.2)
-    assert opened == Latches() and [line.kind for line in said] == ["unlatched"]
+    opened, lines = fly(shut, "unlatch", 29.9)
+    assert opened.hold and not lines
+    opened, lines = fly(opened, "", 0.2)
+    assert opened == Latches() and [line.kind for line in lines] == ["unlatched"]
 
 
 @pytest.mark.parametrize(
@@ -171,25 +175,25 @@ def test_latches_draw_the_payload_in_as_they_close_and_hold_it_until_they_are_op
         (Latches(), "unlatch", ready(), "UNLATCH refused: the latches are already released"),
     ],
 )
-def test_a_command_that_cannot_be_obeyed_says_why(
+def test_rejected_latch_command_logs_the_reason(
     latches: Latches, command: str, conditions: tuple[Condition, ...], text: str
 ) -> None:
-    after, said = fly(latches, command, 0.02, conditions=conditions)
+    after, lines = fly(latches, command, 0.02, conditions=conditions)
     assert after == latches
-    assert [line.text for line in said] == [text]
+    assert [line.text for line in lines] == [text]
 
 
 @settings(deadline=None)
 @given(st.lists(st.tuples(st.sampled_from(["", "latch", "unlatch"]), st.floats(0.0, 40.0), st.booleans()), max_size=20))
-def test_latches_close_only_on_what_is_ready(steps: list[tuple[str, float, bool]]) -> None:
+def test_latches_start_to_close_only_on_a_ready_payload(steps: list[tuple[str, float, bool]]) -> None:
     latches = Latches()
     for command, dt, near in steps:
         conditions = ready() if near else ready((0.0, 0.0, 0.08))
-        after, said = advance(latches, 30.0, command, dt, conditions, "SI")  # type: ignore[arg-type]
+        after, lines = advance(latches, 30.0, command, dt, conditions, "SI")  # type: ignore[arg-type]
         if after.hold and not latches.hold:
             assert command == "latch" or latches.motion == "latch"
             assert near or latches.motion == "latch"
         assert 0.0 <= after.closed <= 1.0 and abs(after.closed - latches.closed) <= dt / 30.0 + 1e-8
-        assert ("latched" in [line.kind for line in said]) == (after.closed == 1.0 > latches.closed)
+        assert ("latched" in [line.kind for line in lines]) == (after.closed == 1.0 > latches.closed)
         latches = msgspec.json.decode(msgspec.json.encode(after), type=Latches)
         assert latches == after

@@ -1,4 +1,4 @@
-"""The operator's channels against TABLE I, and there and back through noise."""
+"""The operator's input channels against TABLE I, and encoded and decoded with noise."""
 
 from __future__ import annotations
 
@@ -58,46 +58,46 @@ inputs = st.builds(
         ({"prong": -1}, 13, -1.0),
     ],
 )
-def test_a_setting_has_the_level_of_table_i(setting: dict[str, Any], channel: int, volts: float) -> None:
+def test_setting_has_the_voltage_of_table_i(setting: dict[str, Any], channel: int, volts: float) -> None:
     expected = [0.0] * 13
     expected[channel - 1] = volts
     assert encode_inputs(AT_REST._replace(**setting)) == pytest.approx(tuple(expected))
 
 
 @given(inputs, st.tuples(*[st.floats(-0.12, 0.12)] * 13))
-def test_switches_are_read_right_through_noise_of_an_eighth_of_a_volt(
-    told: OperatorInputs, noise: tuple[float, ...]
+def test_switches_are_decoded_with_noise_of_an_eighth_of_a_volt(
+    given_inputs: OperatorInputs, noise: tuple[float, ...]
 ) -> None:
-    read = decode_inputs([volts + n for volts, n in zip(encode_inputs(told), noise, strict=True)])
-    assert read._replace(angles=told.angles) == told
-    for got, angle, n in zip(read.angles, told.angles, noise[2:8], strict=True):
+    read = decode_inputs([volts + n for volts, n in zip(encode_inputs(given_inputs), noise, strict=True)])
+    assert read._replace(angles=given_inputs.angles) == given_inputs
+    for got, angle, n in zip(read.angles, given_inputs.angles, noise[2:8], strict=True):
         assert got == pytest.approx(angle + n * FULL_SCALE, abs=1e-12)
 
 
 @given(st.tuples(*[st.floats(-FULL_SCALE, FULL_SCALE, allow_subnormal=False)] * 6))
-def test_no_bit_of_an_angle_is_lost(angles: tuple[float, ...]) -> None:
+def test_angles_keep_every_bit(angles: tuple[float, ...]) -> None:
     there = encode_inputs(AT_REST._replace(angles=angles))  # type: ignore[arg-type]
     for back, angle in zip(decode_inputs(there).angles, angles, strict=True):
-        assert back.hex() == angle.hex() or abs(angle) < 1e-300  # beyond: the quotient has no full precision
+        assert back.hex() == angle.hex() or abs(angle) < 1e-300  # below that, the quotient loses precision
 
 
 @pytest.mark.parametrize(
-    ("setting", "message"),
+    ("setting", "pattern"),
     [
-        ({"station": "I"}, "channel 12, camera position: 'I' has no level; there are: A, B, C, D, E, F, G, H"),
-        ({"telescope": 2}, "channel 9, telescope: 2 has no level"),
-        ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 8.1)}, r"channel 8, R2, is 8\.1 rad; it holds -8 to 8"),
+        ({"station": "I"}, "channel 12, .*'I'.* A, B, C, D, E, F, G, H"),
+        ({"telescope": 2}, "channel 9, telescope: 2 "),
+        ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 8.1)}, r"channel 8, R2, .*8\.1 rad.* -8 to 8"),
     ],
 )
-def test_a_setting_without_a_level_is_refused(setting: dict[str, Any], message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_setting_without_a_level_is_rejected(setting: dict[str, Any], pattern: str) -> None:
+    with pytest.raises(InputError, match=pattern):
         encode_inputs(AT_REST._replace(**setting))
 
 
-def test_other_channels_are_refused() -> None:
-    with pytest.raises(InputError, match="the operator has 13 channels; 12 are given"):
+def test_invalid_channels_are_rejected() -> None:
+    with pytest.raises(InputError, match=r"13 channels.* 12 "):
         decode_inputs([0.0] * 12)
-    with pytest.raises(InputError, match="channel 2 is nan V; it has to be finite"):
+    with pytest.raises(InputError, match="channel 2 is nan V"):
         decode_inputs([0.0, math.nan, *[0.0] * 11])
-    with pytest.raises(InputError, match=r"channel 3 is 100 V; it has to be -1 to 1 V, to within 0\.125 V"):
+    with pytest.raises(InputError, match=r"channel 3 is 100 V.* -1 to 1 V.*0\.125 V"):
         decode_inputs([0.0, 0.0, 100.0, *[0.0] * 10])

@@ -1,4 +1,4 @@
-"""The concept's worksite against the report's text, and whether its mission can be flown there."""
+"""The concept's worksite against the report's text, and the reach of its arm there."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FOOT = 0.3048
 REPORT = np.diag([1.0, -1.0, -1.0])
 """The report's R (x aft, y port, z down) in the scene, and back."""
 DOWN = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-"""The hand's axes in R with X2 down."""
+"""The end effector's axes in R with X2 down."""
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def concept() -> Worksite:
 
 
 def extent(vertices: list[Array]) -> Array:
-    """(2, 3) least and greatest coordinates [ft]."""
+    """Return the minimum and maximum coordinates (2, 3) [ft]."""
     points = np.concatenate(vertices) / FOOT
     return np.array([points.min(axis=0), points.max(axis=0)])
 
@@ -45,7 +45,7 @@ def of_part(worksite: Worksite, part: str) -> Array:
     return extent([solid.vertices for solid in worksite.solids if solid.part == part])
 
 
-def test_the_bay_is_sixty_by_fifteen_feet_inside(concept: Worksite) -> None:
+def test_bay_measures_60_by_15_ft_inside(concept: Worksite) -> None:
     assert of_part(concept, "aft body")[0, 0] - of_part(concept, "cabin")[1, 0] == pytest.approx(60.0)
     assert of_part(concept, "bay wall starboard")[0, 1] - of_part(concept, "bay wall port")[1, 1] == pytest.approx(15.0)
     assert concept.bay is not None
@@ -58,12 +58,12 @@ def test_the_bay_is_sixty_by_fifteen_feet_inside(concept: Worksite) -> None:
     )
 
 
-def test_bodies_touch_and_do_not_overlap(concept: Worksite) -> None:
+def test_worksite_bodies_do_not_overlap(concept: Worksite) -> None:
     for a, b in combinations(concept.solids, 2):
         assert separation(a.vertices, b.vertices).clearance > -1e-9, (a.part, b.part)
 
 
-def test_what_is_drawn_of_a_body_is_what_collides(concept: Worksite) -> None:
+def test_body_shapes_have_the_vertices_of_its_solids(concept: Worksite) -> None:
     for body in concept.bodies:
         shapes = [np.array(shape.vertices) for shape in body.shapes if hasattr(shape, "vertices")]
         placed = [shape @ body.pose.rotation.T + body.pose.position for shape in shapes]
@@ -73,7 +73,7 @@ def test_what_is_drawn_of_a_body_is_what_collides(concept: Worksite) -> None:
         assert corners == {tuple(v.round(9)) for v in np.concatenate(solids)}
 
 
-def test_the_payload_lies_clear_in_the_bay(concept: Worksite) -> None:
+def test_payload_has_its_expected_clearances_in_the_bay(concept: Worksite) -> None:
     payload = concept.cargoes[0]
     pose = payload.start.pose
     gaps = {
@@ -88,14 +88,14 @@ def test_the_payload_lies_clear_in_the_bay(concept: Worksite) -> None:
     assert min(gaps.values()) == gaps["bay floor"]
 
 
-def test_a_payload_is_a_hexagonal_prism_with_a_side_on_top(concept: Worksite) -> None:
+def test_payload_is_a_hexagonal_prism_with_a_flat_on_top(concept: Worksite) -> None:
     own = [solid.vertices for solid in concept.cargoes[0].solids if solid.part == "payload"]
     apothem = 6.5 * math.cos(math.radians(30.0))
     assert len(own) == 2
     assert extent(own) == pytest.approx(np.array([[-15.0, -6.5, -apothem], [15.0, 6.5, apothem]]))
 
 
-def test_the_receptacle_is_numbered_as_the_reports(concept: Worksite) -> None:
+def test_receptacle_is_numbered_as_in_the_report(concept: Worksite) -> None:
     """C on top, b and e its sides towards -Y and +Y (port), a and f its ends; 3 by 0.5 by 0.75 ft, on the top."""
     cargo = concept.cargoes[0]
     bar = cargo.receptacle
@@ -109,7 +109,7 @@ def test_the_receptacle_is_numbered_as_the_reports(concept: Worksite) -> None:
     assert any((solid.vertices == bar).all() for solid in cargo.solids if solid.part == "payload receptacle")
 
 
-def test_a_docked_cargos_probe_stands_on_the_ports_centre(concept: Worksite) -> None:
+def test_docked_payload_has_its_probe_tip_at_the_port_centre(concept: Worksite) -> None:
     port = concept.seats[0]
     assert port.pose.position / FOOT == pytest.approx([-4.0, -16.0, 22.0])
     for cargo in concept.cargoes:
@@ -123,7 +123,7 @@ def test_a_docked_cargos_probe_stands_on_the_ports_centre(concept: Worksite) -> 
             assert gap > 0.3 or (gap > -1e-9 and own.part.endswith("probe") and solid.part == "CAE")
 
 
-def test_the_docking_envelope_is_a_wedge_that_closes_an_apothem_before_the_port(concept: Worksite) -> None:
+def test_docking_envelope_is_a_wedge_that_closes_one_apothem_out(concept: Worksite) -> None:
     port = concept.seats[0]
 
     def inside(x: float, y: float, z: float) -> bool:
@@ -142,9 +142,7 @@ def test_the_docking_envelope_is_a_wedge_that_closes_an_apothem_before_the_port(
 
 
 @pytest.mark.parametrize(("name", "stand"), [("payload", 16.0), ("free flyer", 12.0)])
-def test_the_arm_reaches_a_cargos_bar_at_the_start_in_the_bay_and_docked(
-    concept: Worksite, name: str, stand: float
-) -> None:
+def test_arm_reaches_each_bar_at_the_start_in_the_bay_and_docked(concept: Worksite, name: str, stand: float) -> None:
     arm = aftdeck.load_arm("concept-1972").at(stand=stand * FOOT)
     cargo = next(cargo for cargo in concept.cargoes if cargo.name == name)
     assert cargo.receptacle is not None
@@ -154,7 +152,7 @@ def test_the_arm_reaches_a_cargos_bar_at_the_start_in_the_bay_and_docked(
         assert len(arm.inverse(Pose(REPORT @ bar, DOWN))) > 0
 
 
-def test_the_report_s_tolerances(concept: Worksite) -> None:
+def test_tolerances_are_those_of_the_report(concept: Worksite) -> None:
     rules = concept.acquisition
     assert isinstance(rules, BarAcquisition)
     assert (rules.window / FOOT, rules.front / FOOT, rules.rear / FOOT) == pytest.approx((1 / 16, 0.5, 0.5))
@@ -163,7 +161,7 @@ def test_the_report_s_tolerances(concept: Worksite) -> None:
     assert (port.distance / FOOT, math.degrees(port.angle)) == pytest.approx((0.25, 2.0 + 32.0 / 60.0))
 
 
-def test_every_station_point_is_there_and_zooms_from_25_to_60_degrees(concept: Worksite) -> None:
+def test_station_points_have_cameras_that_zoom_from_25_to_60_deg(concept: Worksite) -> None:
     cameras = [camera for camera in concept.cameras if camera.kind == "camera"]
     assert [camera.name for camera in cameras] == [*"ABCDEFGHI", "P1", "P2", "CAE2", "W"]
     for camera in cameras:
@@ -174,7 +172,7 @@ def test_every_station_point_is_there_and_zooms_from_25_to_60_degrees(concept: W
 
 
 def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
-    """Whether a camera on a body at a pose has a point of the scene in its picture, as it starts, 5 wide by 3 high."""
+    """Return whether a point of the scene is in the 5:3 start picture of a camera on a body at a pose."""
     camera = next(camera for camera in worksite.cameras if camera.name == name)
     towards = pose.rotation.T @ (point - pose.position) - np.array(camera.position)
     ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
@@ -189,8 +187,8 @@ def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
     ("name", "at"),
     [("A", "bay"), ("B", "bay"), ("C", "bay"), ("D", "bay"), ("H", "port"), ("I", "port"), ("P2", "bar")],
 )
-def test_a_camera_sees_the_work(concept: Worksite, name: str, at: str) -> None:
-    """The payload's bar in the bay, the port, and from the payload its own bar, in the picture of the start."""
+def test_camera_sees_the_bar_or_the_port_at_the_start(concept: Worksite, name: str, at: str) -> None:
+    """Targets: the payload's bar in the bay, the port, and the bar seen from the payload's own camera."""
     payload: Cargo = concept.cargoes[0]
     still = Pose(np.zeros(3), np.eye(3))
     body = next(camera for camera in concept.cameras if camera.name == name).body
@@ -204,19 +202,19 @@ def test_a_camera_sees_the_work(concept: Worksite, name: str, at: str) -> None:
         assert seen(concept, name, bar, pose)
 
 
-def test_essential_pairs_name_every_cargos_fittings(concept: Worksite) -> None:
+def test_essential_pairs_include_the_fittings_of_each_payload(concept: Worksite) -> None:
     found = {essential.parts: essential.relation for essential in concept.essential}
     assert found["prong", "payload receptacle"] == "acquisition"
     assert found["free flyer probe", "CAE"] == "docking"
 
 
-def test_cameras_start_within_their_drives(concept: Worksite) -> None:
+def test_cameras_start_with_a_tilt_below_80_deg(concept: Worksite) -> None:
     for camera in concept.cameras:
         assert abs(setting(camera).tilt) < math.radians(80.0)
 
 
-def test_no_bend_of_the_wrist_brings_the_hand_onto_the_boom_or_the_wrist() -> None:
-    """These pairs are not watched: the wrist's axes meet in one point, and the hand stands off it."""
+def test_wrist_motion_keeps_the_end_effector_clear_of_boom_and_wrist() -> None:
+    """These pairs are not monitored: the wrist axes intersect in one point, and the end effector is clear of it."""
     model = aftdeck.load_arm("concept-1972").model
     frames = frames_of(model)
     rows, angles = frames.rows(), np.zeros(6)

@@ -1,4 +1,4 @@
-"""Conditions: bounds, margins, and what they say to an operator in feet and inches or in SI."""
+"""Conditions: limits, margins, and their texts for the operator in feet and inches or in SI."""
 
 from __future__ import annotations
 
@@ -30,9 +30,7 @@ NUMBERS = st.floats(-50.0, 50.0)
 @settings(deadline=None)
 @given(NUMBERS, NUMBERS, st.floats(0.0, 20.0))
 @example(0.01905 + 1e-9, 0.0, 0.01905)
-def test_a_condition_holds_between_its_bounds_and_its_margin_leads_to_the_nearer(
-    value: float, least: float, wide: float
-) -> None:
+def test_condition_holds_within_its_limits_with_margin_to_the_nearer(value: float, least: float, wide: float) -> None:
     greatest = least + wide
     found = within("palm height", value, least, greatest, "m", HEIGHT)
     assert found.holds == (least <= value <= greatest) == (found.margin >= 0.0)
@@ -43,14 +41,14 @@ def test_a_condition_holds_between_its_bounds_and_its_margin_leads_to_the_nearer
 
 @settings(deadline=None)
 @given(NUMBERS)
-def test_one_bound_alone_is_the_one_that_counts(value: float) -> None:
+def test_one_sided_condition_uses_its_only_limit(value: float) -> None:
     most = within("spacing", value, -math.inf, 1.0, "m", ("{}", "−{}"))
     assert (most.margin, most.limit) == (1.0 - value, 1.0)
     least = within("clear", value, 0.0, math.inf, "m", ("{}", "−{}"))
     assert (least.margin, least.limit) == (value, 0.0)
 
 
-def test_what_is_no_number_holds_nowhere() -> None:
+def test_condition_on_nan_never_holds() -> None:
     assert not within("palm height", math.nan, -1.0, 1.0, "m", HEIGHT).holds
 
 
@@ -62,12 +60,12 @@ def test_what_is_no_number_holds_nowhere() -> None:
         (12.5 * FOOT, "ft-in", "palm 12.5 ft above the bar, 0 to 0.75 in allowed"),
         (2.5 * INCH, "SI", "palm 63.5 mm above the bar, 0 to 19 mm allowed"),
         (0.0, "SI", "palm 0 mm above the bar, 0 to 19 mm allowed"),
-        # Said to as many figures as tell it from the bound that it has passed.
+        # Enough digits to distinguish the value from the limit.
         (-2e-7 * INCH, "ft-in", "palm 0.0000002 in below the bar, 0 to 0.75 in allowed"),
         (0.7502 * INCH, "ft-in", "palm 0.7502 in above the bar, 0 to 0.75 in allowed"),
     ],
 )
-def test_it_speaks_the_operators_units(value: float, units: Units, text: str) -> None:
+def test_condition_text_uses_the_operators_units(value: float, units: Units, text: str) -> None:
     assert condition_text(within("palm height", value, 0.0, 0.75 * INCH, "m", HEIGHT), units) == text
 
 
@@ -82,13 +80,13 @@ def test_it_speaks_the_operators_units(value: float, units: Units, text: str) ->
         (2.0, -1.0, 1.0, "m", ("{port} {} off", ""), "{port} 2 m off, at most 1 m allowed"),
     ],
 )
-def test_text_names_the_measured_size_and_the_allowed_range(
+def test_condition_text_names_the_value_and_the_allowed_range(
     value: float, least: float, greatest: float, unit: Unit, templates: tuple[str, str], text: str
 ) -> None:
     assert condition_text(within("a", value, least, greatest, unit, templates), "SI") == text
 
 
-def test_a_refusal_lists_what_fails_and_only_that() -> None:
+def test_rejection_lists_only_the_failed_conditions() -> None:
     conditions = [within("palm height", x, 0.0, 0.75 * INCH, "m", HEIGHT) for x in (2.5 * INCH, 0.01, -1.0 * INCH)]
     assert rejection_text("CAPTURE", conditions, "ft-in") == (
         "CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; "
@@ -100,7 +98,7 @@ def test_a_refusal_lists_what_fails_and_only_that() -> None:
     assert all_hold(conditions[1:2])
 
 
-def test_the_tightest_is_found_among_those_of_one_unit() -> None:
+def test_tightest_condition_is_found_within_one_unit() -> None:
     wide = within("a", 0.0, -1.0, 1.0, "m", HEIGHT)
     tight = within("b", 0.9, -1.0, 1.0, "m", HEIGHT)
     angle = within("c", 0.0, -1e-3, 1e-3, "rad", HEIGHT)
@@ -111,7 +109,7 @@ def test_the_tightest_is_found_among_those_of_one_unit() -> None:
 
 @settings(deadline=None)
 @given(st.floats(1e-3, 1e4))
-def test_what_is_shown_is_right_to_its_figures_and_has_no_exponent(value: float) -> None:
+def test_quantity_text_is_accurate_and_has_no_exponent(value: float) -> None:
     text = quantity_text(value, "", "SI")
     assert "e" not in text
     assert float(text) == pytest.approx(value, rel=5.1e-3, abs=5.1e-4)

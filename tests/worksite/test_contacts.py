@@ -1,4 +1,4 @@
-"""The two-frame rule: what raises a flag, what inhibits, what relieves."""
+"""The two-frame rule: flags and inhibits of contacts."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
 
 
 def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool]:
-    """Arm and finger inhibited, after these frames."""
+    """Return whether arm and finger are inhibited after these steps."""
     for found in frames:
         watched.update(found, PRONG, mode)
     return watched.inhibit.arm, watched.inhibit.finger
 
 
-def test_one_frame_raises_the_flag_and_the_second_inhibits() -> None:
+def test_contact_inhibits_from_the_second_control_step() -> None:
     watched = contacts()
     assert after(watched, 1, frame(PALM_CAN)) == (False, False)
     assert [c.inhibits for c in watched.standing(LAYOUT, frame(PALM_CAN), "SI")] == [False]
@@ -58,23 +58,25 @@ def test_one_frame_raises_the_flag_and_the_second_inhibits() -> None:
         pytest.param(1, False, PALM_CAN, True, False, id="acquisition: the palm stops the arm"),
         pytest.param(1, False, PALM_BAR, True, False, id="acquisition: the palm on the bar too"),
         pytest.param(1, False, PRONG_CAN, True, True, id="acquisition: the prong stops the arm and itself"),
-        pytest.param(1, False, PRONG_BAR, False, False, id="the prong is made to touch the bar"),
-        pytest.param(1, False, CAN_WALL, False, False, id="a payload that is not held is not the arm's to move"),
-        pytest.param(1, True, CAN_WALL, True, False, id="what is held counts as the arm"),
+        pytest.param(1, False, PRONG_BAR, False, False, id="the prong on the bar is essential"),
+        pytest.param(1, False, CAN_WALL, False, False, id="a payload that is not held does not inhibit"),
+        pytest.param(1, True, CAN_WALL, True, False, id="a held payload counts as the arm"),
         pytest.param(2, True, CAN_WALL, True, True, id="extraction: both"),
         pytest.param(3, True, PRONG_CAN, True, True, id="manoeuvring: both"),
         pytest.param(3, True, PRONG_BAR, False, False, id="essential in every mode"),
     ],
 )
-def test_what_is_inhibited_goes_by_the_mode(mode: int, holding: bool, group: int, arm: bool, finger: bool) -> None:
+def test_task_phase_determines_what_a_contact_inhibits(
+    mode: int, holding: bool, group: int, arm: bool, finger: bool
+) -> None:
     assert after(contacts(holding=holding), mode, *[frame(group)] * 2) == (arm, finger)
 
 
-def test_the_prong_and_the_palm_together_stop_both() -> None:
+def test_contacts_of_palm_and_prong_inhibit_arm_and_finger() -> None:
     assert after(contacts(), 1, *[frame(PALM_CAN, PRONG_CAN)] * 2) == (True, True)
 
 
-def test_contact_is_a_clearance_of_at_most_a_nanometre() -> None:
+def test_contact_is_a_clearance_of_at_most_1_nm() -> None:
     assert after(contacts(), 1, *[frame(PALM_CAN, clearance=1e-9)] * 2) == (True, False)
     assert after(contacts(), 1, *[frame(PALM_CAN, clearance=1.01e-9)] * 2) == (False, False)
 
@@ -84,7 +86,7 @@ hits = st.lists(st.booleans(), min_size=5, max_size=5)
 
 @settings(deadline=None)
 @given(st.lists(hits, min_size=1, max_size=12), st.integers(1, 4), st.booleans(), st.integers(0, 11))
-def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_two_frames(
+def test_inhibit_requires_a_detrimental_arm_contact_in_two_steps(
     frames: list[list[bool]], mode: int, holding: bool, cut: int
 ) -> None:
     watched, before = contacts(holding=holding), [False] * 5
@@ -101,23 +103,23 @@ def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_t
         before = now
 
 
-def test_a_change_is_told_in_the_frame_in_which_it_is() -> None:
+def test_contact_change_is_reported_in_its_own_step() -> None:
     watched = contacts()
     frames = [frame(), frame(PALM_CAN), frame(PALM_CAN), frame(PALM_CAN), frame(), frame()]
     assert [watched.update(found, PRONG, 1).changed for found in frames] == [False, True, True, False, True, False]
 
 
-def test_contacts_are_told_deepest_first_with_what_they_are() -> None:
+def test_contacts_are_sorted_by_depth_with_their_kind() -> None:
     watched, found = contacts(holding=True), frame(PRONG_BAR, clearance=0.0)
     found[CAN_WALL, CLEARANCE], found[PALM_CAN, CLEARANCE] = -0.3, -0.0213
     after(watched, 2, found, found)
-    told = watched.standing(LAYOUT, found, "SI")
-    assert [c.text for c in told] == [
+    standing_contacts = watched.standing(LAYOUT, found, "SI")
+    assert [c.text for c in standing_contacts] == [
         "can touches wall: 300 mm deep",
         "palm touches can: 21.3 mm deep",
         "prong touches bar, as it is made to",
     ]
-    assert [(c.a, c.b, c.depth, c.essential, c.inhibits) for c in told] == [
+    assert [(c.a, c.b, c.depth, c.essential, c.inhibits) for c in standing_contacts] == [
         ("can", "wall", 0.3, False, True),
         ("palm", "can", 0.0213, False, True),
         ("prong", "bar", 0.0, True, False),

@@ -30,11 +30,11 @@ from tests.bodies.shapes import rotations
 SEEDS = st.integers(0, 2**32 - 1)
 TOLERANCES = DockingTolerances(0.25 * FOOT, radians(2.0 + 32.0 / 60.0))
 APOTHEM, LENGTH = 7.5, 15.0
-"""Of the CAE [ft]."""
+"""Apothem and length of the CAE [ft]."""
 
 
 def probe() -> tuple[Array, Array]:
-    """A hexagonal probe 1 ft across corners and 1 ft long in the payload's axes: vertices, centre of its tip [m]."""
+    """Return the vertices and the centre of the tip [m] of a hexagonal probe, 1 ft across corners and 1 ft long."""
     around = np.arange(6) * pi / 3.0
     rim = np.stack([np.zeros(6), 0.5 * np.cos(around), 0.5 * np.sin(around)], axis=1)
     vertices = np.concatenate([rim - [end, 0.0, 0.0] for end in (16.0, 15.0)])
@@ -46,7 +46,7 @@ def pose(position: Array, rotation: Array) -> Array:
 
 
 def found_at(out: float, across: float = 0.0, turn: Array | None = None, sides: int = 6, seed: int = 1) -> Array:
-    """What is found of a probe whose tip is so far before and beside the port [ft], everything anywhere in space."""
+    """Return the result of `approach` for a probe tip before and beside the port [ft], at a random pose of both."""
     rng = np.random.default_rng(seed)
     base, shift = rotations(rng, 1)[0], rng.uniform(-20.0, 20.0, 3)
     vertices, face = probe()
@@ -60,7 +60,7 @@ def found_at(out: float, across: float = 0.0, turn: Array | None = None, sides: 
 
 @settings(deadline=None, max_examples=60)
 @given(SEEDS, st.sampled_from([4, 6, 8, 12]), st.booleans())
-def test_the_envelope_is_the_prism_s_own_planes_extended(seed: int, sides: int, turned: bool) -> None:
+def test_docking_envelope_consists_of_the_extended_prism_planes(seed: int, sides: int, turned: bool) -> None:
     rng = np.random.default_rng(seed)
     apothem, length = rng.uniform(1.0, 5.0, 2)
     offset = rng.uniform(-0.3, 0.3, 2)
@@ -77,20 +77,20 @@ def test_the_envelope_is_the_prism_s_own_planes_extended(seed: int, sides: int, 
             over = planes[:, :3] @ corner - planes[:, 3]
             assert np.count_nonzero(np.abs(over) < 1e-12) == 3
             assert np.all(over < 1e-12)
-    # A regular prism: its sides are all as far from its axis.
+    # A regular prism: all sides have the same distance from its axis.
     heights = planes[:, 3] - planes[:, :3] @ middle
     assert heights == pytest.approx([-apothem, apothem, apothem, length / 2.0, length / 2.0], abs=1e-12)
 
 
 @pytest.mark.parametrize(("sides", "closes"), [(6, 1.0), (8, tan(pi / 8.0))])
-def test_before_the_face_the_envelope_closes_where_the_sides_meet(sides: int, closes: float) -> None:
+def test_docking_envelope_closes_where_the_sides_meet(sides: int, closes: float) -> None:
     planes = envelope(APOTHEM, LENGTH, sides=sides)
     for out, inside in ((closes - 1e-9, True), (closes + 1e-9, False)):
         point = np.array([out * APOTHEM, 0.0, 0.0])
         assert bool(np.all(planes[:, :3] @ point <= planes[:, 3])) is inside
 
 
-def test_a_square_envelope_never_closes() -> None:
+def test_square_docking_envelope_never_closes() -> None:
     planes = envelope(APOTHEM, LENGTH, sides=4)
     assert np.all(planes[:, :3] @ np.array([1e6, 0.999 * APOTHEM, 0.0]) < planes[:, 3])
 
@@ -99,7 +99,7 @@ def test_a_square_envelope_never_closes() -> None:
     ("out", "sides", "room"),
     [(4.0, 6, 2.5 * tan(pi / 6.0) - 0.5), (0.0, 6, 6.5 * tan(pi / 6.0) - 0.5), (1.5, 8, None)],
 )
-def test_the_whole_probe_fits_as_far_aside_as_the_dimension_table_says(
+def test_probe_fits_within_the_lateral_limits_of_the_dimension_table(
     out: float, sides: int, room: float | None
 ) -> None:
     # ±0.9 ft 4 ft out, ±3.2 ft at contact; with an octagon to about 1.5 ft out.
@@ -112,7 +112,7 @@ def test_the_whole_probe_fits_as_far_aside_as_the_dimension_table_says(
 
 @settings(deadline=None, max_examples=60)
 @given(SEEDS)
-def test_what_is_found_is_what_plain_arithmetic_finds(seed: int) -> None:
+def test_approach_agrees_with_plain_arithmetic(seed: int) -> None:
     rng = np.random.default_rng(seed)
     turn, port_turn = rotations(rng, 2)
     position, port_position = rng.uniform(-10.0, 10.0, (2, 3))
@@ -130,7 +130,7 @@ def test_what_is_found_is_what_plain_arithmetic_finds(seed: int) -> None:
 
 
 @pytest.mark.parametrize(("make", "moved"), [(rotation_x, "yz"), (rotation_y, "xz"), (rotation_z, "xy")])
-def test_all_axes_are_compared_by_default_and_y_alone_as_the_report_did(make: object, moved: str) -> None:
+def test_docking_compares_all_axes_by_default_and_only_y_as_published(make: object, moved: str) -> None:
     assert callable(make)
     for angle in (TOLERANCES.angle - 1e-9, TOLERANCES.angle + 1e-9):
         found = found_at(0.1, turn=make(angle))
@@ -140,17 +140,16 @@ def test_all_axes_are_compared_by_default_and_y_alone_as_the_report_did(make: ob
         assert all_hold(report) == (angle < TOLERANCES.angle or "y" not in moved)
 
 
-def test_the_tolerances_count_at_their_bounds() -> None:
+def test_docking_tolerances_apply_at_their_limits() -> None:
     assert all_hold(docking(found_at(0.25 - 1e-9), TOLERANCES))
     failed = failing(docking(found_at(0.26), TOLERANCES))
-    assert [condition_text(condition, "ft-in") for condition in failed] == [
-        "probe 3.12 in from the port, at most 3 in allowed"
-    ]
+    assert [condition.name for condition in failed] == ["probe at port"]
+    assert (failed[0].value, failed[0].limit) == pytest.approx((0.26 * FOOT, 0.25 * FOOT))
     assert {condition.name for condition in failing(docking(found_at(-0.1), TOLERANCES))} == {"probe before port"}
     turned = docking(found_at(0.2, turn=rotation_z(radians(-3.0))), TOLERANCES)
-    assert [condition_text(condition, "SI") for condition in failing(turned)] == [
-        "payload's y axis turned 3° from the port's, at most 2.53° allowed"
-    ]
+    (attitude,) = failing(turned)
+    assert (attitude.value, attitude.limit) == pytest.approx((radians(3.0), TOLERANCES.angle))
+    assert condition_text(attitude, "SI") == "payload's y axis turned 3° from the port's, at most 2.53° allowed"
 
 
 @pytest.mark.parametrize(
@@ -163,7 +162,7 @@ def test_the_tolerances_count_at_their_bounds() -> None:
         ({"axis": (1.0, 0.0, 0.0)}, r"along \(1.0, 0.0, 0.0\);"),
     ],
 )
-def test_what_makes_no_envelope_is_refused(arguments: dict[str, object], message: str) -> None:
+def test_invalid_envelope_argument_is_rejected(arguments: dict[str, object], message: str) -> None:
     given_ = {"apothem": 1.0, "length": 2.0} | arguments
     with pytest.raises(InputError, match=message):
         envelope(**given_)  # type: ignore[arg-type]

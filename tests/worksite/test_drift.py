@@ -1,4 +1,4 @@
-"""Free flight: exact in time, orthonormal for hours, within its deadband; and what a released body keeps."""
+"""Free flight: exact in time, orthonormal for hours, within its deadband; and the orbiter's translation."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from aftdeck.worksite.free_flight import LimitCycle, coast, limit_cycle, transla
 
 BAND, RATE = radians(1.0), radians(0.02)
 PERIOD = 4.0 * BAND / RATE
-"""200 s."""
+"""Period of the limit cycle: 200 s."""
 VECTORS = st.tuples(*[st.floats(-1.0, 1.0)] * 3).map(np.array)
 CYCLES = st.builds(
     lambda band, rate, share: LimitCycle(
@@ -43,7 +43,7 @@ class Attitude(NamedTuple):
 
 
 def limit_cycling(cycle: LimitCycle, time: float, reference: Array | None = None) -> Attitude:
-    """Attitude about a reference, its angles and its body rates."""
+    """Return the attitude relative to a reference: angles, rotation and body rates."""
     base = np.eye(3) if reference is None else reference
     flown, motion = np.zeros(12), np.zeros(6)
     limit_cycle(cycle.packed(), base, time, flown, motion)
@@ -54,7 +54,7 @@ def limit_cycling(cycle: LimitCycle, time: float, reference: Array | None = None
 
 @settings(deadline=None)
 @given(CYCLES, st.floats(0.0, 1e5))
-def test_a_limit_cycle_stays_in_its_deadband_and_comes_again(cycle: LimitCycle, time: float) -> None:
+def test_limit_cycle_stays_in_its_deadband_and_repeats(cycle: LimitCycle, time: float) -> None:
     now = limit_cycling(cycle, time)
     for k, (band, rate) in enumerate(zip(cycle.deadband, cycle.rate, strict=True)):
         assert abs(now.angles[k]) <= band + 1e-15
@@ -67,7 +67,7 @@ def test_a_limit_cycle_stays_in_its_deadband_and_comes_again(cycle: LimitCycle, 
 
 @settings(deadline=None)
 @given(CYCLES)
-def test_a_limit_cycle_sets_out_from_its_start_at_its_rate_and_turns_back_at_the_deadband(cycle: LimitCycle) -> None:
+def test_limit_cycle_starts_at_its_rate_and_reverses_at_the_deadband(cycle: LimitCycle) -> None:
     assert limit_cycling(cycle, 0.0).angles == pytest.approx(cycle.start, abs=1e-14)
     for k, (band, rate, start) in enumerate(zip(cycle.deadband, cycle.rate, cycle.start, strict=True)):
         side = band if rate > 0.0 else -band
@@ -78,7 +78,7 @@ def test_a_limit_cycle_sets_out_from_its_start_at_its_rate_and_turns_back_at_the
         assert limit_cycling(cycle, after).angles[k] == pytest.approx(side - 0.5 * side, abs=1e-12)
 
 
-def test_the_assumed_free_flyer_cycles_in_two_hundred_seconds() -> None:
+def test_assumed_free_flyer_has_a_period_of_200_s() -> None:
     cycle = LimitCycle((BAND,) * 3, (RATE,) * 3, (0.0,) * 3)
     for time, angle in ((0.0, 0.0), (50.0, BAND), (100.0, 0.0), (150.0, -BAND), (200.0, 0.0), (36e5 + 25.0, BAND / 2)):
         assert limit_cycling(cycle, time).angles == pytest.approx([angle] * 3, abs=1e-11)
@@ -87,7 +87,7 @@ def test_the_assumed_free_flyer_cycles_in_two_hundred_seconds() -> None:
 
 @settings(deadline=None)
 @given(CYCLES, st.floats(0.0, 1e3))
-def test_body_rates_are_the_attitudes_own_derivative(cycle: LimitCycle, time: float) -> None:
+def test_body_rates_are_the_derivative_of_the_attitude(cycle: LimitCycle, time: float) -> None:
     step = 1e-3
     before, now, after = (limit_cycling(cycle, t) for t in (time, time + step / 2.0, time + step))
     half = [band / abs(rate) for band, rate in zip(cycle.deadband, cycle.rate, strict=True)]
@@ -97,27 +97,27 @@ def test_body_rates_are_the_attitudes_own_derivative(cycle: LimitCycle, time: fl
         for band, rate, start, sign in zip(cycle.deadband, cycle.rate, cycle.start, np.sign(cycle.rate), strict=True)
     ]
     if turns[:3] != turns[3:] or min(half) < step:
-        return  # an axis turns back in between
+        return  # an axis reverses between the two times
     moved = Rotation.from_matrix(before.rotation.T @ after.rotation).as_rotvec() / step
     assert now.rates == pytest.approx(moved, abs=1e-8)
 
 
 @settings(deadline=None)
 @given(CYCLES, st.floats(0.0, 1e4), VECTORS)
-def test_a_body_cycles_about_its_reference(cycle: LimitCycle, time: float, turn: Array) -> None:
+def test_body_cycles_about_its_reference_attitude(cycle: LimitCycle, time: float, turn: Array) -> None:
     reference = Rotation.from_rotvec(turn).as_matrix()
     alone, there = limit_cycling(cycle, time), limit_cycling(cycle, time, reference)
     assert there.rotation == pytest.approx(reference @ endori(*alone.angles), abs=1e-14)
     assert there.rates == pytest.approx(alone.rates, abs=0.0)
 
 
-def test_an_axis_without_rate_or_deadband_stands_still() -> None:
+def test_axis_without_rate_or_deadband_does_not_move() -> None:
     cycle = LimitCycle((BAND, 0.0, BAND), (0.0, RATE, -RATE), (0.3 * BAND, 0.0, BAND))
     found = limit_cycling(cycle, 25.0)
     assert found.angles == pytest.approx([0.3 * BAND, 0.0, BAND / 2.0], abs=1e-12)
 
 
-def test_a_start_outside_the_deadband_is_refused() -> None:
+def test_start_outside_the_deadband_is_rejected() -> None:
     with pytest.raises(InputError, match=r"axis 2: .*0\.2 rad.*0\.1 rad"):
         LimitCycle((0.1,) * 3, (0.01,) * 3, (0.0, 0.2, 0.0)).packed()
 
@@ -131,7 +131,7 @@ def pose(position: Array, rotation: Array) -> Array:
 
 @settings(deadline=None, max_examples=60)
 @given(VECTORS, VECTORS, VECTORS, VECTORS, st.floats(0.0, 30.0), st.integers(1, 300))
-def test_coasting_is_the_same_in_any_number_of_steps(
+def test_coasting_does_not_depend_on_the_number_of_steps(
     place: Array, turn: Array, rates: Array, velocity: Array, time: float, steps: int
 ) -> None:
     start = Rotation.from_rotvec(turn).as_matrix()
@@ -145,7 +145,7 @@ def test_coasting_is_the_same_in_any_number_of_steps(
 
 
 @pytest.mark.parametrize("rate", [1e-7, 3e-3, 0.2, 40.0])
-def test_a_rotation_stays_orthonormal_for_hours(rate: float) -> None:
+def test_rotation_stays_orthonormal_for_two_hours(rate: float) -> None:
     axis = np.array([0.36, -0.48, 0.8])
     flown, motion = pose(np.zeros(3), np.eye(3)), np.concatenate([axis * rate, np.zeros(3)])
     steps = 360_000  # two hours
@@ -171,7 +171,7 @@ def translated(commands: list[tuple[float, tuple[float, float, float]]], dt: flo
     return position, velocity
 
 
-def test_the_orbiter_reaches_its_speed_in_time_and_stops_when_the_stick_is_let_go() -> None:
+def test_orbiter_reaches_its_speed_and_stops_when_the_stick_is_centred() -> None:
     position, velocity = translated([(1.0, (1, 0, -1))], 0.02)
     assert velocity == pytest.approx([SPEED / 2.0, 0.0, -SPEED / 2.0])
     assert position == pytest.approx([SPEED / 4.0, 0.0, -SPEED / 4.0])
@@ -181,7 +181,7 @@ def test_the_orbiter_reaches_its_speed_in_time_and_stops_when_the_stick_is_let_g
     position, velocity = translated([(5.0, (1, 0, -1)), (2.5, (0, 0, 0))], 0.02)
     assert velocity == pytest.approx([0.0, 0.0, 0.0], abs=0.0)
     assert position == pytest.approx([5.0 * SPEED, 0.0, -5.0 * SPEED])
-    # From one way to the other is twice the change.
+    # Reversal is twice the change of speed.
     position, velocity = translated([(2.0, (0, 1, 0)), (4.0, (0, -1, 0))], 0.02)
     assert velocity[1] == pytest.approx(-SPEED)
     assert position[1] == pytest.approx(SPEED)
@@ -195,7 +195,7 @@ def test_the_orbiter_reaches_its_speed_in_time_and_stops_when_the_stick_is_let_g
     ),
     st.sampled_from([0.75, 0.25, 0.05]),
 )
-def test_where_the_orbiter_is_does_not_depend_on_the_step(
+def test_orbiter_position_does_not_depend_on_the_step(
     commands: list[tuple[float, tuple[float, float, float]]], dt: float
 ) -> None:
     position, velocity = translated(commands, dt)
@@ -203,6 +203,3 @@ def test_where_the_orbiter_is_does_not_depend_on_the_step(
     assert position == pytest.approx(fine, abs=1e-11)
     assert velocity == pytest.approx(speeds, abs=1e-11)
     assert np.all(np.abs(velocity) <= SPEED * (1.0 + 1e-12))
-
-
-# --- release

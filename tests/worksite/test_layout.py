@@ -1,4 +1,4 @@
-"""Which parts are watched, how they are packed, and what is asked of them."""
+"""Monitored pairs of parts: their selection, their packed arrays, and queries."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def worksite() -> Layout:
     return layout_of(FRAMES, SOLIDS, part_pairs(SOLIDS, CHAIN, apart=[("wall", "mount"), ("mount", "floor")]))
 
 
-def test_every_two_parts_are_a_pair_once_but_what_is_joined_or_left_out() -> None:
+def test_all_parts_are_paired_once_except_joined_and_excluded_ones() -> None:
     pairs = part_pairs(SOLIDS, CHAIN, apart=[("wall", "mount"), ("mount", "floor")])
     found = {frozenset(pair) for pair in pairs}
     assert len(found) == len(pairs)
@@ -46,7 +46,7 @@ def test_every_two_parts_are_a_pair_once_but_what_is_joined_or_left_out() -> Non
             ("wall", "floor"),
             ("can", "bar"),
             ("mount", "upper boom"),
-            ("upper boom", "lower boom"),  # the frame between them carries nothing
+            ("upper boom", "lower boom"),  # the frame between them has no solids
             ("lower boom", "palm"),
             ("palm", "prong"),
             ("wall", "mount"),
@@ -55,13 +55,13 @@ def test_every_two_parts_are_a_pair_once_but_what_is_joined_or_left_out() -> Non
     }
 
 
-def test_a_pair_is_told_from_what_moves() -> None:
+def test_parts_that_can_move_relative_to_each_other_are_paired() -> None:
     pairs = part_pairs(SOLIDS, CHAIN)
     for pair in [("lower boom", "wall"), ("palm", "bar"), ("can", "wall"), ("can", "station"), ("station", "wall")]:
         assert pair in pairs
 
 
-def test_pairs_stand_together_in_the_order_of_their_groups_and_are_all_there() -> None:
+def test_solid_pairs_are_complete_and_sorted_by_monitored_pair() -> None:
     made, layout = scene(np.random.default_rng(1))
     assert layout.begins[0] == 0
     assert layout.begins[-1] == len(layout.pairs)
@@ -72,7 +72,7 @@ def test_pairs_stand_together_in_the_order_of_their_groups_and_are_all_there() -
         assert sorted(pairs) == expected
 
 
-def test_solids_are_packed_as_they_are_inside_their_spheres() -> None:
+def test_packed_solids_keep_their_vertices_and_bounding_spheres() -> None:
     made, layout = scene(np.random.default_rng(2))
     for solid, row, frame in zip(made, layout.solids, layout.frame, strict=True):
         assert np.array_equal(unpack(row[:BODY]), solid.vertices)
@@ -82,7 +82,7 @@ def test_solids_are_packed_as_they_are_inside_their_spheres() -> None:
     assert not layout.solids.flags.writeable
 
 
-def test_what_is_held_or_seated_does_not_count_against_what_holds_it() -> None:
+def test_held_or_berthed_parts_are_not_monitored_against_their_holder() -> None:
     layout = worksite()
     active = counting(layout, ("palm", "prong"), ("can", "bar"), {"box": ("floor",)})
     off = {frozenset(layout.named(g)) for g in np.flatnonzero(active == 0).tolist()}
@@ -91,7 +91,7 @@ def test_what_is_held_or_seated_does_not_count_against_what_holds_it() -> None:
     assert counting(layout).all()
 
 
-def test_groups_are_found_by_name_and_by_frame() -> None:
+def test_monitored_pairs_are_found_by_name_and_by_frame() -> None:
     layout = worksite()
     named = [layout.named(g) for g in np.flatnonzero(among(layout, [("bar", "prong"), ("can", "bar")])).tolist()]
     assert named == [("prong", "bar")]
@@ -116,12 +116,14 @@ def test_groups_are_found_by_name_and_by_frame() -> None:
         ([Solid("a", "can", CUBE[::-1])], [], "a: vertex 2 "),
     ],
 )
-def test_what_cannot_be_laid_out_is_refused(solids: list[Solid], pairs: list[tuple[str, str]], pattern: str) -> None:
+def test_invalid_layout_is_rejected_with_its_names(
+    solids: list[Solid], pairs: list[tuple[str, str]], pattern: str
+) -> None:
     with pytest.raises(InputError, match=f"^{pattern}"):
         layout_of(FRAMES, solids, pairs)
 
 
-def test_unknown_names_are_refused() -> None:
+def test_unknown_part_or_frame_is_rejected_with_valid_names() -> None:
     layout = worksite()
     with pytest.raises(InputError, match=r"'tin'.* wall, "):
         among(layout, [("tin", "can")])

@@ -1,4 +1,4 @@
-"""The worksite's file: what loads, what is refused, and the orbiter against its published measures."""
+"""The worksite file: loading, rejection of errors, and the orbiter against its published dimensions."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def orbiter() -> Worksite:
 
 
 def turned(points: Points, rotation: Vec3, position: Vec3) -> Points:
-    """Points turned by roll, pitch, yaw about fixed axes, then moved."""
+    """Return points rotated by roll, pitch, yaw about fixed axes, then moved."""
     for axis, angle in enumerate(rotation):
         p, q = (axis + 1) % 3, (axis + 2) % 3
         matrix = np.eye(3)
@@ -36,19 +36,19 @@ def turned(points: Points, rotation: Vec3, position: Vec3) -> Points:
 
 
 def corners(half: tuple[float, float, float]) -> Points:
-    """The corners of a box about the origin."""
+    """Return the corners of a box around the origin."""
     signs: Points = np.array(list(product((-1.0, 1.0), repeat=3)))
     scaled: Points = signs * np.array(half)
     return scaled
 
 
 def hull(shape: Shape) -> Points:
-    """Points in the frame that lists the shape; their box holds it."""
+    """Return points in the frame that lists the shape; their bounding box contains the shape."""
     return turned(np.vstack(list(own_hull(shape))), shape.rotation, shape.position)
 
 
 def own_hull(shape: Shape) -> Iterator[Points]:
-    """Points in a shape's own frame; round bodies stand for the box round them."""
+    """Yield points in a shape's own frame; a round body is replaced by its bounding box."""
     match shape:
         case Box():
             x, y, z = shape.size
@@ -81,7 +81,7 @@ def own_hull(shape: Shape) -> Iterator[Points]:
 
 
 def whole(worksite: Worksite) -> Points:
-    """Points round all that the orbiter shows, mirrored groups on both sides."""
+    """Return points that enclose all shapes of the orbiter, with mirrored groups on both sides."""
     points: list[Points] = []
     for shape in worksite.bodies[0].shapes:
         points.append(hull(shape))
@@ -90,12 +90,12 @@ def whole(worksite: Worksite) -> Points:
     return np.vstack(points)
 
 
-def test_the_orbiter_is_built_in_and_gives_the_scene_frame(orbiter: Worksite) -> None:
+def test_orbiter_worksite_is_built_in(orbiter: Worksite) -> None:
     assert "orbiter" in worksites()
     assert orbiter.bodies[0].name == "orbiter"
 
 
-def test_it_loads_by_path_too(orbiter: Worksite, tmp_path: Path) -> None:
+def test_worksite_loads_by_path(orbiter: Worksite, tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text(
         'name = "mine"\ntitle = "Mine"\norigin = [0, 0, 0]\n'
@@ -105,14 +105,14 @@ def test_it_loads_by_path_too(orbiter: Worksite, tmp_path: Path) -> None:
     assert load_worksite(file).bodies[0].shapes == (Sphere(material="structure", radius=2.0),)
 
 
-def test_the_orbiter_has_its_published_measures(orbiter: Worksite) -> None:
+def test_orbiter_has_its_published_dimensions(orbiter: Worksite) -> None:
     low, high = whole(orbiter).min(axis=0), whole(orbiter).max(axis=0)
     assert high[0] - low[0] == pytest.approx(37.2, abs=0.4), "length over all"
     assert high[1] - low[1] == pytest.approx(23.8, abs=0.2), "span"
     assert high[2] == pytest.approx(10.6, abs=0.1), "tail tip above the origin"
 
 
-def test_port_and_starboard_match(orbiter: Worksite) -> None:
+def test_port_and_starboard_are_symmetric(orbiter: Worksite) -> None:
     low, high = whole(orbiter).min(axis=0), whole(orbiter).max(axis=0)
     assert low[1] == pytest.approx(-high[1])
 
@@ -126,7 +126,7 @@ def test_port_and_starboard_match(orbiter: Worksite) -> None:
         ("D", (588.76, 71.5, 446.06)),
     ],
 )
-def test_bay_cameras_stand_at_their_surveyed_places(orbiter: Worksite, name: str, place: Vec3) -> None:
+def test_bay_cameras_are_at_their_surveyed_positions(orbiter: Worksite, name: str, place: Vec3) -> None:
     """Surveyed pan axes in structural inches; the lens is 0.18 m ahead, where its drawn body ends."""
     (camera,) = (camera for camera in orbiter.cameras if camera.name == name)
     length = hypot(*camera.boresight)
@@ -144,9 +144,7 @@ def test_bay_cameras_stand_at_their_surveyed_places(orbiter: Worksite, name: str
 
 @pytest.mark.parametrize("height", [3.0, 4.0, 5.0])
 @pytest.mark.parametrize("name", ["A", "B", "C", "D"])
-def test_a_tip_above_the_middle_of_the_bay_is_well_inside_every_bay_picture(
-    orbiter: Worksite, name: str, height: float
-) -> None:
+def test_tip_above_mid_bay_is_well_inside_every_bay_camera_picture(orbiter: Worksite, name: str, height: float) -> None:
     (camera,) = (camera for camera in orbiter.cameras if camera.name == name)
     ahead = np.array(camera.boresight) / hypot(*camera.boresight)
     right = np.cross(ahead, camera.up)
@@ -159,7 +157,7 @@ def test_a_tip_above_the_middle_of_the_bay_is_well_inside_every_bay_picture(
     assert abs(upwards) < 0.8, "of the half height of a 5:3 picture"
 
 
-def test_an_unknown_worksite_names_those_that_are_built_in() -> None:
+def test_unknown_worksite_is_rejected_with_the_built_in_names() -> None:
     with pytest.raises(ScenarioError, match=r"'moon'.*: concept-1972, orbiter"):
         load_worksite("moon")
 
@@ -286,7 +284,7 @@ def test_invalid_file_is_rejected_with_line_and_names(
     assert all(name in problem for name in named), problem
 
 
-def test_every_error_is_told_at_once(tmp_path: Path) -> None:
+def test_all_errors_of_a_file_are_reported_together(tmp_path: Path) -> None:
     file = tmp_path / "bad.toml"
     file.write_text(HEAD + BODY + BLOCK.replace("[0, 1] }", "[1, 0] }") + CAMERA + 'drive = "d"\n' + PORT)
     with pytest.raises(ScenarioError) as caught:

@@ -1,4 +1,4 @@
-"""The motion of a frame over a step, against the exponential of its twist."""
+"""The twist of a coordinate frame over a step, against the exponential of the twist."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.worksite.scenes import moved, poses
 
 @settings(deadline=None)
 @given(st.integers(0, 2**32 - 1), st.sampled_from([1e-9, 1e-4, 9e-3, 1.1e-2, 0.3, 2.0, 3.1]))
-def test_a_constant_twist_is_found_again(seed: int, angle: float) -> None:
+def test_constant_twist_is_recovered(seed: int, angle: float) -> None:
     rng = np.random.default_rng(seed)
     frame, twist, period = poses(rng)[1:2], rng.normal(size=(1, 6)), 0.02
     twist[0, :3] *= angle / period / np.linalg.norm(twist[0, :3])
@@ -30,6 +30,6 @@ def test_a_constant_twist_is_found_again(seed: int, angle: float) -> None:
     assert velocity(now[None], found[None], 0, Vector(*point)) == pytest.approx(expected, **near)
 
 
-def test_a_frame_that_stands_still_has_no_motion() -> None:
+def test_stationary_coordinate_frame_has_zero_twist() -> None:
     frame = poses(np.random.default_rng(3))[2]
     assert motion(frame, frame.copy(), 0.02) == (0.0,) * 6

@@ -1,4 +1,4 @@
-"""What collides of the orbiter against what is drawn of it, and against what a payload needs."""
+"""The orbiter's solids against its shapes, and against the space that a payload needs."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ from aftdeck.worksite.file.check import distance
 
 INCH = 0.0254
 ENVELOPE = 90.0 * INCH
-"""Radius that a payload may take up in the bay [m]."""
+"""Radius of the payload envelope in the bay [m]."""
 PIN = 0.03
-"""Radius about the fixture's axis that the pin and the ball on its end lie in [m]."""
+"""Radius about the fixture's axis that contains the pin and the ball on its end [m]."""
 TIP = 56.0 * INCH
 """From the wrist's yaw joint to the end effector's rim [m]."""
 
@@ -40,14 +40,14 @@ def orbiter() -> Worksite:
 
 
 def heights(solids: Sequence[Solid], points: Array) -> Array:
-    """(n, s) how far each point stands over the nearest face of each solid; below zero inside [m]."""
+    """Return the height (n, s) of each point over the nearest face of each solid; negative inside [m]."""
     packed = np.array([pack(solid.vertices) for solid in solids])
     normals = packed[:, NX:D].reshape(-1, 3, 6).transpose(0, 2, 1)
     return np.asarray((np.einsum("sfk,vk->vsf", normals, points) - packed[:, D:]).max(axis=2))
 
 
 def outside(shape: Leaf, pose: Pose, solids: Sequence[Solid], allowed: float) -> Array:
-    """(n, 3) the corners of a drawn shape that are not nearer than allowed to any solid [m]."""
+    """Return the corners (n, 3) of a shape that are not nearer to a solid than allowed [m]."""
     points = np.unique(moved(solid(shape, 24), pose).vertices, axis=0)
     order = heights(solids, points).argsort(axis=1)
     out = [
@@ -58,16 +58,16 @@ def outside(shape: Leaf, pose: Pose, solids: Sequence[Solid], allowed: float) ->
     return np.array(out).reshape(-1, 3)
 
 
-def test_all_that_is_drawn_lies_in_the_solids(orbiter: Worksite) -> None:
-    """The bay's frames stand 2 cm into the tube, which is otherwise covered as it is drawn; lamps are not solid."""
+def test_orbiter_shapes_lie_inside_its_solids(orbiter: Worksite) -> None:
+    """Exceptions: the bay's frames project 2 cm into the tube; lamps have no solid."""
     for shape, pose in placed(orbiter.bodies[0].shapes):
         if not isinstance(shape, Light):
             assert not len(outside(shape, pose, orbiter.solids, 0.02 if isinstance(shape, Ring) else 0.001)), shape
 
 
 @pytest.mark.parametrize("name", worksites())
-def test_all_that_is_drawn_of_a_cargo_but_the_pin_lies_in_its_solids(name: str) -> None:
-    """The pin goes into the end effector; all that lies on the body stands up to 2 cm out, and 7 mm on the ends."""
+def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
+    """The pin enters the end effector. Shapes on the body project by up to 2 cm, and by 7 mm on the ends."""
     allowed = {
         (kind, of): 0.0071 for kind, of in [("Cylinder", "foil"), ("Cylinder", "structure"), ("Box", "structure")]
     }
@@ -83,8 +83,8 @@ def test_all_that_is_drawn_of_a_cargo_but_the_pin_lies_in_its_solids(name: str) 
             assert not len(out), (cargo.name, shape)
 
 
-def test_a_perfect_grasp_leaves_room_to_the_targets_rod(orbiter: Worksite) -> None:
-    """Beside the end effector 0.286 m less its 0.2 m and the rod's 0.013 m; its camera and its light are far behind."""
+def test_perfect_capture_leaves_clearance_to_the_target_rod(orbiter: Worksite) -> None:
+    """At the end effector: 0.286 m less its radius of 0.2 m and the rod's 0.013 m. Camera and light are far behind."""
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
     model = aftdeck.load_arm("srms").model
@@ -100,7 +100,7 @@ def test_a_perfect_grasp_leaves_room_to_the_targets_rod(orbiter: Worksite) -> No
     assert min(rooms["wrist camera"], rooms["wrist light"]) > 0.4
 
 
-def test_a_target_drawn_of_what_has_no_cover_is_refused(orbiter: Worksite, tmp_path: Path) -> None:
+def test_target_shape_without_a_cover_is_rejected(orbiter: Worksite, tmp_path: Path) -> None:
     ring = 'kind = "ring", material = "padding"'
     assert orbiter.text.count(ring) == 1
     file = tmp_path / "turned.toml"
@@ -109,8 +109,8 @@ def test_a_target_drawn_of_what_has_no_cover_is_refused(orbiter: Worksite, tmp_p
         load_worksite(file)
 
 
-def test_a_payload_of_90_inches_radius_lies_clear_in_the_bay(orbiter: Worksite) -> None:
-    """But for the bay cameras on the bulkheads, which stand in that envelope at its very ends."""
+def test_payload_envelope_of_90_in_radius_is_clear_in_the_bay(orbiter: Worksite) -> None:
+    """Exception: the bay cameras on the bulkheads are in that envelope at its two ends."""
     assert orbiter.bay is not None
     x = np.linspace(orbiter.bay.low[0] + 0.6, orbiter.bay.high[0] - 0.6, 40)
     t = np.linspace(0.0, math.tau, 361)
@@ -118,7 +118,7 @@ def test_a_payload_of_90_inches_radius_lies_clear_in_the_bay(orbiter: Worksite) 
     assert heights(orbiter.solids, points).min() > 0.0
 
 
-def test_the_payload_in_the_latches_touches_nothing_but_them(orbiter: Worksite) -> None:
+def test_latched_payload_contacts_only_the_latches(orbiter: Worksite) -> None:
     (cargo,) = orbiter.cargoes
     pose = cargo.start.pose
     for own in cargo.solids:
@@ -131,7 +131,7 @@ def test_the_payload_in_the_latches_touches_nothing_but_them(orbiter: Worksite) 
                 assert gap > 0.015, (own.part, other.part)
 
 
-def test_trunnions_stand_at_their_published_places_over_the_latches(orbiter: Worksite) -> None:
+def test_trunnions_are_at_their_published_positions_over_the_latches(orbiter: Worksite) -> None:
     """Longeron Yo 93.925, Zo 414.05, attach points 3.933 in apart from Xo 608.80; keel Yo 0, Zo 305.025."""
     (cargo,) = orbiter.cargoes
     pose = cargo.start.pose
@@ -152,7 +152,7 @@ def test_trunnions_stand_at_their_published_places_over_the_latches(orbiter: Wor
     assert keel[1:] == pytest.approx([0.0, 305.025])
 
 
-def test_the_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> None:
+def test_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> None:
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
     arm = aftdeck.load_arm("srms")
@@ -162,10 +162,12 @@ def test_the_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> No
     tip = arm.model.mount.from_("panel", Pose(SCENE_FROM_PANEL_AXES.T @ position, axes))
     found = arm.inverse(Pose(tip.position, tip.rotation @ rotation_x(arm.model.end_effector_roll)))
     assert len(found) > 0
-    assert grapple.rotation @ [1.0, 0.0, 0.0] == pytest.approx([0.0, 0.0, -1.0]), "the hand looks into the payload"
+    assert grapple.rotation @ [1.0, 0.0, 0.0] == pytest.approx([0.0, 0.0, -1.0]), (
+        "the end effector points into the payload"
+    )
 
 
-def test_the_bay_cameras_pan_and_tilt_as_published(orbiter: Worksite) -> None:
+def test_bay_cameras_have_the_published_pan_and_zoom_ranges(orbiter: Worksite) -> None:
     for camera in orbiter.cameras[:4]:
         assert camera.drive is not None
         pan, zoom = camera.drive.pan, camera.drive.zoom
@@ -174,15 +176,15 @@ def test_the_bay_cameras_pan_and_tilt_as_published(orbiter: Worksite) -> None:
         assert pan.slow is not None
         assert np.degrees([pan.least, pan.greatest, pan.rate, pan.slow]) == pytest.approx([-170.0, 170.0, 12.0, 1.2])
         assert np.degrees([zoom.least, zoom.greatest]) == pytest.approx([9.0, 77.0])
-        assert abs(setting(camera).pan) < math.radians(30.0), "about the way that its base faces"
+        assert abs(setting(camera).pan) < math.radians(30.0), "close to the direction of its base"
 
 
-def test_the_scenes_origin_is_that_of_the_frames(orbiter: Worksite) -> None:
+def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
     assert orbiter.origin == pytest.approx(SCENE_ORIGIN)
 
 
-def test_the_guides_of_the_seat_are_those_of_the_latches_solids(orbiter: Worksite) -> None:
-    """A trunnion's middle has room to either side as the seat says: at its place, and where the V is highest."""
+def test_berth_guides_match_the_latch_solids(orbiter: Worksite) -> None:
+    """The latch solids leave the clearance of the berth's guides beside a trunnion: low and high in the V."""
     (seat,) = orbiter.seats
     (cargo,) = orbiter.cargoes
     assert seat.guides is not None
@@ -197,7 +199,7 @@ def test_the_guides_of_the_seat_are_those_of_the_latches_solids(orbiter: Worksit
         assert room / math.cos(seat.guides.half_angle) == pytest.approx(free, abs=0.02)
 
 
-def test_the_trunnions_are_made_to_touch_the_latches_of_both_sides(orbiter: Worksite) -> None:
+def test_trunnion_contacts_with_both_latch_rows_are_essential(orbiter: Worksite) -> None:
     assert {essential.parts for essential in orbiter.essential} == {
         ("payload trunnions", "latches port"),
         ("payload trunnions", "latches starboard"),

@@ -1,4 +1,4 @@
-"""An inhibited arm: no contact is deepened, no new one is made, and what leads out is let through."""
+"""An inhibited arm: no contact is deepened, no new contact is made, and motion that relieves a contact is allowed."""
 
 from __future__ import annotations
 
@@ -32,26 +32,26 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def arm_moved(rng: np.random.Generator, frames: Array, pace: float) -> Array:
-    """The arm's frames a step on, each at a twist of its own; all else stands."""
+    """Return the coordinate frames one step later: the arm's moved at random twists, the others unchanged."""
     twists = np.zeros((len(frames), 6))
     twists[1:4] = pace * rng.normal(size=(3, 6))
     return moved(frames, twists, PERIOD)
 
 
-def spoils(before: Array, after: Array) -> Array:
-    """(g,) how far each group that is in contact, or gets into it, loses clearance [m]."""
+def lost_clearance(before: Array, after: Array) -> Array:
+    """Return the loss of clearance (g,) of each pair that is in contact before or after [m]; 0 for the others."""
     touched = (before <= CONTACT) | (after <= CONTACT)
     return np.where(touched, before - after, 0.0)
 
 
 def carried(before: Array, after: Array, point: Array) -> Array:
-    """Where a point that a frame carries goes with it, by matrices."""
+    """Return the position of a point after the motion of the frame that carries it, by matrices."""
     r, q = before[3:].reshape(3, 3), after[3:].reshape(3, 3)
     return np.asarray(q @ r.T @ (point - before[:3]) + after[:3])
 
 
-def won(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array) -> tuple[float, float]:
-    """The clearance that the solids in contact win together, inf without one, and how far one slides at most [m]."""
+def gained_clearance(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array) -> tuple[float, float]:
+    """Return the clearance gained by all solids in contact, inf without any, and the largest sliding distance [m]."""
     gained, slid, touching = 0.0, 0.0, False
     for g in np.flatnonzero(counts).tolist():
         pairs = list(zip(all_pairs(made, layout, g, now), all_pairs(made, layout, g, then), strict=True))
@@ -72,14 +72,14 @@ def won(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array
 
 
 def lost_at_most(before: Array, after: Array, gained: float) -> float:
-    """How much clearance a step that wins so much may lose elsewhere [m]; nothing where it makes a contact."""
+    """Return the clearance [m] that a step with this gain may lose at other pairs; `DEEPER` if it makes a contact."""
     made = bool(((before > CONTACT) & (after <= CONTACT)).any())
     return DEEPER if made or not np.isfinite(gained) else max(DEEPER, BESIDES * gained)
 
 
 @settings(max_examples=15, deadline=None)
 @given(seeds, st.sampled_from([1e-6, 0.1, 10.0]))
-def test_only_motion_that_relieves_every_contact_and_makes_none_is_let_through(seed: int, pace: float) -> None:
+def test_motion_is_allowed_only_if_it_relieves_contacts_and_makes_none(seed: int, pace: float) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
@@ -89,14 +89,14 @@ def test_only_motion_that_relieves_every_contact_and_makes_none_is_let_through(s
     here = clearances(made, layout, now)
     for _ in range(3):
         then = arm_moved(rng, now, pace)
-        spoilt = np.where(counts == 1, spoils(here, clearances(made, layout, then)), -np.inf)
-        if abs(spoilt.max() - 1e-12) > 5e-13:
+        losses = np.where(counts == 1, lost_clearance(here, clearances(made, layout, then)), -np.inf)
+        if abs(losses.max() - 1e-12) > 5e-13:
             which = worst_new_contact(watch, counts, then)
-            assert (which < 0) == (spoilt.max() < 1e-12)
+            assert (which < 0) == (losses.max() < 1e-12)
             if which >= 0:
-                assert spoilt[which] == pytest.approx(spoilt.max(), abs=2e-12)
-            gained, slid = won(made, layout, counts, now, then)
-            kept = spoilt.max() <= lost_at_most(here, clearances(made, layout, then), gained)
+                assert losses[which] == pytest.approx(losses.max(), abs=2e-12)
+            gained, slid = gained_clearance(made, layout, counts, now, then)
+            kept = losses.max() <= lost_at_most(here, clearances(made, layout, then), gained)
             assert relieves(watch, counts, counts, then) == (kept and gained >= max(RELIEF * slid, LEAST_RELIEF))
     assert relieves(watch, counts, counts, now) == (not (here[counts == 1] <= CONTACT).any())
     assert np.array_equal(watch.found, found)
@@ -104,7 +104,7 @@ def test_only_motion_that_relieves_every_contact_and_makes_none_is_let_through(s
 
 @settings(max_examples=8, deadline=None)
 @given(seeds)
-def test_an_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
+def test_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
@@ -118,7 +118,7 @@ def test_an_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
         if relieves(watch, counts, counts, then):
             watch.update(now, then, PERIOD)
             after = clearances(made, layout, then)
-            most = lost_at_most(before, after, won(made, layout, counts, now, then)[0])
+            most = lost_at_most(before, after, gained_clearance(made, layout, counts, now, then)[0])
             assert (after[before <= CONTACT] >= before[before <= CONTACT] - 2.0 * most).all()
             assert (after[before > CONTACT] > CONTACT).all()
             now, before, lost = then, after, lost + 2.0 * most
@@ -126,7 +126,7 @@ def test_an_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
 
 
 def directions(frames: Array, step: float) -> Array:
-    """(12, F, 12) the hand's frame, the last but one, turned and moved both ways about and along three axes."""
+    """Return frames (12, F, 12) with frame 1 rotated about and moved along three axes, in both directions."""
     found = []
     for axis in range(6):
         for sign in (1.0, -1.0):
@@ -140,7 +140,7 @@ def directions(frames: Array, step: float) -> Array:
 
 @settings(max_examples=15, deadline=None)
 @given(seeds, st.booleans())
-def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> None:
+def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> None:
     rng = np.random.default_rng(seed)
     shapes = (boxes if box else skewed)(rng, 2)
     made = [Solid("palm", "hand", shapes[0]), Solid("wall", "orbiter", shapes[1])]
@@ -158,7 +158,7 @@ def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> N
         ways = directions(now, step)
         gains = ways_out(watch, counts, counts, ways)
         best = int(gains.argmax())
-        # one of three square axes is within 55 degrees of any way out
+        # one of three perpendicular axes is within 55 deg of any escape direction
         assert gains[best] >= step / sqrt(3.0) - 1e-12
         assert relieves(watch, counts, counts, ways[best])
         watch.update(now, ways[best], PERIOD)
@@ -167,7 +167,7 @@ def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> N
     assert watch.found[0, CLEARANCE] > CONTACT
 
 
-def test_a_way_out_of_one_contact_into_another_is_none() -> None:
+def test_escape_direction_into_another_contact_is_rejected() -> None:
     cube = boxes(np.random.default_rng(0), 1)[0]
     cube = cube / np.ptp(cube, axis=0)
     made = [

@@ -1,4 +1,4 @@
-"""Sliding: nothing goes into a wall, and what goes along it stays."""
+"""Sliding: motion into a wall is removed, and motion along it is kept."""
 
 from __future__ import annotations
 
@@ -24,82 +24,82 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def contacts(rng: np.random.Generator, count: int) -> Array:
-    """(count, 7) contacts anywhere about the tip, none of which may be entered."""
+    """Return random contacts (count, 7) around the tip, with a clearance of 0."""
     rows = np.zeros((count, 7))
     rows[:, :3] = 3.0 * rng.normal(size=(count, 3))
     rows[:, 3:6] = rotations(rng, count)[:, 0] if count else 0.0
     return rows
 
 
-def slid(rows: Array, tip: Array, wanted: Array) -> Array:
-    """(6,) the twist that `slide` leaves."""
-    return np.array(slide(rows, Vector(*tip.tolist()), Twist(*wanted)))
+def slid(rows: Array, tip: Array, demanded: Array) -> Array:
+    """Return the twist (6,) that `slide` allows."""
+    return np.array(slide(rows, Vector(*tip.tolist()), Twist(*demanded)))
 
 
 def outward(rows: Array, tip: Array, twist: Array) -> Array:
-    """(k,) how fast each touching point leaves its wall [m/s]."""
+    """Return the speed (k,) at which each contact point leaves its wall [m/s]."""
     return np.asarray(((twist[3:] + np.cross(twist[:3], rows[:, :3] - tip)) * rows[:, 3:6]).sum(axis=1))
 
 
 @settings(deadline=None)
 @given(seeds, st.integers(0, 8))
-def test_no_point_goes_into_its_wall(seed: int, count: int) -> None:
+def test_contact_points_never_enter_their_walls(seed: int, count: int) -> None:
     rng = np.random.default_rng(seed)
-    rows, tip, wanted = contacts(rng, count), rng.normal(size=3), rng.normal(size=6)
+    rows, tip, demanded = contacts(rng, count), rng.normal(size=3), rng.normal(size=6)
     rows[:, 6] = -0.2 * rng.random(count)
-    found = slid(rows, tip, wanted)
+    found = slid(rows, tip, demanded)
     assert (outward(rows, tip, found) >= rows[:, 6] - 1.1 * SLACK).all()
-    if (outward(rows, tip, wanted) >= rows[:, 6]).all():
-        assert np.array_equal(found, wanted)
+    if (outward(rows, tip, demanded) >= rows[:, 6]).all():
+        assert np.array_equal(found, demanded)
 
 
 @settings(deadline=None)
 @given(seeds)
-def test_along_a_single_wall_nothing_changes(seed: int) -> None:
+def test_motion_along_a_single_wall_is_unchanged(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    rows, tip, wanted = contacts(rng, 1), rng.normal(size=3), rng.normal(size=6)
-    wanted[:3] *= rng.integers(2)
-    found, normal = slid(rows, tip, wanted), rows[0, 3:6]
-    before, after = (t[3:] + np.cross(t[:3], rows[0, :3] - tip) for t in (wanted, found))
-    assert np.array_equal(found[:3], wanted[:3])
+    rows, tip, demanded = contacts(rng, 1), rng.normal(size=3), rng.normal(size=6)
+    demanded[:3] *= rng.integers(2)
+    found, normal = slid(rows, tip, demanded), rows[0, 3:6]
+    before, after = (t[3:] + np.cross(t[:3], rows[0, :3] - tip) for t in (demanded, found))
+    assert np.array_equal(found[:3], demanded[:3])
     assert after - (after @ normal) * normal == pytest.approx(before - (before @ normal) * normal, abs=1e-13)
     assert after @ normal == pytest.approx(max(before @ normal, 0.0), abs=1e-13)
 
 
 @settings(deadline=None)
 @given(seeds, st.integers(1, 8), st.sampled_from([1, 2, 3]))
-def test_the_velocity_is_the_nearest_one_of_all(seed: int, count: int, repeats: int) -> None:
+def test_velocity_is_the_closest_admissible_one(seed: int, count: int, repeats: int) -> None:
     rng = np.random.default_rng(seed)
-    rows, wanted = contacts(rng, count), np.array([0.0, 0.0, 0.0, *rng.normal(size=3)])
-    found = slid(np.repeat(rows, repeats, axis=0), np.zeros(3), wanted)
-    # Moreau: what is taken off is the nearest combination of the normals that pushes outwards
-    push, _ = nnls(rows[:, 3:6].T, -wanted[3:])
-    assert found[3:] == pytest.approx(wanted[3:] + rows[:, 3:6].T @ push, abs=1e-7)
+    rows, demanded = contacts(rng, count), np.array([0.0, 0.0, 0.0, *rng.normal(size=3)])
+    found = slid(np.repeat(rows, repeats, axis=0), np.zeros(3), demanded)
+    # Moreau: the removed part is the projection onto the cone of the normals that point into the walls
+    push, _ = nnls(rows[:, 3:6].T, -demanded[3:])
+    assert found[3:] == pytest.approx(demanded[3:] + rows[:, 3:6].T @ push, abs=1e-7)
 
 
-def test_between_walls_all_round_the_arm_stands_still() -> None:
+def test_arm_between_six_walls_does_not_move() -> None:
     rows = np.zeros((6, 7))
     rows[:, 3:6] = np.concatenate([np.eye(3), -np.eye(3)])
     assert not slid(rows, np.zeros(3), np.array([0.0, 0.0, 0.0, 0.3, -0.2, 0.1])).any()
 
 
-def test_between_two_walls_turning_goes_and_sliding_stays() -> None:
+def test_two_walls_block_rotation_and_allow_sliding() -> None:
     rows = np.array([[4.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0], [-4.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
-    wanted = np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])
-    assert slid(rows, np.zeros(3), wanted) == pytest.approx([0.0, 0.0, 0.0, 0.3, 0.0, 0.4])
-    # the other way round it turns off both walls, and may
-    wanted[2] = -0.1
-    assert slid(rows, np.zeros(3), wanted) == pytest.approx(wanted)
+    demanded = np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])
+    assert slid(rows, np.zeros(3), demanded) == pytest.approx([0.0, 0.0, 0.0, 0.3, 0.0, 0.4])
+    # the opposite rotation leaves both walls, and is allowed
+    demanded[2] = -0.1
+    assert slid(rows, np.zeros(3), demanded) == pytest.approx(demanded)
 
 
-def test_what_cannot_come_out_does_not_move() -> None:
+def test_body_that_cannot_leave_two_walls_does_not_move() -> None:
     rows = np.array([[0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.1], [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.1]])
     assert not slid(rows, np.zeros(3), np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])).any()
 
 
 @settings(max_examples=20, deadline=None)
 @given(seeds, st.booleans())
-def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(seed: int, turning: bool) -> None:
+def test_payload_pushed_in_a_trough_slides_and_stays_out_of_its_walls(seed: int, turning: bool) -> None:
     rng = np.random.default_rng(seed)
     size = np.array([6.0, 2.0, 2.0])
     made = [
@@ -113,34 +113,34 @@ def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(se
     watch, counts, period = ClearanceMonitor(layout), np.ones(3, np.uint8), 0.02
     now = np.zeros((2, 12))
     now[:, 3:] = np.eye(3).ravel()
-    wanted = rng.normal(size=6) * np.repeat([0.05 * turning, 0.5], 3)
+    demanded = rng.normal(size=6) * np.repeat([0.05 * turning, 0.5], 3)
     tip = np.array([0.0, 0.0, -1.0])
     along = 0.0
     watch.update(now, now, period)
     for _ in range(120):
         rows = touches(watch, counts, "can", 0.1, period, 0.02)
         grip = now[1, :3] + now[1, 3:].reshape(3, 3) @ tip
-        twist = slid(rows, grip, wanted)
+        twist = slid(rows, grip, demanded)
         carried = np.zeros((2, 6))
         carried[1] = twist
         carried[1, 3:] -= np.cross(twist[:3], grip)
         before, now = now, moved(now, carried, period)
         along += twist[3] * period
         watch.update(before, now, period)
-        # a turn by 0.005 rad a step takes a corner 4 m away beside its straight way by 5e-5 m
+        # with 0.005 rad per step, a corner 4 m away deviates from its straight path by 5e-5 m
         assert watch.found[:, CLEARANCE].min() > (-1e-4 if turning else -1e-9)
     assert clearances(made, layout, now) == pytest.approx(watch.found[:, CLEARANCE], abs=1e-12)
     if not turning:
-        assert along == pytest.approx(120 * wanted[3] * period)
+        assert along == pytest.approx(120 * demanded[3] * period)
         assert now[1, 0] == pytest.approx(along)
-        # it lies at the wall and on the floor that it was pushed to, and not before
-        far = np.minimum(np.abs(wanted[4:]) * 120 * period, [0.5, 1.5])
+        # the payload reaches exactly the wall and the floor towards which it was pushed
+        far = np.minimum(np.abs(demanded[4:]) * 120 * period, [0.5, 1.5])
         assert abs(now[1, 1]) == pytest.approx(far[0], abs=1e-9)
-        if wanted[5] > 0.0:
+        if demanded[5] > 0.0:
             assert now[1, 2] == pytest.approx(far[1], abs=1e-9)
 
 
-def test_the_touches_of_a_payload_are_its_corners_at_the_wall() -> None:
+def test_contact_points_of_a_payload_are_its_corners_at_the_wall() -> None:
     made = [Solid("payload", "can", CUBE), Solid("wall", "orbiter", CUBE * [9.0, 1.0, 9.0])]
     layout = layout_of(("orbiter", "can"), made, [("payload", "wall")])
     watch, counts = ClearanceMonitor(layout), np.ones(1, np.uint8)

@@ -1,4 +1,4 @@
-"""Solids from their files: convex, where they are said to be, mirrored, and drawn from the same vertices."""
+"""Solids from files: convex, mirrored, and drawn from the same vertices."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def made(table: dict[str, object], **more: object) -> dict[str, Array]:
 
 
 @pytest.mark.parametrize(("table", "holds"), KINDS)
-def test_a_solid_is_convex_and_drawn_as_what_collides(table: dict[str, object], holds: float) -> None:
+def test_solid_is_convex_and_drawn_from_its_vertices(table: dict[str, object], holds: float) -> None:
     bodies = made(table)["wall"]
     for body in bodies:
         hexahedron(body)
@@ -82,15 +82,15 @@ def test_mirrored_solids_are_reflections_named_after_their_side(
     point=st.tuples(*[st.floats(-3.0, 4.0)] * 3),
     table=st.sampled_from([table for table, _ in KINDS[:6]]),
 )
-def test_the_distance_of_a_point_is_that_of_a_speck_there(
+def test_point_distance_equals_the_clearance_of_a_tiny_cube(
     point: tuple[float, float, float], table: dict[str, object]
 ) -> None:
     (body,) = made(table)["wall"]
-    speck = np.array(point) + 2e-5 * (CORNERS - 0.5)
-    assert distance(np.array(point), body) == pytest.approx(max(0.0, separation(speck, body).clearance), abs=4e-5)
+    cube = np.array(point) + 2e-5 * (CORNERS - 0.5)
+    assert distance(np.array(point), body) == pytest.approx(max(0.0, separation(cube, body).clearance), abs=4e-5)
 
 
-def test_parts_of_a_prism_touch_and_do_not_overlap() -> None:
+def test_prism_slices_touch_without_overlap() -> None:
     slices = made({"kind": "prism", "sides": 12, "radius": 1, "length": 2})["wall"]
     for a, b in pairwise(slices):
         assert separation(a, b).clearance == pytest.approx(0.0, abs=1e-12)

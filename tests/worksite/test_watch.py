@@ -1,4 +1,4 @@
-"""What the watch finds in flight, against every pair of solids looked at by itself."""
+"""Results of the clearance monitor, against each pair of solids computed separately."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
-    """(5, 6) twists; the orbiter stands still."""
+    """Return random twists (5, 6); the orbiter's is zero."""
     twists = pace * rng.normal(size=(5, 6))
     twists[0] = 0.0
     return twists
@@ -26,12 +26,12 @@ def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
 
 @settings(max_examples=12, deadline=None)
 @given(seeds)
-def test_a_group_is_as_far_apart_as_its_nearest_solids(seed: int) -> None:
+def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     watch, before, twists = ClearanceMonitor(layout), poses(rng), drift(rng, 5.0)
     for step in range(4):
-        # in between, a jump, after which nothing that is remembered is of use
+        # a jump at step 2, after which the cache is useless
         now = poses(rng, 1.0) if step == 2 else moved(before, twists, PERIOD)
         watch.update(before, now, PERIOD)
         expected = clearances(made, layout, now)
@@ -44,7 +44,7 @@ def test_a_group_is_as_far_apart_as_its_nearest_solids(seed: int) -> None:
             normal = row[NORMAL : NORMAL + 3]
             assert np.linalg.norm(normal) == pytest.approx(1.0, abs=1e-12)
             assert way == pytest.approx(expected[g] * normal, abs=1e-9)
-            # along the normal, the two are apart, or overlap, by just the clearance
+            # along the normal, the gap or the overlap equals the clearance
             assert (b @ normal).min() - (a @ normal).max() == pytest.approx(expected[g], abs=1e-9)
             if expected[g] > CONTACT:
                 assert (a @ normal).max() < row[DISTANCE] < (b @ normal).min()
@@ -53,7 +53,7 @@ def test_a_group_is_as_far_apart_as_its_nearest_solids(seed: int) -> None:
 
 @settings(max_examples=12, deadline=None)
 @given(seeds)
-def test_the_closing_speed_is_how_fast_the_clearance_falls(seed: int) -> None:
+def test_closing_speed_is_the_rate_of_decrease_of_clearance(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     now, twists, instant = poses(rng), drift(rng), 1e-5
@@ -68,7 +68,7 @@ def test_the_closing_speed_is_how_fast_the_clearance_falls(seed: int) -> None:
     assert np.median(np.abs(watch.found[smooth, SPEED] - 0.5 * (fall + fell)[smooth])) < 1e-7
 
 
-def test_bodies_that_neither_moves_do_not_close() -> None:
+def test_stationary_bodies_have_zero_closing_speed() -> None:
     rng = np.random.default_rng(5)
     _, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
@@ -78,7 +78,7 @@ def test_bodies_that_neither_moves_do_not_close() -> None:
 
 @settings(max_examples=10, deadline=None)
 @given(seeds)
-def test_a_group_that_does_not_count_is_not_looked_at_and_changes_no_other(seed: int) -> None:
+def test_inactive_pair_is_not_computed_and_changes_no_other_pair(seed: int) -> None:
     rng = np.random.default_rng(seed)
     _, layout = scene(rng)
     whole, part, now, twists = ClearanceMonitor(layout), ClearanceMonitor(layout), poses(rng), drift(rng)
@@ -98,14 +98,14 @@ def test_a_group_that_does_not_count_is_not_looked_at_and_changes_no_other(seed:
 
 @settings(max_examples=10, deadline=None)
 @given(seeds, st.sampled_from([0.3, 2.0, np.inf]))
-def test_a_watch_that_remembers_nothing_finds_the_same_to_the_last_digit(seed: int, within: float) -> None:
+def test_monitor_without_cache_gives_bit_identical_results(seed: int, within: float) -> None:
     rng = np.random.default_rng(seed)
     _, layout = scene(rng)
     watch, forgetful, now = ClearanceMonitor(layout), ClearanceMonitor(layout), poses(rng)
     twists, active = drift(rng, 3.0), rng.integers(0, 8, len(watch.active)) > 0
     counts = rng.integers(0, 2, len(watch.active)).astype(np.uint8)
     for step in range(8):
-        # where nothing moves square faces stay parallel, and many points are equally close
+        # without motion, parallel faces stay parallel, and many points are equally close
         before, now = now, moved(now, twists, PERIOD) if step % 3 else now
         forgetful.forget()
         for one in (watch, forgetful):
@@ -115,7 +115,7 @@ def test_a_watch_that_remembers_nothing_finds_the_same_to_the_last_digit(seed: i
         assert watch.placed.tobytes() == forgetful.placed.tobytes()
 
 
-def test_the_nearest_group_is_the_nearest_of_those_asked_for() -> None:
+def test_nearest_pair_is_the_closest_of_the_selected_pairs() -> None:
     rng = np.random.default_rng(6)
     _, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)

@@ -1,4 +1,4 @@
-"""The scene generator's words against TABLE II, bit by bit, and there and back."""
+"""The scene generator's words against TABLE II, bit by bit, and encoded and decoded."""
 
 from __future__ import annotations
 
@@ -65,26 +65,26 @@ AT_REST = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         (ControlWord(1, "A", arm_inhibited=True), "0000 0000 0000 0000 0001 0001"),
     ],
 )
-def test_each_bit_of_the_control_word_stands_where_table_ii_has_it(control: ControlWord, bits: str) -> None:
+def test_control_word_bits_match_table_ii(control: ControlWord, bits: str) -> None:
     assert encode_control(control) == int(bits.replace(" ", ""), 2)
 
 
-def test_stations_have_codes_of_their_own() -> None:
+def test_station_codes_are_unique() -> None:
     assert len(set(STATIONS.values())) == len(STATIONS)
 
 
 @given(controls)
-def test_a_control_word_says_what_it_was_told(control: ControlWord) -> None:
+def test_control_word_round_trips(control: ControlWord) -> None:
     assert decode_control(encode_control(control)) == control
 
 
 @given(st.integers(0, 2**24 - 1))
-def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
+def test_decoded_control_word_encodes_to_itself(word: int) -> None:
     try:
         control = decode_control(word)
     except InputError:
         return
-    idle = 0  # signs of what does not move say nothing
+    idle = 0  # sign bits of drives that do not move
     if not control.telescope:
         idle |= 1 << 21
     if not (control.pan or control.tilt):
@@ -95,44 +95,44 @@ def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("word", "message"),
+    ("word", "pattern"),
     [
-        (1 << 24, "the control word is 16777216; it has to be an integer of 24 bits"),
-        (-1, "the control word is -1"),
-        (1.5, "the control word is 1.5; it has to be an integer of 24 bits"),
-        ("a", "the control word is 'a'; it has to be an integer of 24 bits"),
-        (None, "the control word is None; it has to be an integer of 24 bits"),
-        (0x000201, "has one of its spare bits set, 14 to 17"),
-        (0x00D001, "has station code 1101"),
-        (0x000C01, "opens and closes the prong at once"),
-        (0x000000, "has 0 modes set; it has to have 1"),
-        (0x000003, "has 2 modes set"),
+        (1 << 24, "control word is 16777216; .* 24 bits"),
+        (-1, "control word is -1"),
+        (1.5, r"control word is 1\.5"),
+        ("a", "control word is 'a'"),
+        (None, "control word is None"),
+        (0x000201, "14 to 17"),
+        (0x00D001, "1101"),
+        (0x000C01, "prong"),
+        (0x000000, " 0 modes"),
+        (0x000003, " 2 modes"),
     ],
 )
-def test_a_word_that_says_nothing_is_refused(word: Any, message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_invalid_control_word_is_rejected(word: Any, pattern: str) -> None:
+    with pytest.raises(InputError, match=pattern):
         decode_control(word)
 
 
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    ("wrong", "pattern"),
     [
-        ({"mode": 5}, "mode is 5; it has to be 1, 2, 3 or 4"),
-        ({"mode": 1.0}, "mode is 1.0; it has to be 1, 2, 3 or 4, an integer"),
-        ({"mode": "1"}, "mode is '1'; it has to be 1, 2, 3 or 4, an integer"),
-        ({"station": "Z"}, "no code for station 'Z'; only for A, B"),
-        ({"station": []}, r"no code for station \[\]; only for A, B"),
-        ({"zoom": 2}, "zoom is 2; it has to be -1, 0 or 1"),
-        ({"prong": None}, "prong is None; it has to be -1, 0 or 1"),
-        ({"initialise": 2}, "initialise is 2; it has to be True or False"),
-        ({"initialise": "x"}, "initialise is 'x'; it has to be True or False"),
-        ({"finger_inhibited": None}, "finger_inhibited is None; it has to be True or False"),
-        ({"arm_inhibited": []}, r"arm_inhibited is \[\]; it has to be True or False"),
-        ({"pan": 1, "tilt": -1}, "one sign for pan and tilt"),
+        ({"mode": 5}, "mode is 5; .*1, 2, 3 or 4"),
+        ({"mode": 1.0}, r"mode is 1\.0; .*1, 2, 3 or 4"),
+        ({"mode": "1"}, "mode is '1'; .*1, 2, 3 or 4"),
+        ({"station": "Z"}, "station 'Z'; .*A, B"),
+        ({"station": []}, r"station \[\]; .*A, B"),
+        ({"zoom": 2}, "zoom is 2; .*-1, 0 or 1"),
+        ({"prong": None}, "prong is None; .*-1, 0 or 1"),
+        ({"initialise": 2}, "initialise is 2; .*True or False"),
+        ({"initialise": "x"}, "initialise is 'x'; .*True or False"),
+        ({"finger_inhibited": None}, "finger_inhibited is None; .*True or False"),
+        ({"arm_inhibited": []}, r"arm_inhibited is \[\]; .*True or False"),
+        ({"pan": 1, "tilt": -1}, "pan and tilt"),
     ],
 )
-def test_what_has_no_code_is_refused(wrong: dict[str, Any], message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_value_without_a_code_is_rejected(wrong: dict[str, Any], pattern: str) -> None:
+    with pytest.raises(InputError, match=pattern):
         encode_control(ControlWord(**{"mode": 1, "station": "A", **wrong}))
 
 
@@ -152,17 +152,17 @@ def test_what_has_no_code_is_refused(wrong: dict[str, Any], message: str) -> Non
         (-(2.0**-23), 0, 0xFFFFFF),
     ],
 )
-def test_a_number_stands_in_its_word_as_by_hand(value: float, scale: int, word: int) -> None:
+def test_fixed_point_words_match_hand_computed_values(value: float, scale: int, word: int) -> None:
     assert fixed(value, scale, "it") == word
 
 
 @given(st.sampled_from([0, 1, 11]), st.integers(0, 2**24 - 1))
-def test_every_word_is_that_of_its_number(scale: int, word: int) -> None:
+def test_fixed_point_word_round_trips(scale: int, word: int) -> None:
     assert fixed(number(word, scale), scale, "it") == word
 
 
 @given(st.sampled_from([0, 1, 11]), st.floats(-1.0, 1.0))
-def test_a_number_is_rounded_by_half_a_step(scale: int, share: float) -> None:
+def test_fixed_point_rounding_error_is_at_most_half_a_step(scale: int, share: float) -> None:
     step = 2.0 ** (scale - 23)
     value = share * 2.0**scale
     assume(share < 1.0 - 2.0**-23)
@@ -170,14 +170,14 @@ def test_a_number_is_rounded_by_half_a_step(scale: int, share: float) -> None:
 
 
 @pytest.mark.parametrize("value", [2048.1, -2048.1, math.nan, math.inf])
-def test_a_number_that_its_scale_cannot_hold_is_refused_by_name(value: float) -> None:
+def test_number_outside_its_scale_is_rejected_by_name(value: float) -> None:
     plane = WordPlane((0.0, 0.0, -1.0), value * 0.3048)
-    with pytest.raises(InputError, match=r"distance of plane 2 \[ft\] is .*; a word at scale B11 holds -2048 to 2048"):
+    with pytest.raises(InputError, match=r"distance of plane 2 \[ft\] .*B11 .*-2048 to 2048"):
         encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, plane, LEVEL)))
 
 
-def test_a_frame_block_by_hand() -> None:
-    """HO = 90 deg, PO = -30 deg, plane 1 X = 8 ft, the others Z = 0 from below."""
+def test_frame_block_matches_hand_computed_words() -> None:
+    """HO = 90 deg, PO = -30 deg; plane 1 is X = 8 ft, the others are Z = 0 seen from below."""
     angles = (math.pi / 2, -math.pi / 6, 0.0, 0.0, 0.0, math.pi)
     plane = WordPlane((1.0, 0.0, 0.0), 8 * 0.3048)
     words = encode_block(FrameBlock(ControlWord(1, "A"), angles, (plane, LEVEL, LEVEL)))
@@ -199,15 +199,15 @@ planes = st.builds(
 
 
 @given(controls, st.tuples(*[st.floats(-3.2, 3.2)] * 6), st.tuples(*[planes | st.none()] * 3))
-def test_a_frame_block_says_what_it_was_told(
+def test_frame_block_round_trips(
     control: ControlWord,
     angles: tuple[float, float, float, float, float, float],
     three: tuple[WordPlane | None, WordPlane | None, WordPlane | None],
 ) -> None:
     block = decode_block(encode_block(FrameBlock(control, angles, three)))
     assert block.control == control
-    for got, told in zip(block.angles, angles, strict=True):
-        assert math.remainder(got - told, math.tau) == pytest.approx(0.0, abs=2.0**-21)
+    for got, expected in zip(block.angles, angles, strict=True):
+        assert math.remainder(got - expected, math.tau) == pytest.approx(0.0, abs=2.0**-21)
     for plane, given_plane in zip(block.planes, three, strict=True):
         if plane is None or given_plane is None:
             assert plane is given_plane
@@ -216,15 +216,15 @@ def test_a_frame_block_says_what_it_was_told(
         assert plane.distance == pytest.approx(given_plane.distance, abs=0.3048 * 2.0**-13)
 
 
-def test_a_block_that_says_nothing_is_refused() -> None:
+def test_invalid_frame_block_words_are_rejected() -> None:
     words = list(encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, LEVEL, LEVEL))))
-    with pytest.raises(InputError, match="a frame block has 32 words; 31 are given"):
+    with pytest.raises(InputError, match=r"32 words; 31 "):
         decode_block(words[:-1])
-    with pytest.raises(InputError, match="sine and cosine of PO: the sum of squares is 0"):
+    with pytest.raises(InputError, match=r"sine and cosine of PO: .* 0"):
         decode_block([*words[:4], 0, *words[5:]])
     with pytest.raises(InputError, match="word 5 of the frame block is 16777216"):
         decode_block([*words[:4], 1 << 24, *words[5:]])
-    with pytest.raises(InputError, match="the normal of plane 1: the sum of squares is 4"):
+    with pytest.raises(InputError, match=r"normal of plane 1: .* 4"):
         encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (WordPlane((2.0, 0.0, 0.0), 0.0), LEVEL, LEVEL)))
 
 
@@ -233,25 +233,25 @@ def odd(normal: Any = LEVEL.normal, distance: Any = 0.0) -> WordPlane:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    ("wrong", "pattern"),
     [
-        ({"angles": (*AT_REST[:5], math.inf)}, "angle R2 is inf rad; it has to be finite"),
-        ({"angles": (math.nan, *AT_REST[:5])}, "angle HO is nan rad; it has to be finite"),
-        ({"angles": ("a", *AT_REST[:5])}, "angle HO is 'a'; it has to be a number"),
-        ({"angles": AT_REST[:5]}, "a frame block has 6 angles, HO, PO, P1, H2, P2, R2; 5 are given"),
-        ({"planes": (LEVEL,) * 5}, "a frame block has 3 separating planes; 5 are given"),
-        ({"planes": (LEVEL, None)}, "a frame block has 3 separating planes; 2 are given"),
-        ({"planes": (LEVEL, odd((1.0, 0.0)), None)}, "the normal of plane 2 has 3 parts, x, y, z; 2 are given"),
-        ({"planes": (LEVEL, odd((0.0, None, -1.0)), None)}, "normal y of plane 2 is None; it has to be a number"),
-        ({"planes": (LEVEL, None, odd(distance="far"))}, "distance of plane 3 is 'far'; it has to be a number"),
+        ({"angles": (*AT_REST[:5], math.inf)}, "angle R2 is inf rad"),
+        ({"angles": (math.nan, *AT_REST[:5])}, "angle HO is nan rad"),
+        ({"angles": ("a", *AT_REST[:5])}, "angle HO is 'a'"),
+        ({"angles": AT_REST[:5]}, "6 angles, HO, PO, P1, H2, P2, R2; 5 "),
+        ({"planes": (LEVEL,) * 5}, "3 separating planes; 5 "),
+        ({"planes": (LEVEL, None)}, "3 separating planes; 2 "),
+        ({"planes": (LEVEL, odd((1.0, 0.0)), None)}, "normal of plane 2 .*x, y, z; 2 "),
+        ({"planes": (LEVEL, odd((0.0, None, -1.0)), None)}, "normal y of plane 2 is None"),
+        ({"planes": (LEVEL, None, odd(distance="far"))}, "distance of plane 3 is 'far'"),
     ],
 )
-def test_a_block_with_other_angles_or_planes_is_refused(wrong: dict[str, Any], message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_frame_block_with_invalid_angles_or_planes_is_rejected(wrong: dict[str, Any], pattern: str) -> None:
+    with pytest.raises(InputError, match=pattern):
         encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, LEVEL, LEVEL))._replace(**wrong))
 
 
 @pytest.mark.parametrize("kind", [np.int32, np.uint32, np.int64])
-def test_words_of_an_array_say_the_same(kind: type[np.integer[Any]]) -> None:
+def test_words_of_an_array_decode_to_the_same_block(kind: type[np.integer[Any]]) -> None:
     words = encode_block(FrameBlock(ControlWord(1, "A"), (-1.0, 1.0, *AT_REST[:4]), (LEVEL, None, LEVEL)))
     assert decode_block(list(np.array(words, kind))) == decode_block(words)
