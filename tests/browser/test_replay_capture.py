@@ -61,7 +61,7 @@ def test_the_monitors_go_back_to_the_cameras_as_flown_by_key_and_by_button(repla
     for digit, camera, by_key in (("2", "B", True), ("4", "D", False)):
         replay.press(digit)
         replay.until(f"{NAMES} === '{camera},WR'")
-        replay.page.wait_for_function("document.querySelector('.transport [title*=flight]').ariaPressed === 'false'")
+        expect(button).to_have_attribute("aria-pressed", "false")
         if by_key:
             replay.press("a")
         else:
