@@ -182,6 +182,28 @@ def test_file_with_digests_of_other_fields_is_compared_by_values(manual_file: Pa
     assert [change.field for change in verdict.first.fields] == ["position"]
 
 
+@pytest.mark.parametrize(
+    ("version", "changes", "equal"),
+    [
+        pytest.param("0.0.1", {"text": "worded differently"}, True, id="wording of another version"),
+        pytest.param("0.0.1", {"kind": "forged"}, False, id="kind"),
+        pytest.param("0.0.1", {"level": "warning"}, False, id="level"),
+        pytest.param(aftdeck.__version__, {"text": "worded differently"}, False, id="wording of this version"),
+    ],
+)
+def test_log_lines_of_another_version_may_differ_in_wording_alone(
+    tmp_path: Path, version: str, changes: dict[str, str], equal: bool
+) -> None:
+    record_steps(tmp_path / "new.mcap", bay(), iter([Inputs(mode="END EFF"), Inputs()]), 2)
+    with_header(tmp_path / "new.mcap", tmp_path / "old.mcap", version=version, digests="")
+    first = next(message for message in messages(tmp_path / "new.mcap") if isinstance(message, FrameRecord))
+    assert first.events
+    lines = tuple(msgspec.structs.replace(line, **changes) for line in first.events)
+    forged = msgspec.structs.replace(first, events=lines)
+    rewritten(tmp_path / "old.mcap", tmp_path / "forged.mcap", {"/frames": encode(forged)})
+    assert verify(tmp_path / "forged.mcap").equal is equal
+
+
 def test_unloadable_file_of_another_version_is_reported(manual_file: Path, tmp_path: Path) -> None:
     text = Recording(manual_file).opening.scenario_text
     with_header(manual_file, tmp_path / "new.mcap", version="9.0.0", scenario_text=f"gravity = 9.81\n{text}")
