@@ -21,7 +21,7 @@ const REST_MS = 1500;
 /** A sensor's noise. */
 const STILL = 0.02;
 
-/** How far a button is pressed; some drivers report only whether it is pressed. */
+/** Depth to which a button is pressed; some drivers report only whether it is pressed. */
 function travel(reading: Reading, index: number): number {
   const button = reading.buttons[index];
   return button ? button.value || Number(button.pressed) : 0;

@@ -31,8 +31,8 @@ export class Link {
   private welcomed = false;
   private refused = false;
   private attempt = 0;
-  /** What the station knows of `shows`. */
-  private toldShows = false;
+  /** Last value of `shows` sent to the station. */
+  private sentShows = false;
 
   constructor(
     private readonly url: string,
@@ -54,8 +54,8 @@ export class Link {
   /** Reports whether the page only observes, if this has changed. */
   reseat(): void {
     const { shows } = this.itself();
-    if (!this.welcomed || shows === this.toldShows) return;
-    this.toldShows = shows;
+    if (!this.welcomed || shows === this.sentShows) return;
+    this.sentShows = shows;
     this.send({ type: shows ? 'leave_seat' : 'take_seat' });
   }
 
@@ -63,7 +63,7 @@ export class Link {
     const socket = new WebSocket(this.url);
     socket.onopen = () => {
       const { shows, strips } = this.itself();
-      this.toldShows = shows;
+      this.sentShows = shows;
       socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL, shows, strips } satisfies Hello));
     };
     socket.onmessage = (event) => this.receive(event.data);

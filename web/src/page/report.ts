@@ -1,4 +1,4 @@
-/** What the page in control reports to the station: its latency, and the cameras on its monitors. */
+/** Reports of the page in control to the station: its latency, and the cameras on its monitors. */
 
 import type { Command } from '../link/socket';
 

@@ -1,4 +1,4 @@
-/** How much room the page has: each name's condition, for `@container page (--NAME)` in the style sheets and for code. */
+/** Sizes of the page: the condition of each name, for `@container page (--NAME)` in the style sheets and for code. */
 
 export const ROOM = {
   /** MON 2 is in a corner of MON 1, and the desk has more rows. */
@@ -9,7 +9,7 @@ export const ROOM = {
   watching: '(width < 720px)',
   /** Lamps are in two columns. */
   low: '((height < 860px) or ((width < 956px) and (height < 1020px)))',
-  /** Of a replay's figures and log, one is shown. */
+  /** A replay shows either its figures or its log. */
   short: '(height <= 870px)',
   /** A lamp's small text has one line. */
   shallow: '(height <= 809px)',

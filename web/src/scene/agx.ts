@@ -1,11 +1,11 @@
 /** The tone map of the full profile, AgX as three.js has it, for grey light; and back. */
 
 const [DARKEST, BRIGHTEST] = [-12.47393, 4.026069];
-/** What its matrices leave of grey: they keep it. */
+/** Its matrices keep grey unchanged. */
 const CONTRAST = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5] as const;
 const GAMMA = 2.2;
 
-/** What is shown, linear, 0 to 1, of a light times its exposure. */
+/** Displayed value, linear, 0 to 1, of a light times its exposure. */
 export function agx(light: number): number {
   const stops = Math.log2(Math.max(light, 1e-10));
   const x = Math.min(1, Math.max(0, (stops - DARKEST) / (BRIGHTEST - DARKEST)));
@@ -34,7 +34,7 @@ export const LIGHT_OF: readonly number[] = (() => {
   return found;
 })();
 
-/** Of sRGB's transfer function. */
+/** Constants of sRGB's transfer function. */
 function linear(value: number): number {
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }

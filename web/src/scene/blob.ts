@@ -2,7 +2,7 @@ import { Mesh, type Scene, ShaderMaterial, Vector2, Vector3 } from 'three';
 import type { Body } from './bodies';
 import type { Daylight } from './daylight';
 
-/** Shorter bodies cast no shadow worth its cost [m]. */
+/** Least length of a body that casts a shadow [m]; shorter ones are not worth the cost. */
 const SHORTEST = 0.8;
 const point = new Vector3();
 const ABEAM = new Vector3(0, 1, 0);
@@ -30,7 +30,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(0.0, 0.0, 0.02, 0.62 * (1.0 - smoothstep(0.5, 1.0, clear)));
   }`;
 
-/** A moving body as a shadow sees it: a rod through the middle of its box. */
+/** Moving body for the shadow: a rod through the middle of its box. */
 interface Rod {
   readonly body: Body;
   readonly from: Vector3;
@@ -48,7 +48,7 @@ export class Blob {
   private readonly across = new Vector3();
   private readonly up = new Vector3();
 
-  /** Shadows of `casters` on the mesh `ground`, whose geometry stays its owner's. */
+  /** Shadows of `casters` on the mesh `ground`, whose geometry is not disposed of here. */
   constructor(scene: Scene, ground: Mesh, casters: readonly Body[]) {
     this.rods = casters.flatMap(rodOf);
     this.ends = this.rods.flatMap(() => [new Vector2(), new Vector2()]);
@@ -75,7 +75,7 @@ export class Blob {
     scene.add(this.mesh);
   }
 
-  /** Puts the sun; without it there is no shadow. */
+  /** Sets the sun; without it there is no shadow. */
   set({ toSun, sun }: Daylight): void {
     this.across.crossVectors(toSun, ABEAM).normalize();
     this.up.crossVectors(this.across, toSun);

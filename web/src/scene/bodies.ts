@@ -21,7 +21,7 @@ const MIRROR = new Matrix4().makeScale(1, -1, 1);
 const place = new Vector3();
 const turn = new Quaternion();
 
-/** Before the sky, which is behind everything. */
+/** Drawing order: before the sky, which is behind everything. */
 const LAST = 0.5;
 
 /** A lamp and its pose in its body's frame. */
@@ -37,7 +37,7 @@ export interface DrawnBody {
   readonly at: Vec3;
 }
 
-/** All of a body that one material draws. */
+/** Part of a body that one material draws. */
 class Batch {
   readonly surface = new Surface();
   readonly colours: number[] = [];
@@ -60,7 +60,7 @@ class Batch {
   }
 }
 
-/** One rigid body: its shapes merged into one mesh a material. */
+/** One rigid body: its shapes merged into one mesh for each material. */
 export class Body {
   readonly group = new Object3D();
   readonly lights: PlacedLight[] = [];
@@ -149,7 +149,7 @@ function* placed(
   }
 }
 
-/** How many lamps some bodies have. */
+/** Number of lamps of some bodies. */
 export function lampCount(bodies: readonly BodyInfo[]): number {
   let count = 0;
   for (const { shapes } of bodies)

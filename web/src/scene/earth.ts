@@ -20,11 +20,11 @@ const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
 export const LIMB = Math.asin(EARTH / ORBIT);
-/** What the night side has of full daylight: moonlight, many times over, so that the limb can just be made out. */
+/** Brightness of the night side, relative to full daylight: many times that of moonlight, so that the limb is visible. */
 const NIGHT = '0.004';
 const UP = new Vector3(0, 0, 1);
 
-/** Rays of the sky, whichever place the camera has; drawn last and behind everything. */
+/** Rays of the sky, independent of the camera's position; drawn last, behind everything. */
 const vertexShader = /* glsl */ `
   varying vec3 ray;
   #ifdef PAINTED
@@ -124,7 +124,7 @@ export class Earth {
   private readonly sun = new Vector3();
   private readonly sunlight = new Color();
 
-  /** `exposure`: of the low profile's pictures. */
+  /** `exposure`: exposure of the low profile's pictures. */
   constructor(
     stage: Scene,
     private readonly quality: Quality,
@@ -157,7 +157,7 @@ export class Earth {
     stage.add(this.mesh);
   }
 
-  /** Puts Earth and sun. */
+  /** Sets the directions of Earth and sun. */
   set(daylight: Daylight): void {
     this.nadir.copy(daylight.nadir);
     this.sun.copy(daylight.toSun);

@@ -28,7 +28,7 @@ const PLATE = new Color('#161719');
 /** The orbiter, the arm, the Earth and the light on them, drawn as the cameras see them. */
 export class Scene {
   readonly cameras: Cameras;
-  /** What the cameras see. */
+  /** Visibility of the targets in each camera. */
   readonly sight: Sight;
   private readonly renderer: WebGLRenderer;
   /** Brings the pictures to the page if the processor draws; null with a graphics card. */

@@ -37,7 +37,7 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
-/** Lamps are near, and their light falls between the corners of large faces: it is summed in the picture. */
+/** Lamps are near, and their light varies between the vertices of large faces: the pixel shader adds it. */
 const fragmentShader = /* glsl */ `
   varying vec3 lit;
   #ifdef PATTERN
@@ -82,12 +82,12 @@ export class LambertLight {
     above: new Color(),
     below: new Color(),
   };
-  /** Of the pictures drawn next: a factor. */
+  /** Brightness factor of the pictures drawn next. */
   readonly exposure = { value: 1 };
   private readonly count = { value: 0 };
-  /** Place, and one over the square of its reach. */
+  /** Position, and the inverse square of its reach. */
   private readonly places: readonly Vector4[];
-  /** Direction of its beam, and how steeply it fades from 1 on its axis with the cosine: not at all round a flood. */
+  /** Direction of its beam, and slope of its brightness over the cosine of the angle from the axis; 0 for a flood. */
   private readonly beams: readonly Vector4[];
   private readonly glows: readonly Color[];
   private lamps: readonly Lamp[] = [];
@@ -95,7 +95,7 @@ export class LambertLight {
   private readonly materials: ShaderMaterial[] = [];
   private shaded = 0;
 
-  /** `room`: for so many lamps. */
+  /** `room`: greatest number of lamps. */
   constructor(readonly room: number) {
     const each = Array.from({ length: room });
     this.places = each.map(() => new Vector4());
@@ -114,7 +114,7 @@ export class LambertLight {
     };
   }
 
-  /** A material in this light: coloured at its corners, dimmed by a pattern. */
+  /** Material in this light: coloured at the vertices, dimmed by a pattern. */
   material(pattern: Texture | null): ShaderMaterial {
     const made = new ShaderMaterial({
       vertexColors: true,
@@ -131,7 +131,7 @@ export class LambertLight {
     return made;
   }
 
-  /** These are the lamps. */
+  /** Sets the lamps. */
   take(lamps: readonly Lamp[]): void {
     this.lamps = lamps;
   }
@@ -154,7 +154,7 @@ export class LambertLight {
     this.follow();
   }
 
-  /** Makes the pixels count with so many lamps. */
+  /** Sets the number of lamps that the pixel shader adds. */
   private shade(lamps: number): void {
     if (lamps === this.shaded) return;
     this.shaded = lamps;
@@ -180,7 +180,7 @@ export class LambertLight {
 
 const [at, along] = [new Vector3(), new Vector3()];
 
-/** Fades to nothing at the cone's rim, as a straight line in the cosine that meets the penumbra's middle. */
+/** Brightness over the cosine: a straight line to 0 at the cone's rim, equal to the penumbra in its middle. */
 function steepness(cone: number): number {
   const middle = (Math.cos(cone) + Math.cos(cone * (1 - PENUMBRA))) / 2;
   return 0.5 / (1 - middle);

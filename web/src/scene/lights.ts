@@ -14,12 +14,12 @@ import { isSpot, type Lamp, PENUMBRA } from './floodlights';
 const SHADOWED = 15;
 /** Height of the sun's shadow camera [m]. */
 const HEIGHT = 40;
-/** Of a lamp's light with distance. */
+/** Exponent with which a lamp's light falls with distance. */
 const DECAY = 1.8;
 
 /**
- * The full profile's lights: sun, earthshine, skylight, and the lamps that bodies carry. What is dark stays there at
- * no intensity: fewer lights would be other shaders, which take seconds to compile.
+ * The full profile's lights: sun, earthshine, skylight, and the lamps that bodies carry. Lights that are off stay
+ * with intensity 0: another number of lights needs other shaders, which take seconds to compile.
  */
 export class Lights {
   private readonly sun = shadowing();
@@ -34,7 +34,7 @@ export class Lights {
     this.lamps = lamps.map((lamp) => ({ lamp, lit: this.addLamp(lamp) }));
   }
 
-  /** Puts sun, Earth and sky, and lights the lamps of these switches. */
+  /** Sets sun, Earth and sky, and switches on the lamps of these switches. */
   set(daylight: Daylight, on: ReadonlySet<string>): void {
     const { sun, earthshine, sky } = this;
     sun.color.copy(daylight.sun);

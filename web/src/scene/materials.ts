@@ -35,24 +35,24 @@ const LOOKS: Record<Material, Look> = {
   glow: look('#fff4de', 1),
 };
 
-/** The part of metal's brightness that is left where it has no surroundings to reflect. */
+/** Brightness of metal, as a fraction, without surroundings to reflect. */
 const DULL = 0.55;
-/** How batches of what glows by itself begin; the name of a switch follows. */
+/** Prefix of batches of luminous faces; the name of a switch follows. */
 const GLOW = 'glow ';
-/** Of a lamp's face that is dark. */
+/** Colour of a lamp's face while the lamp is off. */
 const UNLIT = 0.08;
 
-/** What makes the low profile's materials. */
+/** Light that makes the low profile's materials. */
 export interface Shading {
   material(pattern: Texture | null): Drawn;
 }
 
-/** The materials of one profile, made when first asked for. */
+/** Materials of one profile, made at their first use. */
 export class Materials {
   private readonly made = new Map<string, Drawn>();
   private readonly textures = new Map<string, Texture>();
 
-  /** `light`: of the low profile. */
+  /** `light`: light of the low profile. */
   constructor(
     private readonly quality: Quality,
     private readonly light: Shading,
@@ -70,7 +70,7 @@ export class Materials {
     return { batch: pattern, colour: tint.multiplyScalar(1 - DULL * metalness * metalness) };
   }
 
-  /** Whether a batch casts and takes shadows. */
+  /** Whether a batch casts and receives shadows. */
   solid(batch: string): boolean {
     return !batch.startsWith(GLOW);
   }

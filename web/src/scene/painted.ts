@@ -9,7 +9,7 @@ import {
 } from 'three';
 import { present } from '../basics/assert';
 
-/** How often the clouds repeat from the nadir to the limb. */
+/** Number of repeats of the clouds from the nadir to the limb. */
 const REPEATS = 2.4;
 
 /** Angles from the limb [rad] and colours of the cap's rings, from the nadir on; beyond the last is black. */

@@ -18,7 +18,7 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** Sides of a full turn in the low profile, below a radius [m]; what is larger has the most. */
+/** Sides of a full turn in the low profile, below a radius [m]; larger ones have the most sides. */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],
@@ -27,7 +27,7 @@ const SIDES = [
 const MOST = 32;
 const TURN = 2 * Math.PI;
 
-/** Geometry of a shape that is no group, about its own origin. */
+/** Geometry of a shape that is not a group, about its own origin. */
 export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surface {
   switch (shape.kind) {
     case 'box':
@@ -53,7 +53,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
   }
 }
 
-/** How many sides a full turn of this radius [m] is drawn with. */
+/** Number of sides with which a full turn of this radius [m] is drawn. */
 function sides(radius: number, quality: Quality): number {
   if (quality === 'low') return SIDES.find(([below]) => radius < below)?.[1] ?? MOST;
   return Math.round(Math.min(96, 24 + 60 * radius));
@@ -165,7 +165,7 @@ function sphere({ radius }: Sphere, quality: Quality): Surface {
   return revolve([profile], 'x', 0, TURN, round);
 }
 
-/** How many sides a part of a turn is drawn with. */
+/** Number of sides with which a part of a turn is drawn. */
 function part(sweep: number, radius: number, quality: Quality): number {
   return Math.max(4, Math.ceil((sides(radius, quality) * sweep) / TURN));
 }

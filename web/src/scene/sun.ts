@@ -4,7 +4,7 @@ import { LIMB } from './earth';
 
 /** Half the angle under which the sun is seen: 16 minutes of arc. */
 const RADIUS = (16 / 60) * (Math.PI / 180);
-/** Where it is drawn, farther than everything else [m]. */
+/** Distance at which it is drawn, behind everything else [m]. */
 const DISTANCE = 150;
 const FORWARD = new Vector3(0, 0, 1);
 

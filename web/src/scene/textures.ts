@@ -2,7 +2,7 @@ import { CanvasTexture, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping,
 import { present } from '../basics/assert';
 import type { Quality } from './drawn';
 
-/** What is drawn on a surface, as a grey that dims its colour; `plain` has none. */
+/** Patterns of a surface: a grey that dims its colour; `plain` has none. */
 export type Pattern = 'plain' | 'quilt' | 'liner' | 'seams' | 'tiles' | 'panel';
 
 type Painter = (pen: CanvasRenderingContext2D, size: number, random: () => number) => void;
@@ -16,7 +16,7 @@ const PATTERNS: Record<Exclude<Pattern, 'plain'>, { repeat: [number, number]; pa
   panel: { repeat: [2.24, 1], paint: panelled },
 };
 
-/** The texture of a pattern, the same on every run. The low profile looks at one of its sizes a pixel, not at two. */
+/** The texture of a pattern, the same on every run. The low profile samples one mipmap level for each pixel, not two. */
 export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Quality): Texture {
   const { repeat, paint } = PATTERNS[pattern];
   const full = quality === 'full';
@@ -26,7 +26,7 @@ export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Qual
   return texture;
 }
 
-/** Heights of crumpled blanket, for relief: mid grey is level. */
+/** Height map of a crumpled blanket; mid grey is height 0. */
 export function crumpleTexture(size: number): Texture {
   return repeated(size, crumpled, [1.2, 1.2]);
 }

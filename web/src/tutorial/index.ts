@@ -34,7 +34,7 @@ export class Tutorial {
   private readonly payload: number;
   private progress: Progress = BEGIN;
   private open = false;
-  /** Whether it may still open by itself. */
+  /** Whether the card may still open by itself. */
   private unasked: boolean;
   private drawn = '';
 

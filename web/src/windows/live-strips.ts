@@ -15,7 +15,7 @@ import { StripWindow } from './strip-window';
 const VALUES_MS = 100;
 /** Curves move on when that is a pixel's width or so: this part of the axis. */
 const PIXEL = 1 / 1200;
-/** How much time the axis shows, by choice, and at first [s]. */
+/** Choices of the time span of the axis, and the first one [s]. */
 const LENGTHS = [30, 60, 120, KEPT_S];
 const FIRST = 2;
 

@@ -5,10 +5,10 @@ import { fixed } from './format';
 import type { Units } from './units';
 
 const DEGREE = 180 / Math.PI;
-/** Figures of a number; more where the value would otherwise read like a limit that it does not meet. */
+/** Figures of a number; more if the value would otherwise have the same text as a limit that it exceeds. */
 const FIGURES = 3;
 const MOST_FIGURES = 9;
-/** Decimals of a number with so few figures. */
+/** Decimals of a number with fewer figures. */
 const DECIMALS = 3;
 
 /** `palm 4.04 ft above the bar, 0 to 0.75 in allowed` as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */

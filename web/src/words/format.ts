@@ -48,7 +48,7 @@ export function clock(seconds: number): string {
   return `${pad(Math.floor(minutes / 60), 2)}:${pad(minutes % 60, 2)}:${pad(whole % 60, 2)}`;
 }
 
-/** A keyed-in number, with a true minus sign or a hyphen, or null where it is none. */
+/** A keyed-in number, with a true minus sign or a hyphen, or null if the text is not a number. */
 export function parseNumber(text: string): number | null {
   const plain = text.trim().replace('−', '-');
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;

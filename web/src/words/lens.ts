@@ -1,9 +1,9 @@
-/** A camera's lens and drives in the words that are burned into its picture. */
+/** A camera's lens and drives as text in its picture. */
 
 import type { Camera, Travel, Vec3 } from '../link/protocol';
 import { degrees } from './format';
 
-/** An angle this near to the end of its travel is at its stop: what the wire's rounding leaves [rad]. */
+/** Distance from the end of its travel up to which an angle counts as at its stop; more than a message's rounding [rad]. */
 const AT_STOP = 2e-6;
 
 /** `PAN −8.6  TILT +6.8` over `ZOOM 22 %  FOV 62.0°`; a value at its stop is marked. */
@@ -23,7 +23,7 @@ export function lensWords(camera: Camera, setting: Vec3 | null): string {
   return `${turned || 'FIXED'}\n${lens}`;
 }
 
-/** How much of its zoom is used: 0 at the widest field of view, 1 at the narrowest. */
+/** Zoom as a fraction of its range: 0 at the widest field of view, 1 at the narrowest. */
 export function zoomed({ least, greatest }: Travel, angle: number): number {
   return (greatest - angle) / (greatest - least);
 }

@@ -1,10 +1,10 @@
-/** A scale that holds still: ends on round numbers, as the reader's unit has them. */
+/** Scale that rarely changes: its ends are round numbers in the displayed unit. */
 
-/** Steps that a range has at most. */
+/** Greatest number of steps of a range. */
 const MOST_STEPS = 5;
 const ROUND = [1, 2, 5, 10];
 
-/** The least round range that holds both values; `perSi`: shown value of one. */
+/** Smallest round range that contains both values; `perSi`: shown value of one. */
 export function roundRange(low: number, high: number, perSi: number): readonly [number, number] {
   const size = (high - low || Math.abs(high) || 1) * perSi;
   const least = size / MOST_STEPS;

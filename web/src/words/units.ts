@@ -1,4 +1,4 @@
-/** The operator's units: how lengths [m], speeds [m/s] and masses [kg] are shown and keyed in. */
+/** Operator's units, in which lengths [m], speeds [m/s] and masses [kg] are displayed and keyed in. */
 
 import type { Welcome } from '../link/protocol';
 
@@ -15,10 +15,10 @@ export interface Units {
   readonly name: UnitName;
   readonly length: Unit;
   readonly speed: Unit;
-  /** Of gaps and small errors, and of how fast they close. */
+  /** Units of clearances and small errors (`gap`) and of their rates (`creep`). */
   readonly gap: Unit;
   readonly creep: Unit;
-  /** Shown value of one kilogram. */
+  /** Displayed value of one kilogram. */
   readonly mass: Unit;
 }
 

@@ -1,4 +1,4 @@
-/** A way out in words, with the key, button or end of an axis that flies it. */
+/** Text of an escape direction, with the key, button or axis end that commands it. */
 
 import type { Names } from '../input/active-device';
 import type { WayOut } from '../link/protocol';
@@ -23,7 +23,7 @@ export function wayOutText({ stick, axis, sign, position }: WayOut, joint: strin
   }
 }
 
-/** A joint's name as it is spoken: `elbow pitch`. */
+/** Joint's name in words: `elbow pitch`. */
 export function spoken(joint: string): string {
   return joint.replaceAll('_', ' ');
 }

@@ -102,7 +102,7 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 def _more_ways(flight: Flight, checking: Checking) -> bool:
     """Find the ways by joints after a straight line that failed; return whether there are any.
 
-    There are none if a berth or a switch caused the failure, because these stop the arm on every way.
+    There are none if a berth or a switch caused the failure, because these stop every motion of the arm.
     """
     start, tried = _start(flight, checking), checking.tried
     assert start is not None, "a rehearsal has a start state"

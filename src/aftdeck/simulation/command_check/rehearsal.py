@@ -45,7 +45,7 @@ class Rehearsal:
         panel.law, panel.rate_hold_sticks, panel.position_hold_target = way.law, None, None
         panel.proceeding, panel.ending = False, ""
         begin(flight, self._copy, target, way.joints)
-        self._copy.worksite.watch.counts[:] = 0  # a rehearsal does not use the nearest pair
+        self._copy.worksite.watch.counts[:] = 0  # a rehearsal needs no minimum clearance
         self._touching = frozenset(self._copy.worksite.logged_contacts)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
         self._last_limit: tuple[int, int, str] = (0, -1, "")

@@ -77,7 +77,7 @@ class PageInputs:
         self._empty_delay()
 
     def _empty_delay(self) -> None:
-        """Clear the command delay, because a run begins or because the next page numbers its sticks anew."""
+        """Clear the command delay, because a run begins or because the next page restarts its stick numbers."""
         self._delayed = deque([-1] * self._delay)
 
     def steer(self, sticks: from_page.Sticks, now: float) -> None:

@@ -66,7 +66,7 @@ function failure(conditions: readonly Condition[], units: Units): string {
   return first ? conditionText(first, units) : '';
 }
 
-/** What the operator does once all conditions are met; empty if the mechanism acts by itself. */
+/** Action of the operator once all conditions hold; empty if the mechanism acts by itself. */
 export function whatNow({ objective }: Pick<Work, 'objective'>, names: Names): string {
   switch (objective?.action) {
     case 'berth':

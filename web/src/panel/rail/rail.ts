@@ -141,7 +141,7 @@ export function rail(
   };
 }
 
-/** What replaces the operator's name while there is no session; null while there is one. */
+/** Text in place of the operator's name while there is no session; null while there is one. */
 function linkWords(link: LinkState): string | null {
   if (link.kind === 'lost') return `No connection, try ${link.attempt}`;
   return link.kind === 'preparing' ? link.text : null;
