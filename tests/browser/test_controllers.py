@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -211,7 +212,7 @@ def test_of_two_pads_the_first_moved_is_the_thc_and_they_are_swapped_on_demand(p
     )
     padded.polled()
     padded.script("window.second.axes = [0, -1, 0, 0]")
-    padded.page.get_by_text("THC: Test pad. Second, so RHC: Other pad. Swap?").wait_for()
+    padded.page.get_by_text(re.compile("Test pad is the THC.*Other pad is the RHC")).wait_for()
     padded.script("window.second.axes = [0, 0, 0, 0]")
     flies = "/^Test pad, Other pad and/.test(document.querySelector('.device').textContent)"
     padded.until(flies)

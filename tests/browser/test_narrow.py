@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from aftdeck.station.session.unattended import CAUSES
 from tests.browser.conftest import NARROW, OpenPage, flown
 from tests.browser.flight import Flight, shows
 from tests.browser.looks import assert_readable, assert_tidy
@@ -151,7 +152,7 @@ def test_a_page_made_too_narrow_gives_the_sticks_up_and_gets_them_back(open_page
     flight.until(FORWARD)
     _resize(flight, PHONE)
     flight.until(f"{WATCHES} && {SAYS_SO} && frame.translation[0] === 0 && frame.position_hold")
-    flight.until_logged("the page that flew is too narrow now")
+    flight.until_logged(CAUSES["page narrow"])
     flight.release("w")
     _resize(flight, TABLET)
     flight.until(FLIES)

@@ -97,7 +97,7 @@ def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPag
     flight.pad_buttons(MENU, SOUTH)
     flight.until_logged("latches of the Payload bay latches opening")
     flight.pad_buttons()
-    flight.until(f"frame.work.cargo[0].seat === '' && {WORDS}.startsWith('Free.')", LATCHES_MS)
+    flight.until(f"frame.work.cargo[0].seat === '' && {WORDS}.startsWith('The payload is free.')", LATCHES_MS)
     flight.pad_buttons(SOUTH)
     flight.until("frame.rate === 'coarse'")
     flight.pad_buttons()
@@ -137,17 +137,17 @@ def test_it_opens_by_itself_once_and_by_its_key_whenever_asked(open_page: OpenPa
 def test_its_keys_light_and_give_way_to_the_pads_drawing(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.press_key("Skip step")
-    flight.until(f"{STEP} === '2 of 6' && !({DRAWN}) && {WORDS}.includes('W into')")
+    flight.until(f"{STEP} === '2 of 6' && !({DRAWN}) && {WORDS}.includes('W moves')")
     flight.hold("a")
     flight.until("document.querySelector('.tutorial kbd.held')?.textContent === 'Aleft'")
     assert flight.script("getComputedStyle(document.querySelector('.tutorial kbd.held')).visibility") == "visible"
     flight.release("a")
     flight.pad_axes(0.0, 0.0, 0.5, 0.0)
-    flight.until(f"{DRAWN} && {WORDS}.includes('L stick ↑ into')")
+    flight.until(f"{DRAWN} && {WORDS}.includes('L stick ↑ moves')")
     flight.pad_axes(0.0, 0.0, 0.0, 0.0)
     flight.press("a")
     flight.hold("a")
-    flight.until(f"!({DRAWN}) && {WORDS}.includes('W into')")
+    flight.until(f"!({DRAWN}) && {WORDS}.includes('W moves')")
     flight.release("a")
 
 
