@@ -127,7 +127,7 @@ def test_where_the_height_does_not_suffice_the_desk_scrolls_and_the_monitors_do_
 def test_a_phone_watches_says_so_and_is_given_no_sticks(open_page: OpenPage) -> None:
     phone = open_page(*PHONE)
     phone.until(f"{WATCHES} && {SAYS_SO} && frame.time_s > 0.5")
-    assert phone.script("document.querySelector('.who').textContent") == "You observe · unattended"
+    assert phone.script("document.querySelector('.who').textContent") == "You watch · unattended"
     assert phone.page.locator(".too-narrow").is_visible()
     for shown in (".monitor .picture", ".clearance .gap-value", ".master", ".lamp", ".rail .met"):
         assert phone.page.locator(shown).first.is_visible(), shown
