@@ -23,8 +23,8 @@ const strip = (name: string, more: Partial<Strip> = {}): Strip => ({
 const CLEARANCE = strip('Clearance', { caution: 0.6, warning: 0.15 });
 const ANGLE = strip('Elbow', { quantity: 'angle', rests: false });
 
-/** What a station tells of some seconds, ten times each, the value being the time. */
-function told(from: number, to: number, more: Partial<Recent> = {}): Recent {
+/** Frames of some seconds, ten each second; each value is the time. */
+function recent(from: number, to: number, more: Partial<Recent> = {}): Recent {
   const count = Math.round((to - from) * 10);
   const samples = Array.from({ length: count }, (_, i) => {
     const time_s = from + i / 10;
@@ -35,13 +35,13 @@ function told(from: number, to: number, more: Partial<Recent> = {}): Recent {
 
 function begun(seconds: number): LastMinutes {
   const made = new LastMinutes();
-  made.take(told(0, seconds, { strips: [CLEARANCE, ANGLE] }));
+  made.take(recent(0, seconds, { strips: [CLEARANCE, ANGLE] }));
   return made;
 }
 
 const line = (time_s: number): LogEvent => ({ time_s, kind: 'mode', level: 'info', text: `${time_s}` });
 
-test('only strips that are chosen have their curves, which end at the newest value', () => {
+test('only selected strips have curves, which end at the newest value', () => {
   const made = begun(20);
   const { strips } = made.over({ from: 10, to: made.now }, ['Clearance'], UNITS);
   const [clearance, angle] = strips;
@@ -51,7 +51,7 @@ test('only strips that are chosen have their curves, which end at the newest val
   expect(angle?.curves[0]?.times_s).toEqual([]);
 });
 
-test('values of a strip are its own, and its range holds them, zero at rest and the caution', () => {
+test('the range of a strip contains its values, zero and the caution', () => {
   const made = begun(20);
   const { strips } = made.over({ from: 0, to: made.now }, ['Clearance', 'Elbow'], UNITS);
   const [clearance, angle] = strips;
@@ -62,10 +62,10 @@ test('values of a strip are its own, and its range holds them, zero at rest and 
   expect(angle?.high).toBeLessThan(-0.9);
 });
 
-test('an hour of flight takes no more memory than the last minutes', () => {
+test('memory is bounded by the last minutes of a run', () => {
   const made = begun(1);
   for (let second = 1; second < 3600; second += 1) {
-    made.take(told(second, second + 1));
+    made.take(recent(second, second + 1));
     made.note([line(second)]);
   }
   const { strips, events } = made.over({ from: 0, to: made.now }, ['Clearance'], UNITS);
@@ -74,30 +74,30 @@ test('an hour of flight takes no more memory than the last minutes', () => {
   expect(made.now).toBeCloseTo(3599.9);
 });
 
-test('the last stretch of a lane goes on until now; what ended before the span is left out', () => {
+test('the last stretch of a lane ends now; earlier stretches are omitted', () => {
   const made = begun(20);
   const stretches = [
     { start_s: 0, end_s: 4, label: 'A', level: 'info' as const },
     { start_s: 4, end_s: 5, label: 'B', level: 'info' as const },
   ];
-  made.take(told(20, 21, { lanes: [{ name: 'MON 1', stretches }] }));
-  made.take(told(21, 22));
+  made.take(recent(20, 21, { lanes: [{ name: 'MON 1', stretches }] }));
+  made.take(recent(21, 22));
   const { lanes } = made.over({ from: 10, to: made.now }, [], UNITS);
   expect(lanes[0]?.stretches).toEqual([{ ...stretches[1], end_s: made.now }]);
 });
 
-test('a flight that begins anew forgets the one before, its log too', () => {
+test('a restart clears curves, lanes and log', () => {
   const made = begun(20);
   made.note([line(5), line(19)]);
   made.note([line(0)]);
-  made.take(told(0, 1, { strips: [CLEARANCE, ANGLE] }));
+  made.take(recent(0, 1, { strips: [CLEARANCE, ANGLE] }));
   expect(made.now).toBeCloseTo(0.9);
   const { strips, events } = made.over({ from: -60, to: made.now }, ['Clearance'], UNITS);
   expect(strips[0]?.curves[0]?.values).toHaveLength(10);
   expect(events.map(({ time_s }) => time_s)).toEqual([0]);
 });
 
-test('a quantity that there is not has no points', () => {
+test('a missing quantity has no points', () => {
   const made = new LastMinutes();
   const samples = [{ time_s: 0, values: [null, 1], worst: '' }];
   made.take({ type: 'recent', strips: [CLEARANCE, ANGLE], samples, lanes: [] });
@@ -117,21 +117,21 @@ test.each([
   expect(to).toBeCloseTo(range[1] ?? NaN, 9);
 });
 
-test('a range is round in the unit that is read', () => {
+test('a range is round in the displayed unit', () => {
   const [, high] = roundRange(0, 0.61, 1 / 0.0254);
   expect(high / 0.0254).toBeCloseTo(25, 9);
 });
 
-test('no time before the run is marked', () => {
+test('the axis has no marks before the start of the run', () => {
   expect(marks({ from: -100, to: 20 })).toEqual([0, 15]);
   expect(marks({ from: -30, to: 0 })).toEqual([]);
 });
 
-test('what is later than figures are shown of is kept back, and comes with its time', () => {
+test('later values are held back until their time', () => {
   const made = begun(20);
   const stretch = { label: 'ORB UNL', level: 'info' } as const;
   const lane = [0, 5, 15].map((start_s) => ({ ...stretch, start_s, end_s: start_s + 5 }));
-  made.take(told(20, 20, { lanes: [{ name: 'Mode', stretches: lane }] }));
+  made.take(recent(20, 20, { lanes: [{ name: 'Mode', stretches: lane }] }));
   made.note([line(4), line(16)]);
   for (const [until, events, stretches] of [
     [12, 1, 2],

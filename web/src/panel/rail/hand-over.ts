@@ -46,8 +46,7 @@ export function handOver(send: (command: Command) => void): HandOver {
       ask.disabled = asking !== 0;
       setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
       if (now - given.at < SEEN_MS) return `${given.from} ▸ ${called(role, flier)}`;
-      if (!flying)
-        return flier === 0 ? 'You watch · unattended' : `You watch · ${called(role, flier)} flies`;
+      if (!flying) return flier === 0 ? 'You watch · unattended' : `You watch · ${called(role, flier)} flies`;
       const watching = watched(role);
       return watching === '' ? 'You fly' : `You fly · ${watching}`;
     },
