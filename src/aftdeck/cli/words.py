@@ -1,4 +1,4 @@
-"""Files of the 1972 report's channels and words: commands write them, and read inputs from them."""
+"""Files of the 1972 report's channels (inputs) and words (outputs), for commands that write them or read inputs."""
 
 from __future__ import annotations
 

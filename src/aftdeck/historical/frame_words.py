@@ -239,7 +239,8 @@ def _plane(words: Sequence[int], k: int) -> WordPlane | None:
 def fixed(value: float, scale: int, name: str) -> int:
     """Return a number at scale Bn as a word, rounded to the nearest step.
 
-    No word can hold 2**n itself (for example, the 1 of a normal at B0). It is written as the greatest number below it.
+    No word can hold 2**n itself (for example, a normal's component of 1 at B0). It is written as the greatest number
+    below it.
 
     Raises:
         InputError: the number is not finite, or is more than half a step outside [-2**n, 2**n].
@@ -257,7 +258,7 @@ def number(word: int, scale: int) -> float:
 
 
 def _bit(bit: int) -> int:
-    """Return a word with one bit set; bit 0 is the first."""
+    """Return a word in which only this bit is 1; bit 0 is the most significant bit."""
     return 1 << (BITS - 1 - bit)
 
 

@@ -49,7 +49,8 @@ class Reading(NamedTuple):
 
     Attributes:
         inputs: settings of the channels of TABLE I.
-        unsaid: names of commands that have no channel. If there are any, a run from the channels may differ.
+        unsaid: names of commands that have no channel. If there are any, a run from the channels may differ from this
+            run.
     """
 
     inputs: OperatorInputs

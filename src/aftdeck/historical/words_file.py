@@ -143,8 +143,8 @@ def read_channels(path: Path, period: float) -> Channels:
         period: control period of the run, and so the sampling period of the file [s].
 
     Raises:
-        InputError: the file cannot be read or has no lines, or a line is not a sample, has another time than its step
-            or a voltage beyond the scale. The message names the line.
+        InputError: the file cannot be read or has no lines, or a line is not a sample, its time is not that of its
+            step, or a voltage is beyond the scale. The message names the line.
     """
     try:
         text = read(path, most=None).text

@@ -116,7 +116,7 @@ def rerun(
 
 
 def _steps_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
-    """Yield inputs and frame of each step in another simulation; a script runs to its own end, not beyond it."""
+    """Yield inputs and frame of each step of the re-run; a script runs until it ends there, sooner or later."""
     inputs: Inputs | None = Inputs()
     old, new = recording.opening.control_period_s, sim.scenario.control_period
     for record in resampled((record for record, _ in recording.steps()), old, new):

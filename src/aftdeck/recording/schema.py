@@ -28,7 +28,7 @@ class FieldInfo(NamedTuple):
     unit: str
     frame: str
     rounded: bool
-    """True if the field is recorded to its decimals, and a rotation in it as a quaternion."""
+    """True if the field is rounded to its declared decimals, and a rotation in it is recorded as a quaternion."""
 
 
 def fields(kind: type) -> Iterator[FieldInfo]:

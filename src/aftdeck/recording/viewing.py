@@ -27,7 +27,7 @@ PERIOD = 0.1
 GRAIN = 2.0**18
 """Increments per metre, radian or unit to which moving values are rounded: short numbers compress well."""
 ROOT, LONGERON, TIP = "scene", "L", "tip"
-"""Names of the coordinate frames without a body."""
+"""Names of the coordinate frames that belong to no body."""
 _STILL: Seven = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 _LEVELS = {"info": fox.LogLevel.Info, "caution": fox.LogLevel.Warning, "warning": fox.LogLevel.Error}
 

@@ -55,7 +55,7 @@ def _state_at(flight: Flight, start: Start) -> State:
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
-    """Re-initialise the run to a start that the scenario gives for this part of the problem."""
+    """Re-initialise the run to the initial conditions that the scenario gives for `part`."""
     parts = flight.scenario.parts
     if part not in parts:
         available = f"this scenario has {', '.join(parts)}" if parts else "this scenario has no such starts"
@@ -75,7 +75,7 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
 
 
 def _set_to_start(flight: Flight, state: State, start: Start) -> None:
-    """Set the arm and the worksite of a new state to a start."""
+    """Set the arm and the worksite of a new state to the initial conditions `start`."""
     site, worksite, scenario = flight.site, state.worksite, flight.scenario
     plant = state.plant
     plant.angles[:], plant.rates[:] = start.angles, start.rates

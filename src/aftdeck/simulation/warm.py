@@ -52,7 +52,7 @@ def warm_up(scenario: Scenario) -> None:
 
 
 def _carry(flight: Flight, state: State) -> None:
-    """Attach the first payload of the scratch copy, slide it along the walls, check its berths, and release it."""
+    """Attach the scratch copy's first payload, slide it along the orbiter's parts, check its berths, and release it."""
     worksite = state.worksite
     worksite.cargo[0].seat = ""
     attach(flight, state, 0)

@@ -75,7 +75,7 @@ LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
 if TYPE_CHECKING:
     FlightLamp = str
 else:
-    FlightLamp = Literal[tuple(LAMPS)]  # closes the set for the page: `station/messages/typescript.py` writes it
+    FlightLamp = Literal[tuple(LAMPS)]  # a type of all names, for `station/messages/typescript.py`
 
 
 class Lamp(msgspec.Struct, frozen=True, gc=False):

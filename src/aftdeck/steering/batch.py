@@ -37,7 +37,7 @@ class Steered(NamedTuple):
 
     Attributes:
         angles: (..., 6) joint angles [rad].
-        position_error: (..., 3) target less tip position, in L [m].
+        position_error: (..., 3) target position minus tip position, in L [m].
         rotation_error: (..., 3) axis of the remaining rotation times the sine of its angle, in L [1].
     """
 
@@ -47,7 +47,7 @@ class Steered(NamedTuple):
 
 
 def pace_of(arm: Arm, period: float, gain: float) -> Array:
-    """Return control period, gain and inverse joint rate limits (8,) of an arm with its servo maxima as limits.
+    """Return an array (8,): control period, gain, and the inverse of each joint's rate limit, its servo maximum.
 
     Raises:
         InputError: a period or gain that does not move the arm, or moves it past the target.

@@ -2,7 +2,8 @@
 
 A step consists of LNKAGE, the remaining error to the target, RMSRAT for a twist proportional to that error, RATLMT
 (rates only), and motion at these rates for one control period. In a block, each field of `LANES` arms is one row, so
-that the processor handles several arms in one instruction. Each arm's result equals its result alone, bit for bit.
+that the processor handles several arms in one instruction. Each arm's result is the same, bit for bit, as if it were
+computed alone.
 Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 """
 

@@ -36,8 +36,8 @@ from aftdeck.steering.layout import (
 CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
 """Limits that act on the joint rates, by the number in a report.
 
-Number 4 occurs in the modes with hard stops, 8 and DIRECT. Number 6 means that no factor of the motion keeps the joint
-acceleration limit, so that the arm stays on the line and exceeds the limit.
+Number 4 occurs in the modes with hard stops, 8 and DIRECT. Number 6: no factor of the motion keeps
+every joint within its acceleration limit; the arm then stays on the line and exceeds the limit.
 """
 BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
@@ -114,7 +114,10 @@ def avclmt(rules: Array, demanded: Twist, present: Twist) -> tuple[Twist, int]:
 def _limited_vector(
     x: float, y: float, z: float, px: float, py: float, pz: float, most: float, change: float, strict: float
 ) -> tuple[float, float, float, int]:
-    """Return a vector of AVCLMT within its maximum length and change per step, and the number of the active limits."""
+    """Return a vector limited in length and change per step, as in AVCLMT, and the active limits.
+
+    The code of the active limits is 0 for none, 1 for the change, 2 for the length, and 3 for both.
+    """
     active = 0
     if strict == 0.0:
         k = _shortening_factor(x, y, z, most)

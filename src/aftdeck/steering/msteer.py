@@ -1,7 +1,8 @@
 """MSTEER: one steering step, from the measured arm and the command to six joint rates.
 
-JSC-12628, subroutine MSTEER: JACOBI, LNKAGE, ERATES, the mode's twist (VOTRAN), AVCLMT, RMSRAT, RATLMT, and
-ERATES times RATIO fed back to the next step's AVCLMT. Unless `strict`, three things are added:
+Source: JSC-12628, subroutine MSTEER. It calls JACOBI, LNKAGE, ERATES, VOTRAN (the mode's twist), AVCLMT, RMSRAT and
+RATLMT. The twist of ERATES, times RATIO, is fed back to AVCLMT in the next step. Unless `strict`, three things are
+added:
 
 - RATLMT's ratio first reduces the mode's demand to rates that the joints can reach, before AVCLMT. AVCLMT then spends
   no acceleration on a speed that the joints cannot reach.
@@ -228,7 +229,7 @@ def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x:
         actual.r4 - commanded.r4, actual.r5 - commanded.r5, actual.r6 - commanded.r6,
     )  # fmt: skip
     more = erates(a, j, beside)
-    if was:  # the commanded twist is the point's already
+    if was:  # the commanded twist is already that of the payload's point
         more = _carried(more, x, y, z)
     t = twist_at(state, TWIST)
     last = Twist(t.wx + more.wx, t.wy + more.wy, t.wz + more.wz, t.vx + more.vx, t.vy + more.vy, t.vz + more.vz)

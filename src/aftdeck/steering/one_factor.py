@@ -158,7 +158,7 @@ def _excess(rules: Array, state: Array, rates: Rates, factor: float) -> tuple[fl
 
 @law
 def _least_excess(rules: Array, state: Array, rates: Rates, most: float) -> float:
-    """Return the factor, at most `most`, that exceeds joint acceleration limits least."""
+    """Return the factor, 0 to `most`, at which the joint accelerations exceed their limits least."""
     low, high = 0.0, most
     for _ in range(SEARCHES):
         third = (high - low) / 3.0

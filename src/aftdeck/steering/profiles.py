@@ -2,7 +2,8 @@
 
 JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` omits. Braking is computed for
 finite steps, so that the last step ends at the target. The two estimates of the remaining time agree at their
-transition. The motion that waits for the other never divides by a remaining time of zero.
+transition. Where one motion is slowed to end with the other, the time that divides its remaining distance is never
+zero.
 """
 
 from __future__ import annotations

@@ -30,14 +30,14 @@ SEARCH_STEP = math.radians(0.5)
 def way_out(
     rules: Array, command: Array, state: Array, singularity: int, joint: int, inward: float, speeds: Array
 ) -> None:
-    """Write the speed at which each stick direction leads away into `speeds` (12,).
+    """Write into `speeds` the speed at which each stick direction leads away from a singularity or a limit.
 
     Args:
         rules: rules of a manual mode.
         command: command whose law is used; its sticks are overwritten.
         state: state of the arm.
         singularity: 0 shoulder, 1 elbow, 2 wrist: `speeds` are the rates of its distance [1/s]; -1 to use `joint`.
-        joint: joint whose rates [rad/s] are written to `speeds`, if `singularity` is -1.
+        joint: joint whose rate in each stick direction [rad/s] is written to `speeds`, if `singularity` is -1.
         inward: +1 or -1: the joint's direction in which `speeds` are positive.
         speeds: (12,) output; a positive value leads away.
     """
@@ -88,7 +88,8 @@ def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, thresho
         threshold: normalised distance beyond which the arm has left the singularity [1].
 
     Returns:
-        The joint, 0 to 5, and +1 or -1; if no joint leads out, the first that changes the distance, and -1.
+        The joint, 0 to 5, and +1 or -1. If no joint leaves the singularity: the first joint that affects its distance,
+        and -1.
     """
     first, last = (1, 3) if singularity == 0 else (2, 2) if singularity == 1 else (4, 4)
     found, which, least = first, -1, math.inf

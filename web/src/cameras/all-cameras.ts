@@ -7,7 +7,7 @@ import type { Scene } from '../scene';
 import type { Rect } from '../scene/drawn';
 import { pairWords, type Survey } from './coverage';
 
-/** Number of pictures for each survey of one camera. */
+/** One camera is surveyed once in this many pictures. */
 const SURVEYED = 3;
 
 /** A monitor's label and cameras. */
@@ -30,7 +30,7 @@ export interface Drawn {
 export class AllCameras {
   private readonly televised: readonly Camera[];
 
-  /** `pace`: number of pictures for each drawing of the plan. */
+  /** `pace`: the plan is drawn once in this many pictures. */
   constructor(
     private readonly matrix: Matrix,
     private readonly scene: Scene,

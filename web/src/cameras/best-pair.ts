@@ -10,7 +10,7 @@ export type Target = (typeof TARGETS)[number];
 export interface Sighting {
   readonly camera: string;
   readonly sees: ReadonlySet<Target>;
-  /** Its lens in the scene [m]. */
+  /** Position of its lens in the scene [m]. */
   readonly lens: Vec3;
   /** Angle by which its picture is turned against the sticks [rad]. */
   readonly turned: number;
@@ -36,9 +36,9 @@ const PURPOSES: readonly (readonly [Target, ...Target[]])[] = [
 const GOOD = (70 * Math.PI) / 180;
 
 /**
- * The best pair among those that see the most important target that any two cameras see: the one with the greatest
- * angle between the lines of sight. Of several with more than `GOOD`, the one whose more turned picture is turned least
- * against the sticks.
+ * The best pair of cameras. Only pairs that both see the same targets count, and of these only the pairs for the most
+ * important targets. The best has the greatest angle between the lines of sight. Of several with more than `GOOD`, it
+ * is the one whose more turned picture is turned least against the sticks.
  *
  * @param at positions of the targets in the scene; null if there is no such target.
  */

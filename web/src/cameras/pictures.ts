@@ -126,7 +126,7 @@ export class Pictures {
     this.scene.cameras.orbit(name, right, upwards, nearer, aside || this.monitors.slow);
   }
 
-  /** Sets the next centre of the engineering views: their start, the tip, the payload, the minimum clearance. */
+  /** Selects the next centre of the engineering views: the initial one, the tip, the payload, the minimum clearance. */
   private turnRound(): void {
     const all = [null, ...TARGETS];
     this.round = all[(all.indexOf(this.round) + 1) % all.length] ?? null;

@@ -9,7 +9,7 @@ const MEANT = 0.5;
 
 export class Capture {
   private before: Reading | null = null;
-  /** A pressed button that changes the uses of others; it is the choice only if it is released without another one. */
+  /** A pressed button that, like Shift, changes the uses of others; chosen only if released before another press. */
   private changer: number | null = null;
 
   constructor(private readonly mapping: Mapping) {}

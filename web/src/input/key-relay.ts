@@ -18,7 +18,7 @@ export type Relayed =
 
 /** Interval of the messages while keys are held [ms]. */
 const HOLDING_MS = 100;
-/** A window without a message for this time releases all keys [ms]; the same time as the station's for sticks. */
+/** Without a message for this time, a window's keys count as released [ms]; the station's time for sticks is the same. */
 const SILENT_MS = 500;
 
 /** Sender in the secondary window. */

@@ -43,7 +43,7 @@ export interface GripAction {
   readonly at: number;
 }
 
-/** Effect of a use: an axis to one side, an action at each press, or a grip as long as it is held. */
+/** What a use does: it deflects an axis to one side, acts once at each press, or acts while it is held (`Grip`). */
 export type Does =
   | { readonly kind: 'axis'; readonly axis: number; readonly sign: 1 | -1 }
   | { readonly kind: 'once'; readonly action: Exclude<Action, GripAction> }

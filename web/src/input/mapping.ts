@@ -22,7 +22,7 @@ export type Kind = (typeof KINDS)[number];
 export interface Mapping {
   /** Part of an axis' travel about its centre that counts as zero. */
   readonly deadband: number;
-  /** 0: straight; 1: the cube. */
+  /** Share of the cubic response to a deflection x: 0 is linear, 1 is x³. */
   readonly expo: number;
   readonly bindings: Readonly<Record<string, string>>;
   /** Rest position of each axis, as the operator has confirmed; absent: 0. */

@@ -84,7 +84,7 @@ export function unbind(mapping: Mapping, use: string): Mapping {
   return { ...mapping, bindings: Object.fromEntries(kept) };
 }
 
-/** Sources of a use: its keys and buttons, and axes, which also have the opposite use. */
+/** Sources of a use: its keys, buttons and axes, and with sign −1 the axes that are bound to the opposite use. */
 export function movers(mapping: Mapping, use: string): readonly Source[] {
   const own = sourcesOf(mapping, use).map((source): Source => ({ source, sign: 1 }));
   const others = wholeAxes(mapping, use)

@@ -12,7 +12,7 @@ import { place } from './placement';
 import type { Drawing } from './quality';
 import { Readouts } from './readouts';
 
-/** Number of pictures for each movement of the bars. */
+/** The bars move once in this many pictures. */
 const BAR_PACE = { full: 1, low: 2 } as const;
 
 export class Station {

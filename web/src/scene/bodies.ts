@@ -128,7 +128,7 @@ export class Body {
   }
 }
 
-/** Yield every shape, with groups expanded, and its pose in the outermost frame. */
+/** Yield every shape as often as it is drawn, with groups expanded, and its pose in the body's frame. */
 function* placed(
   shapes: readonly Shape[],
   frame: Matrix4,

@@ -44,7 +44,7 @@ export class Exposures {
     for (const { exposure } of this.cameras.values()) exposure.renew();
   }
 
-  /** Changes all exposures until the time of the run `time` [s]; `base` is that at which the light condition begins. */
+  /** Changes all exposures up to the run's time `time` [s]; `base`: exposure at which the light condition begins. */
   follow(time: number, base: number, locked: Lighting['locked']): void {
     const seen = this.meter.collect();
     if (seen) this.cameras.get(seen.camera)?.exposure.meter(metered(seen.lights));

@@ -21,7 +21,7 @@ const WIDTH = 2;
 const EDGE = 1.5;
 /** Greatest distance between a closest point and its body [m]. */
 const NEAR = 0.3;
-/** Sides of the plane [m]. */
+/** Least and greatest side length of the separating plane [m]. */
 const LEAST = 0.6;
 const GREATEST = 6;
 

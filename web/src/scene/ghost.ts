@@ -56,7 +56,7 @@ const fragmentShader = /* glsl */ `
 export class Ghost {
   private readonly fill = new ShaderMaterial({
     defines: { FILL, RIM },
-    // It is no light: what is shown is the colour itself.
+    // Not lit and not converted: exactly this colour is shown.
     uniforms: { colour: { value: new Color().setStyle(BLUE, LinearSRGBColorSpace) }, shown: { value: 0 } },
     vertexShader,
     fragmentShader,

@@ -16,7 +16,7 @@ import { rendererFor } from './renderer';
 import { Sight } from './sight';
 import { Television } from './television';
 
-/** Numbers for each body in `Frame.poses`. */
+/** Number of values for each body in `Frame.poses`. */
 const POSE = 7;
 /** Colour between the pictures, as the page's background. */
 const MARGIN = '#0c0d0e';
@@ -126,7 +126,7 @@ export class Scene {
     this.gap.set(gap, colour, plane);
   }
 
-  /** Shows the look-ahead's poses of `Welcome.ghost`; null hides them. */
+  /** Shows the bodies of `Welcome.ghost` at the poses of the look-ahead; null hides them. */
   setGhost(poses: readonly number[] | null): void {
     this.ghost.set(poses, performance.now());
   }

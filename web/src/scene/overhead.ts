@@ -3,7 +3,7 @@ import { OrthographicCamera } from 'three';
 /** Height from which the plan is drawn [m]. */
 const HEIGHT = 150;
 
-/** Part of the scene that the plan shows [m]: x aft to the right, y to starboard upwards, from the lower left corner. */
+/** Part of the scene that the plan shows [m], from its lower left corner; x: aft, to the right; y: starboard, upwards. */
 export interface Extent {
   readonly x: number;
   readonly y: number;

@@ -170,7 +170,7 @@ function part(sweep: number, radius: number, quality: Quality): number {
   return Math.max(4, Math.ceil((sides(radius, quality) * sweep) / TURN));
 }
 
-/** Return the edges of an angular profile as strips. */
+/** Return one strip for each edge of an angular profile, so that the corners stay sharp. */
 function edges(corners: Strip): Strip[] {
   return corners.slice(1).map((corner, i) => [corners[i] ?? corner, corner]);
 }

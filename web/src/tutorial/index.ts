@@ -27,7 +27,7 @@ const LOOKS: ReadonlySet<Action['name']> = new Set([
 ]);
 
 export class Tutorial {
-  /** Key for the rail: loads the tutorial's scenario, or opens and closes the guide in it. */
+  /** Button in the rail: loads the tutorial's scenario, or opens and closes the guide in it. */
   readonly key: HTMLButtonElement;
   private readonly card: Card;
   private readonly ended = new AbortController();

@@ -61,7 +61,7 @@ export class LastMinutes {
     return this.newest?.time_s ?? 0;
   }
 
-  /** Every strip that there can be, its curves without a point. */
+  /** All strips of the scenario, with empty curves. */
   get blank(): readonly Strip[] {
     return this.strips;
   }

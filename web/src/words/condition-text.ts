@@ -11,7 +11,7 @@ const MOST_FIGURES = 9;
 /** Decimals of a number with fewer figures. */
 const DECIMALS = 3;
 
-/** `palm 4.04 ft above the bar, 0 to 0.75 in allowed` as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */
+/** The text of a condition in these units, such as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */
 export function conditionText(condition: Condition, units: Units): string {
   const { words, holds } = condition;
   for (let figures = FIGURES; ; figures += 1) {

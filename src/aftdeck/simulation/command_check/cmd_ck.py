@@ -116,9 +116,9 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
 
 
 def _verdict(checking: Checking) -> Check:
-    """Return GOOD for the quickest good way of the chosen law, else FAIL with the reason of the first way.
+    """Return GOOD for the quickest motion by the chosen law that passed, else FAIL with the first motion's reason.
 
-    The text of a FAIL names a good way by joints, if there is one.
+    The text of a FAIL names a motion in mode 1 (by joints) that passed, if there is one.
     """
     first = checking.tried[0]
     good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)

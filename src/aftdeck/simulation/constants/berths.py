@@ -83,7 +83,7 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
 
 
 def _guide(seat: Seat, name: str, point: Array) -> Guide:
-    """Return the V-guide of a trunnion; the keel's V funnels across the bay, every other V along it."""
+    """Return the V-guide of a trunnion; the keel's V centres it across the bay, all other Vs along the bay."""
     guides = seat.guides
     assert guides is not None, "the berth has guides"
     x, y, z = point.tolist()

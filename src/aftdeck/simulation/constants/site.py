@@ -39,8 +39,9 @@ class Meeting:
         group: index of the pair in the layout.
         cargo: index of the payload that one of the parts belongs to.
         relation: relative position in which the two parts may touch.
-        depth: permitted depth of the contact, and permitted distance past the planes of the relation [m].
-        trunnions: index of the payload's trunnion for each of its solids in the layout; empty for other fittings.
+        depth: permitted depth of the contact, and permitted distance past its plane, such as the face of a port [m].
+        trunnions: for each solid (index in the layout) of the payload's trunnions, the index of the trunnion; empty if
+            the relation is not "guides".
     """
 
     group: int
@@ -235,7 +236,7 @@ def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> t
 
 
 def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
-    """Return, for each trunnion solid of a payload, the index of the trunnion whose latched point is nearest."""
+    """Return, for each solid of a payload's trunnions, the index of the trunnion whose latch point is nearest."""
     solids = np.flatnonzero(layout.frame == layout.frames.index(payload.name))
     part = part_of(payload.name, "trunnions")
     own = [solid for solid, made in zip(solids.tolist(), payload.solids, strict=True) if made.part == part]

@@ -80,7 +80,8 @@ def _best(state: State, cause: str, speeds: np.ndarray) -> WayOut | None:
     """Return the stick direction that leads away fastest, or the previous one while it is nearly as fast.
 
     Returns:
-        The escape, also stored in the advice for its cause; None if no stick leads away fast enough.
+        The escape; its direction is also stored in `panel.advice` under `cause`. None if no stick leads away fast
+        enough.
     """
     advice = state.panel.advice
     best = int(speeds.argmax())

@@ -56,7 +56,8 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     held: bool
     """Whether the prediction uses the present stick command.
 
-    False under BRAKES or SAFING, and if the sticks are centred; one axis may then be deflected fully instead.
+    False under BRAKES or SAFING, and if the sticks are centred. In the last case, the prediction may assume full
+    deflection of one axis (`last`).
     """
     moves: bool
     """Whether the arm's pose at that time differs from the present one."""

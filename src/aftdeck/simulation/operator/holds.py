@@ -43,7 +43,7 @@ def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[floa
 
 
 def hold_position(flight: Flight, state: State) -> None:
-    """Keep the pose in which the arm came to rest, by mode 2, while the sticks are centred in a manual mode (POHS)."""
+    """While the sticks are centred in a manual mode, hold by mode 2 the pose in which the arm came to rest (POHS)."""
     panel = state.panel
     off = not panel.position_hold or MODES[panel.mode].kind != "manual"
     if off or state.command[STICKS : STICKS + 6].any():

@@ -71,7 +71,7 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
 
 
 def end_if_time_is_up(flight: Flight, state: State) -> None:
-    """End a script whose time runs out with this step; it is completed if its last phase ends at the same time."""
+    """End the script if the scenario's duration ends with this step: completed if its last phase ends then."""
     script, scenario = state.script, flight.scenario
     if script.ended or state.tick < scenario.ticks:
         return

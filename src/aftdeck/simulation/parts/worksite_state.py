@@ -42,7 +42,7 @@ class PayloadState(StatePart):
     offset_at_fixing: list[float] = msgspec.field(default_factory=list)
     """Its pose relative to its final pose in the berth, at the time when the berth fixed it."""
     offset_in_seat: list[float] = msgspec.field(default_factory=list)
-    """Present value of that pose, while the latches draw it in."""
+    """Its present pose relative to its final pose in the berth, while the latches draw the payload in."""
     released_from: str = ""
     """Berth that just released it; a port then docks it again only after it has left, or on LATCH."""
     unlatch_asked_at: int = 0
@@ -130,7 +130,7 @@ class WorksiteState(StatePart):
                 return not any(payload.seat for payload in self._addressed)
 
     def update_attachments(self, site: Site) -> None:
-        """Update the held payload, the carrier of each payload, the monitored pairs, and those moving with the arm."""
+        """Update the held payload, the payloads' carriers, the monitored pairs, and those with a part on the arm."""
         self.held = next((k for k, payload in enumerate(self.cargo) if payload.held), None)
         self.arm_fixed = self.held is not None and self.cargo[self.held].seat != ""
         for k in range(len(self.cargo)):

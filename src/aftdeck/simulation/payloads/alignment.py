@@ -1,9 +1,9 @@
 """Pairs that count for CLEARANCE: all monitored pairs except those that touch, or will touch, as the task needs it.
 
-Otherwise every capture, docking and berthing would raise an alarm. Only the conditions of capture apply to a payload
-with which the end effector is aligned. A probe or trunnions are aligned if a straight motion over the remaining way
-would make them touch inside their relation (`payloads.relations`). Their contacts are still monitored, and a contact
-that inhibits the arm counts.
+Otherwise every capture, docking and berthing would raise an alarm. If the end effector is aligned with a payload, their
+clearance does not count; only the conditions of capture apply. A probe or trunnions are aligned if a straight motion
+over the remaining distance would bring them into contact in the relative position that their relation permits
+(`payloads.relations`). Their contacts are still monitored, and a contact that inhibits the arm counts.
 """
 
 from __future__ import annotations
@@ -98,7 +98,8 @@ def _outside_relation(
 ) -> Iterator[int]:
     """Yield the pairs of the task that touch, or would touch, where their relation does not permit a contact.
 
-    Pairs that are too far apart for the minimum clearance are yielded as well. Arguments as for `alarm_pairs`.
+    Pairs too far apart to be aligned, or to have the minimum clearance, are also yielded. Arguments as for
+    `alarm_pairs`.
     """
     known: dict[tuple[int, Relation], bool] = {}
     farthest = NEAR  # parts farther apart are not aligned
@@ -124,10 +125,11 @@ def _outside_relation(
 
 
 def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
-    """Return whether the two parts would touch inside their relation after a straight approach to each other.
+    """Return whether two parts would touch, after a straight approach, in the position that their relation permits.
 
-    If the minimum clearance was of this payload and relation (`reported`), the parts have to touch inside by the
-    relation's depth, so that the lamp does not flicker. The caller finds alignment of the end effector.
+    If the minimum clearance was of this payload and relation (`reported`), they have to touch inside the relation's
+    tolerances by the permitted depth, so that the lamp does not flicker. The caller finds alignment of the end
+    effector.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if reported else 0.0

@@ -104,8 +104,8 @@ def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) ->
 def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
     """Draw the pin towards its seat, from the next step on; return False if that would make or deepen a contact.
 
-    A fixed payload does not move (assumed: the arm yields). The carriage's travel during that time is not made up
-    later, so that the payload does not jump when it is unlatched.
+    A payload that is fixed to a berth does not move (assumed: a real arm would give way). The carriage's
+    travel during that time is not made up later, so that the payload does not jump when it is unlatched.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]

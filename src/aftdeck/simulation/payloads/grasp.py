@@ -35,7 +35,7 @@ def attach(flight: Flight, state: State, k: int) -> None:
 def reset_grasp(flight: Flight, state: State, k: int) -> None:
     """Set the grasp of a held payload, and the steering with the payload, to the present pose.
 
-    From this pose the carriage draws in the remaining misalignment.
+    From this pose on, the carriage reduces the remaining misalignment to zero while it draws the payload in.
     """
     payload = state.worksite.cargo[k]
     payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()

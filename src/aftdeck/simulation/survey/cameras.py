@@ -30,7 +30,7 @@ _LITTLE = 0.1
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
-    """Yield a problem for each camera inside a part, once for each part, with the pose."""
+    """Yield one problem for each camera and each part that it is inside, with the first such pose."""
     television = [camera for camera in cameras_of(scenario) if camera.kind == "camera"]
     yield from _on_the_arm(scenario, television)
     yield from _round_the_arm(scenario, television)

@@ -127,7 +127,7 @@ def blank(scenario: Scenario) -> tuple[Strip, ...]:
 
 
 def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> Strip:
-    """Return a strip of these curves, whose range includes all of `ends`."""
+    """Return a strip of these curves; its range is from the least to the greatest value in `ends`."""
     ends = tuple(ends)
     return Strip(
         source.name,

@@ -49,7 +49,7 @@ class Taken(NamedTuple):
     delayed: deque[int]
 
     def flown(self) -> int:
-        """Append the sticks' number to the command delay; return the number that leaves it, -1 if no page sent it."""
+        """Put the newest sticks' sequence number into the delay queue; return the oldest, -1 if no page sent those."""
         self.delayed.append(self.sticks.seq)
         return self.delayed.popleft()
 
@@ -77,7 +77,7 @@ class PageInputs:
         self._empty_delay()
 
     def _empty_delay(self) -> None:
-        """Clear the command delay, because a run begins or because the next page restarts its stick numbers."""
+        """Reset the queue of delayed stick numbers, because a run begins or the next page restarts its numbers."""
         self._delayed = deque([-1] * self._delay)
 
     def steer(self, sticks: from_page.Sticks, now: float) -> None:

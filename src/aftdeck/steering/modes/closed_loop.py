@@ -36,7 +36,7 @@ from aftdeck.steering.profiles import vclose
 from aftdeck.steering.views import twist_at
 
 SLOW = 1.5
-"""Speed up to which the arm counts as at rest in the end sphere, in steps of its acceleration [1]."""
+"""In the end sphere, the arm counts as at rest up to this multiple of its speed gain in one control period [1]."""
 
 
 @law

@@ -21,7 +21,7 @@ from aftdeck.steering.ramp import ramped, rate_towards
 from aftdeck.steering.views import rates_at
 
 THERE = 1e-9
-"""Distance from the master's angle up to which a joint at rest has arrived [rad]."""
+"""A joint has arrived if its distance from its target angle, and its motion in one step, are at most this [rad]."""
 
 
 @law

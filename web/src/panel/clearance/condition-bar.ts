@@ -22,7 +22,7 @@ export class ConditionBars {
     return Math.min(1, Math.max(0, 0.5 - 0.5 * this.margin(condition)));
   }
 
-  /** The margin as a part of the condition's scale; a value that cannot be measured never holds. */
+  /** The margin as a fraction of the condition's scale; −1 (does not hold) if its value cannot be measured. */
   private margin({ name, unit, margin }: Condition): number {
     if (!Number.isFinite(margin)) return -1;
     return margin / (this.bounds.get(name) || SCALES[unit] || 1);

@@ -46,7 +46,7 @@ const FLYING: readonly Row[] = [
   [['light', 'lock exposure'], 'sun and lamps; lock the exposure'],
 ];
 
-/** The same for the equipment of this arm. */
+/** Uses, and their effects, for this arm's equipment and the rest of the panel. */
 export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): readonly Row[] {
   const prong: readonly Row[] = [
     [['close'], 'held 0.3 s: the prong closes'],

@@ -11,7 +11,7 @@ export const OPEN_S = 1;
 /** One kind of end effector. */
 export interface Hand {
   readonly element: HTMLElement;
-  /** Buttons to hold to close and to open it. */
+  /** Buttons that close it and open it; each acts after it was held for a time. */
   readonly close: HoldButton;
   readonly open: HoldButton;
   /** Whether it moves; a press of either button then stops it at once. */

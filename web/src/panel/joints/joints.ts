@@ -1,4 +1,4 @@
-/** Joint angles between their limits, and joint rates as parts of theirs. */
+/** Joint angles between their limits, and joint rates as fractions of their limits. */
 
 import type { Limit } from '../../link/protocol';
 import { degrees } from '../../words/format';

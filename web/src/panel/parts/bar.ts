@@ -1,4 +1,4 @@
-/** A rate as a part of its limit, −1 to 1: commanded as a hollow mark above, actual as a bar from the middle below. */
+/** A rate as a fraction of its limit, −1 to 1: commanded as a mark; below it, actual as a bar from the middle. */
 
 import { clamp } from '../../basics/clamp';
 import { setAttribute, svg } from './dom';

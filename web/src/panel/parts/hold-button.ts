@@ -14,7 +14,7 @@ export interface HoldButton {
   tick(): void;
 }
 
-/** `grip`: the use whose key does the same; `begins`: whether holding the button has an effect now. */
+/** `grip`: the use whose key has the effect of this button; `begins`: whether holding the button has an effect now. */
 export function holdButton(
   label: string,
   grip: Grip,

@@ -2,7 +2,7 @@
 
 import type { SpineLamp } from '../spine/lamps';
 
-/** A station without a message for this time is silent [s]. */
+/** A station that sends no message for this time is silent [s]. */
 const SILENT_S = 0.5;
 
 /** Normal time of an answer beyond the set delay: some control periods and the transmission [s]. */
@@ -47,7 +47,7 @@ export function delayWords(delays: Delays): { readonly label: string; readonly t
   return { label: MANY, text: `${each.join(' · ')} s` };
 }
 
-/** Whether the words need more room than one delay that equals its set value. */
+/** Whether the text is longer than that of a single delay whose measured value equals its set value. */
 export function areLong(delays: Delays): boolean {
   return (
     NAMES.filter((name) => delays[name].set > 0).length > 1 ||

@@ -34,7 +34,7 @@ export interface RailParts {
   readonly naming: Naming;
   /** Opens and closes the tutorial. */
   readonly tutorial: HTMLElement;
-  /** The observer's key to ask for control. */
+  /** The observer's button that asks for control. */
   readonly ask: HTMLElement;
 }
 

@@ -10,7 +10,7 @@ const RANK = { info: 0, caution: 1, warning: 2 } as const;
 
 export interface SpineListener {
   acknowledged(): void;
-  /** A lamp was pressed, by its name. */
+  /** A lamp was pressed; `lamp` is its name. */
   pressed(lamp: LampName): void;
 }
 

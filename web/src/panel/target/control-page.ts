@@ -1,7 +1,7 @@
 /**
- * The page PDRS CONTROL over the monitors, modelled on SPEC 94: the target, the stored points, the switches of position
- * hold and of ORB LD, and the payload table. Items have the numbers of SPEC 94; items without a function here are
- * omitted.
+ * The page PDRS CONTROL over the monitors, modelled on the Shuttle's display SPEC 94: the target, the stored points,
+ * the switches of position hold and of ORB LD, and the payload table. Items have the numbers of SPEC 94; items without a
+ * function here are omitted.
  */
 
 import { keyOf } from '../../input/layout';

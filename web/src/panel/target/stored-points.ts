@@ -1,4 +1,4 @@
-/** AUTO MODES of SPEC 94: the points stored for AUTO 1-4, with the next and the last one. */
+/** AUTO MODES of SPEC 94: the points stored for AUTO 1-4, and the numbers of the next and the last point. */
 
 import type { Frame, StoredPoint, StoredSequence } from '../../link/protocol';
 import { attitude, fixed } from '../../words/format';
