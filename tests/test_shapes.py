@@ -50,7 +50,7 @@ def leaves(shapes: tuple[Shape, ...]) -> Iterator[Shape]:
         ),
         (
             'kind = "loft", material = "metal", sections = [{ ' + SECTION + " }, { " + SECTION + " }]",
-            "the loft's sections have to be listed in order of growing x",
+            "the loft's sections have to be listed in order of increasing x",
         ),
         (
             'kind = "loft", material = "metal", sections = [{ ' + SECTION.replace("width = 1", "width = 0") + " }]",
@@ -112,7 +112,7 @@ def test_a_shape_that_cannot_be_drawn_is_refused_with_its_place(tmp_path: Path, 
 def test_an_arm_without_all_its_frames_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "short.toml"
     file.write_text('camera = []\n[[body]]\nname = "arm.base"\nshapes = []\n')
-    with pytest.raises(ScenarioError, match=r"the frames are arm\.base; they have to be, in order, arm\.base, arm"):
+    with pytest.raises(ScenarioError, match=r"the frames have to be, in order, arm\.base, arm"):
         shapes_of(replace(load_model("srms"), shapes=read(file)))
 
 

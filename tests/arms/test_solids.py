@@ -174,9 +174,13 @@ def test_inside_the_soft_limits_the_booms_the_stub_and_the_housings_keep_clear_o
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('frame = "arm.base"', 'frame = "arm.foot"', "bodies[0].frame: 'arm.foot' is no frame of the arm; there are"),
+        (
+            'frame = "arm.base"',
+            'frame = "arm.foot"',
+            "bodies[0].frame: 'arm.foot' is not a frame of the arm; there are",
+        ),
         ("radius = 0.27", "radius = 0.0", "bodies[0]: the radius is 0; it has to be above 0"),
-        ("sides = 6", "sides = 7", "bodies[0]: the prism has 7 sides; an even number, 4 or more, is allowed"),
+        ("sides = 6", "sides = 7", "bodies[0]: the prism has 7 sides; it has to be an even number, at least 4"),
         ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.0, 0.12]", "bodies[1]: shoulder base: "),
         ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.34, -0.12]", "bodies[1]: shoulder base: "),
         ('kind = "box"', 'kind = "ball"', "bodies[1]"),

@@ -71,13 +71,15 @@ def test_a_camera_that_starts_outside_of_its_drives_ranges_is_refused() -> None:
     cameras, problems = cameras_of([listed("unit"), listed("unit", (1.0, -1.0, 0.0)), listed("other")], [UNIT])
     assert [setting(one).pan for one in cameras] == [0.0]
     assert problems == [
-        Problem(("camera", 1), "camera T starts with a pan of 0.7854 rad; its drive 'unit' goes from -0.5 to 0.5"),
-        Problem(("camera", 2), "camera T's drive 'other' is not listed; there are: unit"),
+        Problem(
+            ("camera", 1), "camera T starts with a pan of 0.7854 rad; the range of drive 'unit' is -0.5 to 0.5 rad"
+        ),
+        Problem(("camera", 2), "camera T: no drive 'other'; there are: unit"),
     ]
 
 
 def test_a_drive_without_a_way_to_go_is_refused() -> None:
-    with pytest.raises(ValueError, match="least is 1 and greatest 1; least has to be less"):
+    with pytest.raises(ValueError, match="least is 1 and greatest is 1; least has to be less"):
         TravelFile(Angle(1.0), Angle(1.0), AngularRate(0.1))
     with pytest.raises(ValueError, match="rate is 0; it has to be above 0"):
         TravelFile(Angle(0.0), Angle(1.0), AngularRate(0.0))

@@ -29,15 +29,15 @@ FAULTS = {
     "doubled vertex": (changed(6, [0.5, 0.5, 0.5]), "vertex 8 at .* is 0 m from vertex 6"),
     "too small": (CUBE * 1e-7, "vertex 2 at .* 1e-07 m from vertex 1"),
     "no volume": (CUBE * [1.0, 1.0, 0.0], "vertex 2 at .* 0 m from vertex 1"),
-    "sheared flat": (CUBE @ [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, 0.4, 0.0]], "vertex .* lies in one plane with"),
-    "bent faces": (changed(8, [0.6, 0.6, 0.6]), "vertex 8 at .* stands 0.1 m off .*d, e, f"),
-    "hardly bent face": (changed(3, [0.5, -0.5, -0.5 + 1e-7]), "vertex 3 at .* stands 1e-07 m off"),
+    "sheared flat": (CUBE @ [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, 0.4, 0.0]], "vertex .* is in one plane with"),
+    "bent faces": (changed(8, [0.6, 0.6, 0.6]), "vertex 8 at .* is 0.1 m off .*d, e, f"),
+    "hardly bent face": (changed(3, [0.5, -0.5, -0.5 + 1e-7]), "vertex 3 at .* is 1e-07 m off"),
     "dented": (changed(8, [-0.25, -0.25, -0.25]), "vertex 8 at .* is dented in"),
     "flat edge": (changed(8, [0.5, 0.5, -0.5 + 2e-6]), "vertex 8 at .* off the plane"),
     "mirror image": (CUBE * [-1.0, 1.0, 1.0], "vertex 2 at .* mirror image"),
     "two vertices exchanged": (CUBE[[1, 0, 2, 3, 4, 5, 6, 7]], "vertex 1 at .* numbered wrongly"),
     "numbered round its faces": (CUBE[[0, 1, 3, 2, 4, 5, 7, 6]], "vertex"),
-    "too thin": (CUBE * [10.0, 10.0, 2e-6], "vertex .* at .* stands 2e-06 m inside the plane of face [cd]"),
+    "too thin": (CUBE * [10.0, 10.0, 2e-6], "vertex .* at .* is 2e-06 m inside the plane of face [cd]"),
 }
 
 

@@ -140,7 +140,7 @@ def test_a_prisms_flat_stands_where_it_is_turned_to() -> None:
         ({"length": math.inf}, "length is inf"),
         ({"sweep": 7.0}, "sweep is 7"),
         ({"start": math.nan}, "start is nan"),
-        ({"count": 7}, "7 hexahedra"),
+        ({"count": 7}, "count is 7"),
         ({"axis": "w"}, "axis is 'w'"),
     ],
 )

@@ -88,7 +88,7 @@ def test_the_rates_are_those_of_the_reports_equations_in_frame_5_nearer_than_the
 
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
 def test_a_singular_pose_is_refused_by_name(arm: aftdeck.Arm, kind: str) -> None:
-    with pytest.raises(SingularityError, match=f"stands at its {kind} singularity") as caught:
+    with pytest.raises(SingularityError, match=f"is at its {kind} singularity") as caught:
         arm.joint_rates(singular_poses(arm)[kind], np.ones(6))
     assert caught.value.singularity == kind
     assert abs(caught.value.distance) < 1e-7
@@ -124,5 +124,5 @@ def test_leading_dimensions_that_do_not_go_together_are_refused(arm: aftdeck.Arm
 
 
 def test_an_unknown_way_with_singular_poses_is_refused(arm: aftdeck.Arm) -> None:
-    with pytest.raises(InputError, match="singular is 'raise' or 'mask', got 'ignore'"):
+    with pytest.raises(InputError, match="singular: expected 'raise' or 'mask', got 'ignore'"):
         arm.joint_rates(AWAY, np.zeros(6), singular="ignore")  # type: ignore[arg-type]

@@ -28,11 +28,13 @@ def made(extra: str = "", tables: str = "") -> Scenario:
 
 @pytest.mark.parametrize("mode", ["ORB LD", "PL"])
 def test_a_flight_does_not_begin_in_a_mode_that_moves_a_payload_which_only_lies_there(mode: str) -> None:
-    with pytest.raises(ScenarioError, match=f"mode: {mode} moves a payload, and none is in the grasp: give initial"):
+    with pytest.raises(
+        ScenarioError, match=f"mode: {mode} moves a payload, and no payload is in the grasp: give initial"
+    ):
         made(f'mode = "{mode}"')
 
 
 def test_a_payload_that_stays_in_the_grasp_and_cargo_that_is_taken_and_let_go_exclude_each_other() -> None:
-    with pytest.raises(ScenarioError, match=r"payload: stays in the grasp for good; where there is a \[\[cargo\]\]"):
+    with pytest.raises(ScenarioError, match=r"payload: is never released: in a scenario with \[\[cargo\]\]"):
         made(tables='[payload]\nmass = "100 lb"\nposition = [0, 0, 1]')
     assert made().payload is None

@@ -51,10 +51,10 @@ def test_a_place_without_lamps_has_no_switches() -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ('condition = "noon"', "no condition of light 'noon': there are high sun, low sun, night, terminator"),
+        ('condition = "noon"', "no light condition 'noon': there are high sun, low sun, night, terminator"),
         (
             'lamps = ["bow"]',
-            "light.lamps[0]: no lamps 'bow': there are fwd floods, mid floods, aft floods, end effector",
+            "light.lamps[0]: no lamp switch 'bow': there are fwd floods, mid floods, aft floods, end effector",
         ),
         ("condition = 3", "light.condition: Expected `str`"),
         ('lamps = "end effector"', "light.lamps: Expected `array`"),
@@ -70,7 +70,7 @@ def test_what_is_wrong_is_said_with_its_place_and_what_there_is(text: str, said:
 
 
 def test_at_a_place_without_lamps_a_lamp_is_said_to_be_none_of_its() -> None:
-    with pytest.raises(ScenarioError, match="no lamps 'end effector': this place has none"):
+    with pytest.raises(ScenarioError, match="no lamp switch 'end effector': this scenario has none"):
         text = '[initial]\njoints = [0, 1, -1, 0, 0, 0]\n[light]\nlamps = ["end effector"]'
         parse_scenario(f'title = "t"\narm = "concept-1972"\nworksite = "space"\n{text}', "a", "a.toml", Path())
 

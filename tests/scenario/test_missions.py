@@ -306,10 +306,10 @@ def test_a_target_by_seat_needs_something_in_the_grasp() -> None:
     [
         ('{ cargo = "box" }', "phase[0].target.cargo: no cargo 'box': there is payload"),
         ('{ seat = "dock" }', "phase[0].target.seat: no seat 'dock': there is port, bay"),
-        ('{ seat = "bay", cargo = "payload" }', "phase[0].target: give cargo or seat, with above"),
-        ('{ seat = "bay", roll = "1 deg" }', "phase[0].target: give cargo or seat, with above"),
-        ('{ above = "1 ft" }', "phase[0].target: above and offset go with cargo or seat"),
-        ('{ joints = [0, 1, -1, 0, 0, 0], above = "1 ft" }', "phase[0].target: above and offset go with"),
+        ('{ seat = "bay", cargo = "payload" }', "phase[0].target: give either cargo or seat, with above"),
+        ('{ seat = "bay", roll = "1 deg" }', "phase[0].target: give either cargo or seat, with above"),
+        ('{ above = "1 ft" }', "phase[0].target: above and offset are allowed only with cargo or seat"),
+        ('{ joints = [0, 1, -1, 0, 0, 0], above = "1 ft" }', "phase[0].target: above and offset are allowed only with"),
     ],
 )
 def test_a_target_by_what_is_not_there_is_refused(goal: str, message: str) -> None:
@@ -342,7 +342,7 @@ def test_a_start_is_given_by_a_payload_a_seat_or_a_body() -> None:
 
 
 def test_a_start_at_a_seat_needs_something_held() -> None:
-    with pytest.raises(ScenarioError, match=r"initial.pose: .* seat"):
+    with pytest.raises(ScenarioError, match=r"initial.pose: .* berth"):
         made(CONCEPT.replace(AT_START, 'pose = { seat = "port" }'))
 
 
