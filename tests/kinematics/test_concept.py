@@ -212,7 +212,7 @@ def test_a_singular_wrist_is_refused_where_it_is_among_the_solutions_and_not_whe
     q = np.radians([20.0, 60.0, -60.0, 0.0, -30.0, 0.0])
     pose = concept.forward(q)
     assert concept.inverse(pose) == pytest.approx(q[None, :], abs=1e-9)
-    with pytest.raises(SingularityError, match=r"wrist pitch joint is at \+-90 deg") as caught:
+    with pytest.raises(SingularityError, match=r"wrist pitch joint stands at \+-90 deg") as caught:
         concept.inverse(pose, limits=False)
     assert caught.value.singularity == "wrist"
 

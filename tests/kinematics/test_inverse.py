@@ -204,7 +204,7 @@ def test_a_pose_outside_the_stops_names_the_joint_and_the_figure_of_the_nearest_
 
 @pytest.mark.parametrize("yaw", [90.0, -90.0])
 def test_a_wrist_yaw_of_90_deg_is_named_as_the_wrist_singularity(arm: aftdeck.Arm, yaw: float) -> None:
-    with pytest.raises(SingularityError, match=r"wrist yaw joint is at \+-90 deg") as caught:
+    with pytest.raises(SingularityError, match=r"wrist yaw joint stands at \+-90 deg") as caught:
         arm.inverse(arm.forward(np.radians([20, 60, -80, 30, yaw, 15])))
     assert caught.value.singularity == "wrist"
     assert abs(caught.value.distance) < 1e-9
@@ -256,8 +256,8 @@ MIRROR = np.diag([1.0, 1.0, -1.0])
             None,
             "a pose: expected a position (3,) and a rotation (3, 3), got (3,) and (9,)",
         ),
-        (Pose(np.zeros(3), 2 * np.eye(3)), None, "R R^T differs from the unit matrix by 3"),
-        (Pose(np.zeros(3), MIRROR), None, "the rotation includes a reflection: its determinant is -1 and has to be +1"),
+        (Pose(np.zeros(3), 2 * np.eye(3)), None, "R R^T is off by 3"),
+        (Pose(np.zeros(3), MIRROR), None, "the rotation is a mirror image: its determinant is -1, +1 is allowed"),
         (Pose(np.full(3, math.nan), np.eye(3)), None, "a position: expected finite numbers"),
         (Pose(np.zeros(3), np.full((3, 3), math.inf)), None, "a rotation: expected finite numbers"),
         (Pose(np.full(3, 5.0), np.eye(3)), np.zeros(5), "near: expected shape (6,), got (5,)"),

@@ -173,9 +173,8 @@ class Arm:
                 of the nearest branch.
         """
         packed = _packed(pose)
-        reference = (
-            np.zeros(6) if near is None else np.array(_converted(near, "near"))
-        )  # the same array type in every call
+        # a copy, so that the law gets the same array type in every call
+        reference = np.zeros(6) if near is None else np.array(_converted(near, "near"))
         if reference.shape != (6,):
             raise InputError(f"near: expected shape (6,), got {reference.shape}")
         rows = np.empty((BRANCHES, 6))
@@ -238,30 +237,35 @@ class Arm:
         )
 
     def _unsolved(self, found: Solved, pose: Pose, near: Array) -> InputError | SingularityError | UnreachableError:
-        """Return the error for a pose for which `inverse` finds no joint angles."""
+        """Return the error for a pose for which `inverse` finds no joint angles.
+
+        CMD CK and the log record the text of these errors: a change of a text changes recordings.
+        """
         first, fifth = (self.joints[k].replace("_", " ") for k in (0, 4))
         match found.outcome:
             case solutions.SKEW:
                 return InputError(
-                    f"the rotation is not orthonormal: R R^T differs from the unit matrix by {found.value:.3g}; "
-                    f"at most {ROTATION_TOLERANCE:g} is allowed"
+                    f"the rotation is not orthonormal: R R^T is off by {found.value:.3g}, "
+                    f"{ROTATION_TOLERANCE:g} is allowed"
                 )
             case solutions.MIRRORED:
-                return InputError("the rotation includes a reflection: its determinant is -1 and has to be +1")
+                return InputError("the rotation is a mirror image: its determinant is -1, +1 is allowed")
             case solutions.SHOULDER:
                 return SingularityError(
-                    f"the {fifth} joint is {found.value:.2g} m from the {first} axis: shoulder singularity",
+                    f"the {fifth} joint stands {found.value:.2g} m from the {first} axis: shoulder singularity",
                     "shoulder",
                     found.value / float(self.model.links[L2] + self.model.links[L3] + self.model.links[L4]),
                 )
             case solutions.WRIST:
-                return SingularityError(f"the {fifth} joint is at +-90 deg: wrist singularity", "wrist", found.value)
+                return SingularityError(
+                    f"the {fifth} joint stands at +-90 deg: wrist singularity", "wrist", found.value
+                )
             case solutions.OUT_OF_REACH:
                 return _out_of_reach(found.value)
             case solutions.OUTSIDE:
                 name, (low, high) = self.joints[found.joint], np.degrees(self.limits.hard[found.joint])
                 return UnreachableError(
-                    f"every solution is outside the joint limits; the nearest solution has {name} at "
+                    f"every solution lies outside the joint limits; the nearest needs {name} at "
                     f"{math.degrees(found.angle):.2f} deg, {math.degrees(found.value):.2f} deg outside "
                     f"{low:.1f} to {high:.1f} deg",
                     found.value,
