@@ -55,7 +55,7 @@ def test_all_errors_are_reported_with_their_lines() -> None:
     assert found[1] == "a.toml:1: titel: unknown field; allowed here: title, inner, part, pair"
     assert any(p == "a.toml: the field 'title' is missing" for p in found)
     assert any(p.startswith("a.toml:2: pair: ") and "length 2" in p for p in found)
-    assert any(p.startswith("a.toml:4: inner.size: 'long' is no length") for p in found)
+    assert any(p.startswith("a.toml:4: inner.size: 'long' is not a length") for p in found)
     assert any(p == "a.toml:8: part[1].colour: unknown field; allowed here: size, names" for p in found)
     assert any(p == "a.toml:7: part[1]: the field 'size' is missing" for p in found)
 

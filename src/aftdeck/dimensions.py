@@ -1,10 +1,10 @@
 """Named dimensions of a file, and quantities that are derived from them.
 
 A file's ``[dimensions]`` table names quantities; any other value of the file may then be a string that begins with
-``=`` and computes a quantity from them: ``"= payload_length / 2 - 2 ft"``. An expression may use numbers with or
-without a unit, names, ``+ - * /``, brackets, ``min``, ``max``, ``sqrt``, ``cos``, ``sin`` and ``tan``. Units are
-checked: a length cannot be added to an angle, and a result can only replace a quantity of the same kind. A dimension
-may be derived from dimensions listed above it.
+``=`` and gives an expression of them: ``"= payload_length / 2 - 2 ft"``. An expression may use numbers with or without
+a unit, names, ``+ - * /``, brackets, ``min``, ``max``, ``sqrt``, ``cos``, ``sin`` and ``tan``. Units are checked: a
+length cannot be added to an angle, and a result can only replace a quantity of the same kind. A dimension may be
+derived from dimensions listed above it.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from aftdeck.files import Problem, Where
-from aftdeck.units import Angle, AngularRate, Length, Mass, Quantity, Speed, Time, short
+from aftdeck.units import Angle, AngularRate, Length, Mass, Quantity, Speed, Time, short, with_article
 
 KEY = "dimensions"
 """Name of the table of dimensions."""
 _LONGEST = 300
-"""Maximum length of an expression [characters]: ample for a dimension; deep brackets cannot exhaust the parser."""
+"""Maximum length of an expression [characters]; short enough that nested brackets cannot exhaust the parser."""
 _LITERAL = re.compile(r"(?<![\w.])((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?:\s*([A-Za-z]+(?:/s\b)?))?")
 _NAME = re.compile(r"[a-z][a-z0-9_]*")
 
@@ -58,7 +58,7 @@ def derive(raw: dict[str, Any]) -> list[Problem]:
     for name, value in given.items():
         try:
             names[name] = _dimension(name, value, names)
-            given[name] = _written(names[name])
+            given[name] = _file_value(names[name])
         except ValueError as error:
             names[name] = _WRONG
             problems.append(Problem((KEY, name), str(error)))
@@ -79,7 +79,7 @@ def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Probl
     problems = []
     for holder, key, where, text in list(_formulas(raw, ())):
         try:
-            holder[key] = _written(_computed(text[1:], names))
+            holder[key] = _file_value(_evaluated(text[1:], names))
         except ValueError as error:
             problems.append(Problem(where, str(error)))
     return problems
@@ -88,38 +88,40 @@ def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Probl
 def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]:
     """Yield for each expression the list or table that holds it, its key there, its place in the file, and its text."""
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
-    for key, inner in items:
+    for key, item in items:
         if (*where, key) == (KEY,):
             continue
-        if isinstance(inner, str) and inner.startswith("="):
-            yield value, key, (*where, key), inner
+        if isinstance(item, str) and item.startswith("="):
+            yield value, key, (*where, key), item
         else:
-            yield from _formulas(inner, (*where, key))
+            yield from _formulas(item, (*where, key))
 
 
 def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
     """Return a dimension's value; `names` holds the dimensions listed above it."""
     if not _NAME.fullmatch(name):
-        raise ValueError(f"{name!r} is no name of a dimension: small letters, digits and _, a letter first")
+        raise ValueError(
+            f"{name!r} is not a valid name of a dimension: use small letters, digits and _, with a letter first"
+        )
     if name in _FUNCTIONS:
-        raise ValueError(f"{name!r} is a function's name; call the dimension otherwise")
+        raise ValueError(f"{name!r} is the name of a function; choose another name for the dimension")
     if isinstance(given, str):
-        return _computed(given.removeprefix("="), names)
+        return _evaluated(given.removeprefix("="), names)
     if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
         raise ValueError(f"expected a quantity such as '12 ft', or an expression, got {short(given)}")
     return _Value(float(given), _PLAIN)
 
 
-def _written(value: _Value) -> str | float:
+def _file_value(value: _Value) -> str | float:
     """Return a value as a file gives it: a plain number, or a string in SI with its unit."""
     if value.powers == _PLAIN:
         return value.number
     if value.powers not in _KINDS:
-        raise ValueError(f"the result is no {', '.join(kind.noun for kind in _KINDS.values())} or number")
+        raise ValueError(f"the result is not a {', '.join(kind.noun for kind in _KINDS.values())} or number")
     return f"{value.number!r} {_KINDS[value.powers].unit}"
 
 
-def _computed(text: str, names: Mapping[str, _Value]) -> _Value:
+def _evaluated(text: str, names: Mapping[str, _Value]) -> _Value:
     """Return the value of an expression; raise ValueError if it has none."""
     if len(text) > _LONGEST:
         raise ValueError(f"an expression has at most {_LONGEST} characters, got {len(text)}")
@@ -132,7 +134,9 @@ def _computed(text: str, names: Mapping[str, _Value]) -> _Value:
     try:
         tree = ast.parse(_LITERAL.sub(placeholder, text).strip(), mode="eval").body
     except (SyntaxError, RecursionError):
-        raise ValueError(f"{short(text.strip())} is no expression of numbers, units, names and + - * / ( )") from None
+        raise ValueError(
+            f"{short(text.strip())} is not an expression of numbers, units, names and + - * / ( )"
+        ) from None
     value = _value(tree, {**names, **{f"__{i}": literal for i, literal in enumerate(literals)}})
     if not math.isfinite(value.number):
         raise ValueError(f"{short(text.strip())} has no finite value")
@@ -147,42 +151,42 @@ def _literal(number: float, unit: str | None) -> _Value:
             return _Value(float(kind.read(f"{number!r} {unit}")), powers)
         except ValueError:
             continue
-    raise ValueError(f"{unit!r} is no unit of a {', '.join(kind.noun for kind in _KINDS.values())}")
+    raise ValueError(f"{unit!r} is not a unit of {', '.join(kind.noun for kind in _KINDS.values())}")
 
 
 def _value(node: ast.expr, names: Mapping[str, _Value]) -> _Value:
     match node:
         case ast.Name(id=name):
             if name not in names:
-                there = ", ".join(known for known in names if not known.startswith("__")) or "none"
-                raise ValueError(f"no dimension {name!r}; there are: {there}")
+                choices = ", ".join(known for known in names if not known.startswith("__")) or "none"
+                raise ValueError(f"no dimension {name!r}; there are: {choices}")
             if names[name] is _WRONG:
-                raise ValueError(f"the dimension {name!r}, which it uses, is wrong")
+                raise ValueError(f"the expression uses the dimension {name!r}, which has an error")
             return names[name]
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             value = _value(inner, names)
             return _Value(-value.number, value.powers)
         case ast.BinOp(left=left, op=op, right=right):
-            return _joined(_value(left, names), op, _value(right, names))
+            return _combined(_value(left, names), op, _value(right, names))
         case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if name in _FUNCTIONS:
-            return _called(name, [_value(arg, names) for arg in args])
+            return _function_value(name, [_value(arg, names) for arg in args])
         case _:
             raise ValueError(f"{ast.unparse(node)!r} cannot be computed; use numbers, names, + - * / and functions")
 
 
-def _joined(a: _Value, op: ast.operator, b: _Value) -> _Value:
+def _combined(a: _Value, op: ast.operator, b: _Value) -> _Value:
     match op:
         case ast.Add() | ast.Sub():
-            _alike([a, b])
+            _check_same_kind([a, b])
             return _Value(a.number + b.number if isinstance(op, ast.Add) else a.number - b.number, a.powers)
         case ast.Mult():
             return _Value(a.number * b.number, _sum(a.powers, b.powers, 1.0))
         case ast.Div():
             if b.number == 0.0:
-                raise ValueError("it divides by 0")
+                raise ValueError("the expression divides by 0")
             return _Value(a.number / b.number, _sum(a.powers, b.powers, -1.0))
         case _:
-            raise ValueError("it may use + - * / alone")
+            raise ValueError("the only operators are + - * /")
 
 
 def _sum(a: Powers, b: Powers, sign: float) -> Powers:
@@ -190,35 +194,31 @@ def _sum(a: Powers, b: Powers, sign: float) -> Powers:
     return m, kg, s, rad
 
 
-def _alike(values: list[_Value]) -> None:
-    """Raise ValueError if quantities of different kinds are to be added or compared."""
+def _check_same_kind(values: list[_Value]) -> None:
+    """Raise ValueError if the values are not all of the same kind, and so cannot be added or compared."""
     if len({value.powers for value in values}) > 1:
         kinds = [_KINDS[value.powers].noun if value.powers in _KINDS else "number" for value in values]
-        raise ValueError(f"{' and '.join(map(_with_article, dict.fromkeys(kinds)))} cannot be added or compared")
-
-
-def _with_article(noun: str) -> str:
-    return f"{'an' if noun.startswith('a') else 'a'} {noun}"
+        raise ValueError(f"{' and '.join(map(with_article, dict.fromkeys(kinds)))} cannot be added or compared")
 
 
 _FUNCTIONS = ("min", "max", "sqrt", "cos", "sin", "tan")
 _ANGLE: Powers = (0.0, 0.0, 0.0, 1.0)
 
 
-def _called(name: str, args: list[_Value]) -> _Value:
+def _function_value(name: str, args: list[_Value]) -> _Value:
     if name in ("min", "max"):
         if not args:
             raise ValueError(f"{name} needs at least 1 value")
-        _alike(args)
+        _check_same_kind(args)
         return (min if name == "min" else max)(args, key=lambda value: value.number)
     if len(args) != 1:
         raise ValueError(f"{name} takes 1 value, got {len(args)}")
     (arg,) = args
     if name == "sqrt":
         if arg.number < 0.0:
-            raise ValueError(f"sqrt of {arg.number:g}, which is below 0")
+            raise ValueError(f"sqrt needs a value of 0 or more, got {arg.number:g}")
         m, kg, s, rad = (power / 2.0 for power in arg.powers)
         return _Value(math.sqrt(arg.number), (m, kg, s, rad))
     if arg.powers not in (_ANGLE, _PLAIN):
-        raise ValueError(f"{name} takes an angle")
+        raise ValueError(f"{name} needs an angle or a number")
     return _Value(getattr(math, name)(arg.number), _PLAIN)

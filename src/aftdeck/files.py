@@ -42,9 +42,9 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
     try:
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):  # a pipe or a device may never end
-            raise ScenarioError([f"{path}: cannot be read: it is not a file"])
+            raise ScenarioError([f"{path}: cannot be read: it is not a regular file"])
         if most is not None and status.st_size > most:
-            raise ScenarioError([f"{path.name}: has {status.st_size} bytes; at most {most} are read"])
+            raise ScenarioError([f"{path.name}: has {status.st_size} bytes; at most {most} bytes are allowed"])
         return Text(path.name, path.read_text(encoding="utf-8"))
     except OSError as error:
         raise ScenarioError([f"{path}: cannot be read: {error.strerror or error}"]) from None
@@ -55,7 +55,7 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
 
 
 def beside(name: str, folder: Path) -> str:
-    """Return a reference in a file as a path from `folder`; built-in names and absolute paths stay as given."""
+    """Return a path in a file as a path from `folder`; built-in names and absolute paths are returned unchanged."""
     return str(folder / name) if name.endswith(".toml") and not Path(name).is_absolute() else name
 
 
@@ -63,7 +63,7 @@ def parse(kind: type[_T], file: Text) -> _T:
     """Return the file's contents as a value of `kind`, a msgspec struct.
 
     Raises:
-        ScenarioError: the TOML is invalid, or fields are wrong or unknown; lists all problems found.
+        ScenarioError: the TOML is invalid, or fields are wrong or unknown; the message lists all problems found.
     """
     value, problems = examine(kind, file)
     if value is None or problems:
@@ -79,8 +79,8 @@ def examine(
 ) -> tuple[_T | None, list[Problem]]:
     """Return the file's contents without the wrong fields, and all problems found.
 
-    The contents are None if the wrong fields cannot be left out. `changes` replace values of the file; then `derive`
-    replaces expressions by computed values (`aftdeck.dimensions`).
+    The contents are None if they cannot be decoded without the wrong fields. `changes` replace values of the file; then
+    `derive` replaces expressions by computed values (`aftdeck.dimensions`).
 
     Raises:
         ScenarioError: the text is not TOML, or is nested too deeply.
@@ -96,8 +96,8 @@ def examine(
         _put(raw, where, value)
     try:
         underived = derive(raw) if derive is not None else []
-        known = {problem.where for problem in underived}
-        found = [Problem(where, what) for where, what in _problems(raw, kind, ()) if where not in known]
+        places = {problem.where for problem in underived}
+        found = [Problem(where, what) for where, what in _problems(raw, kind, ()) if where not in places]
     except RecursionError:
         raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
     problems = underived + found
@@ -113,16 +113,16 @@ def _put(raw: Any, where: Where, value: object) -> None:
     """Set a value at a place in the raw contents; create the missing tables on the way to that place.
 
     Raises:
-        InputError: the place is a list item that does not exist, or lies below a value that is not a table.
+        InputError: the place is a list item that does not exist, or is inside a value that is not a table.
     """
-    *way, last = where
+    *outer, last = where
     value = _plain(value)
-    for depth, part in enumerate(way):
+    for depth, part in enumerate(outer):
         raw = raw.setdefault(part, {}) if isinstance(part, str) and isinstance(raw, dict) else _item(raw, where, depth)
     if isinstance(last, str) and isinstance(raw, dict):
         raw[last] = value
     else:
-        _item(raw, where, len(way))
+        _item(raw, where, len(outer))
         raw[last] = value
 
 
@@ -136,12 +136,12 @@ def _plain(value: Any) -> Any:
 
 
 def _item(raw: Any, where: Where, depth: int) -> Any:
-    """Return the list item that a place names at a depth."""
+    """Return the list item at depth `depth` of the place `where`."""
     part, before = where[depth], place(where[:depth])
     if isinstance(part, str):
-        raise InputError(f"{place(where)}: {before} is no table, so nothing in it can be named {part!r}")
+        raise InputError(f"{place(where)}: {before} is not a table, so it cannot have the key {part!r}")
     if not isinstance(raw, list) or not part < len(raw):
-        size = f"has {len(raw)} items" if isinstance(raw, list) else "is no list that the file gives"
+        size = f"has {len(raw)} items" if isinstance(raw, list) else "is not a list in the file"
         raise InputError(f"{place(where)}: {before} {size}; there is no item {part} (the first is 0)")
     return raw[part]
 
@@ -166,7 +166,7 @@ def convert(raw: object, kind: type[_T]) -> _T:
 
 
 Where = tuple[str | int, ...]
-"""Keys and indices from the top of a file to a place in it. An index counts all items of a list from 0."""
+"""Place in a file: keys and indices from the top of the file. Indices count the items of a list from 0."""
 Changes = Mapping[Where, object]
 """Values that replace those of a file, by place."""
 
@@ -209,7 +209,7 @@ def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
     """Return all reasons why `raw` is not a valid `kind`, each with its place."""
     kind = _without_none(kind)
     base = get_origin(kind) or kind
-    if base is Annotated:  # problems inside the value come before a constraint on the whole value
+    if base is Annotated:  # report problems inside the value before a constraint on the whole value
         return _problems(raw, get_args(kind)[0], where) or _problem(raw, kind, where)
     if tagged := _tagged(kind):
         return _tagged_problems(raw, kind, tagged, where)
@@ -256,14 +256,14 @@ def _tagged_problems(raw: object, kind: Any, tagged: dict[str, Any], where: Wher
         if isinstance(name, str) and name in tagged:
             return _struct_problems(raw, tagged[name], where)
         if field in raw:
-            wrong = ((*where, field), f"expected one of {', '.join(tagged)}, got {short(name)}")
+            tag_problem = ((*where, field), f"expected one of {', '.join(tagged)}, got {short(name)}")
         else:
-            wrong = (where, f"the field {field!r} is missing")
+            tag_problem = (where, f"the field {field!r} is missing")
         common = set.intersection(
             *({(f.encode_name, f.type) for f in msgspec.structs.fields(k)} for k in tagged.values())
         )
-        known = sorted((key, own) for key, own in common if key in raw)
-        return [wrong, *(p for key, own in known for p in _problems(raw[key], own, (*where, key)))]
+        known = sorted((key, field_type) for key, field_type in common if key in raw)
+        return [tag_problem, *(p for key, field_type in known for p in _problems(raw[key], field_type, (*where, key)))]
     return []
 
 

@@ -1,10 +1,10 @@
 """Coordinate frames, poses, and the angles that describe orientations.
 
-- **L**, the longeron frame: the arm's base, origin at the shoulder yaw joint; all laws work in it.
+- **L**, the longeron frame: the arm's base, origin at the shoulder yaw joint; all laws use it.
 - **orbiter** (B): origin at the orbiter's centre of mass, x forward, y starboard, z down; orientation by
   ENDORI angles (azimuth about 3, elevation about 2, roll about 1, in that order) or by a matrix.
 - **panel**: X = -Xo, Y = Yo, Z = -Zo from the structural origin; orientation by pitch about 2, yaw about 3,
-  roll about 1, in that order. Its attitude is that of the end effector's own axes E.
+  roll about 1, in that order. The attitude on the panel is that of the end effector's own axes E.
 - **scene**: x aft, y starboard, z up, origin at the worksite's origin; for pictures only.
 
 A transform's name gives both frames: ``T_orbiter_L`` converts components in L to components in orbiter.
@@ -170,7 +170,7 @@ def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
 
 
 _GIMBAL = 1e-9
-"""Cosine of the middle angle below which the outer two angles are not distinguished."""
+"""Cosine of the middle angle below which the first and third angles are not determined separately."""
 
 
 def _turn(angle: float) -> float:

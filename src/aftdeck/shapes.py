@@ -2,7 +2,7 @@
 
 Lengths are metres, angles radians, in the frame of the body that carries the shape. A shape is first turned by its
 `rotation`, then moved to its `position`. Files name materials; the page defines how each material looks.
-Creating a shape that cannot be drawn raises ValueError, so that a decoder can report its place in the file.
+The constructor of a shape that cannot be drawn raises ValueError, so that a decoder can report its place in the file.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Material = Literal[
     "tiles",  # black tiles
     "leading_edge",  # grey carbon of nose and wing edges
     "radiator",  # silvered radiator panels
-    "boom",  # the arm's wrapped booms, a seam each 0.7 m
+    "boom",  # the arm's wrapped booms, with a seam every 0.7 m
     "padding",  # padded white covers of joints and boxes
     "housing",  # dark joint housings and nozzles
     "bright",  # bright rings and rims
@@ -50,7 +50,7 @@ def _positive(shape: str, **sizes: float) -> None:
 
 
 def _within_turn(shape: str, sweep: float) -> None:
-    """Raise ValueError for a sweep outside (0, 2 pi] [rad]; 0.1 % of tolerance lets files write 6.2832."""
+    """Raise ValueError for a sweep outside (0, 2 pi] [rad]; a tolerance of 0.1 % allows 6.2832 in files."""
     if not 0.0 < sweep <= tau * 1.001:
         raise ValueError(f"the {shape}'s sweep is {sweep:g}; it has to be above 0 and at most 2 pi")
 
@@ -182,14 +182,14 @@ class Section(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=T
     middle: float
     bottom: float
     exponents: Vec2 = (2.0, 2.0)
-    """Exponents of the upper and of the lower half."""
+    """Exponents of the upper and the lower half."""
 
     def __post_init__(self) -> None:
         """Reject sizes and exponents that are not above zero, and a middle that is not from bottom to top."""
         _positive("section", half_width=self.half_width, height=self.top - self.bottom)
         _positive("section", upper_exponent=self.exponents[0], lower_exponent=self.exponents[1])
         if not self.bottom <= self.middle <= self.top:
-            raise ValueError(f"the section's middle is {self.middle:g}; it has to lie from bottom to top")
+            raise ValueError(f"the section's middle is {self.middle:g}; it has to be between bottom and top")
 
 
 class Loft(_Solid, frozen=True, kw_only=True, tag="loft"):
@@ -204,7 +204,7 @@ class Loft(_Solid, frozen=True, kw_only=True, tag="loft"):
             raise ValueError(f"the loft has {len(self.sections)} sections; it needs at least {FEWEST_SECTIONS}")
         stations = [section.x for section in self.sections]
         if any(after <= before for before, after in pairwise(stations)):
-            raise ValueError("the loft's sections have to be listed in order of growing x")
+            raise ValueError("the loft's sections have to be listed in order of increasing x")
 
 
 class Hexahedron(_Solid, frozen=True, kw_only=True, tag="hexahedron"):

@@ -1,6 +1,6 @@
 """Quantities in files: a bare number is SI, a string carries its unit (``"2 ft/s"``, ``"19.48 deg"``).
 
-Each quantity is a float in SI once it is read; its class only fixes the dimension that a file may give.
+A decoded quantity is a float in SI; its class only defines the physical dimension that a file may give.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _USUAL = {
     "s": ("s", 1.0),
     "ms": ("s", 0.001),
 }
-"""Sizes in SI of the units that the built-in files use, as pint computes them, to its last digit.
+"""Sizes in SI of the units that the built-in files use, equal to pint's values to the last digit.
 
 Importing pint and reading its definitions takes longer than loading an arm; `tests/test_units.py` compares the two.
 """
@@ -53,8 +53,13 @@ def short(given: object) -> str:
     return _REPR.repr(given)
 
 
+def with_article(noun: str) -> str:
+    """Return a noun with its indefinite article."""
+    return f"{'an' if noun.startswith('a') else 'a'} {noun}"
+
+
 class Quantity(float):
-    """A number in SI whose unit a file may name. Subclasses fix the dimension."""
+    """A number in SI, which a file may give with a unit. Each subclass has one physical dimension."""
 
     noun: ClassVar[str] = ""
     unit: ClassVar[str] = ""
@@ -65,7 +70,7 @@ class Quantity(float):
         """Return the quantity that a file gives as a number (SI) or as a string with a unit.
 
         Raises:
-            ValueError: `given` is anything else, NaN or infinite; the message is a sentence.
+            ValueError: `given` is neither, or is NaN or infinite.
         """
         if isinstance(given, bool) or not isinstance(given, int | float | str):
             raise ValueError(f"expected a number in {cls.unit} or a string such as {cls.example!r}, got {short(given)}")
@@ -84,7 +89,7 @@ class Quantity(float):
         if match and size is not None:
             return float(match["number"]) * size
         raise ValueError(
-            f"{short(text)} is no {cls.noun}: write a number in {cls.unit}, or one with its unit "
+            f"{short(text)} is not {with_article(cls.noun)}: write a number in {cls.unit}, or a number with its unit, "
             f"such as {cls.example!r}"
         )
 
@@ -168,7 +173,7 @@ def _registry() -> pint.UnitRegistry[Any]:
 
 
 def decode_hook(kind: type, given: object) -> object:
-    """Decode a quantity, a type that msgspec does not know."""
+    """Decode a quantity; msgspec calls this for types that it does not know."""
     if issubclass(kind, Quantity):
         return kind.read(given)
     raise NotImplementedError(f"no decoder for {kind.__name__}")

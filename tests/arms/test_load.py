@@ -113,7 +113,7 @@ def problems(tmp_path: Path, old: str, new: str) -> list[str]:
         ('mass = "10 t"', 'mass = "1 t"', r"por\[2\]\.mass: .*increase.*1000 after 1000 kg"),
         ("reached_in = 2\n", "reached_in = 0\n", r"por\[0\]: .*speeds.*time.*above 0"),
         ("vernier_translation = 0.2", "vernier_translation = 0.7", r"por\[0\]: "),
-        ("total = { value = 9", "total = { value = 10", r"masses\.total: .*parts.*9 kg.*total.*10 kg"),
+        ("total = { value = 9", "total = { value = 10", r"masses\.total: .*parts.*9 kg.*10 kg"),
         ("elbow = 1", "elbow = -1", "masses"),
         ("title =", "colour =", "field 'title'"),
         ("[mount]", "[muont]", "field 'mount'"),

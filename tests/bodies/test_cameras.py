@@ -77,7 +77,7 @@ def test_camera_that_starts_outside_its_drive_range_is_rejected() -> None:
 
 
 def test_drive_without_travel_or_rate_is_rejected() -> None:
-    with pytest.raises(ValueError, match="least is 1 and greatest 1"):
+    with pytest.raises(ValueError, match="least is 1 and greatest is 1"):
         TravelFile(Angle(1.0), Angle(1.0), AngularRate(0.1))
     with pytest.raises(ValueError, match="rate is 0"):
         TravelFile(Angle(0.0), Angle(1.0), AngularRate(0.0))

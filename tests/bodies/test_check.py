@@ -30,7 +30,7 @@ FAULTS = {
     "doubled vertex": (changed(6, [0.5, 0.5, 0.5]), "vertex 8 at .* is 0 m from vertex 6"),
     "too small": (CUBE * 1e-7, "vertex 2 at .* 1e-07 m from vertex 1"),
     "no volume": (CUBE * [1.0, 1.0, 0.0], "vertex 2 at .* 0 m from vertex 1"),
-    "sheared flat": (CUBE @ [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, 0.4, 0.0]], "vertex .* lies in one plane with"),
+    "sheared flat": (CUBE @ [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, 0.4, 0.0]], "vertex .* is in one plane with"),
     "bent faces": (changed(8, [0.6, 0.6, 0.6]), "vertex 8 at .* 0.1 m .*d, e, f"),
     "hardly bent face": (changed(3, [0.5, -0.5, -0.5 + 1e-7]), "vertex 3 at .* 1e-07 m off"),
     "dented": (changed(8, [-0.25, -0.25, -0.25]), "vertex 8 at .* is dented in"),

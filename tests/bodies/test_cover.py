@@ -142,7 +142,7 @@ def test_prism_flat_is_at_its_turn_angle() -> None:
         ({"length": math.inf}, "length is inf"),
         ({"sweep": 7.0}, "sweep is 7"),
         ({"start": math.nan}, "start is nan"),
-        ({"count": 7}, "7 hexahedra"),
+        ({"count": 7}, "count is 7"),
         ({"axis": "w"}, "axis is 'w'"),
     ],
 )

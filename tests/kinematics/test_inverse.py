@@ -234,7 +234,7 @@ MIRROR = np.diag([1.0, 1.0, -1.0])
         (Pose(np.zeros(3), MIRROR), None, r"determinant.*-1.*\+1"),
         (Pose(np.full(3, math.nan), np.eye(3)), None, "position: .*finite"),
         (Pose(np.zeros(3), np.full((3, 3), math.inf)), None, "rotation: .*finite"),
-        (Pose(np.full(3, 5.0), np.eye(3)), np.zeros(5), r"near .*\(6,\).*\(5,\)"),
+        (Pose(np.full(3, 5.0), np.eye(3)), np.zeros(5), r"near: .*\(6,\).*\(5,\)"),
         (Pose(np.full(3, 5.0), np.eye(3)), np.full(6, math.nan), "near: .*finite"),
     ],
 )

@@ -110,5 +110,5 @@ def test_mismatched_leading_dimensions_are_rejected(arm: aftdeck.Arm) -> None:
 
 
 def test_unknown_singular_option_is_rejected(arm: aftdeck.Arm) -> None:
-    with pytest.raises(InputError, match=r"singular .*'raise' or 'mask'.*'ignore'"):
+    with pytest.raises(InputError, match=r"singular: .*'raise' or 'mask'.*'ignore'"):
         arm.joint_rates(AWAY, np.zeros(6), singular="ignore")  # type: ignore[arg-type]

@@ -194,7 +194,7 @@ def test_berth_below_the_floor_is_rejected() -> None:
     [
         ({"bar_width": "0.9 ft"}, r"bar of payload is 10\.8 in .* 9 in"),
         ({"bar_height": "0.5 ft"}, r"fixed finger is 0\.\d+ in inside payload"),
-        ({"bar_length": "0.9 ft"}, r"front and rear .* leave out 12 in"),
+        ({"bar_length": "0.9 ft"}, r"front and rear .* together exclude 12 in"),
         ({"bar_aft": "14.5 ft"}, r"the bar ends 0\.305 m beyond"),
         ({"bar_starboard": "4 ft"}, r"the bar ends 0\.305 m beyond"),
     ],

@@ -347,7 +347,7 @@ def test_start_can_be_relative_to_a_payload_a_berth_or_a_body() -> None:
 
 
 def test_start_at_a_berth_requires_a_held_payload() -> None:
-    with pytest.raises(ScenarioError, match=r"initial.pose: .* seat"):
+    with pytest.raises(ScenarioError, match=r"initial.pose: .* berth"):
         made(CONCEPT.replace(AT_START, 'pose = { seat = "port" }'))
 
 

@@ -134,7 +134,7 @@ def test_invalid_channels_are_rejected_before_the_run(run: Run, short: str, tmp_
     code, _, err = run("run", short, "--channels", str(tmp_path / "none.jsonl"))
     assert code == 2 and "none.jsonl: cannot be read" in err
     code, _, err = run("run", short, "--channels", "/dev/zero")
-    assert code == 2 and "cannot be read: it is not a file" in err
+    assert code == 2 and "cannot be read: it is not a regular file" in err
     given.write_text(given.read_text() + "[]\n")
     code, _, err = run("run", short, "--channels", str(given))
     assert code == 2 and "given.jsonl:41: " in err

@@ -1,4 +1,4 @@
-"""Boxes of the concept arm, made from the dimensions in its file; the same boxes collide and are drawn.
+"""Boxes of the concept arm, computed from the dimensions in its file; the same boxes collide and are drawn.
 
 Sources: the Remote Manipulator Simulation's three hexahedra of the end effector, its ARM 0 to ARM 2 and STAND. The
 joint housings, and the tube that slides in the stand's sleeve, are our additions.
@@ -29,8 +29,8 @@ class Block(NamedTuple):
         low: least x, y, z in that frame [m].
         high: greatest x, y, z [m].
         material: material with which the box is drawn.
-        axes: axes of the frame, 1 to 3, that are the box's own x, y, z, by which its vertices are numbered; negative
-            for an axis in the opposite direction.
+        axes: axes of the frame, 1 to 3, along the box's own x, y, z; negative for the opposite direction. The box's
+            own axes define the numbers of its vertices.
     """
 
     part: str
@@ -52,7 +52,7 @@ def blocks_of(file: HeadingArmFile, frames: tuple[str, ...]) -> tuple[Block, ...
 
 
 def _stand(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
-    """Yield the sleeve, up to the stand's end at its least length, and the tube that slides in the sleeve.
+    """Yield the telescope's sleeve, which ends where the retracted telescope ends, and the tube that slides in it.
 
     The tube is as long as the telescope's travel. When retracted, the tube reaches below the foot if the travel is
     more than the sleeve's length.

@@ -1,10 +1,11 @@
 """Checks that a concept arm's telescope, booms and end effector fit together.
 
-Two booms meet at a pin. The plane through the pin that bisects their bend separates the booms only if both begin far
-enough from the pin. With half width w and a bend of theta about a face's axis, a boom has to be set back by at least
-w tan(theta/2); for a bend about any axis, by sqrt(2) times that. The end planes of both booms separate them from a
-joint's housing if the housing lies inside the sphere round the pin that touches these planes. Both conditions are
-needed wherever planes order or separate bodies (Remote Manipulator Simulation, separating planes SP 11 and SP 12).
+A pin joins two booms. The plane through the pin that bisects their bend separates the booms only if both begin far
+enough from the pin. With half width w and a bend of theta about a face's axis, a boom has to be set back by at least w
+tan(theta/2). For a bend about any axis, it has to be set back by sqrt(2) times this distance. The end planes of both
+booms separate them from a joint's housing if the housing lies inside the sphere round the pin that touches these
+planes. Both conditions are needed wherever planes order or separate bodies (Remote Manipulator Simulation, separating
+planes SP 11 and SP 12).
 """
 
 from __future__ import annotations
@@ -26,11 +27,11 @@ def body_problems(file: HeadingArmFile) -> list[Problem]:
 
 
 def _bends(file: HeadingArmFile) -> tuple[float, float]:
-    """Return the greatest bend at elbow and wrist inside the hard limits, which DIRECT can reach [rad]."""
+    """Return the greatest bend of elbow and wrist inside the hard stops, which DIRECT can reach [rad]."""
     hard = file.limits.hard.value
     elbow = max(abs(angle) for angle in hard[2])
     heading, pitch = (min(max(abs(angle) for angle in hard[joint]), math.pi) for joint in (3, 4))
-    # the hand's direction has the component cos(heading) cos(pitch) along the lower arm
+    # the end effector's direction has the component cos(heading) cos(pitch) along the lower arm
     cosines = [math.cos(h) * math.cos(p) for h in (0.0, heading) for p in (0.0, pitch)]
     return elbow, math.acos(min(cosines))
 
@@ -41,19 +42,19 @@ def _stand_problems(stand: StandFile) -> Iterator[Problem]:
         yield Problem(("stand",), f"expected 0 < least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m")
     below = stand.top_below_shoulder.value
     if not 0.0 < below < least:
-        what = f"is above 0 and less than the least length, got {below:g} m"
+        what = f"has to be above 0 and less than the least length, got {below:g} m"
         yield Problem(("stand", "top_below_shoulder"), what)
     yield from _above_zero("stand", rate=stand.rate.value, side=stand.side.value)
     tube, sleeve = stand.tube_side.value, stand.side.value
     if not 0.0 < tube <= sleeve:
-        what = f"is above 0 and at most the stand's side, {sleeve:g} m, got {tube:g} m"
+        what = f"has to be above 0 and at most the stand's side, {sleeve:g} m, got {tube:g} m"
         yield Problem(("stand", "tube_side"), what)
 
 
 def _effector_problems(e: EffectorFile) -> Iterator[Problem]:
     for name, (near, far) in (("palm", e.palm.value), ("fingers", e.fingers.value)):
         if not 0.0 <= near < far:
-            what = f"ends farther along the hand than it begins, got {near:g} to {far:g} m"
+            what = f"has to end farther along the end effector than it begins, got {near:g} to {far:g} m"
             yield Problem(("effector", name), what)
     yield from _above_zero(
         "effector",
@@ -75,7 +76,7 @@ def _effector_problems(e: EffectorFile) -> Iterator[Problem]:
 def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[Problem]:
     begin, end = b.stub.value
     if not begin < end:
-        what = f"ends farther along the hand than it begins, got {begin:g} to {end:g} m"
+        what = f"has to end farther along the end effector than it begins, got {begin:g} to {end:g} m"
         yield Problem(("booms", "stub"), what)
     diagonal = math.sqrt(2.0)
     for pin, boom, set_back, half_width, bend in (
@@ -88,20 +89,20 @@ def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[Problem
             yield Problem(
                 ("booms",),
                 f"{boom} set back by {set_back:g} m from the {pin} cannot bend by {math.degrees(bend):g} deg, "
-                f"as its hard limits let it{needed}",
+                f"which the hard stops allow{needed}",
             )
-    for pin, side, room in (
+    for pin, side, allowed in (
         ("shoulder", b.shoulder_housing.value, b.set_back.value),
         ("elbow", b.elbow_housing.value, b.set_back.value),
         ("wrist", b.wrist_housing.value, min(b.set_back.value, begin)),
     ):
         corner = 0.5 * math.sqrt(3.0) * side
-        if not 0.0 < corner <= room:
-            what = f"its corners lie {corner:g} m from the pin, the booms begin at {room:g} m"
+        if not 0.0 < corner <= allowed:
+            what = f"its corners are {corner:g} m from the pin, but the booms begin at {allowed:g} m"
             yield Problem(("booms", f"{pin}_housing"), what)
 
 
 def _above_zero(table: str, **lengths: float) -> Iterator[Problem]:
     for name, value in lengths.items():
         if value <= 0.0:
-            yield Problem((table, name), f"is above 0, got {value:g}")
+            yield Problem((table, name), f"has to be above 0, got {value:g}")

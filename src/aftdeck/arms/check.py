@@ -30,9 +30,9 @@ def arm_problems(file: ArmFile) -> list[Problem]:
     rates = JointRates(*(np.array(getattr(file.rates, name).value) for name in JointRates._fields))
     found += limit_problems(file.joints, limits, rates)
     if len(set(file.joints)) < len(file.joints):
-        found.append(Problem(("joints",), f"six different names are needed, got {', '.join(file.joints)}"))
+        found.append(Problem(("joints",), f"has to be six different names, got {', '.join(file.joints)}"))
     if not 0.0 < file.limits.singular.value < 1.0:
-        found.append(Problem(("limits", "singular"), f"lies between 0 and 1, got {file.limits.singular.value:g}"))
+        found.append(Problem(("limits", "singular"), f"has to be between 0 and 1, got {file.limits.singular.value:g}"))
     return found + _por_problems(file.por) + _mass_problems(file)
 
 
@@ -42,12 +42,10 @@ def _geometry_problems(g: YawGeometry) -> list[Problem]:
         "wrist_pitch_to_yaw": g.wrist_pitch_to_yaw.value,
         "wrist_yaw_to_tip": g.wrist_yaw_to_tip.value,
     }
-    found = [
-        Problem(("geometry", name), f"a length is not negative, got {v:g} m") for name, v in lengths.items() if v < 0.0
-    ]
+    found = [Problem(("geometry", name), f"has to be 0 or more, got {v:g} m") for name, v in lengths.items() if v < 0.0]
     for name, (along, _) in (("upper_arm", g.upper_arm.value), ("lower_arm", g.lower_arm.value)):
         if along <= 0.0:
-            found.append(Problem(("geometry", name), f"the length along the arm is above 0, got {along:g} m"))
+            found.append(Problem(("geometry", name), f"the length along the arm has to be above 0, got {along:g} m"))
     return found
 
 
@@ -56,7 +54,7 @@ def _cover_problems(file: YawArmFile) -> list[Problem]:
     found = []
     for i, body in enumerate(file.bodies):
         if body.frame not in frames:
-            what = f"{body.frame!r} is no frame of the arm; there are: {', '.join(frames)}"
+            what = f"{body.frame!r} is not a frame of the arm; there are: {', '.join(frames)}"
             found.append(Problem(("bodies", i, "frame"), what))
         if problem := cover_problem(body, body.part):
             found.append(Problem(("bodies", i), problem))
@@ -65,27 +63,29 @@ def _cover_problems(file: YawArmFile) -> list[Problem]:
 
 def _boom_problems(g: HeadingGeometry) -> list[Problem]:
     lengths = {"upper_arm": g.upper_arm.value, "lower_arm": g.lower_arm.value}
-    return [
-        Problem(("geometry", name), f"a boom's length is above 0, got {v:g} m")
-        for name, v in lengths.items()
-        if v <= 0.0
-    ]
+    return [Problem(("geometry", name), f"has to be above 0, got {v:g} m") for name, v in lengths.items() if v <= 0.0]
 
 
 def _por_problems(rows: tuple[PorRow, ...]) -> list[Problem]:
     found = []
     if rows[0].mass != 0.0:
-        found.append(Problem(("por", 0, "mass"), f"the first row is for no payload (mass 0), got {rows[0].mass:g} kg"))
+        found.append(
+            Problem(
+                ("por", 0, "mass"), f"the first row has to be for mass 0, without a payload; got {rows[0].mass:g} kg"
+            )
+        )
     for i, (low, high) in enumerate(pairwise(rows)):
         if high.mass <= low.mass:
-            what = f"masses increase from row to row, got {high.mass:g} after {low.mass:g} kg"
+            what = f"masses have to increase from row to row, got {high.mass:g} after {low.mass:g} kg"
             found.append(Problem(("por", i + 1, "mass"), what))
     for i, r in enumerate(rows):
         where, values = ("por", i), (r.vernier_translation, r.translation, r.vernier_rotation, r.rotation, r.reached_in)
         if min(values) <= 0.0:
-            found.append(Problem(where, f"speeds and the time are above 0, got {', '.join(f'{v:g}' for v in values)}"))
+            found.append(
+                Problem(where, f"speeds and the time have to be above 0, got {', '.join(f'{v:g}' for v in values)}")
+            )
         if r.vernier_translation > r.translation or r.vernier_rotation > r.rotation:
-            what = f"vernier limits are at most the coarse ones, got {', '.join(f'{v:g}' for v in values)}"
+            what = f"vernier limits have to be at most the coarse limits, got {', '.join(f'{v:g}' for v in values)}"
             found.append(Problem(where, what))
     return found
 
@@ -95,5 +95,5 @@ def _mass_problems(file: ArmFile) -> list[Problem]:
     total = sum(getattr(parts, name) for name in parts.__struct_fields__)
     if abs(total - published) <= MASS_TOLERANCE * total:
         return []
-    what = f"the parts add up to {total:g} kg, the total says {published:g} kg"
+    what = f"has to be the sum of the parts' masses, {total:g} kg; got {published:g} kg"
     return [Problem(("masses", "total"), what)]

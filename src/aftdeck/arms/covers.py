@@ -1,4 +1,4 @@
-"""Hexahedra of the covers in a file, in the frames of the bodies that they cover."""
+"""Hexahedra of the covers that a file lists, each in the frame of the covered body."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def hexahedra(cover: Cover, part: str) -> Array:
     """Return the vertices (n, 8, 3) [m] of a part's cover, with its rotation and position applied.
 
     Raises:
-        InputError: the sizes do not make a solid.
+        InputError: the cover's sizes are invalid.
     """
     if isinstance(cover, BoxCover):
         found = corners((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))[None] * cover.size
@@ -28,7 +28,7 @@ def hexahedra(cover: Cover, part: str) -> Array:
 
 
 def cover_problem(cover: Cover, part: str) -> str:
-    """Return the error in a cover's sizes; empty if there is none."""
+    """Return the error in a cover's sizes; empty if the sizes are valid."""
     try:
         hexahedra(cover, part)
     except InputError as error:
@@ -44,8 +44,8 @@ def corners(
     Args:
         low: least x, y, z [m].
         high: greatest x, y, z [m].
-        axes: coordinate axes, 1 to 3, that are the box's own x, y, z, by which its vertices are numbered; negative
-            for an axis in the opposite direction.
+        axes: coordinate axes, 1 to 3, along the box's own x, y, z; negative for the opposite direction. The box's own
+            axes define the numbers of its vertices.
     """
     ends = (low, high)
     vertices = np.empty((8, 3))

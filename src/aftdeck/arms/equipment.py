@@ -1,6 +1,6 @@
-"""Equipment of an arm besides its six joints: telescope, prong of the hand, and axes of the master arm.
+"""Equipment of an arm besides its six joints: telescope, prong of the end effector, and axes of the master arm.
 
-Simulation, drawing and checks ask for this equipment, not for the family of the arm.
+Simulation, drawing and checks use this equipment and do not depend on the family of the arm.
 """
 
 from __future__ import annotations
@@ -46,11 +46,11 @@ class Equipment(NamedTuple):
     """Equipment of an arm besides its joints.
 
     Attributes:
-        telescope: telescope under the arm; None if it has none.
-        prong: prong of the arm's hand; None if the hand has snares.
-        master: axis of the hand controllers that turns each joint of the master arm, if no device gives its angles.
-            Each RHC axis turns the wrist joint that moves in the same way.
-        covered: whether the arm's solids cover round parts from outside, so that neighbours overlap at the joints.
+        telescope: telescope under the arm; None if the arm has no telescope.
+        prong: prong of the end effector; None if the end effector has snares.
+        master: for each joint of the master arm, the axis of the hand controllers that moves the joint if no device
+            gives the master arm's angles. Each RHC axis moves the wrist joint that rotates about the same axis.
+        covered: whether the arm's solids cover round parts from outside, so that neighbouring solids overlap at joints.
     """
 
     telescope: Telescope | None

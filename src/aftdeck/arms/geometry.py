@@ -1,4 +1,4 @@
-"""Linkage of an arm: the numbers that laws and pictures take, from the lengths in its file; one function per family."""
+"""Linkage of an arm: the values that laws and pictures use, computed from the lengths in the arm's file."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ Axes = tuple[int, int, int, int, int, int]
 Names = tuple[str, str, str, str, str, str, str]
 
 STAND, PRONG = "arm.stand", "arm.prong"
-"""Names of two additional frames of an arm on a telescope with an end effector of three hexahedra. The telescope's
-moving tube has L's axes, at the shoulder's height. The prong has the last frame's axes, moved along Y2 to the prong's
-inner face."""
+"""Names of two additional frames of an arm with a telescope and a prong. The frame of the telescope's moving tube has
+L's axes, with its origin at the shoulder's height. The prong's frame has the last frame's axes, with its origin moved
+along Y2 to the prong's inner face."""
 
 
 class Linkage(NamedTuple):
@@ -29,8 +29,8 @@ class Linkage(NamedTuple):
         axes: the axis of L, 1 to 3, about which each joint turns at zero angles.
         frames: names of the frames that carry the arm's bodies: the foot (fixed in L), then one frame per joint. Each
             has L's axes, turned by the joints up to and including its own. Its origin is its own joint's centre; the
-            last frame's origin is the centre of the joint before.
-        end_effector_roll: R_E = R_7 Rx(this) [rad].
+            last frame's origin is the centre of the joint before it.
+        end_effector_roll: the angle r in R_E = R_7 Rx(r) [rad].
     """
 
     links: Array
@@ -60,7 +60,7 @@ def frozen(values: object) -> Array:
 
 
 def _of_yaw_arm(file: YawArmFile) -> Linkage:
-    """Return the linkage yaw, pitch, pitch, pitch, yaw, roll; the elbow may lie off the line of the booms."""
+    """Return the linkage yaw, pitch, pitch, pitch, yaw, roll; the elbow may be off the boom line."""
     g = file.geometry
     height, wrist = g.shoulder_yaw_to_pitch.value, g.wrist_pitch_to_yaw.value
     (along2, drop2), (along3, drop3) = g.upper_arm.value, g.lower_arm.value
@@ -78,7 +78,7 @@ def _of_yaw_arm(file: YawArmFile) -> Linkage:
 def _of_heading_arm(file: HeadingArmFile) -> Linkage:
     """Return the linkage heading, pitch, pitch, heading, pitch, roll.
 
-    The wrist's axes meet in a point; the tip is the palm's outer face.
+    The wrist's axes intersect in one point; the tip is on the palm's outer face.
     """
     height, palm = file.stand.start.value, file.effector.palm.value[1]
     upper, lower = file.geometry.upper_arm.value, file.geometry.lower_arm.value
@@ -97,5 +97,5 @@ def _frames(a: str, b: str, c: str, d: str, e: str, f: str) -> Names:
 
 def _steps(height: float, upper: tuple[float, float], lower: tuple[float, float], wrist: float) -> Array:
     """Return the steps (6, 3) from joint to joint in the arm's plane [m]: along, 0, down."""
-    places = [(0.0, 0.0), (0.0, -height), upper, lower, (wrist, 0.0), (0.0, 0.0)]
-    return frozen([[along, 0.0, down] for along, down in places])
+    vectors = [(0.0, 0.0), (0.0, -height), upper, lower, (wrist, 0.0), (0.0, 0.0)]
+    return frozen([[along, 0.0, down] for along, down in vectors])

@@ -17,8 +17,8 @@ class Limits(NamedTuple):
 
     Attributes:
         hard: mechanical stops.
-        soft: limits at which computed modes stop driving outwards.
-        reach: limits at which the REACH LIM lamp lights; they stop no joint.
+        soft: limits beyond which computed modes and MASTER drive no joint further.
+        reach: limits at which the REACH LIM lamp lights; they do not stop a joint.
     """
 
     hard: Array
@@ -48,11 +48,13 @@ def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> 
     for i, joint in enumerate(joints):
         chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]
         if not all(a <= b for a, b in pairwise(chain)) or chain[2] == chain[3]:
-            shown = "; ".join(
+            ranges = "; ".join(
                 f"{name} {low:g} to {high:g} deg"
                 for name, (low, high) in zip(Limits._fields, (np.degrees(s[i]) for s in limits), strict=True)
             )
-            what = f"{joint}: reach limits lie inside soft stops inside hard stops, got {shown}"
+            what = (
+                f"{joint}: reach limits have to be inside the soft stops, and these inside the hard stops; got {ranges}"
+            )
             found.append(Problem(("limits",), what))
         vernier, coarse, servo = rates.vernier[i], rates.coarse[i], rates.servo[i]
         if not 0.0 < vernier <= coarse <= servo:

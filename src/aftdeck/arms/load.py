@@ -1,4 +1,4 @@
-"""Loader of an arm file into arrays, with the checks that types cannot make."""
+"""Loader of an arm file into arrays; `arms.check` makes the checks that types cannot."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from aftdeck.frames import Mount, rotation_x
 
 HERE = Path(__file__).parent
 
-_HAIR = 1e-9
-"""Tolerance of a telescope's length beyond its limits, for the rounding of units [m]."""
+_LENGTH_TOLERANCE = 1e-9
+"""Distance by which a telescope's length may exceed its limits, to allow for rounding of units [m]."""
 
 
 class PorLimits(NamedTuple):
@@ -51,11 +51,11 @@ class ArmModel:
         units: units that the panel shows by default.
         joints: names, base to tip.
         labels: short joint names for the page.
-        linkage: the joints, as the laws and the pictures take them.
+        linkage: the joints, as the laws and the pictures use them.
         equipment: equipment besides the joints.
         mount: the arm's base frame L in the orbiter.
         limits: joint limits.
-        singular: normalised distance below which a singularity is announced [1].
+        singular: normalised distance below which the SINGULAR lamp lights [1].
         rates: joint rate limits.
         por: rows of limits by payload mass, lightest first.
         source: the decoded file, with the source and confidence of each constant.
@@ -81,19 +81,19 @@ class ArmModel:
 
     @property
     def links(self) -> Array:
-        """Array (8,) that the laws take (`kinematics.linkage`)."""
+        """Array (8,) for the laws (`kinematics.linkage`)."""
         return self.linkage.links
 
     @property
     def frames(self) -> tuple[str, ...]:
-        """Names of all frames that carry a body: the linkage's, then those of telescope and prong, if present."""
-        has = self.equipment
-        besides = ((STAND, has.telescope), (PRONG, has.prong))
-        return (*self.linkage.frames, *(name for name, there in besides if there is not None))
+        """Names of all frames that carry a body: the linkage's frames, then telescope and prong, if present."""
+        equipment = self.equipment
+        besides = ((STAND, equipment.telescope), (PRONG, equipment.prong))
+        return (*self.linkage.frames, *(name for name, item in besides if item is not None))
 
     @property
     def end_effector_roll(self) -> float:
-        """Roll from frame 7 to the end effector's own axes E [rad]: R_E = R_7 Rx(this)."""
+        """Roll from frame 7 to the end effector's own axes E [rad]: the angle r in R_E = R_7 Rx(r)."""
         return self.linkage.end_effector_roll
 
     @property
@@ -108,26 +108,28 @@ class ArmModel:
             InputError: the arm has no telescope, or the length is outside the telescope's limits.
         """
         if self.equipment.telescope is None:
-            raise InputError(f"the arm {self.name} stands on no telescope: `stand` cannot be given")
+            raise InputError(f"the arm {self.name} has no telescope: `stand` cannot be given")
         least, greatest, _ = self.equipment.telescope
-        if not least - _HAIR <= stand <= greatest + _HAIR:
-            raise InputError(f"the stand of {self.name} is {least:g} to {greatest:g} m long, got {stand:g} m")
+        if not least - _LENGTH_TOLERANCE <= stand <= greatest + _LENGTH_TOLERANCE:
+            raise InputError(
+                f"the telescope (`stand`) of {self.name} is {least:g} to {greatest:g} m long, got {stand:g} m"
+            )
         return replace(self, linkage=raised(self.linkage, stand))
 
     def por_limits(self, payload_mass: float) -> PorLimits:
-        """Return the limits of the point of resolution with a payload [kg], interpolated in the mass's logarithm.
+        """Return the limits of the point of resolution for a payload's mass [kg], interpolated in its logarithm.
 
-        Between no payload and the lightest payload's row, they are interpolated in the mass itself. Beyond the
-        heaviest row, the limits of that row hold (assumed).
+        Below the lightest payload's row, the limits are interpolated in the mass itself. Above the heaviest row, the
+        limits of that row apply (assumed).
 
         Raises:
             InputError: the mass is negative.
         """
         if not payload_mass >= 0.0:
-            raise InputError(f"a payload's mass is not negative, got {payload_mass:g} kg")
+            raise InputError(f"a payload's mass has to be 0 or more, got {payload_mass:g} kg")
         rows = self.por
-        above = next((i for i, row in enumerate(rows) if row.mass >= payload_mass), len(rows) - 1)
-        low, high = rows[max(above - 1, 0)], rows[above]
+        upper = next((i for i, row in enumerate(rows) if row.mass >= payload_mass), len(rows) - 1)
+        low, high = rows[max(upper - 1, 0)], rows[upper]
         if payload_mass >= high.mass or low is high:
             share = 1.0
         elif low.mass == 0.0:
@@ -158,7 +160,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
 
     Raises:
         ArmError: no built-in arm has that name.
-        ScenarioError: the file has problems, all listed in the message, or its file of shapes cannot be read.
+        ScenarioError: the file has errors, all listed in the message, or the arm's shape file cannot be read.
     """
     path = Path(name_or_path)
     if path.suffix != ".toml":
@@ -169,7 +171,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
             )
         path = HERE / f"{name_or_path}.toml"
     source = read(path)
-    file = parse(cast("type[ArmFile]", ArmFile), source)  # to the type checker, a union is not a `type`
+    file = parse(cast("type[ArmFile]", ArmFile), source)  # the type checker does not accept a union as a `type`
     if problems := arm_problems(file):
         raise ScenarioError(sentences(problems, *source))
     return _model(file, source.text, read(path.parent / file.shapes) if file.shapes else None)

@@ -1,8 +1,8 @@
 """Contents of an arm file: geometry, limits, rates and masses, each constant with its source.
 
-The field `family` selects one of two families: that of JSC-12628 (yaw, pitch, pitch, pitch, yaw, roll) or that of
-the *Remote Manipulator Simulation* (heading, pitch, pitch, heading, pitch, roll). Tables that only one family has are
-structs of their own.
+The field `family` selects one of two families: the Shuttle's, of JSC-12628 (yaw, pitch, pitch, pitch, yaw, roll), or
+the concept's, of the *Remote Manipulator Simulation* (heading, pitch, pitch, heading, pitch, roll). A table that only
+one family has is a separate struct.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ SixNames = tuple[Text, Text, Text, Text, Text, Text]
 
 
 class YawGeometry(_Part, frozen=True):
-    """Distances between joint centres at zero angles, pitch-yaw-roll wrist."""
+    """Distances between joint centres at zero angles, for a pitch-yaw-roll wrist."""
 
     shoulder_yaw_to_pitch: Constant[Length]
     upper_arm: Constant[Offset]
@@ -68,7 +68,7 @@ class YawGeometry(_Part, frozen=True):
 
 
 class HeadingGeometry(_Part, frozen=True):
-    """Distances between joint centres, heading-pitch-roll wrist; the tip is the palm's outer face."""
+    """Distances between joint centres, for a heading-pitch-roll wrist; the tip is on the palm's outer face."""
 
     upper_arm: Constant[Length]
     lower_arm: Constant[Length]
@@ -128,7 +128,7 @@ class YawParts(_Part, frozen=True):
 
 
 class HeadingParts(_Part, frozen=True):
-    """Masses of the parts of an arm of the concept's family [kg], without its stand."""
+    """Masses of the parts of an arm of the concept's family [kg], without the telescope."""
 
     upper_arm: Mass
     lower_arm: Mass
@@ -150,9 +150,9 @@ class StandFile(_Part, frozen=True):
     start: Constant[Length]
     rate: Constant[Speed]
     side: Constant[Length]
-    """Side of its square section."""
+    """Side of the sleeve's square section."""
     tube_side: Constant[Length]
-    """Side of the square tube that slides in it."""
+    """Side of the square tube that slides in the sleeve."""
     top_below_shoulder: Constant[Length]
 
 
@@ -171,10 +171,10 @@ class BoomsFile(_Part, frozen=True):
 
 
 class EffectorFile(_Part, frozen=True):
-    """Palm (HEX 1), fixed finger (HEX 2) and prong (HEX 3), in system 2: X2 out of the hand, Y2 to the fixed finger."""
+    """Palm (HEX 1), fixed finger (HEX 2) and prong (HEX 3), in system 2: X2 outwards, Y2 to the fixed finger."""
 
     palm: Constant[Span]
-    """Along X2; the outer face meets the payload's bar."""
+    """Along X2; the outer face is the one that contacts the payload's bar."""
     palm_half_width: Constant[Length]
     palm_half_height: Constant[Length]
     fingers: Constant[Span]
@@ -190,10 +190,10 @@ class EffectorFile(_Part, frozen=True):
 
 
 class _Cover(_Part, frozen=True, tag_field="kind", kw_only=True):
-    """Convex body that encloses another, so that no clearance from the enclosed body is overstated."""
+    """Convex body that encloses a covered body, so that the covered body's clearance is never overstated."""
 
     position: tuple[Length, Length, Length] = (Length(0.0), Length(0.0), Length(0.0))
-    """Position of its centre in the frame of the covered body."""
+    """Position of the cover's centre in the frame of the covered body."""
     rotation: tuple[Angle, Angle, Angle] = (Angle(0.0), Angle(0.0), Angle(0.0))
     """Roll, pitch, yaw about fixed x, y, z, applied in that order."""
 
@@ -209,7 +209,7 @@ class PrismCover(_Cover, frozen=True, kw_only=True, tag="prism"):
 
     axis: Axis = "x"
     radius: Length
-    """Radius of the cylinder; the prism's edges lie farther out."""
+    """Radius of the cylinder; the prism's edges are farther from the axis."""
     length: Length
     sides: int
 

@@ -41,12 +41,14 @@ class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def shapes_of(model: ArmModel) -> ArmShapes:
-    """Return an arm's shapes and cameras from its shape file or, for a concept arm without one, its dimensions.
+    """Return an arm's shapes and cameras from its shape file.
 
-    An arm of the Shuttle's family without a shape file has nothing to draw.
+    For a concept arm without a shape file, the shapes are computed from its dimensions. An arm of the Shuttle's family
+    without a shape file has no shapes.
 
     Raises:
-        ScenarioError: a shape or camera is invalid, or the frames are not the arm's; names the place in the file.
+        ScenarioError: a shape or camera is invalid, or the frames are not the arm's. The message names the place in the
+            file.
     """
     if model.shapes is not None:
         file = parse(_File, model.shapes)
@@ -76,9 +78,9 @@ def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[Problem]:
     allowed = ", ".join(frames)
     names = tuple(body.name for body in file.body)
     if names != frames:
-        what = f"the frames are {', '.join(names) or 'none'}; they have to be, in order, {allowed}"
+        what = f"the frames have to be, in order, {allowed}; got {', '.join(names) or 'none'}"
         yield Problem(("body",), what)
     for i, camera in enumerate(file.camera):
         if camera.body not in frames:
-            what = f"{camera.body!r} is no frame of the arm; there are: {allowed}"
+            what = f"{camera.body!r} is not a frame of the arm; there are: {allowed}"
             yield Problem(("camera", i, "body"), what)

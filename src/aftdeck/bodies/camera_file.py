@@ -24,7 +24,7 @@ class TravelFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         self.travel()
 
     def travel(self) -> Travel:
-        """Return the same values as the scene's `Travel`, in SI units."""
+        """Return the same values as a `Travel`, in SI units."""
         slow = None if self.slow is None else float(self.slow)
         return Travel(float(self.least), float(self.greatest), float(self.rate), slow)
 
@@ -36,7 +36,7 @@ class DriveFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     source: str
     """Source of the values, or ``assumed``."""
     lens: Length = Length(0.0)
-    """Distance of the lens ahead of the point where the pan and tilt axes meet."""
+    """Distance of the lens ahead of the intersection of the pan and tilt axes."""
     pan: TravelFile | None = None
     tilt: TravelFile | None = None
     zoom: TravelFile | None = None
@@ -55,7 +55,7 @@ class PaneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         self.pane()
 
     def pane(self) -> Pane:
-        """Return the same values as the scene's `Pane`, in SI units."""
+        """Return the same values as a `Pane`, in SI units."""
         return Pane(float(self.distance), float(self.width), float(self.height))
 
 
@@ -83,7 +83,7 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """Raise ValueError if `Camera` rejects the values, or `zero` has no length or is parallel to `up`."""
         self._camera(None)
         if along(self.zero or self.boresight, self.up):
-            raise ValueError(f"camera {self.name}'s zero and up have to be two different directions")
+            raise ValueError(f"camera {self.name}: zero and up have to be different directions")
 
     def _camera(self, drive: Drive | None) -> Camera:
         x, y, z = map(float, self.position)
@@ -104,16 +104,16 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             return self._camera(None)
         file = next((drive for drive in drives if drive.name == self.drive), None)
         if file is None:
-            there = ", ".join(drive.name for drive in drives) or "none"
-            raise ValueError(f"camera {self.name}'s drive {self.drive!r} is not listed; there are: {there}")
+            choices = ", ".join(drive.name for drive in drives) or "none"
+            raise ValueError(f"camera {self.name}: no drive {self.drive!r}; there are: {choices}")
         pan, tilt, zoom = (None if part is None else part.travel() for part in (file.pan, file.tilt, file.zoom))
         camera = self._camera(Drive(square(self.zero or self.boresight, self.up), float(file.lens), pan, tilt, zoom))
         start = setting(camera)
         for name, travel, angle in zip(start._fields, (pan, tilt, zoom), start, strict=True):
             if travel is not None and not travel.least <= angle <= travel.greatest:
                 raise ValueError(
-                    f"camera {self.name} starts with a {name} of {angle:.4g} rad; its drive {self.drive!r} goes from "
-                    f"{travel.least:.4g} to {travel.greatest:.4g}"
+                    f"camera {self.name} starts with a {name} of {angle:.4g} rad; the range of drive "
+                    f"{self.drive!r} is {travel.least:.4g} to {travel.greatest:.4g} rad"
                 )
         return camera
 

@@ -15,7 +15,7 @@ import msgspec
 Vec3 = tuple[float, float, float]
 Kind = Literal["camera", "window", "engineering"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
-"""Kinds of picture source: a television camera, an eye behind a window, or a view that no flight hardware provides."""
+"""Kinds of picture source: a television camera, an eye behind a window, or a view for engineers, without hardware."""
 
 
 class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -33,7 +33,9 @@ class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def __post_init__(self) -> None:
         """Raise ValueError if `least` is not less than `greatest`, or a rate is not above zero."""
         if not self.least < self.greatest:
-            raise ValueError(f"least is {self.least:g} and greatest {self.greatest:g}; least has to be less")
+            raise ValueError(
+                f"least is {self.least:g} and greatest is {self.greatest:g}; least has to be less than greatest"
+            )
         for name, rate in (("rate", self.rate), ("slow", self.slow)):
             if rate is not None and not rate > 0.0:
                 raise ValueError(f"{name} is {rate:g}; it has to be above 0")
@@ -45,7 +47,7 @@ class Drive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     zero: Vec3
     """Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`."""
     lens: float
-    """Distance of the lens ahead of the point where the pan and tilt axes meet [m]."""
+    """Distance of the lens ahead of the intersection of the pan and tilt axes [m]."""
     pan: Travel | None
     tilt: Travel | None
     zoom: Travel | None
@@ -55,7 +57,7 @@ class Drive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Pane(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Opening of a window, perpendicular to the line of sight and centred on it.
 
-    Anything beside the opening, or between the eye and the opening, is invisible.
+    The picture shows only what is beyond the opening and seen through it.
     """
 
     distance: float
@@ -98,15 +100,17 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def __post_init__(self) -> None:
         """Raise ValueError if the fields give no picture, or if `pane` or `drive` does not fit the kind."""
         if (self.kind == "window") != (self.pane is not None):
-            raise ValueError(f"{self.name} is a {self.kind}; a window has a pane, and nothing else has one")
+            raise ValueError(
+                f"{self.name} is of kind {self.kind}; a window needs a pane, and other kinds cannot have one"
+            )
         if self.kind != "camera" and self.drive is not None:
-            raise ValueError(f"{self.name} is a {self.kind}; only a camera has a drive")
+            raise ValueError(f"{self.name} is of kind {self.kind}; only the kind camera can have a drive")
         if not 0.0 < self.field_of_view < pi:
             raise ValueError(
                 f"camera {self.name}'s field_of_view is {self.field_of_view:g}; it has to be between 0 and pi"
             )
         if along(self.boresight, self.up):
-            raise ValueError(f"camera {self.name}'s boresight and up have to be two different directions")
+            raise ValueError(f"camera {self.name}: boresight and up have to be different directions")
 
 
 class Setting(NamedTuple):
@@ -146,7 +150,7 @@ def setting(camera: Camera) -> Setting:
 
 
 def view(camera: Camera, at: Setting) -> View:
-    """Return the view with the drives at a setting; beyond 90 deg of tilt the camera looks over its back."""
+    """Return the view with the drives at a setting; beyond 90 deg of tilt the camera looks backwards, upside down."""
     ahead, right, up = _axes(camera)
     (cp, sp), (ct, st) = ((cos(angle), sin(angle)) for angle in (at.pan, at.tilt))
     level = _sum((cp, ahead), (sp, right))

@@ -1,8 +1,8 @@
 """Closest points of two hexahedra: the point of their Minkowski difference nearest to the origin, by GJK.
 
 Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
-three-dimensional space", 1988. The sub-simplices are enumerated exactly. The search ends when the distance reached
-agrees with the gap of the plane perpendicular to it, so each answer carries its own proof.
+three-dimensional space", 1988. The sub-simplices are enumerated exactly. The search ends when the distance agrees with
+the gap between the bodies along its direction, so each answer includes its own proof.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from aftdeck.bodies.vector import ZERO, Vector, cross, dot, minus, moved_along, 
 from aftdeck.law import law
 
 AGREED = 1e-13
-"""Largest difference of distance and gap at which the search ends [m]."""
+"""Largest difference between distance and gap at which the search ends [m]."""
 NOTHING = 1e-14
 """Distance at or below which a direction is lost in rounding [m]."""
 ENCLOSED = 4
 """Size of a simplex that contains the origin."""
 MOST_STEPS = 64
-"""Largest number of search steps, more than any observed pair needs: the distance falls with every step."""
+"""Largest number of search steps, more than any observed pair needed; the distance decreases with every step."""
 
 
 class Corner(NamedTuple):
@@ -50,7 +50,7 @@ class Simplex(NamedTuple):
 
 
 class Nearest(NamedTuple):
-    """Final simplex of a search, its point's distance from the origin, and the gap along that direction [m]."""
+    """Final simplex of a search, the distance of its point from the origin, and the gap along that direction [m]."""
 
     simplex: Simplex
     distance: float
@@ -75,7 +75,7 @@ def on_segment(p: Corner, q: Corner) -> Simplex:
     if along >= square:
         return Simplex(1, q, q, q, q.at)
     point = moved_along(p.at, along / square, e)
-    # Remove the component that rounding left along the segment: near contact it is the larger component.
+    # Remove the component that rounding left along the segment: near contact this is the larger component.
     return Simplex(2, p, q, q, moved_along(point, -(dot(point, e) / square), e))
 
 

@@ -1,8 +1,8 @@
 """Curved bodies covered from outside by hexahedra, so that no clearance is ever overstated.
 
-Each function states how far its hexahedra extend beyond the body at most. A clearance from the body is understated by
-at most that distance. The clearance of several hexahedra is the least of their clearances. A negative clearance is
-minus the shortest move out of one hexahedron, which can be less than the shortest move out of all of them.
+The docstring of each function states how far its hexahedra extend beyond the body at most. A clearance from the body is
+understated by at most that distance. The clearance of several hexahedra is the least of their clearances. A negative
+clearance is minus the shortest move out of one hexahedron, which can be less than the shortest move out of all of them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from aftdeck.errors import InputError
 Axis = Literal["x", "y", "z"]
 
 FEWEST_WALLS = 8
-"""Least number of hexahedra of a tube's wall; in the bay's half tube, inner radius 2.31 m, they intrude by 0.044 m."""
+"""Minimum number of hexahedra of a tube's wall; in the bay's half tube of radius 2.31 m they intrude by 0.044 m."""
 SIDES = 12
 """Default number of sides of a prism round a circle; its edges extend beyond the circle by 3.5 % of the radius."""
 FEWEST_SIDES = 4
@@ -55,7 +55,7 @@ def tube_wall(
         (count, 8, 3) vertices [m].
 
     Raises:
-        InputError: the sizes do not make a tube, or there are too few hexahedra.
+        InputError: the sizes do not define a tube, or there are too few hexahedra.
     """
     end = radius if radius_end is None else radius_end
     _above_zero(radius=radius, radius_end=end, thickness=thickness, length=length, sweep=sweep)
@@ -66,7 +66,7 @@ def tube_wall(
     if not abs(start) < inf:
         raise InputError(f"the wall's start is {start:g}; it has to be finite")
     if not float(count).is_integer() or count < FEWEST_WALLS:
-        raise InputError(f"the wall is to be {count} hexahedra; a whole number, {FEWEST_WALLS} or more, is allowed")
+        raise InputError(f"the wall's count is {count}; it has to be a whole number, at least {FEWEST_WALLS}")
     half = sweep / (2 * count)
     walls = np.empty((count, 8, 3))
     for k in range(count):
@@ -103,12 +103,12 @@ def prism(
         (sides/2 - 1, 8, 3) vertices [m].
 
     Raises:
-        InputError: the sizes do not make a prism, or the number of sides is odd or too small.
+        InputError: the sizes do not define a prism, or the number of sides is odd or too small.
     """
     end = radius if radius_end is None else radius_end
     _above_zero(radius=radius, radius_end=end, length=length)
     if not float(sides).is_integer() or sides < FEWEST_SIDES or sides % 2:
-        raise InputError(f"the prism has {sides} sides; an even number, {FEWEST_SIDES} or more, is allowed")
+        raise InputError(f"the prism has {sides} sides; it has to be an even number, at least {FEWEST_SIDES}")
     if not abs(turn) < inf:
         raise InputError(f"the prism's turn is {turn:g}; it has to be finite")
     half = pi / sides
@@ -122,7 +122,7 @@ def prism(
 
 
 def _along(bodies: Array, axis: Axis) -> Array:
-    """Return bodies made along x, turned to lie along another axis."""
+    """Return bodies along x, rotated so that they are along `axis`."""
     if axis not in ("x", "y", "z"):
         raise InputError(f"the axis is {axis!r}; it has to be x, y or z")
     return np.roll(bodies, "xyz".index(axis), axis=-1)

@@ -1,8 +1,8 @@
 """Penetration depth of two hexahedra: the length of the shortest move that takes one out of the other.
 
-Minus the depth is the greatest separation over all planes that can touch last. These are the faces of both bodies,
-and the planes parallel to one edge of each body, if the two edges' arcs of normals cross (Gauss map; S. Gottschalk's
-theorem of separating axes).
+Minus the depth is the greatest separation along all normals in which the bodies can touch last. These are the normals
+of the faces of both bodies, and the normals perpendicular to one edge of each body, if the two edges' arcs of normals
+cross (Gauss map; S. Gottschalk's theorem of separating axes).
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""Edge test: finds an edge of one hexahedron that pierces a face of another.
+"""Edge test: search for an edge of one hexahedron that pierces a face of another.
 
 Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV.B.1), with three corrections. The test
-runs both ways. The edge is a segment instead of a ray. The faces that the edge's location words name clip the edge;
-the source uses scalar triple products with a table of bounding edges, which fails for tapered bodies.
+is made for the edges of both bodies. The edge is a segment instead of a ray. The edge is clipped by the faces that its
+location words name; the source uses scalar triple products with a table of bounding edges, which fails for tapered
+bodies.
 """
 
 from __future__ import annotations

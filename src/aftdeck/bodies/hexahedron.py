@@ -1,4 +1,4 @@
-"""Convex hexahedron with eight vertices and six flat faces: the body of every collision test.
+"""Convex hexahedron with eight vertices and six flat faces, for every collision test.
 
 Vertices are numbered 1 to 8: v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in the body's own
 axes. Face c is its top (-z), d its bottom, b and e its sides (-y, +y), a and f its ends (-x, +x). A face's TRUE side
@@ -20,9 +20,9 @@ from aftdeck.law import law
 
 VERTICES, SIDES = 8, 6
 X, Y, Z = 0, 8, 16
-"""Places of the vertices' coordinates in a packed body [m]."""
+"""Indices of the vertices' coordinates in a packed body [m]."""
 NX, NY, NZ, D = 24, 30, 36, 42
-"""Places of the faces' outward unit normals [1] and distances [m]."""
+"""Indices of the faces' outward unit normals [1] and distances [m]."""
 BODY = 48
 """Length of a packed body."""
 
@@ -40,7 +40,7 @@ EDGES = tuple(
 )
 """The twelve edges, each by its two vertices."""
 
-# The same tables numbered from zero, for the laws.
+# The same tables for the laws, numbered from zero.
 CORNERS = np.array([[v - 1 for v in face] for face in FACES.values()])
 """(6, 4) vertices of each face."""
 ENDS = np.array([[p - 1, q - 1] for p, q in EDGES])
@@ -50,19 +50,19 @@ _OUTWARD = _CUBE[CORNERS].sum(axis=1)
 
 
 def _beside(p: int, q: int) -> tuple[int, int]:
-    """Return the two faces that meet in an edge, in the order of BESIDE."""
+    """Return the two faces of an edge, in the order of BESIDE."""
     f, g = (k for k, face in enumerate(FACES.values()) if {p, q} <= set(face))
     return (f, g) if np.cross(_OUTWARD[f], _OUTWARD[g]) @ (_CUBE[q - 1] - _CUBE[p - 1]) > 0.0 else (g, f)
 
 
 BESIDE = np.array([_beside(p, q) for p, q in EDGES])
-"""(12, 2) faces that meet in each edge, ordered so that the cross product of their normals points along the edge."""
+"""(12, 2) faces of each edge, ordered so that the cross product of their normals points along the edge."""
 
 
 def pack(vertices: Array) -> Array:
-    """Pack vertices (8, 3) [m], in their order, with the planes of their faces; no check is made.
+    """Pack vertices (8, 3) [m], in their order, with the planes of their faces, without checks.
 
-    A face's normal is perpendicular to its diagonals. Its plane goes through its outermost vertex.
+    A face's normal is perpendicular to its diagonals. Its plane contains its outermost vertex.
     """
     p, q, r, s = vertices[CORNERS].transpose(1, 0, 2)
     normals = np.cross(s - p, r - q)
@@ -91,7 +91,7 @@ def face_normal(body: Array, f: int) -> Vector:
 
 @law
 def place(body: Array, position: Array, rotation: Array, placed: Array) -> None:
-    """Write into `placed` (48,) the packed body turned by `rotation` (3, 3), then moved by `position` (3,) [m]."""
+    """Write into `placed` (48,) the packed body rotated by `rotation` (3, 3), then moved by `position` (3,) [m]."""
     x0, y0, z0 = position[0], position[1], position[2]
     for v in range(VERTICES):
         x, y, z = body[X + v], body[Y + v], body[Z + v]

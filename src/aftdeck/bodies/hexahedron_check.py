@@ -16,14 +16,14 @@ FARTHEST = 1e4
 SHORTEST = 1e-6
 """Smallest allowed distance between two vertices [m] (assumed)."""
 THINNEST = 1e-6
-"""Smallest allowed depth of a vertex inside a face it is not on, as a fraction of the longest edge [1] (assumed)."""
+"""Smallest allowed depth of a vertex inside a face without that vertex, over the longest edge [1] (assumed)."""
 
 _RIMS = CORNERS[:, [0, 1, 3, 2]]
-"""(6, 4) vertices of each face in order round its rim, numbered from zero."""
+"""(6, 4) vertices of each face in order along its rim, numbered from zero."""
 _BESIDE = np.arange(VERTICES)[:, None] ^ np.array([1, 2, 4])
 """(8, 3) neighbours of each vertex along the body's own z, x and y, numbered from zero."""
 _UPWARD = np.sign(_BESIDE - np.arange(VERTICES)[:, None])[..., None]
-"""(8, 3, 1) direction to each neighbour: +1 if it is up its axis, -1 if it is down."""
+"""(8, 3, 1) sign of the direction to each neighbour along its axis."""
 
 
 def hexahedron(vertices: ArrayLike, name: str = "the hexahedron") -> Array:
@@ -81,11 +81,11 @@ def _right_handed(points: Array, name: str) -> None:
     if (turns < -(THINNEST**2)).all():
         raise InputError(
             f"{name}: vertex 2 at {_at(points[1])} makes it a mirror image: seen from vertex 1, vertices 2, 3 and 5 "
-            "have to stand along z, x and y of right-handed axes; exchange 1 with 2, 3 with 4, 5 with 6 and 7 with 8"
+            "have to be along z, x and y of right-handed axes; exchange 1 with 2, 3 with 4, 5 with 6 and 7 with 8"
         )
     v = int(turns.argmin())
     if turns[v] <= THINNEST**2:
-        what = "lies in one plane with" if abs(turns[v]) <= THINNEST**2 else "is dented in, or numbered wrongly, beside"
+        what = "is in one plane with" if abs(turns[v]) <= THINNEST**2 else "is dented in, or numbered wrongly, beside"
         p, q, r = _BESIDE[v] + 1
         raise InputError(
             f"{name}: vertex {v + 1} at {_at(points[v])} {what} its neighbours {p}, {q} and {r}; "
@@ -94,7 +94,7 @@ def _right_handed(points: Array, name: str) -> None:
 
 
 def _flat(points: Array, name: str) -> None:
-    """Reject bent faces; the error names the vertex on most of them or, among equals, the farthest off its plane."""
+    """Reject bent faces; the error names the vertex on most bent faces or, among equals, the farthest off its plane."""
     rims = points[_RIMS]
     before, after, across = (np.roll(rims, k, axis=1) for k in (1, -1, 2))
     normals = np.cross(after - across, before - across)
@@ -106,7 +106,7 @@ def _flat(points: Array, name: str) -> None:
         v = int(np.lexsort((off, bent))[-1])
         faces = ", ".join(letter for letter, face in FACES.items() if v + 1 in face)
         raise InputError(
-            f"{name}: vertex {v + 1} at {_at(points[v])} stands {off[v]:.3g} m off the plane of the other three of a "
+            f"{name}: vertex {v + 1} at {_at(points[v])} is {off[v]:.3g} m off the plane of the other three of a "
             f"face (it is on {faces}); at most {FLAT:g} m is allowed"
         )
 
@@ -121,7 +121,7 @@ def _round(points: Array, name: str) -> None:
         v, order = _RIMS[f, k], ", ".join(str(vertex + 1) for vertex in _RIMS[f])
         raise InputError(
             f"{name}: vertex {v + 1} at {_at(points[v])} makes the rim of face {list(FACES)[f]} cross itself or turn "
-            f"back; in this order, {order}, its vertices go round it once"
+            f"back; its vertices have to be in this order along the rim: {order}"
         )
 
 
@@ -134,6 +134,6 @@ def _convex(points: Array, body: Array, name: str) -> None:
     f, v = np.unravel_index(int(inside.argmin()), inside.shape)
     if not inside[f, v] > max(THINNEST * longest, FLAT):
         raise InputError(
-            f"{name}: vertex {v + 1} at {_at(points[v])} stands {inside[f, v]:.3g} m inside the plane of face "
+            f"{name}: vertex {v + 1} at {_at(points[v])} is {inside[f, v]:.3g} m inside the plane of face "
             f"{list(FACES)[f]}, which it is not on; in a convex solid it is more than {THINNEST:g} of the longest edge"
         )

@@ -1,4 +1,4 @@
-"""Location words: for each vertex of one hexahedron, the faces of another on whose TRUE side the vertex lies.
+"""Location words: for each vertex of one hexahedron, the faces of another on whose TRUE side the vertex is.
 
 Source: vertex-face test of the final report of the Remote Manipulator Simulation (IV.B.1): subroutine EFFTST for a's
 vertices against b's faces, NORMS for the reverse. A word of zeros means that the vertex is inside: a collision. A bit
@@ -20,7 +20,7 @@ Words = NDArray[np.int64]
 
 
 class Deepest(NamedTuple):
-    """Vertex that lies deepest inside, numbered from zero, and its greatest height over a face, negative inside [m]."""
+    """Vertex that is deepest inside, numbered from zero, and its greatest height over a face, negative inside [m]."""
 
     vertex: int
     height: float
@@ -47,7 +47,7 @@ def location_words(above: Array, words: Words) -> None:
 
 @law
 def deepest(above: Array) -> Deepest:
-    """Return the vertex that lies deepest inside all faces; if none is inside, the one least far outside a face."""
+    """Return the vertex deepest inside all faces; if no vertex is inside, the vertex least far outside a face."""
     vertex, best = 0, np.inf
     for v in range(VERTICES):
         height = above[0, v]

@@ -1,6 +1,7 @@
-"""Penetration depth of convex hexahedra in plain NumPy, for checks at load, which must not wait for a compiler.
+"""Penetration depth of convex hexahedra in plain NumPy, for checks at load, which must not wait for compilation.
 
-Method: the theorem of separating axes over all face normals and all pairs of edges. Compiled code uses `bodies.watch`.
+Method: the theorem of separating axes over all face normals and all pairs of edges. Compiled code uses
+`bodies.repeated_test`.
 """
 
 from __future__ import annotations
@@ -19,20 +20,20 @@ _SHORT = 1e-12
 def overlap(a: Array, b: Array) -> float:
     """Return the length of the shortest move that takes two hexahedra (8, 3) apart [m]; 0 where they do not overlap."""
     normals = np.concatenate([_normals(a), _normals(b)])
-    if (depth := _least(normals, a, b)) <= 0.0:
+    if (depth := _least_overlap(normals, a, b)) <= 0.0:
         return 0.0
     crossed = np.cross(_edges(a)[:, None], _edges(b)[None]).reshape(-1, 3)
     size = (crossed**2).sum(axis=1)
-    some = size > _SHORT
-    return max(0.0, min(depth, _least(crossed[some] / np.sqrt(size[some])[:, None], a, b)))
+    not_parallel = size > _SHORT
+    return max(0.0, min(depth, _least_overlap(crossed[not_parallel] / np.sqrt(size[not_parallel])[:, None], a, b)))
 
 
 def deepest(some: Sequence[Array], others: Sequence[Array]) -> float:
     """Return the greatest penetration depth of a hexahedron of `some` in one of `others` [m]; 0 if none overlap."""
-    return max((overlap(a, b) for a, b in _near(some, others)), default=0.0)
+    return max((overlap(a, b) for a, b in _pairs_with_overlapping_boxes(some, others)), default=0.0)
 
 
-def _near(some: Sequence[Array], others: Sequence[Array]) -> Iterator[tuple[Array, Array]]:
+def _pairs_with_overlapping_boxes(some: Sequence[Array], others: Sequence[Array]) -> Iterator[tuple[Array, Array]]:
     """Yield the pairs whose axis-aligned bounding boxes overlap."""
     if not len(some) or not len(others):
         return
@@ -42,16 +43,16 @@ def _near(some: Sequence[Array], others: Sequence[Array]) -> Iterator[tuple[Arra
         yield a[i], b[j]
 
 
-def _least(directions: Array, a: Array, b: Array) -> float:
+def _least_overlap(directions: Array, a: Array, b: Array) -> float:
     """Return the least overlap of two bodies along any of the unit directions (n, 3) [m].
 
     The overlap is negative along a direction that separates the bodies, and infinite if there are no directions.
     """
     if not len(directions):
         return np.inf
-    one, other = directions @ a.T, directions @ b.T
-    ways = np.minimum(one.max(axis=1) - other.min(axis=1), other.max(axis=1) - one.min(axis=1))
-    return float(ways.min())
+    along_a, along_b = directions @ a.T, directions @ b.T
+    overlaps = np.minimum(along_a.max(axis=1) - along_b.min(axis=1), along_b.max(axis=1) - along_a.min(axis=1))
+    return float(overlaps.min())
 
 
 def _normals(body: Array) -> Array:

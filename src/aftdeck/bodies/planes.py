@@ -1,7 +1,7 @@
 """Dynamic separating planes: a plane is valid only after a test of every vertex of both bodies.
 
-The laws index the coordinates of a packed body directly: 0 to 7 are x, 8 to 15 y, 16 to 23 z. They take vertices in
-pairs, whose products do not wait for each other.
+The laws index the coordinates of a packed body directly: 0 to 7 are x, 8 to 15 y, 16 to 23 z. They process vertices in
+pairs, so that a processor can compute the products of a pair in parallel.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from aftdeck.law import law
 POSE = 12
 """Length of a row."""
 HERE = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-"""Row of the identity pose: a frame in itself."""
+"""Row of the identity pose."""
 
 
 def row_of(pose: Pose) -> Array:
@@ -21,7 +21,7 @@ def row_of(pose: Pose) -> Array:
 
 
 def inverse(row: Array) -> Array:
-    """Return the inverse (12,) of a body's pose in a frame: the pose of the frame in the body."""
+    """Return the inverse (12,) of a body's pose in a frame: the frame's pose in the body's frame."""
     found = np.empty(POSE)
     relative(row, np.array(HERE), found)
     return found
@@ -61,7 +61,7 @@ def relative(frame: Array, body: Array, out: Array) -> None:
 
 @law
 def turned(pose: Array, v: Vector) -> Vector:
-    """Return a vector, given in the frame of a pose (12,), in the axes in which that pose is given."""
+    """Return a vector, given in the frame that a pose (12,) describes, in the frame in which the pose is given."""
     return Vector(
         pose[3] * v.x + pose[4] * v.y + pose[5] * v.z,
         pose[6] * v.x + pose[7] * v.y + pose[8] * v.z,
@@ -71,7 +71,7 @@ def turned(pose: Array, v: Vector) -> Vector:
 
 @law
 def turned_back(pose: Array, v: Vector) -> Vector:
-    """Return a vector in the axes of the frame of a pose (12,); the vector and the pose are given in the same axes."""
+    """Return a vector in the frame that a pose (12,) describes; vector and pose are given in the same frame."""
     return Vector(
         pose[3] * v.x + pose[6] * v.y + pose[9] * v.z,
         pose[4] * v.x + pose[7] * v.y + pose[10] * v.z,
@@ -81,7 +81,7 @@ def turned_back(pose: Array, v: Vector) -> Vector:
 
 @law
 def moved(pose: Array, p: Vector) -> Vector:
-    """Return a point, given in the frame of a pose (12,), in the frame in which that pose is given [m]."""
+    """Return a point [m], given in the frame that a pose (12,) describes, in the frame in which the pose is given."""
     return Vector(
         pose[0] + pose[3] * p.x + pose[4] * p.y + pose[5] * p.z,
         pose[1] + pose[6] * p.x + pose[7] * p.y + pose[8] * p.z,

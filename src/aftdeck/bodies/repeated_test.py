@@ -1,6 +1,6 @@
-"""Repeated test of a watched pair of hexahedra: validity of the last plane, collision, and clearance.
+"""Repeated test of a pair of hexahedra: validity of the last plane, collision, and clearance.
 
-For use inside compiled code. The answer is written into the packed pair (`pair.py`). A plane is stored only after a
+For use inside compiled code. The result is written into the packed pair (`pair.py`). A plane is stored only after a
 test of all sixteen vertices, and a collision only with the features that prove it.
 """
 
@@ -37,8 +37,8 @@ EDGE_BITS = (1 << ENDS).sum(axis=1)
 FACE_BITS = (1 << CORNERS).sum(axis=1)
 """Features of the edges (12,) and of the faces (6,), as written in a packed pair."""
 ASIDE = 1e-9
-"""Distance left between bodies in contact, after a move apart, to find the points that touch last [m]. It is small, so
-that a point beside the nearest one is measurably farther."""
+"""Gap that is left between bodies after the shortest move apart, to find the points that touch last [m]. The gap is
+small, so that a point beside the closest point is measurably farther away."""
 
 
 @law
@@ -86,17 +86,17 @@ def measure(a: Array, b: Array, pair: Array) -> float:
 
 @law
 def measure_all(bodies: Array, watched: Indices, pairs: Array) -> None:
-    """Measure many pairs: packed bodies (n, 48), indices of the watched two (m, 2), packed pairs (m, 17)."""
+    """Measure many pairs: packed bodies (n, 48), indices of each pair's two bodies (m, 2), packed pairs (m, 17)."""
     for k in range(len(watched)):
         measure(bodies[watched[k, 0]], bodies[watched[k, 1]], pairs[k])
 
 
 @law
 def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
-    """Return the clearance of bodies that overlap or are within rounding and CONTACT of overlap, and fill the pair.
+    """Return the clearance of bodies that overlap or are within rounding and CONTACT of an overlap, and fill the pair.
 
-    The closest points of overlapping bodies are the points that touch last on the shortest move apart: the points that
-    are closest once a has made that move and gone a little further.
+    The closest points of overlapping bodies are the points that touch last on the shortest move apart: the closest
+    points after a has made that move and moved by ASIDE more.
     """
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
@@ -120,7 +120,7 @@ def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
 
 @law
 def _penetrates(a: Array, b: Array, pair: Array) -> bool:
-    """Return whether a vertex lies inside the other body or an edge pierces a face; if so, store these features.
+    """Return whether a vertex is inside the other body or an edge pierces a face; if so, store these features.
 
     Clears the pair's plane (subroutine COLLIDE).
     """
@@ -153,7 +153,8 @@ def _penetrates(a: Array, b: Array, pair: Array) -> bool:
 def _start(a: Array, b: Array, pair: Array) -> Simplex:
     """Return the last simplex at the bodies' present poses.
 
-    For a pair that was never measured, return the corner of the two vertices that face the other body's middle.
+    For a pair that was never measured, return the corner of two vertices: of each body, the vertex farthest towards
+    the other body's middle.
     """
     size = int(pair[SIZE])
     if size == 0:
@@ -188,7 +189,7 @@ def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
 
 @law
 def _put_points(a: Array, b: Array, pair: Array, s: Simplex) -> None:
-    """Store the points of a and b that make up the simplex's point, and the features on which they lie."""
+    """Store the points of a and b whose difference is the simplex's point, and the features that contain them."""
     p, q, r = weights(s)
     i, j, k = s.p.a, s.q.a, s.r.a
     point = moved_along(moved_along(times(p, vertex(a, i)), q, vertex(a, j)), r, vertex(a, k))

@@ -17,7 +17,7 @@ from aftdeck.bodies.repeated_test import measure
 class Feature(NamedTuple):
     """Features that collide or are closest, one of each body: ``vertex 3``, ``edge 34``, ``face b``, or ``body``.
 
-    In a collision, a vertex and ``body`` mean that the vertex lies inside the other body; an edge and a face mean that
+    In a collision, a vertex and ``body`` mean that the vertex is inside the other body; an edge and a face mean that
     the edge pierces the face.
 
     Attributes:
@@ -42,7 +42,7 @@ class Plane(NamedTuple):
 
 
 class Closest(NamedTuple):
-    """Closest points, whose distance is the clearance; or the points that touch last on the shortest move apart.
+    """Closest points, or, if the bodies overlap, the points that touch last on the shortest move apart.
 
     Attributes:
         a: (3,) point of the first body [m].
@@ -58,12 +58,12 @@ class Separation(NamedTuple):
 
     Attributes:
         collides: whether the clearance is at most 1e-9 m.
-        clearance: distance of the two [m]; if they overlap, minus the length of the shortest move that takes them
-            apart.
+        clearance: distance of the two bodies [m]; if they overlap, minus the length of the shortest move that takes
+            them apart.
         closest: the closest points; their distance is the absolute clearance.
         plane: a plane between the bodies, checked with all sixteen vertices; None if the bodies collide.
-        feature: the features that penetrate or touch if the bodies collide, else those on which the closest points
-            lie.
+        feature: the features that penetrate or touch if the bodies collide, else those that contain the
+            closest points.
     """
 
     collides: bool
@@ -77,15 +77,16 @@ def separation(a: ArrayLike, b: ArrayLike) -> Separation:
     """Return clearance, closest points and separating plane or penetrating feature of two convex hexahedra.
 
     Vertices are numbered v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in each body's own
-    axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. For two bodies watched
-    step by step inside compiled code, `aftdeck.bodies.repeated_test` is cheaper.
+    axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. For two bodies measured in
+    every step inside compiled code, `aftdeck.bodies.repeated_test` is faster.
 
     Args:
         a: (8, 3) vertices of the first body [m].
         b: (8, 3) vertices of the second, in the same frame [m].
 
     Raises:
-        InputError: a body is not convex, has a bent face, has no volume, or is numbered otherwise; names the vertex.
+        InputError: a body is not convex, has a bent face or no volume, or its vertices are in another order; the
+            message names the vertex.
 
     Examples:
         >>> import numpy as np

@@ -1,6 +1,6 @@
 """Vectors of three numbers by name, for use inside the laws.
 
-A law makes these tuples in compiled code, where they cost next to nothing; passed from Python they would cost
+A law creates these tuples in compiled code, where they take almost no time. Passed from Python, each would take
 microseconds.
 """
 
@@ -25,13 +25,13 @@ ZERO = Vector(0.0, 0.0, 0.0)
 
 @law
 def vector_at(values: Array, at: int) -> Vector:
-    """Return the vector whose three numbers begin at an index."""
+    """Return the vector whose three components begin at index `at`."""
     return Vector(values[at], values[at + 1], values[at + 2])
 
 
 @law
 def put_vector(values: Array, at: int, v: Vector) -> None:
-    """Write the three numbers of a vector from an index on."""
+    """Write the three components of a vector from index `at` on."""
     values[at], values[at + 1], values[at + 2] = v.x, v.y, v.z
 
 

@@ -1,4 +1,4 @@
-"""Python interface of the arm: forward kinematics, Jacobian, joint rates, inverse and singularities, in batches."""
+"""Python interface of the arm: forward and inverse kinematics, Jacobian, joint rates and singularities, in batches."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ _FLOAT = np.dtype(np.float64)
 class Arm:
     """Arm of one of the two families: the Shuttle's, or the concept's of 1972.
 
-    Joint angles are the operator's: all are zero at the cradle for the Shuttle's arm, and with the arm stretched out
-    aft for the concept arm. Poses and twists are in L, the arm's base frame (for the concept arm the report's R),
-    unless a frame is named. For the concept arm, frame 7 means system 2. Every method takes any number of leading
-    dimensions unless its description says otherwise.
+    Joint angles are those of the panel: all are zero at the cradle for the Shuttle's arm, and with the arm stretched
+    out aft for the concept arm. Poses and twists are in L, the arm's base frame (for the concept arm the report's R),
+    unless another frame is named. For the concept arm, frame 7 means system 2. Every method accepts arrays with any
+    number of leading dimensions unless its description says otherwise.
 
     Attributes:
         model: every constant, with its source.
@@ -42,7 +42,7 @@ class Arm:
         limits: `hard`, `soft` and `reach`, each (6, 2) [rad].
         rates: `servo`, `coarse` and `vernier`, each (6,) [rad/s].
         rate_limits: (6,) servo maxima [rad/s].
-        stand: length of the telescope under the arm [m], a constant of this arm; None if it has no telescope.
+        stand: length of the telescope under the arm [m], constant for this object; None if the arm has no telescope.
     """
 
     def __init__(self, model: ArmModel) -> None:
@@ -105,7 +105,7 @@ class Arm:
     def joint_rates(
         self, angles: ArrayLike, twist: ArrayLike, *, singular: Literal["raise", "mask"] = "raise"
     ) -> Array | tuple[Array, NDArray[np.bool_]]:
-        """Return joint rates for a tip twist by the closed resolved-rate law (JSC-12628, subroutine RMSRAT).
+        """Return joint rates for a tip twist by the closed-form resolved-rate law (JSC-12628, subroutine RMSRAT).
 
         Args:
             angles: (..., 6) joint angles [rad].
@@ -116,16 +116,16 @@ class Arm:
             (..., 6) rates [rad/s]; with ``mask`` also a mask (...), true where the pose is singular.
 
         Raises:
-            SingularityError: a pose is singular; names the singularity. Only with ``raise``.
+            SingularityError: a pose is singular; the error names the singularity. Only with ``raise``.
         """
         if singular not in ("raise", "mask"):
-            raise InputError(f"singular is 'raise' or 'mask', got {singular!r}")
+            raise InputError(f"singular: expected 'raise' or 'mask', got {singular!r}")
         q, t = _sixes(angles, "joint angles"), _sixes(twist, "a twist")
         if q.shape != t.shape:
             try:
                 q, t = np.broadcast_arrays(q, t)
             except ValueError:
-                raise InputError(f"joint angles {q.shape} and twists {t.shape} do not go together") from None
+                raise InputError(f"joint angles {q.shape} and twists {t.shape} cannot be broadcast together") from None
         rows, twists, shape = _flat(q), _flat(t), q.shape[:-1]
         rates, mask = np.empty((len(rows), 6)), np.empty(len(rows), dtype=np.bool_)
         if not rates_many(self.model.links, rows, twists, rates, mask):
@@ -160,8 +160,8 @@ class Arm:
             near: (6,) angles [rad]; solutions are sorted by their distance from `near` (root of the sum of squared
                 differences), nearest first, each angle in the revolution nearest to `near`. None: sorted by their
                 distance from all angles zero, each angle within +-180 deg.
-            limits: move angles by whole revolutions to inside the hard limits where possible, and leave out solutions
-                outside the limits.
+            limits: move angles by whole revolutions to inside the hard stops where possible, and leave out solutions
+                outside the stops.
 
         Returns:
             (n, 6) joint angles [rad], 1 <= n <= 8.
@@ -169,13 +169,14 @@ class Arm:
         Raises:
             SingularityError: the pose does not determine the angles (shoulder or wrist singularity), or one of the
                 solutions is singular.
-            UnreachableError: the pose is out of reach, or every solution is outside the hard limits; `excess` is that
-                of the branch that comes nearest.
+            UnreachableError: the pose is out of reach, or every solution is outside the hard stops; `excess` is that
+                of the nearest branch.
         """
         packed = _packed(pose)
-        reference = np.zeros(6) if near is None else np.array(_converted(near, "near"))  # one array type for the law
+        # a copy, so that the law gets the same array type in every call
+        reference = np.zeros(6) if near is None else np.array(_converted(near, "near"))
         if reference.shape != (6,):
-            raise InputError(f"near has shape (6,), got {reference.shape}")
+            raise InputError(f"near: expected shape (6,), got {reference.shape}")
         rows = np.empty((BRANCHES, 6))
         found = solve(self.model.links, self.limits.hard, packed, reference, near is not None, bool(limits), rows)
         if found.outcome != FOUND:
@@ -183,9 +184,9 @@ class Arm:
         return rows[: found.number]
 
     def rmangs(self, pose: Pose) -> Array:
-        """Return the one set of joint angles that JSC-12628's RMANGS gives.
+        """Return the set of joint angles that the published RMANGS of JSC-12628 returns.
 
-        The elbow is above the line from shoulder to wrist, and the fifth angle lies within 90 deg of zero.
+        The elbow is above the line from shoulder to wrist, and the fifth angle is within 90 deg of zero.
 
         Args:
             pose: position (3,) [m] and rotation (3, 3) of frame 7, in L.
@@ -196,7 +197,7 @@ class Arm:
         Raises:
             SingularityError, UnreachableError: as `inverse`.
         """
-        self.inverse(pose, limits=False)  # raises the error of an invalid pose
+        self.inverse(pose, limits=False)  # raises an error if the pose is invalid
         branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
         rmangs(self.model.links, _packed(pose), branches, excess)
         if excess[0] != 0.0:
@@ -210,9 +211,9 @@ class Arm:
 
     def panel(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return the panel's read-out of a pose in L: X, Y, Z [in] and the end effector's pitch, yaw, roll [deg]."""
-        shown = self.model.mount.to("panel", Pose(pose.position, self.end_effector(pose.rotation)))
-        attitude = panel_attitude(shown.rotation)
-        return tuple(float(x) / INCH for x in shown.position), tuple(math.degrees(a) for a in attitude)
+        pose_on_panel = self.model.mount.to("panel", Pose(pose.position, self.end_effector(pose.rotation)))
+        attitude = panel_attitude(pose_on_panel.rotation)
+        return tuple(float(x) / INCH for x in pose_on_panel.position), tuple(math.degrees(a) for a in attitude)
 
     def from_panel(self, position: ArrayLike, attitude: ArrayLike) -> Pose:
         """Return the tip pose in L from panel components: X, Y, Z [m] and the end effector's pitch, yaw, roll [rad]."""
@@ -221,22 +222,25 @@ class Arm:
         return self.model.mount.from_("panel", Pose(_floats(position, "a position"), rotation))
 
     def orbiter(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Convert a pose from L to the orbiter frame: x, y, z [m] and ENDORI's roll, elevation, azimuth [rad]."""
-        shown = self.model.mount.to("orbiter", pose)
-        return tuple(float(x) for x in shown.position), oriend(shown.rotation)
+        """Return a pose in L as orbiter components: x, y, z [m] and ENDORI's roll, elevation, azimuth [rad]."""
+        pose_in_orbiter = self.model.mount.to("orbiter", pose)
+        return tuple(float(x) for x in pose_in_orbiter.position), oriend(pose_in_orbiter.rotation)
 
     def _singularity(self, angles: Array) -> SingularityError:
-        found = dict(zip(NAMES, (float(d) for d in self.singularities(angles)), strict=True))
-        name = min(found, key=lambda key: abs(found[key]))
+        distances = dict(zip(NAMES, (float(d) for d in self.singularities(angles)), strict=True))
+        name = min(distances, key=lambda key: abs(distances[key]))
         return SingularityError(
-            f"the arm stands at its {name} singularity (distance {found[name]:.2g} of 1): no bounded joint rates "
-            "give this tip motion",
+            f"the arm is at its {name} singularity (distance {distances[name]:.2g} of 1): no bounded joint rates "
+            "produce this twist",
             name,
-            found[name],
+            distances[name],
         )
 
     def _unsolved(self, found: Solved, pose: Pose, near: Array) -> InputError | SingularityError | UnreachableError:
-        """Return the error for a pose for which `inverse` finds no joint angles."""
+        """Return the error for a pose for which `inverse` finds no joint angles.
+
+        CMD CK and the log record the text of these errors: a change of a text changes recordings.
+        """
         first, fifth = (self.joints[k].replace("_", " ") for k in (0, 4))
         match found.outcome:
             case solutions.SKEW:
@@ -272,7 +276,7 @@ class Arm:
 
 
 def _out_of_reach(excess: float) -> UnreachableError:
-    """Return the error for a wrist out of reach by `excess` [m], negative if the arm cannot fold so far."""
+    """Return the error for a wrist out of reach by `excess` [m]; negative if the wrist is too close to the shoulder."""
     if excess > 0.0:
         return UnreachableError(f"the arm cannot reach this pose: its wrist is {excess:.4g} m too far out", excess)
     return UnreachableError(
@@ -285,7 +289,7 @@ def load_arm(name_or_path: str | Path) -> Arm:
 
     Raises:
         ArmError: no built-in arm has that name.
-        ScenarioError: the file has problems, all listed in the message.
+        ScenarioError: the file has errors, all listed in the message.
     """
     return Arm(load_model(name_or_path))
 
@@ -337,7 +341,9 @@ def _packed(pose: Pose) -> Array:
     """Return the position [m], then the rotation row by row (12,), finite or not."""
     position, rotation = _converted(pose.position, "a position"), _converted(pose.rotation, "a rotation")
     if position.shape != (3,) or rotation.shape != (3, 3):
-        raise InputError(f"a pose has a position (3,) and a rotation (3, 3), got {position.shape} and {rotation.shape}")
+        raise InputError(
+            f"a pose: expected a position (3,) and a rotation (3, 3), got {position.shape} and {rotation.shape}"
+        )
     packed = np.empty(12)
     packed[:3], packed[3:] = position, rotation.ravel()
     return packed

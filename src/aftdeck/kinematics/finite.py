@@ -1,4 +1,4 @@
-"""Compiled check for finite numbers: NumPy's own check costs as much from Python as a law of the kinematics."""
+"""Compiled check for finite numbers: called from Python, NumPy's check takes as long as a law of the kinematics."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from aftdeck.law import law
 
 @law
 def finite(values: Array) -> bool:
-    """Return whether all of (n,) numbers are finite."""
+    """Return whether all numbers of an array (n,) are finite."""
     total = 0.0
     for i in range(values.shape[0]):
         total += 0.0 * values[i]

@@ -13,18 +13,18 @@ from aftdeck.kinematics.linkage import Three
 from aftdeck.law import law, sincos
 
 POSE = 12
-"""Length of a frame's row: position [m], then the rotation row by row, whose columns are the frame's axes in L."""
+"""Length of a frame's row: position [m], then the rotation row by row; its columns are the frame's axes in L."""
 _CHAINED = 7
 """Number of frames in the chain of joints, including the foot's."""
 
 
 class Frames(NamedTuple):
-    """Frames of an arm, as `place_frames` takes them.
+    """Frames of an arm, in the form that `place_frames` uses.
 
     Attributes:
         names: names from the foot on: `ArmModel.frames`.
-        joints: (6, 4) for each joint, the step from the joint before at zero angles [m], and the axis of rotation, 1
-            to 3.
+        joints: (6, 4) for each joint, the vector from the joint before it at zero angles [m], and the axis of rotation,
+            1 to 3.
     """
 
     names: tuple[str, ...]

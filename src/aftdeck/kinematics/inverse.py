@@ -1,9 +1,9 @@
 """RMANGS: closed-form inverse kinematics, with all branches.
 
-Source: JSC-12628, subroutine RMANGS. The source gives one branch and takes the shoulder pitch from an arc cosine,
-which loses its sign. Here arc tangents give all eight branches: shoulder (theta1, or turned by pi), wrist (theta5 or
-pi - theta5), elbow (up or down). A pitch-yaw-roll wrist is solved before the elbow, as in the source. A
-heading-pitch-roll wrist, whose axes meet in a point, is solved after the elbow.
+Source: JSC-12628, subroutine RMANGS. The source returns one branch and computes the shoulder pitch by an arc cosine,
+which loses the sign. Here arc tangents give all eight branches: shoulder (theta1, or theta1 + pi), wrist (theta5 or pi
+- theta5), elbow (up or down). A pitch-yaw-roll wrist is solved before the elbow, as in the source. A heading-pitch-roll
+wrist, whose axes intersect in one point, is solved after the elbow.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def _within_pi(angle: float) -> float:
 
 @law
 def _triangle(upper: float, lower: float, out: float, up: float) -> tuple[float, float, float, float]:
-    """Solve the triangle of the two booms with their end at `out` and `up` from the shoulder pitch joint [m].
+    """Solve the triangle of the two booms; their end is at `out` and `up` from the shoulder pitch joint [m].
 
     Returns:
         Slope of the line to that end, angle between that line and the upper arm, and angle between the booms' lines
@@ -51,15 +51,15 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
     Args:
         arm: the arm's array.
         pose: (12,) tip position in L [m], then the rotation row by row.
-        angles: (8, 6) out, panel angles in [-pi, pi] [rad]; each shoulder and wrist branch has two rows, first the
-            one with the usual elbow (lower arm bent below the upper arm's line), then the one with the other.
+        angles: (8, 6) out, panel angles in [-pi, pi] [rad]; each shoulder and wrist branch has two rows, first
+            with the usual elbow (lower arm bent below the upper arm's line), then with the elbow bent the other way.
         excess: (8,) out, distance by which the row's wrist is out of reach [m]: positive beyond the stretched arm,
             negative inside the folded one, 0 if the row is a solution.
 
     Returns:
         Distance of the fifth joint from the first joint's axis [m], and the greatest cosine of the fifth angle on
-        any row. If either is about zero, the pose is singular on every row, and `angles` are one choice among many.
-        With a heading-pitch-roll wrist, one row may be singular, and one choice among many, while others are not.
+        any row. If either is about zero, the pose is singular on every row, and its angles are not unique. With a
+        heading-pitch-roll wrist, some rows may be singular, with angles that are not unique, while others are not.
     """
     r1 = pose[0] - pose[3] * arm[L5]
     r2 = pose[1] - pose[6] * arm[L5]
@@ -68,7 +68,7 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
     cosine = 0.0
     row = 0
     for side in (1.0, -1.0):
-        # theta1, or turned by pi
+        # theta1, or theta1 + pi
         q1 = math.atan2(side * r2, side * r1)
         c1 = side * r1 / off_axis if off_axis > 0.0 else side
         s1 = side * r2 / off_axis if off_axis > 0.0 else 0.0
@@ -116,7 +116,7 @@ def _heading_rows(
     excess: Array,
     first: int,
 ) -> float:
-    """Write the four rows of one shoulder heading, for a wrist at `out` and `up` from the shoulder pitch joint [m].
+    """Write the four rows of one shoulder heading; the wrist is at `out` and `up` from the shoulder pitch joint [m].
 
     Returns:
         Greatest cosine of the wrist pitch on any of these rows.
@@ -136,8 +136,8 @@ def _heading_rows(
         cosine = math.sqrt(d11 * d11 + b21 * b21)
         greatest = max(greatest, cosine)
         for turned in (0, 1):
-            # theta5, or pi - theta5; the roll is taken from the pitch axis, so that it fits the heading even where
-            # the heading is ill-defined
+            # theta5, or pi - theta5; the roll is computed from the pitch axis, so that it agrees with the heading
+            # even where the heading is ill-defined
             sign = 1.0 - 2.0 * turned
             q4 = math.atan2(sign * b21, sign * d11)
             sh, ch = math.sin(q4), math.cos(q4)

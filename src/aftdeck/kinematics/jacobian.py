@@ -1,9 +1,8 @@
 """JACOBI and ERATES: the Jacobian, and the tip's twist from joint rates.
 
-Source: JSC-12628, subroutines JACOBI and ERATES. The Jacobian is given in the frame of a link of the arm's plane,
-where most of its elements are zero. For a pitch-yaw-roll wrist this is frame 5, the wrist-pitch frame, as in the
-source. For a heading-pitch-roll wrist it is system 1, the lower arm's frame. `spin` turns vectors from these frames
-into L.
+Source: JSC-12628, subroutines JACOBI and ERATES. The Jacobian is given in the frame of a link of the arm's plane, where
+most of its elements are zero. For a pitch-yaw-roll wrist this is frame 5, the wrist-pitch frame, as in the source. For
+a heading-pitch-roll wrist it is system 1, the lower arm's frame. `spin` rotates vectors from these frames into L.
 """
 
 from __future__ import annotations
@@ -17,10 +16,10 @@ from aftdeck.law import law
 
 
 class Jacobian(NamedTuple):
-    """Elements of the matrix a in b = a * rates that are not constant for both families.
+    """Elements of the matrix a in b = a * rates that are not the same constant for both families.
 
-    a22 = a23 = 1; all others are zero. s and c are the sine and cosine of the slope of the link in whose frame the
-    matrix is given.
+    a22 = a23 = 1; all other elements that are not listed are zero. s and c are the sine and cosine of the slope of
+    the link in whose frame the matrix is given.
     """
 
     s: float
@@ -114,7 +113,7 @@ def jacobi(arm: Floats, a: Sines) -> Jacobian:
 def _jacobi_heading_pitch_roll(arm: Floats, a: Sines) -> Jacobian:
     """Return the Jacobian in system 1, from the joints' axes and their moments about the tip."""
     s3, c3 = a.s23 * a.c2 - a.c23 * a.s2, a.c23 * a.c2 + a.s23 * a.s2
-    x, y, z = a.cw * a.c5, a.sw * a.c5, -a.s5  # the hand's direction
+    x, y, z = a.cw * a.c5, a.sw * a.c5, -a.s5  # the end effector's direction
     hx, hy, hz = arm[L5] * x, arm[L5] * y, arm[L5] * z
     return Jacobian(
         s=a.s23,
@@ -169,7 +168,7 @@ def erates(a: Sines, j: Jacobian, r: Rates) -> Twist:
 
 @law
 def jacobian_many(arm: Array, angles: Array, matrix: Array) -> bool:
-    """Compute JACOBI over rows, turned into L: angles (n, 6) [rad] -> matrix (n, 6, 6).
+    """Compute JACOBI for each row, in L: angles (n, 6) [rad] -> matrix (n, 6, 6).
 
     Returns:
         Whether the angles are finite.

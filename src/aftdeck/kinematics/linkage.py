@@ -1,12 +1,12 @@
 """LNKAGE: pose of the tip, for arms of two families, which differ in their wrists.
 
-Both families begin with a rotation about the vertical (yaw or heading) and two pitches, whose booms lie in the *arm's
-plane*. The wrist of JSC-12628 continues with pitch, yaw, roll; that of the *Remote Manipulator Simulation* with
-heading, pitch, roll about one point. All vectors are in L. An arm is a packed array; the constants below are the
-places of its numbers. Joint angles are the operator's: for the Shuttle's arm they are zero at the cradle. An elbow
-beneath the boom line causes constant offsets of shoulder and elbow pitch, which are added here.
-Source: JSC-12628, subroutine LNKAGE; Remote Manipulator Simulation, final report, "R(-HO) R(-PO) R(-P1) R(-H2)
-R(-P2) R(-R2)", with its heading about Z (restored) and pitch + up.
+The first three joints of both families are a rotation about the vertical (yaw or heading) and two pitches. Their booms
+define the *arm's plane*. The wrist of JSC-12628 has pitch, yaw and roll. The wrist of the *Remote Manipulator
+Simulation* has heading, pitch and roll, whose axes intersect in one point. All vectors are in L. An arm is a packed
+array; the constants below are indices into it. Joint angles are those of the panel: for the Shuttle's arm they are zero
+at the cradle. An elbow beneath the boom line causes constant offsets of shoulder and elbow pitch, which are added here.
+Source: JSC-12628, subroutine LNKAGE; Remote Manipulator Simulation, final report, "R(-HO) R(-PO) R(-P1) R(-H2) R(-P2)
+R(-R2)", with its heading about Z (restored) and pitch + up.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from aftdeck.kinematics.finite import finite
 from aftdeck.law import law, sincos
 
 Floats: TypeAlias = Array | tuple[float, ...]
-"""Constants as a law takes them: an array, or a tuple inside loops over many arms."""
+"""Constants passed to a law: an array, or a tuple inside loops over many arms."""
 Three: TypeAlias = tuple[float, float, float]
 Nine: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
 
 L1, L2, L3, L4, L5 = 0, 1, 2, 3, 4
-"""Places of the lengths in an arm's array [m]: height of the shoulder pitch joint above L's origin, upper arm, lower
-arm, wrist pitch to yaw (0 if the wrist's joints meet in one point), and from there to the tip."""
+"""Indices of the lengths in an arm's array [m]: height of the shoulder pitch joint above L's origin, upper arm, lower
+arm, wrist pitch to yaw (0 if the wrist's axes intersect in one point), and wrist yaw to tip."""
 UPPER, LOWER = 5, 6
-"""Places of the angles of upper and lower arm above their boom lines at zero joint angles [rad]."""
+"""Indices of the angles of upper and lower arm above their boom lines at zero joint angles [rad]."""
 WRIST = 7
-"""Place of the kind of wrist, which identifies the family."""
+"""Index of the kind of wrist, which identifies the family."""
 LINKS = 8
 """Length of an arm's array."""
 
@@ -39,7 +39,7 @@ HEADING_PITCH_ROLL, PITCH_YAW_ROLL = 0.0, 1.0
 class Sines(NamedTuple):
     """Sines and cosines of the angles that `link_angles` returns.
 
-    2 and 23 are the slopes of upper and lower arm. w is the wrist's first angle: the slope of the hand (234) in a
+    2 and 23 are the slopes of upper and lower arm. w is the wrist's first angle: the slope of the wrist (234) in a
     pitch-yaw-roll wrist, the wrist heading in a heading-pitch-roll wrist.
     """
 
@@ -78,7 +78,7 @@ class Tip(NamedTuple):
 def link_angles(
     arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6: float
 ) -> tuple[float, float, float, float, float, float]:
-    """Return the angles whose sines LNKAGE takes [rad]: yaw, slopes of upper and lower arm, the wrist's three."""
+    """Return the angles whose sines LNKAGE uses [rad]: yaw, slopes of upper and lower arm, the wrist's three angles."""
     slope = q2 + q3 if arm[WRIST] == PITCH_YAW_ROLL else 0.0
     return q1, q2 + arm[UPPER], q2 + q3 + arm[LOWER], slope + q4, q5, q6
 
@@ -98,9 +98,10 @@ def sines(arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6
 
 @law
 def spin(a: Sines, s: float, c: float, x: float, y: float, z: float) -> Three:
-    """Return in L a vector given along a link of the arm's plane, along the plane's normal, and across the link.
+    """Return in L a vector with components x, y, z relative to a link of the arm's plane.
 
-    The link's slope has sine s and cosine c.
+    x is along the link, y along the plane's normal, and z across the link. s and c are the sine and cosine of the
+    link's slope.
     """
     out = c * x + s * z
     return a.c1 * out - a.s1 * y, a.s1 * out + a.c1 * y, -s * x + c * z
@@ -173,13 +174,13 @@ def tip(arm: Floats, a: Sines) -> Tip:
 
 @law
 def lifted(t: Tip, by: float) -> Tip:
-    """Return the tip with the whole arm raised by a length [m]."""
+    """Return the tip after the whole arm is raised by a length [m]."""
     return Tip(t.x, t.y, t.z - by, t.r11, t.r12, t.r13, t.r21, t.r22, t.r23, t.r31, t.r32, t.r33)
 
 
 @law
 def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> bool:
-    """Compute LNKAGE over rows: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L.
+    """Compute LNKAGE for each row: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L.
 
     Returns:
         Whether the angles are finite.

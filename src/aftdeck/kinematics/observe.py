@@ -1,4 +1,4 @@
-"""Observed values of the arm at an instant, in one compiled call: tip, twist, singularities."""
+"""Observed values of the arm in one step, in one compiled call: tip, twist, singularities."""
 
 from __future__ import annotations
 
@@ -53,19 +53,19 @@ def observe_link(arm: Array, angles: Array, mount: Array, axes: Array) -> None:
 def observe_near(
     arm: Array, angles: Array, rates: Array, rising: float, reach: Array, threshold: float, seen: Array
 ) -> bool:
-    """Observe an arm on its stand, and return whether a joint is past its reach limits or a singularity is near.
+    """Observe an arm on its telescope; return whether a joint is past its reach limits or a singularity is near.
 
     Args:
         arm: packed links.
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
-        rising: rate at which the stand lengthens, against axis 3 [m/s].
+        rising: rate at which the telescope extends, opposite to axis 3 [m/s].
         reach: (6, 2) reach limits [rad].
         threshold: distance below which a singularity is near [1].
         seen: (21,) out.
     """
     observe(arm, angles, rates, seen)
-    seen[17] -= rising  # the stand carries the whole arm
+    seen[17] -= rising  # the telescope carries the whole arm
     near = False
     for i in range(6):
         near = near or not reach[i, 0] <= angles[i] <= reach[i, 1]
@@ -80,7 +80,7 @@ CARRIED = 18
 
 @law
 def observe_payload(seen: Array, payload: Array, carried: Array) -> None:
-    """Write the payload's values for an observed tip, in L, into `carried` (18,) (LNKAGE for PA = 1).
+    """Write the payload's values in L, for an observed tip, into `carried` (18,) (LNKAGE for PA = 1).
 
     Args:
         seen: (21,) from `observe`.

@@ -25,8 +25,8 @@ class Payload:
     Attributes:
         mass: mass [kg]; selects the limits of the point of resolution.
         rotation: (3, 3) T_78: payload axes as columns, in frame 7.
-        centre: (3,) r_87: from the tip to the payload's centre, in payload axes [m].
-        por: (3,) from the payload's centre to its point of resolution, in payload axes [m].
+        centre: (3,) r_87: vector from the tip to the payload's centre, in payload axes [m].
+        por: (3,) vector from the payload's centre to its point of resolution, in payload axes [m].
         shapes: drawn shapes, about the payload's centre in payload axes.
         solids: collision solids, each (8, 3) vertices about the payload's centre in payload axes [m].
     """
@@ -40,7 +40,7 @@ class Payload:
 
     @cached_property
     def packed(self) -> Array:
-        """Array (15,) for the laws: rotation, row by row, centre and point of resolution."""
+        """Array (15,) for the laws: rotation row by row, then centre, then point of resolution."""
         return np.concatenate((self.rotation.ravel(), self.centre, self.por))
 
     def pose(self, tip: Pose) -> Pose:

@@ -1,13 +1,13 @@
-"""RMSRAT: the closed resolved-rate law, from a tip twist to joint rates.
+"""RMSRAT: the closed-form resolved-rate law, from a tip twist to joint rates.
 
 Source: JSC-12628, subroutine RMSRAT. Its equations are written in frame 5. Here the two equations of the pitches are
-turned into the arm's plane, where their coefficients are the slopes of the links and most terms vanish. With a
-heading-pitch-roll wrist, whose three axes meet in a point, the first three joints carry that point and the last three
-make the remaining rotation.
+written in the arm's plane, where most terms vanish and the coefficients are sines and cosines of the links' slopes.
+With a heading-pitch-roll wrist, whose three axes intersect in one point, the first three joints move that point and the
+last three produce the remaining rotation.
 
-The three denominators are zero at the arm's singularities. Where a singularity is nearer than `floor`, the law divides
-by the floor instead, so that rates stay finite. The rates then have the direction of the arm's free motion out of the
-singularity. `kinematics.arm` rejects such poses; steering slows down before them.
+The three denominators are zero at the arm's singularities. If a denominator is nearer to zero than `floor`, the law
+divides by the floor, so that rates stay finite. The rates then have the direction of the arm's free motion out of the
+singularity. `kinematics.arm` rejects such poses; steering slows the arm before it reaches them.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
 FLOOR = 1e-7
-"""Normalised distance [1] below which a pose counts as singular: rates would exceed 1e7 times the usual."""
+"""Normalised distance [1] below which a pose counts as singular: rates would exceed 1e7 times their usual values."""
 
 
 @law
@@ -36,7 +36,7 @@ def _away_from_zero(value: float, floor: float) -> float:
 
 @law
 def per_distance(arm: Floats, a: Sines, floor: float) -> tuple[float, float, float]:
-    """Return one over RMSRAT's denominators, none taken as less than its floor: shoulder [1/m], elbow and wrist [1]."""
+    """Return the reciprocals of RMSRAT's denominators, with the floor applied: shoulder [1/m], elbow and wrist [1]."""
     shoulder, elbow, wrist = distances(arm, a)
     return (
         1.0 / (_away_from_zero(shoulder, floor) * (arm[L2] + arm[L3] + abs(arm[L4]))),
@@ -67,7 +67,7 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
     r5 = b3 - a.cw * r1
     roll = a.sw * r1
     r6 = (b1 + roll) * per_wrist
-    # the three pitches: their sum, and the wrist's velocity that upper and lower arm have to give
+    # the three pitches: their sum, and the wrist's velocity that upper and lower arm have to produce
     c1 = b2 - a.s5 * r6
     c2, c3 = side * b3, side * roll + (arm[L4] + ahead) * c1
     out, down = v1 + (a.cw * c2 + a.sw * c3), t.vz + (a.cw * c3 - a.sw * c2)
@@ -88,13 +88,13 @@ def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> 
 def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
     """Return joint rates [rad/s] of an arm with a heading-pitch-roll wrist (RMSRAT after its divisions).
 
-    Heading and two pitches carry the point where the wrist's axes meet; the wrist makes the remaining rotation.
+    Heading and two pitches move the point in which the wrist's axes intersect; the wrist makes the remaining rotation.
     """
     per_shoulder, per_elbow, per_wrist = per
     # in the arm's plane: outwards, to the side, and down as in L
     w1, w2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
     v1, v2 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
-    # the vector from that point to the tip, first along and across the lower arm
+    # the vector from the wrist's point to the tip, first along and across the lower arm
     ahead, across, side = arm[L5] * (a.cw * a.c5), -arm[L5] * a.s5, arm[L5] * (a.sw * a.c5)
     out, down = a.c23 * ahead + a.s23 * across, a.c23 * across - a.s23 * ahead
     r1 = (v2 - t.wz * out + w1 * down) * per_shoulder
@@ -107,7 +107,7 @@ def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[flo
 
 @law
 def rates_many(arm: Array, angles: Array, twists: Array, rates: Array, singular: NDArray[np.bool_]) -> bool:
-    """Compute RMSRAT over rows: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,).
+    """Compute RMSRAT for each row: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,).
 
     Returns:
         Whether angles and twists are finite.

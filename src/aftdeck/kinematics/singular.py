@@ -1,7 +1,7 @@
-"""Distances from the three singularities: the normalised denominators of the closed rate law.
+"""Distances from the three singularities: the normalised denominators of the closed-form rate law.
 
-Each distance is signed and is zero at its singularity; magnitudes lie in [0, 1]. JSC-12628 names two of them in RMANGS;
-the third is the denominator D of RMSRAT. The same formulas hold for both families of arms.
+Each distance is signed and is zero at its singularity; its magnitude is in [0, 1]. JSC-12628 names two of them in
+RMANGS; the third is the denominator D of RMSRAT. The same formulas hold for both families of arms.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ class Singularities(NamedTuple):
     """Distances from the three singularities, each (...) in [-1, 1].
 
     Attributes:
-        shoulder: distance of the fifth joint (wrist yaw; in a heading-pitch-roll wrist the point where its axes
-            meet) from the first joint's axis, over the greatest possible.
+        shoulder: distance of the fifth joint (wrist yaw; in a heading-pitch-roll wrist the point in which its axes
+            intersect) from the first joint's axis, divided by the greatest possible distance.
         elbow: minus the sine of the elbow's geometric angle, positive with the elbow bent as usual.
         wrist: cosine of the fifth angle: wrist yaw, or wrist pitch.
     """
@@ -52,7 +52,7 @@ def nearest_singularity(arm: Array, angles: Array) -> tuple[float, int]:
 
 @law
 def distances_many(arm: Array, angles: Array, result: Array) -> bool:
-    """Compute the distances over rows: angles (n, 6) [rad] -> result (3, n).
+    """Compute the distances for each row: angles (n, 6) [rad] -> result (3, n).
 
     Returns:
         Whether the angles are finite.

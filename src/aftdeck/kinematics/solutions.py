@@ -15,11 +15,11 @@ from aftdeck.law import law, nearest
 ROTATION_TOLERANCE = 1e-6
 """Largest allowed deviation of a given rotation from orthonormal [1]."""
 SAME = 1e-9
-"""Largest difference of angles of two solutions that count as one; also the tolerance at the limits [rad]."""
+"""Largest difference of angles up to which two solutions count as equal; also the tolerance at the limits [rad]."""
 EPSILON = 1e-9
 """Distance [m] or cosine [1] below which a pose counts as singular."""
 FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = range(8)
-"""Outcomes of `solve`; each one but the first is a reason why there is no solution."""
+"""Outcomes of `solve`; each outcome except `FOUND` is a reason why there is no solution."""
 
 
 class Solved(NamedTuple):
@@ -32,8 +32,8 @@ class Solved(NamedTuple):
             joint from the first joint's axis [m]. WRIST: cosine of the fifth angle [1]. OUT_OF_REACH: distance of the
             wrist beyond reach [m], negative if the arm cannot fold so far. OUTSIDE: angle of the joint beyond its
             limit [rad]. Else 0.
-        joint: OUTSIDE: that joint, 0 to 5. Else -1.
-        angle: OUTSIDE: that joint's angle [rad]. Else 0.
+        joint: OUTSIDE: the joint beyond its limit, 0 to 5. Else -1.
+        angle: OUTSIDE: angle of that joint [rad]. Else 0.
     """
 
     outcome: int
@@ -52,7 +52,7 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
         hard: (6, 2) hard stops [rad].
         pose: (12,) tip position in L [m], then the rotation row by row.
         near: (6,) angles; the solutions are sorted by distance from these, nearest first [rad].
-        turned: bring each angle to the revolution nearest to `near`; else it lies within +-pi.
+        turned: bring each angle to the revolution nearest to `near`; else each angle is within +-pi.
         limited: bring the angles inside the hard stops by whole revolutions where possible, and leave out solutions
             outside the stops.
         solutions: (8, 6) out [rad]; the first `number` rows are filled.
@@ -71,38 +71,38 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
     if cosine < EPSILON:
         return Solved(WRIST, 0, cosine, -1, 0.0)
     count, short = 0, excess[0]
-    least, nearest_row, culprit, greatest = np.inf, -1, -1, 0.0
-    kept, ways = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
+    least_excess, nearest_row, culprit, greatest = np.inf, -1, -1, 0.0
+    kept, kept_distances = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
     smallest = np.inf
     for row in range(BRANCHES):
         if abs(excess[row]) < abs(short):
             short = excess[row]
         if excess[row] != 0.0:
             continue
-        _bring(branches[row], hard, near, turned, limited)
-        worst, joint = _beyond(branches[row], hard)
-        if worst < least:
-            least, nearest_row, culprit = worst, row, joint
-        if limited and worst > SAME:
+        _choose_revolutions(branches[row], hard, near, turned, limited)
+        excess_of_row, joint = _greatest_excess(branches[row], hard)
+        if excess_of_row < least_excess:
+            least_excess, nearest_row, culprit = excess_of_row, row, joint
+        if limited and excess_of_row > SAME:
             continue
         smallest = min(smallest, abs(math.cos(branches[row, 4])))
-        way = 0.0
+        distance = 0.0
         for k in range(6):
-            way += (branches[row, k] - near[k]) ** 2
+            distance += (branches[row, k] - near[k]) ** 2
         # insertion sort: rows at equal distances keep their order
-        at = count
-        while at > 0 and ways[at - 1] > way:
-            ways[at] = ways[at - 1]
-            kept[at] = kept[at - 1]
-            at -= 1
-        ways[at] = way
-        kept[at] = branches[row]
+        slot = count
+        while slot > 0 and kept_distances[slot - 1] > distance:
+            kept_distances[slot] = kept_distances[slot - 1]
+            kept[slot] = kept[slot - 1]
+            slot -= 1
+        kept_distances[slot] = distance
+        kept[slot] = branches[row]
         count += 1
     if nearest_row < 0:
         return Solved(OUT_OF_REACH, 0, short, -1, 0.0)
     if count == 0:
         greatest = branches[nearest_row, culprit]
-        return Solved(OUTSIDE, 0, least, culprit, greatest)
+        return Solved(OUTSIDE, 0, least_excess, culprit, greatest)
     if smallest < EPSILON:
         return Solved(WRIST, 0, smallest, -1, 0.0)
     return Solved(FOUND, _distinct(kept, count, solutions), 0.0, -1, 0.0)
@@ -131,10 +131,10 @@ def _determinant(p: Array) -> float:
 
 
 @law
-def _bring(angles: Array, hard: Array, near: Array, turned: bool, limited: bool) -> None:
+def _choose_revolutions(angles: Array, hard: Array, near: Array, turned: bool, limited: bool) -> None:
     """Bring six angles to the revolution nearest to `near` if `turned`, and inside the limits if `limited`.
 
-    An angle that has no revolution inside the limits goes to the revolution nearest to them.
+    An angle with no revolution inside the limits is brought to the revolution nearest to the limits.
     """
     for k in range(6):
         angle = angles[k]
@@ -151,8 +151,8 @@ def _bring(angles: Array, hard: Array, near: Array, turned: bool, limited: bool)
 
 
 @law
-def _beyond(angles: Array, hard: Array) -> tuple[float, int]:
-    """Return the excess of the joint farthest beyond its limits [rad], negative inside, and that joint, 0 to 5."""
+def _greatest_excess(angles: Array, hard: Array) -> tuple[float, int]:
+    """Return the greatest excess of a joint beyond its limits [rad], negative inside them, and that joint, 0 to 5."""
     worst, joint = -np.inf, -1
     for k in range(6):
         beyond = max(hard[k, 0] - angles[k], angles[k] - hard[k, 1])
@@ -163,7 +163,7 @@ def _beyond(angles: Array, hard: Array) -> tuple[float, int]:
 
 @law
 def _distinct(rows: Array, count: int, solutions: Array) -> int:
-    """Copy rows without repetitions (the two elbow branches meet where the arm is stretched); return their number."""
+    """Copy rows without repetitions (a stretched arm has two equal elbow branches); return the number of rows."""
     kept = 0
     for row in range(count):
         new = True

@@ -14,18 +14,18 @@ from aftdeck.worksite.file.check import ARM
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
     """Return a scenario's cameras: television cameras first, then windows, then views for engineers only.
 
-    A worksite's camera on a cargo is included if the scenario has that cargo. A camera on a frame of the arm is
-    included if the arm has that frame.
+    A camera on a payload of the worksite is included if the scenario has that payload. A camera on a frame of the arm
+    is included if the arm has that frame.
     """
     model = scenario.arm.model
     absent = {cargo.name for cargo in scenario.worksite.cargoes} - {cargo.name for cargo in scenario.cargo}
     cameras = scenario.worksite.cameras + _on_the_arm(model)
-    there = [
+    present = [
         camera
         for camera in cameras
         if camera.body not in absent and (not camera.body.startswith(ARM) or camera.body in model.frames)
     ]
-    return tuple(sorted(there, key=lambda camera: KINDS.index(camera.kind)))
+    return tuple(sorted(present, key=lambda camera: KINDS.index(camera.kind)))
 
 
 @lru_cache(maxsize=8)

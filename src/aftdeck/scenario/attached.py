@@ -42,24 +42,26 @@ class Grasp:
         """
         if phase.payload is None and not phase.detached:
             return None
-        there = (*where, "detached" if phase.payload is None else "payload")
-        own = self.payloads[self.held - 1] if self.held else None
+        field = (*where, "detached" if phase.payload is None else "payload")
+        current = self.payloads[self.held - 1] if self.held else None
         if phase.payload is not None and phase.detached:
-            problems.add(there, "give either payload or detached, not both")
+            problems.add(field, "give either payload or detached, not both")
         elif self._cargo:
             problems.add(
-                there, "is for a grasp without a worksite's payloads: the hand takes and releases those itself"
+                field,
+                "is only for a scenario without [[cargo]]: the end effector captures and releases such payloads",
             )
-        elif own is not None and (own.shapes or own.solids):
+        elif current is not None and (current.shapes or current.solids):
             problems.add(
-                there, "cannot change a payload with a shape or a body; payloads of the worksite can be let go"
+                field,
+                "cannot replace a payload that has a shape or a body; only payloads of the worksite can be released",
             )
-        elif phase.detached and own is None:
-            problems.add(there, "there is nothing in the grasp")
+        elif phase.detached and current is None:
+            problems.add(field, "no payload is in the grasp")
         elif phase.payload is None:
             self.held = 0
             return self.held
-        elif (payload := attached_payload(problems, phase.payload, there)) is not None:
+        elif (payload := attached_payload(problems, phase.payload, field)) is not None:
             self.payloads.append(payload)
             self.held = len(self.payloads)
             return self.held

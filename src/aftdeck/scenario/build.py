@@ -1,4 +1,4 @@
-"""Building a scenario from its decoded file, with the checks that types cannot make."""
+"""Construction of a scenario from its decoded file, with the checks that types cannot make."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ SHORTEST_PERIOD = 0.001
 WHOLE = 1e-6
 """Maximum deviation of a duration from a whole number of control periods [1]."""
 LONGEST_DELAY = 30.0
-"""Longest delay accepted [s]: about ten times that of a signal to the Moon and back."""
+"""Longest delay accepted [s]: about ten times the delay of a signal to the Moon and back."""
 LONGEST_RUN = 86_400.0
 """Longest duration accepted [s]."""
 
 
 def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: Path) -> Scenario | None:
-    """Return the scenario of a decoded file, or None if anything is wrong, which is then in `problems`.
+    """Return the scenario of a decoded file; None if the file has errors, which are then in `problems`.
 
     Args:
         problems: collects the problems found.
@@ -60,14 +60,16 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     check_por(problems, spec.limits.por, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
     cargo = present_cargo(problems, worksite, spec.cargo)
     references = TargetReferences(cargo, worksite, spec.strict)
-    begin = start(problems, arm, spec.initial, references, ("initial",))
-    begun = parts(problems, arm, spec.initialise, begin, references)
+    initial_state = start(problems, arm, spec.initial, references, ("initial",))
+    part_states = parts(problems, arm, spec.initialise, initial_state, references)
     sequences = stored_points(problems, arm, spec.sequence)
     check_mode(problems, mode.position, bool(payload or cargo), sequences, ("mode",))
     if payload and cargo:
-        problems.add(("payload",), "stays in the grasp for good; where there is a [[cargo]], say initial.grasped")
-    elif cargo and begin is not None and begin.grasped is None and MODES[mode.position].loaded:
-        problems.add(("mode",), f"{mode.position} moves a payload, and none is in the grasp: give initial.grasped")
+        problems.add(("payload",), "is never released: in a scenario with [[cargo]], give initial.grasped instead")
+    elif cargo and initial_state is not None and initial_state.grasped is None and MODES[mode.position].loaded:
+        problems.add(
+            ("mode",), f"{mode.position} moves a payload, and no payload is in the grasp: give initial.grasped"
+        )
     grasp = Grasp(payload, cargo=bool(cargo))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
     _check_clearance(problems, spec)
@@ -75,11 +77,11 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     light = lighting(problems, spec.light, lamps)
     cautions: list[Problem] = []
     if not problems and worksite is not None:
-        starts = [one for one in (begin, *begun.values()) if one is not None]
-        held = [{one.grasped.cargo} if one.grasped else set() for one in starts]
+        states = [state for state in (initial_state, *part_states.values()) if state is not None]
+        held = [{state.grasped.cargo} if state.grasped else set() for state in states]
         always = frozenset(set.intersection(*held)) if held else frozenset()
         cautions = _check_fit(problems, arm, worksite, cargo, phases, always)
-    if problems or begin is None or worksite is None:
+    if problems or initial_state is None or worksite is None:
         return None
     return Scenario(
         name=name,
@@ -94,8 +96,8 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         delay=round(spec.command_delay / spec.control_period),
         telemetry_delay=float(spec.telemetry_delay),
         camera_delay=float(spec.camera_delay),
-        start=begin,
-        parts=begun,
+        start=initial_state,
+        parts=part_states,
         cargo=cargo,
         docking_axes="y" if spec.docking == "y axis" else "all",
         free_contact=spec.free_contact,
@@ -133,17 +135,17 @@ def _check_fit(
     phases: Sequence[PhasePlan | None],
     held: frozenset[int],
 ) -> list[Problem]:
-    """Add the misfits that make every run senseless to `problems`; return the other misfits."""
+    """Add the misfits that make every run meaningless to `problems`; return the other misfits."""
     used = frozenset(phase.target.seat for phase in phases if phase and isinstance(phase.target, AtSeat))
-    wrong: dict[Where, list[str]] = {}
+    errors: dict[Where, list[str]] = {}
     cautions = []
     for misfit in misfits(arm.model, worksite, cargo, used, held):
         if misfit.senseless:
-            wrong.setdefault(misfit.problem.where, []).append(misfit.problem.what)
+            errors.setdefault(misfit.problem.where, []).append(misfit.problem.what)
         else:
             cautions.append(misfit.problem)
-    for where, whats in wrong.items():
-        problems.add(where, "; ".join(whats))
+    for where, texts in errors.items():
+        problems.add(where, "; ".join(texts))
     return cautions
 
 
@@ -160,25 +162,26 @@ def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite 
 def _check_times(problems: Problems, spec: ScenarioFile) -> None:
     """Check the control period, the duration and the delays; some must be a whole number of control periods."""
     period, duration = spec.control_period, spec.duration
-    whole = SHORTEST_PERIOD <= period <= LONGEST_PERIOD
-    if not whole:
+    period_is_valid = SHORTEST_PERIOD <= period <= LONGEST_PERIOD
+    if not period_is_valid:
         problems.add(
-            ("control_period",), f"lies between {SHORTEST_PERIOD:g} and {LONGEST_PERIOD:g} s, got {period:g} s"
+            ("control_period",), f"has to be between {SHORTEST_PERIOD:g} and {LONGEST_PERIOD:g} s, got {period:g} s"
         )
     elif not 0.0 < duration <= LONGEST_RUN:
-        problems.add(("duration",), f"is above 0 and at most {LONGEST_RUN:g} s, got {duration:g} s")
+        problems.add(("duration",), f"has to be above 0 and at most {LONGEST_RUN:g} s, got {duration:g} s")
     elif duration < 0.5 * period or abs(duration / period - round(duration / period)) > WHOLE:
         problems.add(
             ("duration",),
-            f"is a whole number of control periods: {duration:g} s is {duration / period:g} of {period:g} s",
+            f"has to be a whole number of control periods: {duration:g} s is {duration / period:g} of {period:g} s",
         )
     delays = {"command_delay": spec.command_delay, "telemetry_delay": spec.telemetry_delay}
     for key, delay in (delays | {"camera_delay": spec.camera_delay}).items():
         if not 0.0 <= delay <= LONGEST_DELAY:
-            problems.add((key,), f"lies between 0 and {LONGEST_DELAY:g} s, got {delay:g} s")
-        elif key == "command_delay" and whole and abs(delay / period - round(delay / period)) > WHOLE:
+            problems.add((key,), f"has to be between 0 and {LONGEST_DELAY:g} s, got {delay:g} s")
+        elif key == "command_delay" and period_is_valid and abs(delay / period - round(delay / period)) > WHOLE:
             problems.add(
-                (key,), f"is a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s"
+                (key,),
+                f"has to be a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s",
             )
 
 
@@ -186,14 +189,14 @@ def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:
     """Check the clearances for caution and warning."""
     caution, warning = spec.clearance.caution, spec.clearance.warning
     if warning <= 0.0:
-        problems.add(("clearance", "warning"), f"is above 0, got {warning:g} m")
+        problems.add(("clearance", "warning"), f"has to be above 0, got {warning:g} m")
     if not warning < caution:
-        problems.add(("clearance", "caution"), f"is above the warning at {warning:g} m, got {caution:g} m")
+        problems.add(("clearance", "caution"), f"has to be above the warning at {warning:g} m, got {caution:g} m")
 
 
 def _check_arrival(problems: Problems, spec: ScenarioFile) -> None:
     """Check the end sphere of the automatic modes."""
     if spec.arrive_within <= 0.0:
-        problems.add(("arrive_within",), f"is above 0, got {spec.arrive_within:g} m")
+        problems.add(("arrive_within",), f"has to be above 0, got {spec.arrive_within:g} m")
     if spec.arrive_within_angle <= 0.0:
-        problems.add(("arrive_within_angle",), f"is above 0, got {spec.arrive_within_angle:g} rad")
+        problems.add(("arrive_within_angle",), f"has to be above 0, got {spec.arrive_within_angle:g} rad")

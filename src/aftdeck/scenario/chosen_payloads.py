@@ -1,4 +1,4 @@
-"""Selection of the worksite's payloads that a scenario has, and where they start."""
+"""Selection of the payloads of a worksite that are present in a scenario, with the start of each."""
 
 from __future__ import annotations
 
@@ -13,32 +13,36 @@ from aftdeck.worksite.model import Cargo, Worksite
 
 
 def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Cargo, ...]:
-    """Return the worksite's payloads that a scenario lists, with the mass and the start that the scenario gives."""
+    """Return the worksite's payloads that a scenario lists, with mass and start from the scenario where given."""
     if worksite is None:
         return ()
-    offered = {one.name: one for one in worksite.cargoes}
+    available = {payload.name: payload for payload in worksite.cargoes}
     seats = {seat.name: seat for seat in worksite.seats}
-    found: list[Cargo] = []
+    present: list[Cargo] = []
     for i, spec in enumerate(specs):
-        if spec.name not in offered:
-            there = f"it has {', '.join(offered)}" if offered else "it has none"
-            problems.add(("cargo", i, "name"), f"worksite {worksite.name} has no cargo {spec.name!r}: {there}")
+        if spec.name not in available:
+            choices = f"it has {', '.join(available)}" if available else "it has none"
+            problems.add(("cargo", i, "name"), f"worksite {worksite.name} has no cargo {spec.name!r}: {choices}")
             continue
-        if any(one.name == spec.name for one in found):
-            problems.add(("cargo", i, "name"), f"{spec.name!r} is listed twice; each is there once")
+        if any(payload.name == spec.name for payload in present):
+            problems.add(("cargo", i, "name"), f"{spec.name!r} is listed twice; list each payload once")
             continue
-        one = offered[spec.name]
+        payload = available[spec.name]
         if spec.mass is not None and spec.mass <= 0.0:
-            problems.add(("cargo", i, "mass"), f"is above 0, got {spec.mass:g} kg")
+            problems.add(("cargo", i, "mass"), f"has to be above 0, got {spec.mass:g} kg")
         elif spec.mass is not None:
-            one = msgspec.structs.replace(one, mass=float(spec.mass))
+            payload = msgspec.structs.replace(payload, mass=float(spec.mass))
         if spec.start is not None:
             try:
-                one = msgspec.structs.replace(one, start=start_of(spec.start, seats, one.probe, one.trunnions))
+                payload = msgspec.structs.replace(
+                    payload, start=start_of(spec.start, seats, payload.probe, payload.trunnions)
+                )
             except ValueError as error:
                 problems.add(("cargo", i, "start"), str(error))
-        found.append(one)
-    taken = [one.start.seat for one in found if one.start.seat]
-    for seat in sorted({seat for seat in taken if taken.count(seat) > 1}):
-        problems.add(("cargo",), f"the seat {seat!r} can hold one cargo, {taken.count(seat)} start in it")
-    return tuple(found)
+        present.append(payload)
+    occupied = [payload.start.seat for payload in present if payload.start.seat]
+    for seat in sorted({seat for seat in occupied if occupied.count(seat) > 1}):
+        problems.add(
+            ("cargo",), f"the berth {seat!r} holds one payload, but {occupied.count(seat)} payloads start in it"
+        )
+    return tuple(present)

@@ -1,9 +1,10 @@
-"""Checks that a scenario's contents fit together: payloads in their places, the hand at their bars, the telescope.
+"""Checks that a scenario's payloads, berths, end effector and telescope fit together.
 
-The checks use the solids that are present, at load and without compiled code. A misfit that makes every run senseless
-is an error: a payload that starts inside something; a bar that the hand can never take; a seat that its payload does
-not fit, if a payload starts in the seat or the script uses it. Other seats that a payload would not fit are cautions,
-which ``aftdeck check`` shows. `simulation.survey` checks what depends on the arm's joints.
+The checks run at load, on the solids that are present, and without compiled code. A misfit that makes every run
+meaningless is an error: a payload that starts inside another body; a bar that the end effector can never acquire; a
+berth that a payload does not fit, if the payload starts in the berth or the script uses the berth. A payload that does
+not fit any other berth is a caution, which ``aftdeck check`` prints. `simulation.survey` makes the checks that depend
+on the arm's joint angles.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ Parts = dict[str, list[Array]]
 
 TOLERANCE = 1e-3
 """Overlap up to which two solids count as touching [m]; assumed: more than the rounding of dimensions in files."""
-_HERE = Pose(np.zeros(3), np.eye(3))
+_IDENTITY = Pose(np.zeros(3), np.eye(3))
 
 
 class Misfit(NamedTuple):
@@ -41,7 +42,7 @@ class Misfit(NamedTuple):
 
     Attributes:
         problem: description, and place in the scenario's file.
-        senseless: whether the misfit makes every run of the scenario senseless.
+        senseless: whether the misfit makes every run of the scenario meaningless, and so is an error.
     """
 
     problem: Problem
@@ -57,144 +58,150 @@ def misfits(
         model: the arm.
         worksite: the worksite.
         cargo: payloads that are present, in the order of the scenario's file.
-        used: names of the seats to which the script brings payloads.
-        held: indices of the payloads that the hand holds at every start; these never start where their tables say.
+        used: names of the berths to which the script brings payloads.
+        held: indices of the payloads that the end effector holds at every start; their own start poses are not used.
     """
-    around = parts_at(worksite.solids, _HERE)
-    yield from _telescope(model, worksite, around)
-    for k, one in enumerate(cargo):
+    around = parts_at(worksite.solids, _IDENTITY)
+    yield from _telescope_misfits(model, worksite, around)
+    for k, payload in enumerate(cargo):
         where: Where = ("cargo", k)
-        if not one.start.seat and k not in held:
-            own = parts_at(one.solids, one.start.pose)
-            for what in _deep(own, around, model.units):
-                yield Misfit(Problem(where, f"{one.name} starts where {what}"), True)
+        if not payload.start.seat and k not in held:
+            own_parts = parts_at(payload.solids, payload.start.pose)
+            for overlap in _overlaps(own_parts, around, model.units):
+                yield Misfit(Problem(where, f"{payload.name} starts where {overlap}"), True)
         for i, other in enumerate(cargo[:k]):
             if held & {i, k}:
                 continue
-            for what in _deep(
-                parts_at(one.solids, one.start.pose), parts_at(other.solids, other.start.pose), model.units
+            for overlap in _overlaps(
+                parts_at(payload.solids, payload.start.pose), parts_at(other.solids, other.start.pose), model.units
             ):
-                yield Misfit(Problem(where, f"{one.name} and {other.name} start where {what}"), True)
-        senseless = [*_grasp(model, worksite, one), *_struck(model, worksite, one)]
-        yield from (Misfit(Problem(where, what), True) for what in senseless)
-        yield from _seats(model, worksite, one, where, around, used, not senseless)
+                yield Misfit(Problem(where, f"{payload.name} and {other.name} start where {overlap}"), True)
+        errors = [*_bar_errors(model, worksite, payload), *_hand_overlaps(model, worksite, payload)]
+        yield from (Misfit(Problem(where, text), True) for text in errors)
+        yield from _berth_misfits(model, worksite, payload, where, around, used, not errors)
 
 
-def _seats(
+def _berth_misfits(
     model: ArmModel,
     worksite: Worksite,
-    one: Cargo,
+    payload: Cargo,
     where: Where,
     around: Parts,
     used: frozenset[str],
     graspable: bool,
 ) -> Iterator[Misfit]:
-    """Yield the overlaps of a payload, and of the hand at its bar, in each seat that takes the payload."""
-    held = hands(model, worksite, one) if graspable else {}
+    """Yield the overlaps of a payload, and of the end effector at its bar, in each berth that can fix the payload."""
+    hands_at_bar = hands(model, worksite, payload) if graspable else {}
     for seat in worksite.seats:
-        if seat.lacks(one.probe, one.trunnions):
+        if seat.lacks(payload.probe, payload.trunnions):
             continue
-        pose = seat.seated(one.probe)
-        senseless = seat.name in used or seat.name == one.start.seat
-        if inside := "; ".join(_deep(parts_at(one.solids, pose), around, model.units)):
-            yield Misfit(Problem(where, f"{one.name} in the seat {seat.name!r}: {inside}"), senseless)
-        for how, hand in held.items():
-            for what in _deep(_moved(hand, pose), around, model.units):
-                text = f"the hand, {how}, at {one.name} in the seat {seat.name!r}: {what}"
+        pose = seat.seated(payload.probe)
+        senseless = seat.name in used or seat.name == payload.start.seat
+        if overlaps := "; ".join(_overlaps(parts_at(payload.solids, pose), around, model.units)):
+            yield Misfit(Problem(where, f"{payload.name} in the berth {seat.name!r}: {overlaps}"), senseless)
+        for prong_state, hand in hands_at_bar.items():
+            for overlap in _overlaps(_moved(hand, pose), around, model.units):
+                text = f"the end effector, {prong_state}, at {payload.name} in the berth {seat.name!r}: {overlap}"
                 yield Misfit(Problem(where, text), senseless)
 
 
-def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
+def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
     """Yield the overlaps of the telescope at either end of its travel."""
     telescope = model.equipment.telescope
     if telescope is None:
         return
     scene = inverted(scene_in_l(model.mount, worksite.origin))
     for length in (telescope.least, telescope.greatest):
-        own = parts_at(
+        own_parts = parts_at(
             [solid for solid in solids_of(model) if solid.frame == STAND],
             composed(scene, Pose(np.array([0.0, 0.0, -length]), np.eye(3))),
         )
-        for what in _deep(own, around, model.units):
-            at = quantity_text(length, "m", model.units)
-            yield Misfit(Problem(("arm",), f"with the shoulder {at} up, {what}"), True)
+        for overlap in _overlaps(own_parts, around, model.units):
+            height = quantity_text(length, "m", model.units)
+            yield Misfit(Problem(("arm",), f"with the shoulder {height} up, {overlap}"), True)
 
 
-def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
+def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
     """Yield the reasons why a prong can never acquire a payload's bar, or can never release it."""
-    rule, prong, bar, units = worksite.acquisition, model.equipment.prong, one.receptacle, model.units
+    rule, prong, bar, units = worksite.acquisition, model.equipment.prong, payload.receptacle, model.units
     if prong is None or not isinstance(rule, BarAcquisition) or bar is None:
         return
 
-    def size(value: float) -> str:
+    def length_text(value: float) -> str:
         return quantity_text(value, "m", units)
 
-    opened, closed, finger = -prong.opened, -prong.closed, prong.fixed_finger
+    opened, closed, fixed_finger = -prong.opened, -prong.closed, prong.fixed_finger
     length, width, _ = np.ptp(bar, axis=0).tolist()
-    spacing = size(rule.prong_spacing)
+    spacing = length_text(rule.prong_spacing)
     if rule.prong_spacing >= opened:
         yield (
-            f"prong_spacing (PRGSPC) is {spacing}, and the open prong is {size(opened)} from the palm's centre line: "
-            f"it has to be less, or the hand never lets {one.name} go"
+            f"prong_spacing (PRGSPC) is {spacing}, and the open prong is {length_text(opened)} from the palm's centre "
+            f"line: it has to be less, or the end effector never releases {payload.name}"
         )
     if rule.prong_spacing < closed:
         yield (
-            f"prong_spacing (PRGSPC) is {spacing}, and the closed prong is {size(closed)} from the palm's centre "
-            f"line: it has to be at least that, or the hand never acquires {one.name}"
+            f"prong_spacing (PRGSPC) is {spacing}, and the closed prong is {length_text(closed)} from the palm's "
+            f"centre line: it has to be at least that, or the end effector never acquires {payload.name}"
         )
-    room = min(finger + min(opened, rule.prong_spacing), 2.0 * finger)  # with the palm centred over the bar
-    if width > room:
-        yield f"the bar of {one.name} is {size(width)} wide; the hand spans {size(room)} when it has acquired a bar"
+    span = min(fixed_finger + min(opened, rule.prong_spacing), 2.0 * fixed_finger)  # with the palm centred over the bar
+    if width > span:
+        yield (
+            f"the bar of {payload.name} is {length_text(width)} wide; "
+            f"the end effector holds a bar of at most {length_text(span)}"
+        )
     if rule.front + rule.rear > length:
-        inwards = size(rule.front + rule.rear)
-        yield f"the bar of {one.name} is {size(length)} long; front and rear (FRONT, REAR) leave out {inwards} of it"
+        margins = length_text(rule.front + rule.rear)
+        yield (
+            f"the bar of {payload.name} is {length_text(length)} long; "
+            f"front and rear (FRONT, REAR) together exclude {margins} of it"
+        )
 
 
-def _struck(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
-    """Yield the overlaps of the hand, at a payload's bar, with that payload.
+def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
+    """Yield the overlaps of the end effector, at a payload's bar, with that payload.
 
-    The bar itself is left out: the hand may take the bar away from the palm's middle.
+    The bar itself is not checked: the end effector may acquire the bar away from the palm's middle.
     """
-    bar = part_of(one.name, "receptacle")
-    own = {part: bodies for part, bodies in parts_at(one.solids, _HERE).items() if part != bar}
-    for how, solids in hands(model, worksite, one).items():
-        for what in _deep(solids, own, model.units):
-            yield f"the hand, {how}, at the bar of {one.name}: {what}"
+    bar = part_of(payload.name, "receptacle")
+    own = {part: bodies for part, bodies in parts_at(payload.solids, _IDENTITY).items() if part != bar}
+    for prong_state, solids in hands(model, worksite, payload).items():
+        for overlap in _overlaps(solids, own, model.units):
+            yield f"the end effector, {prong_state}, at the bar of {payload.name}: {overlap}"
 
 
-def hands(model: ArmModel, worksite: Worksite, one: Cargo) -> Mapping[str, Parts]:
-    """Return the concept's hand at a payload's bar, in the payload's axes: prong open, and closed on the bar."""
+def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, Parts]:
+    """Return the concept's end effector at a payload's bar, in payload axes: prong open, and closed on the bar."""
     rule, hand = worksite.acquisition, model.equipment.prong
-    if hand is None or not isinstance(rule, BarAcquisition) or one.receptacle is None:
+    if hand is None or not isinstance(rule, BarAcquisition) or payload.receptacle is None:
         return {}
-    tip = at_cargo(model, one, AtCargo(0, above=0.5 * rule.window))
+    tip = at_cargo(model, payload, AtCargo(0, above=0.5 * rule.window))
     joint = composed(tip, Pose(np.array([-float(model.links[L5]), 0.0, 0.0]), np.eye(3)))
     last = model.linkage.frames[-1]
-    own = [solid for solid in solids_of(model) if solid.frame == last]
+    hand_solids = [solid for solid in solids_of(model) if solid.frame == last]
     prong = [solid for solid in solids_of(model) if solid.frame == PRONG]
-    found: dict[str, Parts] = {}
-    closed = max(hand.opened, min(hand.closed, -0.5 * float(np.ptp(one.receptacle[:, 1]))))
-    for how, y in (("open", hand.opened), ("closed", closed)):
-        at = composed(joint, Pose(np.array([0.0, y, 0.0]), np.eye(3)))
-        found[how] = {**parts_at(own, joint), **parts_at(prong, at)}
-    return found
+    hands_at_bar: dict[str, Parts] = {}
+    closed = max(hand.opened, min(hand.closed, -0.5 * float(np.ptp(payload.receptacle[:, 1]))))
+    for prong_state, y in (("open", hand.opened), ("closed", closed)):
+        prong_pose = composed(joint, Pose(np.array([0.0, y, 0.0]), np.eye(3)))
+        hands_at_bar[prong_state] = {**parts_at(hand_solids, joint), **parts_at(prong, prong_pose)}
+    return hands_at_bar
 
 
 def parts_at(solids: Sequence[Solid], pose: Pose) -> Parts:
-    """Return solids by part, in the frame in which the solids' own frame has the given pose."""
-    found: Parts = {}
+    """Return the vertices of solids by part, in the frame in which `pose` gives the pose of the solids' own frame."""
+    by_part: Parts = {}
     for solid in solids:
-        found.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)
-    return found
+        by_part.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)
+    return by_part
 
 
 def _moved(parts: Parts, pose: Pose) -> Parts:
-    return {part: [body @ pose.rotation.T + pose.position for body in own] for part, own in parts.items()}
+    return {part: [body @ pose.rotation.T + pose.position for body in bodies] for part, bodies in parts.items()}
 
 
-def _deep(some: Parts, others: Parts, units: Units) -> Iterator[str]:
+def _overlaps(parts: Parts, others: Parts, units: Units) -> Iterator[str]:
     """Yield a text for each pair of parts that overlap by more than `TOLERANCE`."""
-    for a, own in some.items():
-        for b, there in others.items():
-            if (depth := deepest(own, there)) > TOLERANCE:
-                yield f"{a} is {quantity_text(depth, 'm', units)} inside {b}"
+    for name, bodies in parts.items():
+        for other_name, other_bodies in others.items():
+            if (depth := deepest(bodies, other_bodies)) > TOLERANCE:
+                yield f"{name} is {quantity_text(depth, 'm', units)} inside {other_name}"

@@ -1,7 +1,7 @@
 """Light in a run: directions to the sun and the Earth, lamps that are lit, exposures that are locked.
 
-Light affects only what people see, so it is not part of a simulation's state. The station holds it, sends it to the
-pages and records it; a scenario gives the light at the start.
+Light affects pictures only, so it is not part of a simulation's state. The station keeps the present light, sends it
+to the pages and records it. A scenario gives the light at the start.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Strength = Annotated[float, msgspec.Meta(ge=0.0)]
 
 
 class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A table of the file of conditions."""
+    """A table of `light.toml`."""
 
 
 class Glow(_Part, frozen=True):
@@ -45,7 +45,7 @@ class SkyGlow(_Part, frozen=True):
 
     above: Colour
     below: Colour
-    """Colour of the half sphere below the orbiter; `above` is the colour of the one above it."""
+    """Colour of the half sphere below the orbiter; `above` is the colour of the half sphere above it."""
     strength: Strength
 
 
@@ -66,7 +66,7 @@ class LightCondition(_Part, frozen=True):
 
 
 class LockedExposure(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A camera whose exposure does not follow the brightness of its picture."""
+    """Locked exposure of a camera: it does not follow the brightness of the camera's picture."""
 
     camera: Name
     stops: Annotated[float, msgspec.Meta(ge=-20.0, le=20.0)]
@@ -79,7 +79,7 @@ class Lighting(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     condition: Name
     """Name of the condition, as in `LightCondition.name`."""
     lamps: Annotated[tuple[Name, ...], msgspec.Meta(max_length=32)]
-    """Switches that are on."""
+    """Names of the switches that are on."""
     locked: Annotated[tuple[LockedExposure, ...], msgspec.Meta(max_length=64)] = ()
 
 
@@ -96,10 +96,10 @@ def conditions() -> tuple[LightCondition, ...]:
 
 
 def lamps_of(worksite: Worksite, arm: ArmModel, payload: Payload | None, cargo: tuple[Cargo, ...]) -> tuple[str, ...]:
-    """Return the switches of all lamps present: of the worksite, the arm, the held payload and the cargo."""
-    bodies = chain((body.shapes for body in worksite.bodies), shapes_of(arm).bodies.values())
-    carried = chain([payload.shapes] if payload else [], (one.shapes for one in cargo))
-    return switches(chain.from_iterable(chain(bodies, carried)))
+    """Return the switches of all lamps of the worksite, the arm, the held payload and the worksite's payloads."""
+    body_shapes = chain((body.shapes for body in worksite.bodies), shapes_of(arm).bodies.values())
+    payload_shapes = chain([payload.shapes] if payload else [], (item.shapes for item in cargo))
+    return switches(chain.from_iterable(chain(body_shapes, payload_shapes)))
 
 
 def lighting(problems: Problems, spec: LightSpec, lamps: tuple[str, ...]) -> Lighting:
@@ -107,9 +107,9 @@ def lighting(problems: Problems, spec: LightSpec, lamps: tuple[str, ...]) -> Lig
     names = [condition.name for condition in conditions()]
     condition = names[0] if spec.condition is None else spec.condition
     if condition not in names:
-        problems.add(("light", "condition"), f"no condition of light {condition!r}: there are {', '.join(names)}")
+        problems.add(("light", "condition"), f"no light condition {condition!r}: there are {', '.join(names)}")
     for i, lamp in enumerate(spec.lamps or ()):
         if lamp not in lamps:
-            there = f"there are {', '.join(lamps)}" if lamps else "this place has none"
-            problems.add(("light", "lamps", i), f"no lamps {lamp!r}: {there}")
-    return Lighting(condition, lamps if spec.lamps is None else tuple(one for one in lamps if one in spec.lamps))
+            choices = f"there are {', '.join(lamps)}" if lamps else "this scenario has none"
+            problems.add(("light", "lamps", i), f"no lamp switch {lamp!r}: {choices}")
+    return Lighting(condition, lamps if spec.lamps is None else tuple(name for name in lamps if name in spec.lamps))

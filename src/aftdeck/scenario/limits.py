@@ -60,8 +60,8 @@ def phase_limits(
         model: the arm with the scenario's limits.
         mass: mass of the payload that the arm carries in the phase [kg].
         own: the scenario's limits of the point of resolution.
-        over: limits that the phase gives in place of others.
-        where: place of these limits in the file.
+        over: limits that the phase gives in place of the scenario's.
+        where: place of the phase's limits in the file.
     """
     if over == RatesOverride():
         return None
@@ -77,17 +77,25 @@ def phase_limits(
 
 
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
-    """Return the limits of the point of resolution with a payload [kg]: the arm's, replaced by those in `over`."""
-    own = arm.por_limits(mass)
+    """Return the limits of the point of resolution for a payload's `mass` [kg]: those in `over`, else the arm's."""
+    arm_limits = arm.por_limits(mass)
 
     def pick(given: float | None, own: float) -> float:
         return own if given is None else float(given)
 
-    translation = (pick(over.translation, own.translation[0]), pick(over.vernier_translation, own.translation[1]))
-    rotation = (pick(over.rotation, own.rotation[0]), pick(over.vernier_rotation, own.rotation[1]))
-    speeding = translation[0] / pick(over.reached_in, own.translation[0] / own.acceleration)
-    turning = rotation[0] / pick(over.reached_in, own.rotation[0] / own.angular_acceleration)
-    return PorLimits(translation, rotation, pick(over.acceleration, speeding), pick(over.angular_acceleration, turning))
+    translation = (
+        pick(over.translation, arm_limits.translation[0]),
+        pick(over.vernier_translation, arm_limits.translation[1]),
+    )
+    rotation = (pick(over.rotation, arm_limits.rotation[0]), pick(over.vernier_rotation, arm_limits.rotation[1]))
+    acceleration = translation[0] / pick(over.reached_in, arm_limits.translation[0] / arm_limits.acceleration)
+    angular_acceleration = rotation[0] / pick(over.reached_in, arm_limits.rotation[0] / arm_limits.angular_acceleration)
+    return PorLimits(
+        translation,
+        rotation,
+        pick(over.acceleration, acceleration),
+        pick(over.angular_acceleration, angular_acceleration),
+    )
 
 
 def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Where = ("limits", "por")) -> None:
@@ -95,9 +103,9 @@ def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Wher
     for name in PorOverride.__struct_fields__:
         given = getattr(over, name)
         if given is not None and given <= 0.0:
-            problems.add((*where, name), f"is above 0, got {given:g}")
+            problems.add((*where, name), f"has to be above 0, got {given:g}")
         elif given is not None and over.reached_in is not None and "acceleration" in name:
             problems.add((*where, name), "give either reached_in or accelerations, not both")
     for name, (coarse, vernier) in (("vernier_translation", por.translation), ("vernier_rotation", por.rotation)):
         if vernier > coarse > 0.0:
-            problems.add((*where, name), f"is at most the coarse limit {coarse:g}, got {vernier:g}")
+            problems.add((*where, name), f"has to be at most the coarse limit {coarse:g}, got {vernier:g}")

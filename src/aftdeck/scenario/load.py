@@ -1,4 +1,4 @@
-"""Loading a scenario: a file or a built-in name becomes a `Scenario`, checked once and frozen."""
+"""Loader of scenarios: turns a file or a built-in name into a `Scenario`, checked once and frozen."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ class About(NamedTuple):
 def about(name: str) -> About:
     """Read a built-in scenario's title and text without building the scenario, which takes about a second."""
     file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
-    said = tomllib.loads(file)
-    return About(said["title"], said["text"], file)
+    table = tomllib.loads(file)
+    return About(table["title"], table["text"], file)
 
 
 class Source(NamedTuple):
-    """A scenario's text and where it comes from: the arguments of `parse_scenario`."""
+    """A scenario's text, with its name, file name and folder: the arguments of `parse_scenario`."""
 
     text: str
     name: str
@@ -49,7 +49,7 @@ class Source(NamedTuple):
 
 
 def find_scenario(name_or_path: str | Path) -> Source:
-    """Return the text of a built-in name or of a file, not yet checked.
+    """Return the text of a built-in scenario or of a file; the text is not checked.
 
     Raises:
         ScenarioError: there is no such scenario, or its file cannot be read.
@@ -71,25 +71,26 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
     """Load the scenario of a built-in name or of a file.
 
     Raises:
-        ScenarioError: there is no such scenario, or it has problems; lists all of them with their places in the file.
+        ScenarioError: there is no such scenario, or its file has errors; the message lists all, with their places in
+            the file.
     """
     return parse_scenario(*find_scenario(name_or_path))
 
 
 def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
-    """Replace expressions of the worksite's dimensions by their values; return the problems found.
+    """Replace expressions that use the worksite's dimensions by their values; return the problems found.
 
     Raises:
-        ScenarioError: the dimensions have no values, since the worksite cannot be read.
+        ScenarioError: the worksite that defines the dimensions cannot be read.
     """
-    name, own = raw.get("worksite", "orbiter"), raw.get(KEY, {})
-    if not has_formulas(raw) or not isinstance(name, str) or not isinstance(own, dict):
+    name, own_dimensions = raw.get("worksite", "orbiter"), raw.get(KEY, {})
+    if not has_formulas(raw) or not isinstance(name, str) or not isinstance(own_dimensions, dict):
         return []
     try:
-        return derive_from(dimensions_of(beside(name, folder), own), raw)
+        return derive_from(dimensions_of(beside(name, folder), own_dimensions), raw)
     except ScenarioError as error:
-        wrong = [Problem(("worksite",), problem) for problem in error.problems]
-        raise ScenarioError(sentences(wrong, *file)) from None
+        problems = [Problem(("worksite",), problem) for problem in error.problems]
+        raise ScenarioError(sentences(problems, *file)) from None
 
 
 def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Changes | None = None) -> Scenario:
@@ -99,8 +100,8 @@ def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Chang
     the text.
     """
     source = Text(file, text)
-    spec, wrong = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, folder, source))
-    problems = Problems(wrong)
+    spec, found = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, folder, source))
+    problems = Problems(found)
     scenario = None if spec is None else build(problems, spec, name, text, folder)
     if scenario is None or problems:
         raise ScenarioError(problems.sentences(file, text))

@@ -33,7 +33,7 @@ class RateLimits:
 
 @dataclass(frozen=True, eq=False)
 class PhasePlan:
-    """A phase of the script, ready to fly.
+    """A phase of the script, checked and converted to SI.
 
     Attributes:
         name: name for the summary and the page.
@@ -47,13 +47,13 @@ class PhasePlan:
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
         joint_rate: theta_dot_C' in place of the drive [rad/s]; None to use the drive.
         joint_at: angle to which the joint moves [rad], or None.
-        target: final tip pose, or a place that gives the pose as the phase begins, or None.
-        law: which of the report's modes 1 to 3 an automatic mode flies; None for no change.
+        target: final tip pose, or a relative target, which gives the pose as the phase begins; None for no target.
+        law: steering law of the automatic modes, one of the report's modes 1 to 3; None for no change.
         payload_axes: whether ORB LD rotates in payload axes; None for no change.
-        master: angles of the master arm [rad]; None if the master arm stays.
+        master: angles of the master arm [rad]; None for no change.
         effector: position of the end effector switch; None for no change.
         latch: latch button pressed as the phase begins; None for no button.
-        stand_at: length to which the telescope moves [m]; None if the telescope stays.
+        stand_at: length to which the telescope moves [m]; None for no change.
         orbiter: translation command of the orbiter, each in [-1, 1].
         limits: limits during the phase; None for the scenario's.
         attaches: number, from 1, of the payload in `Scenario.own_payloads` that is in the grasp from the phase on; 0
@@ -100,7 +100,7 @@ class Point:
 
     Attributes:
         target: pose of the point.
-        pause: whether the arm waits there for PROCEED; if not, it only comes near and goes on.
+        pause: whether it is a pause point, at which the arm waits for PROCEED; if not, it is a fly-by point.
     """
 
     target: Target
@@ -116,11 +116,11 @@ Sequences = dict[str, tuple[Point, ...]]
 
 @dataclass(frozen=True, eq=False)
 class Grasped:
-    """A payload that is held from the start.
+    """A payload that the end effector holds from the start.
 
     Attributes:
         cargo: index of the payload in the scenario's `cargo`.
-        angles: (6,) joint angles at which the arm captured the payload in its place [rad].
+        angles: (6,) joint angles at which the arm captured the payload, at the payload's own start pose [rad].
         stand: length of the telescope at the capture [m].
     """
 
@@ -160,14 +160,14 @@ class Scenario:
         duration: longest simulated time [s].
         ticks: longest simulated time [control periods].
         control_period: duration of a control step [s].
-        delay: delay before a person's inputs take effect [steps].
-        telemetry_delay: delay of the station's figures, lamps and log [s].
+        delay: delay before the operator's inputs take effect [steps].
+        telemetry_delay: delay of the values, lamps and log that the station displays [s].
         camera_delay: delay of the station's pictures [s].
         start: initial state of the arm.
         parts: initial states for the parts of the problem; "full problem" is `start`.
         cargo: payloads of the worksite that are present.
         docking_axes: axes that docking compares: all, or y alone as the report does.
-        free_contact: effect of a contact on a body that nothing holds.
+        free_contact: effect of a contact on a floating payload.
         caution: clearance below which the page shows a caution [m].
         warning: clearance below which the page shows a warning [m].
         lamps: switches of the lamps that are present.
@@ -175,23 +175,23 @@ class Scenario:
         mode: mode at the start.
         rate: coarse or vernier at the start.
         as_flown: whether a joint past its soft stop stops every joint in computed modes.
-        strict: whether the steering runs as published, without the corrections.
+        strict: whether the steering is as published, without the corrections.
         guarded: whether computed modes slow the arm before its stops and singularities.
         near: radius of the end sphere of the automatic modes [m].
         near_turn: radius of the end sphere in rotation [rad].
         fly_by: distance within which a fly-by point is passed [m].
         fly_by_turn: angle within which a fly-by point is passed [rad].
-        law: which of the report's modes 1 to 3 the automatic modes fly at the start.
+        law: steering law of the automatic modes at the start, one of the report's modes 1 to 3.
         payload_axes: whether ORB LD rotates in payload axes at the start.
         position_hold: whether POSITION HOLD is on at the start.
         sequences: points of AUTO 1-4, by panel position.
         por: limits of the point of resolution in place of the arm's.
-        own_payloads: payloads that the scenario itself puts into the grasp: its own, then those of its phases. The
-            end effector neither captures nor releases them.
+        own_payloads: payloads that the scenario itself attaches to the end effector: that of `[payload]`, then those of
+            its phases. The end effector neither captures nor releases them.
         payload: the first of `own_payloads` if it is in the grasp at the start; else None.
         phases: the script; empty if there is none.
         text: text of the file.
-        cautions: misfits; runs that stay clear of them still make sense.
+        cautions: misfits that do not make every run meaningless.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Modes of a scenario, given by panel position or by the report's number, and the checks of what they need."""
+"""Modes of a scenario, by panel position or by the report's number, with checks of the payload and points they need."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from aftdeck.scenario.problems import Problems
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice, position_of
 
 MIXED = 7
-"""The report's number of the mode that ORB LD flies with its switch in payload axes."""
+"""The report's number of the mode that ORB LD selects with its switch in payload axes."""
 _LAWS: dict[int, LawChoice] = {number: law for law, number in AUTOMATIC_LAWS.items()}
 
 
@@ -20,7 +20,7 @@ class Chosen:
 
     Attributes:
         position: panel position.
-        law: which of the report's modes 1 to 3 is flown; None if not given.
+        law: steering law, one of the report's modes 1 to 3; None if not given.
         payload_axes: whether ORB LD rotates in payload axes; None if not given.
     """
 

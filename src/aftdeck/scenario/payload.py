@@ -14,11 +14,11 @@ from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import AttachedSpec, PayloadSpec
 
 PART = "payload"
-"""Name of the payload as a part."""
+"""Name of the payload's part."""
 
 
 def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None:
-    """Return the payload that the file describes; None if there is none, or if its table is wrong."""
+    """Return the payload that the file describes; None if the file describes none, or if its table is wrong."""
     held = None if spec is None else attached_payload(problems, spec, ("payload",))
     if spec is None or held is None:
         return None
@@ -33,7 +33,7 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
 def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Payload | None:
     """Return the payload of a table at a place in the file, without shape; None if the table is wrong."""
     if spec.mass <= 0.0:
-        problems.add((*where, "mass"), f"is above 0, got {spec.mass:g} kg")
+        problems.add((*where, "mass"), f"has to be above 0, got {spec.mass:g} kg")
         return None
     turned = endori(spec.roll, spec.pitch, spec.yaw)
     if spec.matrix is not None:

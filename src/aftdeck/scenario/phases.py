@@ -1,4 +1,4 @@
-"""Phases of the script, and the fields that each kind of mode takes and needs."""
+"""Phases of the script, with checks of the fields that each kind of mode allows and needs."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _USED: dict[str, set[str]] = {
     "test": set(),
     "master": {"master"},
 }
-"""Fields that a phase may give, by the kind of its mode; OPR CMD and ORB LD take more."""
+"""Fields that a phase may give, by the kind of its mode; OPR CMD and ORB LD allow one more field each."""
 
 
 def script(
@@ -39,11 +39,11 @@ def script(
     sequences: Sequences,
     references: TargetReferences,
 ) -> list[PhasePlan | None]:
-    """Return the phases, ready to fly; None for each phase whose mode does not exist.
+    """Return the checked phases; None for each phase whose mode does not exist.
 
     Args:
         problems: collects the problems found.
-        arm: arm that flies the phases.
+        arm: the arm, with the scenario's limits.
         phases: the decoded phases.
         grasp: the grasp at the start; collects the payloads of the phases.
         por: the scenario's limits of the point of resolution.
@@ -74,8 +74,8 @@ def _phase_plan(
     limits: RateLimits | None,
     attaches: int | None,
 ) -> PhasePlan:
-    """Return one phase, ready to fly."""
-    there = None if phase.target is None else goal(problems, arm, phase.target, references, (*where, "target"))
+    """Return one checked phase."""
+    target = None if phase.target is None else goal(problems, arm, phase.target, references, (*where, "target"))
     joint = _joint(problems, arm, phase, where)
     _check_phase(problems, arm, phase, chosen, joint, where)
     return PhasePlan(
@@ -90,7 +90,7 @@ def _phase_plan(
         drive=phase.drive,
         joint_rate=None if phase.joint_rate is None else float(phase.joint_rate),
         joint_at=None if phase.joint_at is None else float(phase.joint_at),
-        target=there,
+        target=target,
         law=chosen.law or phase.law,
         payload_axes=chosen.payload_axes or phase.payload_axes,
         master=None if phase.master is None else cast("Six", tuple(float(angle) for angle in phase.master)),
@@ -135,9 +135,9 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
     mode = MODES[chosen.position]
     _check_use(problems, phase, mode, where)
     if phase.law is not None and chosen.law not in (None, phase.law):
-        problems.add((*where, "law"), f"mode {phase.mode} says which law is flown; leave law out")
+        problems.add((*where, "law"), f"mode {phase.mode} selects the steering law; leave law out")
     if phase.duration is not None and phase.duration <= 0.0:
-        problems.add((*where, "duration"), f"is above 0, got {phase.duration:g} s")
+        problems.add((*where, "duration"), f"has to be above 0, got {phase.duration:g} s")
     if mode.position == "OPR CMD" and phase.target is None:
         problems.add(where, "mode OPR CMD needs a target")
     if mode.kind in ("manual", "test") and phase.duration is None:
@@ -151,7 +151,7 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
 
 
 def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> None:
-    """Report fields that are given but have no use in the mode, and sticks given both ways."""
+    """Report fields that the mode does not use, and a stick given both as a deflection and as a velocity or rate."""
     given = {
         "target": phase.target is not None,
         "law": phase.law is not None,

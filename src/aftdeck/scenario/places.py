@@ -1,4 +1,4 @@
-"""Targets relative to objects: a payload to capture, a seat to bring it to, a pose in the axes of a body."""
+"""Targets relative to objects: a payload to capture, a berth for the held payload, a pose in the axes of a body."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from aftdeck.worksite.model import Cargo, Worksite
 
 
 class TargetReferences(NamedTuple):
-    """Objects relative to which a target or a start may be given, and the way to find its joint angles.
+    """Objects relative to which a target or a start may be given, and the choice of inverse kinematics.
 
     Attributes:
         cargo: the scenario's payloads.
-        worksite: bodies and seats; None if the named worksite could not be read.
-        strict: whether a pose is reached by RMANGS's own branch, as published.
+        worksite: the worksite, for its bodies and berths; None if the named worksite could not be read.
+        strict: whether a pose is converted to joint angles by RMANGS's own branch, as published.
     """
 
     cargo: tuple[Cargo, ...]
@@ -39,21 +39,21 @@ def is_relative(spec: PoseSpec) -> bool:
 def goal(
     problems: Problems, arm: Arm, spec: PoseSpec, references: TargetReferences, where: Where
 ) -> Target | RelativeTarget | None:
-    """Return a target as a pose, or as a place that is evaluated as the phase begins; None if the target is wrong."""
+    """Return a target as a pose, or as a relative target for evaluation as the phase begins; None if it is wrong."""
     return place(problems, arm, spec, references, where) if is_relative(spec) else target(problems, arm, spec, where)
 
 
 def place(
     problems: Problems, arm: Arm, spec: PoseSpec, references: TargetReferences, where: Where
 ) -> RelativeTarget | None:
-    """Return the place of a pose given relative to an object; None if the pose or the worksite is wrong."""
+    """Return the relative target for a pose given relative to an object; None if the pose or the worksite is wrong."""
     if references.worksite is None:
         return None
     if spec.cargo is None and spec.seat is None:
         return _in_frame(problems, spec, references, where)
-    rest = msgspec.structs.replace(spec, cargo=None, seat=None, above=None, offset=None)
-    if rest != PoseSpec() or None not in (spec.cargo, spec.seat):
-        problems.add(where, "give cargo or seat, with above and offset where it is short of it, and nothing else")
+    other_fields = msgspec.structs.replace(spec, cargo=None, seat=None, above=None, offset=None)
+    if other_fields != PoseSpec() or None not in (spec.cargo, spec.seat):
+        problems.add(where, "give either cargo or seat, with above and offset if needed, and no other field")
         return None
     above, (x, y, z) = float(spec.above or 0.0), spec.offset or (0.0, 0.0, 0.0)
     offset = float(x), float(y), float(z)
@@ -63,19 +63,20 @@ def place(
             return AtSeat(spec.seat, above, offset)
         problems.add((*where, "seat"), f"no seat {spec.seat!r}: there is {', '.join(seats) or 'none'}")
         return None
-    k = cargo_index(problems, arm, references.cargo, spec.cargo or "", (*where, "cargo"))
-    return None if k is None else AtCargo(k, above, offset)
+    index = cargo_index(problems, arm, references.cargo, spec.cargo or "", (*where, "cargo"))
+    return None if index is None else AtCargo(index, above, offset)
 
 
 def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: str, where: Where) -> int | None:
-    """Return the index of the scenario's payload of a given name; None if the hand can take no payload of that name."""
-    names = [one.name for one in cargo]
+    """Return the index of the scenario's payload of a given name; None if the end effector cannot capture it."""
+    names = [payload.name for payload in cargo]
     if name not in names:
-        there = f"there is {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
-        problems.add(where, f"no cargo {name!r}: {there}")
+        choices = f"there is {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
+        problems.add(where, f"no cargo {name!r}: {choices}")
         return None
     if not takes(arm.model, cargo[names.index(name)]):
-        problems.add(where, f"{name!r} has nothing that the hand of {arm.model.name} takes")
+        fixture = "grapple fixture" if arm.model.equipment.prong is None else "bar"
+        problems.add(where, f"{name!r} has no {fixture} for the end effector of {arm.model.name}")
         return None
     return names.index(name)
 
@@ -88,7 +89,7 @@ def at_the_start(
     in_hand: tuple[int, Pose] | None,
     where: Where,
 ) -> Pose | None:
-    """Return the tip's pose in L for a pose given relative to objects as they are at the start; None if it is wrong.
+    """Return the tip's pose in L for a pose relative to objects at their start poses; None if the pose is wrong.
 
     Args:
         problems: collects the problems found.
@@ -103,28 +104,29 @@ def at_the_start(
         return None
     scene = scene_in_l(arm.model.mount, references.worksite.origin)
     if isinstance(found, AtCargo):
-        one = references.cargo[found.cargo]
-        return composed(scene, composed(one.start.pose, at_cargo(arm.model, one, found)))
+        payload = references.cargo[found.cargo]
+        return composed(scene, composed(payload.start.pose, at_cargo(arm.model, payload, found)))
     if isinstance(found, AtSeat):
         if in_hand is None:
-            problems.add(where, "a pose at a seat is that of what is held there: give grasped")
+            problems.add(where, "a pose at a berth is the pose of the held payload: give grasped")
             return None
-        k, held = in_hand
+        index, held = in_hand
         seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)
-        if lacking := seat.lacks(references.cargo[k].probe, references.cargo[k].trunnions):
+        if lacking := seat.lacks(references.cargo[index].probe, references.cargo[index].trunnions):
             problems.add(
-                where, f"{references.cargo[k].name!r} has no {lacking}, which the seat {seat.name!r} holds on to"
+                where,
+                f"{references.cargo[index].name!r} has no {lacking}, by which the berth {seat.name!r} holds a payload",
             )
             return None
-        return composed(scene, composed(at_seat(seat, references.cargo[k], found), inverted(held)))
-    carrier = next((one.start.pose for one in references.cargo if one.name == found.frame), None)
-    return composed(scene, found.pose if carrier is None else composed(carrier, found.pose))
+        return composed(scene, composed(at_seat(seat, references.cargo[index], found), inverted(held)))
+    frame_pose = next((payload.start.pose for payload in references.cargo if payload.name == found.frame), None)
+    return composed(scene, found.pose if frame_pose is None else composed(frame_pose, found.pose))
 
 
 def _in_frame(problems: Problems, spec: PoseSpec, references: TargetReferences, where: Where) -> RelativeTarget | None:
-    """Return the place of a pose in the axes of a body, a seat or a payload; None if it is wrong."""
+    """Return the relative target for a pose in the axes of a body, a berth or a payload; None if the pose is wrong."""
     if spec.above is not None or spec.offset is not None:
-        problems.add(where, "above and offset go with cargo or seat")
+        problems.add(where, "above and offset are allowed only with cargo or seat")
         return None
     pose = position_and_rotation(problems, spec, where)
     if pose is None or references.worksite is None:
@@ -132,6 +134,6 @@ def _in_frame(problems: Problems, spec: PoseSpec, references: TargetReferences, 
     found = in_frame(references.worksite, references.cargo, spec.frame, pose)
     if found is None:
         names = [body.name for body in references.worksite.bodies] + [seat.name for seat in references.worksite.seats]
-        there = ", ".join(dict.fromkeys([*FRAMES, *names, *(one.name for one in references.cargo)]))
-        problems.add((*where, "frame"), f"no frame {spec.frame!r}: there are {there}")
+        choices = ", ".join(dict.fromkeys([*FRAMES, *names, *(payload.name for payload in references.cargo)]))
+        problems.add((*where, "frame"), f"no frame {spec.frame!r}: there are {choices}")
     return found

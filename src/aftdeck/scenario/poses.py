@@ -1,4 +1,4 @@
-"""Joint angles, matrices, poses and targets as a scenario gives them."""
+"""Conversion of a scenario's joint angles, matrices, poses and targets, with checks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from aftdeck.scenario.schema import PoseSpec, Row, SixAngles
 from aftdeck.scenario.target import Target, target_at
 
 FRAMES: tuple[FrameName, ...] = get_args(FrameName)
-"""Frames in which every pose may be given."""
+"""Coordinate frames in which any pose may be given."""
 ORTHONORMAL = 1e-6
 """Maximum deviation of a given matrix from an orthonormal one [1]."""
 
@@ -46,11 +46,11 @@ def rotation_matrix(problems: Problems, rows: tuple[Row, Row, Row], where: Where
     if not np.isfinite(matrix).all():
         problems.add(where, "expected finite numbers")
     elif (
-        np.abs(matrix).max() > 1.0 + ORTHONORMAL  # before the squares, which may overflow
+        np.abs(matrix).max() > 1.0 + ORTHONORMAL  # checked first: the products below may overflow
         or np.abs(matrix @ matrix.T - np.eye(3)).max() > ORTHONORMAL
         or np.linalg.det(matrix) < 0.0
     ):
-        problems.add(where, "is not a right-handed orthonormal matrix (to 1e-6)")
+        problems.add(where, "is not a right-handed orthonormal matrix (to within 1e-6)")
     else:
         return matrix
     return None
@@ -70,7 +70,7 @@ def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target
 def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pose | None:
     """Return the pose of frame 7 in L for a pose given in one of three ways; None if the pose is wrong."""
     if (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None):
-        what = "cargo, seat, above and offset are for the target of a phase, and for the pose at the start"
+        what = "cargo, seat, above and offset are allowed only in the target of a phase and in the pose at the start"
         problems.add(where, what)
         return None
     if spec.joints is not None:
@@ -94,7 +94,7 @@ def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pos
 
 
 def position_and_rotation(problems: Problems, spec: PoseSpec, where: Where) -> Pose | None:
-    """Return a pose given by position and orientation, in its own frame; None if it is wrong."""
+    """Return a pose given by position and orientation, in the frame that it names; None if the pose is wrong."""
     euler = (spec.roll, spec.pitch, spec.yaw)
     if spec.position is None or spec.joints is not None:
         problems.add(where, "give joints (six angles), or a position with an orientation")

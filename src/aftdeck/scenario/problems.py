@@ -10,8 +10,8 @@ from aftdeck.files import Problem, Where, sentences
 class Problems:
     """Problems found so far, in the order found; true if there are any.
 
-    A problem at, inside or around the place of a problem that was given at construction is not added. It may only be
-    a consequence of the value that was left out there.
+    The problems given at construction are fields that could not be decoded and were left out. `add` ignores a problem
+    at, inside or around the place of such a field, since it may be only a consequence.
     """
 
     def __init__(self, found: Sequence[Problem] = ()) -> None:
@@ -32,5 +32,5 @@ class Problems:
 
 
 def _inside(place: Where, other: Where) -> bool:
-    """Return whether a place equals another or lies within it."""
+    """Return whether `place` equals `other` or is inside it."""
     return place[: len(other)] == other

@@ -20,9 +20,9 @@ AngularVelocity = tuple[AngularRate, AngularRate, AngularRate]
 Row = tuple[float, float, float]
 Rate = Literal["coarse", "vernier"]
 Until = Literal["captured", "released", "latched", "unlatched"]
-"""Events for which a phase may wait: a payload enters or leaves the grasp; it is fixed in its seat, or freed."""
+"""Events for which a phase may wait: a payload is captured, released, latched in a berth, or unlatched."""
 FreeContact = Literal["stop", "reflect"]
-"""Effect of a contact on a body that nothing holds."""
+"""Effect of a contact on a floating payload."""
 
 
 class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -37,11 +37,11 @@ class PoseSpec(_Part, frozen=True):
     in L the angles are ENDORI's roll, elevation, azimuth of frame 7. In the panel frame they are the end effector's
     attitude, pitch, yaw, roll in that order, and X = -Xo, Y = Yo, Z = -Zo.
 
-    A phase's target, and the pose in which a run starts, may also be given relative to objects as they are at that
-    instant. `cargo` is the pose at which the hand takes that payload. `seat` is the pose at which the payload in the
-    hand is in its place in that seat. `above` is a distance short of that pose: back along the hand, up out of the
-    bay, out from the port. `offset` is a displacement along the axes of the payload or seat. Or `frame` names a body, a
-    seat or a payload, in whose axes position and orientation (as in L) are given.
+    A phase's target, and the pose in which a run starts, may also be given relative to the present poses of objects.
+    `cargo` is the pose at which the end effector captures that payload. `seat` is the pose at which the held payload is
+    in that berth. `above` is a distance short of that pose: back along the end effector, up out of the bay, or out from
+    the port. `offset` is a displacement along the axes of the payload or berth. Or `frame` names a body, a berth or a
+    payload; position and orientation (as in L) are then given in its axes.
     """
 
     joints: SixAngles | None = None
@@ -58,10 +58,10 @@ class PoseSpec(_Part, frozen=True):
 
 
 class GraspSpec(_Part, frozen=True):
-    """A payload of the worksite held at the start, and the arm's angles when it took the payload in its place.
+    """A payload of the worksite held at the start, and the arm's angles at the capture of the payload at its own start.
 
-    The angles are `joints`, or those that bring the hand `above` the payload as in `PoseSpec`, by the branch nearest to
-    the start's `near`. `stand` is the length of the telescope at that instant.
+    The angles are `joints`, or those that bring the end effector `above` the payload as in `PoseSpec`, by the branch
+    nearest to the start's `near`. `stand` is the length of the telescope at the capture.
     """
 
     cargo: Text
@@ -71,7 +71,7 @@ class GraspSpec(_Part, frozen=True):
 
 
 class Initial(_Part, frozen=True):
-    """Initial arm state (RMSIST): joint angles and rates, or a pose, reached by the branch nearest to `near`.
+    """Initial arm state (RMSIST): joint angles and rates, or a pose; `near` selects the nearest set of joint angles.
 
     `stand` is the length of the telescope; a payload that is `grasped` is attached to the end effector.
     """
@@ -85,7 +85,7 @@ class Initial(_Part, frozen=True):
 
 
 class CargoSpec(_Part, frozen=True):
-    """A payload of the worksite that is present: as its own table says, or at a place or with a motion given here."""
+    """A payload of the worksite that is present; `start` and `mass`, if given, replace those of the payload's table."""
 
     name: Text
     start: StartFile | None = None
@@ -103,8 +103,8 @@ class InitialiseSpec(_Part, frozen=True):
 class ClearanceSpec(_Part, frozen=True):
     """Clearances below which the page shows a caution and a warning.
 
-    The default is a little less than the clearance of the Shuttle's upper boom over the sill's fittings while the arm
-    is not stretched out. A caution that is always lit carries no information.
+    The default caution is a little less than the clearance of the Shuttle's upper boom over the sill's fittings while
+    the arm is not stretched out: a caution that is always lit carries no information.
     """
 
     caution: Length = Length(0.5)
@@ -160,9 +160,9 @@ class LimitsOverride(RatesOverride, frozen=True):
 class AttachedSpec(_Part, frozen=True):
     """A payload as the steering uses it.
 
-    `position` is r_87, the payload's centre in its own axes as seen from the tip; `roll`, `pitch`, `yaw`
-    (azimuth first, as ENDORI) or `matrix` turn frame 7 into the payload's axes (T_78). `por` is the payload's
-    point of resolution in its axes, from its centre.
+    `position` is r_87, the vector from the tip to the payload's centre, in payload axes. `roll`, `pitch`, `yaw`
+    (azimuth first, as ENDORI) or `matrix` rotate frame 7 into the payload's axes (T_78). `por` is the vector from
+    the payload's centre to its point of resolution, in payload axes.
     """
 
     mass: Mass
@@ -177,7 +177,7 @@ class AttachedSpec(_Part, frozen=True):
 class PayloadSpec(AttachedSpec, frozen=True):
     """A payload that the end effector holds.
 
-    Its `shape` entries are drawn, about its centre. Its `body` entries collide; they enclose the drawn shapes.
+    The `shape` entries are drawn, about the payload's centre. The `body` entries collide and enclose the drawn shapes.
     """
 
     shape: tuple[Shape, ...] = ()
@@ -189,8 +189,9 @@ class Phase(_Part, frozen=True):
 
     The mode is a panel position or the report's number, 1 to 8; `law` chooses among modes 1 to 3 in OPR CMD and
     AUTO 1-4, `payload_axes` between 4 and 7 in ORB LD. Automatic modes take a `target`; AUTO 1-4 use their stored
-    points. They end on arrival, a sequence at its last point, and PROCEED is given at every pause. `duration` is
-    then the longest time allowed.
+    points. They end on arrival, a sequence at its last point. The script gives PROCEED at every pause point.
+    `duration` is then the longest time allowed.
+
     Manual modes take stick positions and end after `duration`. SINGLE takes a `joint` and either `drive` with
     a `duration`, or `joint_at`, the angle to which the joint moves. MASTER takes the `master` arm's angles and ends
     when the arm has reached them.
@@ -199,8 +200,8 @@ class Phase(_Part, frozen=True):
     the axes in which the sticks act, and SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value beyond the limits
     in force is reduced to the limit, in the same direction.
 
-    `limits` apply during the phase (V_L, omega_L, their accelerations, theta_dot_L); in manual flight the scenario's
-    limits apply. A `payload` is in the grasp from the phase on (PA, T_78, r_87), until a later phase gives another
+    `limits` apply during the phase (V_L, omega_L, their accelerations, theta_dot_L); with manual inputs the scenario's
+    limits apply. A `payload` is attached from this phase on (PA, T_78, r_87), until a later phase gives another
     `payload` or `detached`.
 
     In every mode a phase may set the `effector` switch, press `latch`, move the telescope to `stand_at`, translate the
@@ -234,7 +235,7 @@ class Phase(_Part, frozen=True):
 
 
 class PointSpec(_Part, frozen=True):
-    """A prestored point of AUTO 1-4: the arm waits for PROCEED at a pause point, and only comes near a fly-by point."""
+    """A prestored point of AUTO 1-4: a pause point, at which the arm waits for PROCEED, or a fly-by point."""
 
     target: PoseSpec
     pause: bool = False

@@ -10,16 +10,16 @@ from aftdeck.scenario.schema import SequenceSpec
 
 
 def stored_points(problems: Problems, arm: Arm, specs: tuple[SequenceSpec, ...]) -> Sequences:
-    """Return the points of each slot, by panel position; wrong points are left out."""
+    """Return the points of each slot, by panel position; invalid points are left out."""
     found: Sequences = {}
     for i, sequence in enumerate(specs):
         position = f"AUTO {sequence.slot}"
         if position in found:
-            problems.add(("sequence", i, "slot"), f"{position} has its points already: each slot is given once")
+            problems.add(("sequence", i, "slot"), f"{position} already has points; give each slot once")
         points = []
         for k, point in enumerate(sequence.point):
-            there = target(problems, arm, point.target, ("sequence", i, "point", k, "target"))
-            if there is not None:
-                points.append(Point(there, point.pause))
+            point_target = target(problems, arm, point.target, ("sequence", i, "point", k, "target"))
+            if point_target is not None:
+                points.append(Point(point_target, point.pause))
         found[position] = tuple(points)
     return found

@@ -1,4 +1,4 @@
-"""Initial states of the arm (RMSIST): for the full problem, and for the parts at which a run can re-initialise."""
+"""Initial states of the arm (RMSIST), for the full problem and for each part at which a run can re-initialise."""
 
 from __future__ import annotations
 
@@ -32,26 +32,28 @@ def parts(
         for part, initial in given.items()
         if initial is not None
     }
-    begun: dict[Part, Start] = {part: begin for part, begin in found.items() if begin is not None}
-    return {"full problem": full, **begun} if begun and full is not None else {}
+    complete: dict[Part, Start] = {part: state for part, state in found.items() if state is not None}
+    return {"full problem": full, **complete} if complete and full is not None else {}
 
 
 def start(problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where) -> Start | None:
     """Return the initial state of the arm (RMSIST); None if it is wrong."""
-    standing = _standing(problems, arm, initial.stand, (*where, "stand"))
+    raised = _with_telescope_at(problems, arm, initial.stand, (*where, "stand"))
     rates = frozen(initial.rates or [0.0] * 6)
-    for joint, rate, most in zip(arm.joints, rates, arm.rates.servo, strict=True):
-        if abs(rate) > most:
-            problems.add((*where, "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {most:g} rad/s")
+    for joint, rate, limit in zip(arm.joints, rates, arm.rates.servo, strict=True):
+        if abs(rate) > limit:
+            problems.add(
+                (*where, "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {limit:g} rad/s"
+            )
     grasped = None if initial.grasped is None else _grasped(problems, arm, initial, references, where)
-    angles = _angles(problems, standing, initial, references, grasped, where)
+    angles = _angles(problems, raised, initial, references, grasped, where)
     if angles is None:
         return None
-    return Start(angles, rates, float(standing.model.links[0]), grasped)
+    return Start(angles, rates, float(raised.model.links[0]), grasped)
 
 
-def _standing(problems: Problems, arm: Arm, stand: Length | None, where: Where) -> Arm:
-    """Return the arm with its telescope at a given length; None for the arm's own length."""
+def _with_telescope_at(problems: Problems, arm: Arm, stand: Length | None, where: Where) -> Arm:
+    """Return the arm with its telescope at a given length; if `stand` is None, at the arm's own length."""
     try:
         return arm if stand is None else Arm(arm.model.at(float(stand)))
     except InputError as error:
@@ -75,7 +77,7 @@ def _angles(
     else:
         pose = pose_in_l(problems, arm, initial.pose, where)
     if pose is None or not references.strict or initial.near is not None:
-        return None if pose is None else _reached(problems, arm, pose, initial.near, where)
+        return None if pose is None else _joint_angles_for(problems, arm, pose, initial.near, where)
     try:
         return joint_angles(problems, arm, arm.rmangs(pose).tolist(), where)
     except AftdeckError as error:
@@ -83,7 +85,9 @@ def _angles(
         return None
 
 
-def _reached(problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, where: Where) -> np.ndarray | None:
+def _joint_angles_for(
+    problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, where: Where
+) -> np.ndarray | None:
     """Return the joint angles for a tip pose in L, by the branch nearest to `near`; None if it cannot be reached."""
     try:
         return frozen(arm.inverse(pose, near=near)[0])
@@ -96,26 +100,26 @@ def _grasped(
     problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where
 ) -> Grasped | None:
     spec, where = initial.grasped, (*where, "grasped")
-    assert spec is not None, "asked for only where it is given"
-    standing = _standing(problems, arm, spec.stand, (*where, "stand"))
+    assert spec is not None, "the caller has checked that it is given"
+    raised = _with_telescope_at(problems, arm, spec.stand, (*where, "stand"))
     if references.worksite is None:
-        return None  # report a wrong worksite once, and not also as a missing payload
-    k = cargo_index(problems, arm, references.cargo, spec.cargo, (*where, "cargo"))
+        return None  # the worksite's error is already reported; do not report a missing payload too
+    index = cargo_index(problems, arm, references.cargo, spec.cargo, (*where, "cargo"))
     angles = None
     if (spec.joints is None) == (spec.above is None):
         problems.add(where, "give either joints (six angles), or above")
     elif spec.joints is not None:
-        angles = joint_angles(problems, standing, spec.joints, (*where, "joints"))
-    elif k is not None:
-        over = PoseSpec(cargo=spec.cargo, above=spec.above)
-        pose = at_the_start(problems, standing, over, references, None, where)
-        angles = None if pose is None else _reached(problems, standing, pose, initial.near, where)
-    return None if k is None or angles is None else Grasped(k, angles, float(standing.model.links[0]))
+        angles = joint_angles(problems, raised, spec.joints, (*where, "joints"))
+    elif index is not None:
+        above_payload = PoseSpec(cargo=spec.cargo, above=spec.above)
+        pose = at_the_start(problems, raised, above_payload, references, None, where)
+        angles = None if pose is None else _joint_angles_for(problems, raised, pose, initial.near, where)
+    return None if index is None or angles is None else Grasped(index, angles, float(raised.model.links[0]))
 
 
 def _in_hand(arm: Arm, references: TargetReferences, grasped: Grasped) -> tuple[int, Pose]:
     """Return the index of the payload that is held from the start, and its pose at the tip."""
-    assert references.worksite is not None, "what is held is the worksite's"
+    assert references.worksite is not None, "only a payload of a worksite can be grasped"
     scene = scene_in_l(arm.model.mount, references.worksite.origin)
     payload = composed(scene, references.cargo[grasped.cargo].start.pose)
     telescope = grasped.stand != float(arm.model.links[0])

@@ -26,7 +26,7 @@ COLOURS: dict[Material, str] = {
 
 
 def material_of(shape: Leaf) -> Material:
-    """Return the material of a shape; that of a lamp's face is "glow"."""
+    """Return the material of a shape; "glow" for a lamp's face."""
     return "glow" if isinstance(shape, Light) else shape.material
 
 

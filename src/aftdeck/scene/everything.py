@@ -1,4 +1,4 @@
-"""Poses of all drawn bodies in the scene, from the frame of a step; in the order of `scene.bodies.bodies_of`."""
+"""Poses of all drawn bodies in the scene, from the frame of a step, in the order of `scene.bodies.bodies_of`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from aftdeck.simulation.observe.look_ahead import Ahead
 
 
 class ScenePoses:
-    """Poses of the worksite's bodies, of the arm's, of the payload in the grasp and of the worksite's payloads."""
+    """Poses of all drawn bodies: worksite, arm, the scenario's own payload, and the worksite's payloads."""
 
     def __init__(self, scenario: Scenario) -> None:
         mount, origin = scenario.arm.model.mount, np.array(scenario.worksite.origin)
@@ -39,7 +39,7 @@ class ScenePoses:
         return poses
 
     def then(self, ahead: Ahead, prong: float | None) -> list[float]:
-        """Return seven numbers per body as a look-ahead predicts: the arm's bodies, then the worksite's payloads."""
+        """Return seven numbers per body from a look-ahead: the arm's bodies, then the worksite's payloads."""
         poses = self.arm.at(np.array(ahead.angles), ahead.stand, prong)
         for position, orientation in ahead.cargo:
             poses += self.pose(position, orientation)
@@ -47,18 +47,18 @@ class ScenePoses:
 
     def worksite(self, frame: Frame) -> list[float]:
         """Return seven numbers per worksite body; bodies fixed to space move against the orbiter's translation."""
-        away = self._turn @ np.array(frame.work.orbiter)
+        orbiter_travel = self._turn @ np.array(frame.work.orbiter)
         poses: list[float] = []
         for position, attitude, in_space in self._bodies:
-            poses += [*(position - away if in_space else position).tolist(), *attitude]
+            poses += [*(position - orbiter_travel if in_space else position).tolist(), *attitude]
         return poses
 
     def prong(self, frame: Frame) -> float | None:
-        """Return y2 of the prong's inner face [m]; None if the hand has no prong."""
+        """Return y2 of the prong's inner face [m]; None if the end effector has no prong."""
         spacing = frame.work.hand.spacing
         return None if spacing is None else self._finger - spacing
 
     def pose(self, position: Vec3, orientation: Rows) -> list[float]:
         """Return the seven numbers, in the scene, of a pose given in L."""
-        place = self._turn @ np.array(position) + self._origin
-        return [*place.tolist(), *quaternion(self._turn @ np.array(orientation))]
+        position_in_scene = self._turn @ np.array(position) + self._origin
+        return [*position_in_scene.tolist(), *quaternion(self._turn @ np.array(orientation))]

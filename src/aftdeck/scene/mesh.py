@@ -14,11 +14,11 @@ from aftdeck.frames import Pose
 class Mesh(NamedTuple):
     """A surface of triangles.
 
-    In a closed mesh each edge is in two triangles, with opposite directions; a few triangles may be empty.
+    In a closed mesh each edge is in two triangles, with opposite directions. Some triangles may have no area.
 
     Attributes:
         vertices: (n, 3) [m].
-        faces: (m, 3) numbers of vertices, counter-clockwise as seen from outside.
+        faces: (m, 3) indices of vertices, counter-clockwise as seen from outside.
     """
 
     vertices: Array
@@ -32,7 +32,7 @@ def mesh(vertices: Array, faces: Iterable[tuple[int, int, int]]) -> Mesh:
 
 
 def moved(surface: Mesh, motion: Pose) -> Mesh:
-    """Return a surface in the frame in which its own frame has the pose `motion`, which may include a reflection."""
+    """Return a surface moved by a pose, which may include a reflection."""
     faces = surface.faces if np.linalg.det(motion.rotation) > 0.0 else surface.faces[:, ::-1]
     return Mesh(surface.vertices @ motion.rotation.T + motion.position, faces)
 

@@ -1,4 +1,4 @@
-"""Expansion of groups into single shapes with poses, each as often as it is drawn."""
+"""Expansion of groups into single shapes with poses, one for each time that a shape is drawn."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate,
 Leaf = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light
 """A shape that is not a group."""
 
-_HERE = Pose(np.zeros(3), np.eye(3))
+_IDENTITY = Pose(np.zeros(3), np.eye(3))
 _MIRROR = Pose(np.zeros(3), np.diag([1.0, -1.0, 1.0]))
 
 
-def placed(shapes: Iterable[Shape], frame: Pose = _HERE) -> Iterator[tuple[Leaf, Pose]]:
-    """Yield all shapes of all groups, each with its pose in the frame `frame` of the list.
+def placed(shapes: Iterable[Shape], frame: Pose = _IDENTITY) -> Iterator[tuple[Leaf, Pose]]:
+    """Yield all shapes of all groups, each with its pose. `frame` is the pose of the frame in which the list is given.
 
     A pose's matrix includes a reflection if the shape is a mirrored copy.
     """
@@ -32,7 +32,7 @@ def placed(shapes: Iterable[Shape], frame: Pose = _HERE) -> Iterator[tuple[Leaf,
 
 
 def carried(outer: Pose, inner: Pose) -> Pose:
-    """Return the pose `inner`, given in a frame, in the frame in which that one has the pose `outer`."""
+    """Return the composed pose: `inner` is given in a frame, and that frame has the pose `outer`."""
     return Pose(outer.rotation @ inner.position + outer.position, outer.rotation @ inner.rotation)
 
 

@@ -11,8 +11,8 @@ from aftdeck.scene.polygon import inwards, signed_area, triangles
 from aftdeck.shapes import Axis, Plate, Vec2
 
 RIM_STEPS = 2
-"""Number of steps in which a rim's quarter round is drawn, as on the page."""
-_PLACE: dict[Axis, tuple[tuple[int, int, int], bool]] = {
+"""Number of steps that approximate a rim's quarter circle, as on the page."""
+_AXIS_ORDER: dict[Axis, tuple[tuple[int, int, int], bool]] = {
     "x": ((2, 0, 1), False),
     "y": ((0, 2, 1), True),
     "z": ((0, 1, 2), False),
@@ -23,10 +23,10 @@ _PLACE: dict[Axis, tuple[tuple[int, int, int], bool]] = {
 def plate(shape: Plate) -> Mesh:
     """Return the mesh of a plate about its own origin."""
     outline = shape.outline if signed_area(shape.outline) > 0.0 else shape.outline[::-1]
-    corners, ways = np.array(outline), inwards(outline)
+    corners, directions = np.array(outline), inwards(outline)
     levels = _levels(shape)
-    layers = [np.column_stack([corners + inset * ways, np.full(len(outline), z)]) for inset, z in levels]
-    order, reflected = _PLACE[shape.normal]
+    layers = [np.column_stack([corners + inset * directions, np.full(len(outline), z)]) for inset, z in levels]
+    order, reflected = _AXIS_ORDER[shape.normal]
     vertices = np.concatenate(layers)[:, order]
     n, top = len(outline), (len(levels) - 1) * len(outline)
     fill = triangles(outline)

@@ -10,7 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.shapes import Vec2
 
 SHARPEST = 2.0**0.5
-"""Maximum ratio of a corner's inward movement to that of its edges, as on the page."""
+"""Maximum ratio of a corner's inward displacement to that of its edges, as on the page."""
 
 
 def signed_area(outline: Sequence[Vec2]) -> float:
@@ -20,22 +20,22 @@ def signed_area(outline: Sequence[Vec2]) -> float:
 
 
 def inwards(outline: Sequence[Vec2]) -> Array:
-    """Return (n, 2) the movement of each corner of a counter-clockwise outline when all edges move inwards by one."""
+    """Return the displacement (n, 2) of each corner of a counter-clockwise outline if all edges move inwards by 1."""
     corners = np.array(outline, dtype=np.float64)
     edges = np.roll(corners, -1, axis=0) - corners
     lengths = np.linalg.norm(edges, axis=1, keepdims=True)
     normals = np.stack([-edges[:, 1], edges[:, 0]], axis=1) / np.where(lengths > 0.0, lengths, 1.0)
     both = normals + np.roll(normals, 1, axis=0)
-    ways = both / np.maximum(0.5 * (both**2).sum(axis=1, keepdims=True), 1e-12)
-    sizes = np.linalg.norm(ways, axis=1, keepdims=True)
-    return np.asarray(ways * np.minimum(1.0, SHARPEST / np.maximum(sizes, SHARPEST)))
+    directions = both / np.maximum(0.5 * (both**2).sum(axis=1, keepdims=True), 1e-12)
+    sizes = np.linalg.norm(directions, axis=1, keepdims=True)
+    return np.asarray(directions * np.minimum(1.0, SHARPEST / np.maximum(sizes, SHARPEST)))
 
 
 def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
     """Return the n - 2 counter-clockwise triangles that fill a counter-clockwise outline, by cutting off ears.
 
-    Every edge of the outline is an edge of one triangle, even if corners lie on a line or the outline crosses
-    itself; then some triangles are empty or overlap.
+    Every edge of the outline is an edge of one triangle, even if corners are on one line or the outline crosses
+    itself; then some triangles have no area, or overlap.
     """
     left = list(range(len(outline)))
     found = []
@@ -48,7 +48,7 @@ def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
 
 
 def _is_ear(outline: Sequence[Vec2], left: list[int], i: int) -> bool:
-    """Return whether the corner is convex and no other corner lies in its triangle."""
+    """Return whether the corner is convex and no other corner is in its triangle."""
     a, b, c = (outline[left[k % len(left)]] for k in (i - 1, i, i + 1))
     if _turn(a, b, c) <= 0.0:
         return False

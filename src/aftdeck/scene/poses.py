@@ -22,9 +22,9 @@ Seven = tuple[float, float, float, float, float, float, float]
 class ArmPoses:
     """Poses of all frames of an arm in the scene, in the order of `ArmModel.frames`.
 
-    At zero angles every frame is parallel to L. The origin of each frame is its own joint's centre; that of the wrist
-    roll is the centre of the joint before it. The origin of the telescope's tube is at the shoulder's height, that of
-    the prong at its inner face.
+    At zero angles every frame is parallel to L. The origin of each frame is its own joint's centre, except that of the
+    wrist roll, which is the centre of the joint before. The origin of the telescope's frame is at the shoulder's
+    height. The origin of the prong's frame is at the prong's inner face.
 
     Args:
         model: the arm.
@@ -46,10 +46,10 @@ class ArmPoses:
 
         Args:
             angles: (6,) joint angles [rad].
-            stand: height of the shoulder above L's origin [m]; None for the height of the loaded arm.
+            stand: height of the shoulder above L's origin [m]; None for the height in the arm's model.
             prong: y2 of the prong's inner face [m]; None for the open prong.
         """
-        place_frames(self._frames.joints, angles, *self._besides(stand, prong), self._rows)
+        place_frames(self._frames.joints, angles, *self._telescope_and_prong(stand, prong), self._rows)
         sevens(self._base, self._rows, self._poses)
         flat: list[float] = self._poses.ravel().tolist()
         return flat
@@ -58,7 +58,7 @@ class ArmPoses:
         self, angles: Sequence[float], stand: float | None = None, prong: float | None = None
     ) -> list[tuple[str, str, Seven]]:
         """Return the links that `at` composes: parent frame's name, moving frame's name, pose in the parent frame."""
-        height, opening = self._besides(stand, prong)
+        height, opening = self._telescope_and_prong(stand, prong)
         names, links = self._frames.names, []
         for k, ((x, y, z, _), axis, angle) in enumerate(
             zip(self._frames.joints.tolist(), self._axes, angles, strict=True)
@@ -72,21 +72,22 @@ class ArmPoses:
             links.append((names[6], PRONG, (0.0, opening, 0.0, 1.0, 0.0, 0.0, 0.0)))
         return links
 
-    def _besides(self, stand: float | None, prong: float | None) -> tuple[float, float]:
-        """Return the positions of the stand and the prong [m], with defaults for None."""
+    def _telescope_and_prong(self, stand: float | None, prong: float | None) -> tuple[float, float]:
+        """Return the telescope's length and the prong's position [m], with defaults for None."""
         return self._stand if stand is None else stand, self._prong if prong is None else prong
 
 
 def point_in_scene(panel: Array, origin: Array = SCENE_ORIGIN) -> Array:
-    """Return a point (3,), given in panel coordinates [m], in a scene with an origin in structural coordinates [m]."""
+    """Return a point (3,), given in panel coordinates, in the scene whose structural origin is `origin` [m]."""
     return np.asarray(SCENE_FROM_PANEL_AXES @ panel - origin)
 
 
 @law
 def sevens(base: Array, rows: Array, poses: Array) -> None:
-    """Convert rows (n, 12), poses in a frame, to poses (n, 7) where that frame has the row `base` (12,).
+    """Convert rows (n, 12), poses of frames in L, to poses (n, 7) in the scene.
 
-    The quaternions are unit ones with w >= 0; the largest component is computed first, as in `frames.quaternion`.
+    `base` (12,) is the row of L's pose in the scene. The quaternions have unit length and w >= 0; the largest component
+    is computed first, as in `frames.quaternion`.
     """
     m = np.empty((3, 3))
     for n in range(rows.shape[0]):

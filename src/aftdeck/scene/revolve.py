@@ -11,9 +11,9 @@ from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.shapes import Axis, Vec2
 
 ON_AXIS = 1e-9
-"""Distance from the axis [m] below which a profile's point lies on the axis."""
+"""Distance from the axis [m] below which a profile's point counts as on the axis."""
 FULL = math.tau - 1e-3
-"""Sweep [rad] from which a turn is a full turn."""
+"""Sweep [rad] from which the surface is closed to a full turn."""
 _ORDER: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (2, 0, 1), "z": (1, 2, 0)}
 """Indices of x, y and z in (along, first, second): angles run from y to z about x, from z to x about y, and so on."""
 
@@ -32,7 +32,8 @@ def revolve(
     A closed profile, or one that begins and ends on the axis, gives a closed surface.
 
     Args:
-        profile: points (along the axis, away from it) [m] with the outside to the left.
+        profile: points (coordinate along the axis, distance from the axis) [m]; the outside is to the left of its
+            direction.
         axis: axis of revolution.
         segments: number of segments of the sweep.
         start: angle at which the sweep begins [rad].

@@ -1,4 +1,4 @@
-"""Each shape as triangles, about its own origin, with the corners of the page's low profile."""
+"""Triangle meshes of shapes, each about its own origin, with the numbers of sides of the page's low profile."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ SIDES = 16
 LARGE = 1.0
 """Radius [m] from which a round body has twice as many sides."""
 FEWEST_PIECES = 4
-"""Minimum number of sides of a part of a turn."""
+"""Minimum number of sides of a partial turn."""
 _RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))
-"""A hexahedron's faces a to f, each by its vertices, from zero, counter-clockwise as seen from outside."""
+"""Vertices of a hexahedron's faces a to f, numbered from zero, counter-clockwise as seen from outside."""
 
 
 def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
@@ -87,10 +87,10 @@ def _shell(shape: Shell, sides: int) -> Mesh:
 
 
 def _round(radius: float, sides: int) -> int:
-    """Return the number of sides with which a full turn is drawn."""
+    """Return the number of sides of a full turn."""
     return sides if radius < LARGE else 2 * sides
 
 
 def _part(sweep: float, radius: float, sides: int) -> int:
-    """Return the number of sides with which a part of a turn is drawn."""
+    """Return the number of sides of a partial turn."""
     return max(FEWEST_PIECES, math.ceil(_round(radius, sides) * min(sweep / math.tau, 1.0)))
