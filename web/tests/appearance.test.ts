@@ -7,13 +7,13 @@ const store = {
   setItem: (key: string, value: string) => kept.set(key, value),
 };
 
-test('a look is off until it is chosen, and kept then; whoever shows it is told', () => {
-  const told: Looks[] = [];
-  const tell = (looks: Looks) => told.push(looks);
-  new Appearance(store, tell).set({ early: true });
-  new Appearance(store, tell).set({ night: true });
-  new Appearance(store, tell).set({ early: false });
-  expect(told.map(({ early, night }) => [early, night])).toEqual([
+test('a display option is off by default, stored, and reported to listeners', () => {
+  const reported: Looks[] = [];
+  const listener = (looks: Looks) => reported.push(looks);
+  new Appearance(store, listener).set({ early: true });
+  new Appearance(store, listener).set({ night: true });
+  new Appearance(store, listener).set({ early: false });
+  expect(reported.map(({ early, night }) => [early, night])).toEqual([
     [false, false],
     [true, false],
     [true, false],
@@ -23,7 +23,7 @@ test('a look is off until it is chosen, and kept then; whoever shows it is told'
   ]);
 });
 
-test('what cannot be read is as new', () => {
+test('unreadable stored options become the defaults', () => {
   for (const text of [null, '', '{', '{"early": 1, "night": "yes"}'])
     expect(looksOf(text)).toEqual(looksOf(null));
 });

@@ -8,8 +8,8 @@ const DELAYS = { command_delay_s: 0.5, telemetry_delay_s: 1, camera_delay_s: 2 }
 const frame = (tick: number) => ({ tick, time_s: tick / 10 }) as Frame;
 const line = (time_s: number): LogEvent => ({ time_s, kind: 'mode', level: 'info', text: `at ${time_s}` });
 
-describe('what comes from the station', () => {
-  it('is shown each as late as the scenario has it: figures, pictures, and lines of the log with their figures', () => {
+describe('messages from the station', () => {
+  it('are shown with the delays of the scenario', () => {
     const arrivals = new Arrivals(DELAYS);
     const told: LogEvent[] = [];
     for (let tick = 0; tick < 60; tick += 1) {
@@ -24,7 +24,7 @@ describe('what comes from the station', () => {
     expect(told).toEqual(Array.from({ length: 50 }, (_, tick) => line(tick / 10)));
   });
 
-  it('loses no line of the log where the flight begins anew', () => {
+  it('keep all log lines at a restart', () => {
     const arrivals = new Arrivals(DELAYS);
     for (const tick of [50, 51, 52]) expect(arrivals.put(frame(tick), 100 * tick)).toBe(false);
     arrivals.addEvents([line(5.1), line(5.2)]);
@@ -35,11 +35,11 @@ describe('what comes from the station', () => {
     expect(arrivals.takeEvents()).toEqual([]);
   });
 
-  it('measures how old what is shown was, but for the first that had to wait for nothing', () => {
+  it('have a measured age, except the first one', () => {
     const arrivals = new Arrivals(DELAYS);
     expect(arrivals.silence(9000)).toBe(0);
     for (let tick = 0; tick < 60; tick += 1) {
-      const now = 100 * tick + 30; // drawn a little later than it could be
+      const now = 100 * tick + 30; // drawn 30 ms after its arrival
       arrivals.put(frame(tick), 100 * tick);
       for (const shows of ['telemetry', 'camera'] as const) {
         const seen = arrivals.at(shows, now);
@@ -56,7 +56,7 @@ describe('what comes from the station', () => {
   });
 });
 
-describe('the lamps that the page lights', () => {
+describe('lamps of the page', () => {
   const none = { set: 0, measured: null };
   const well: Knows = {
     refusedAt: -Infinity,
@@ -68,11 +68,11 @@ describe('the lamps that the page lights', () => {
   const lit = (knows: Partial<Knows>, now = 0) =>
     ownLamps({ ...well, ...knows }, now).map(({ name }) => name);
 
-  it('are dark where all is well', () => {
+  it('are dark without a fault', () => {
     expect(lit({})).toEqual([]);
   });
 
-  it('tell of a refusal for five seconds, of silence, and of pictures older than they are meant to be', () => {
+  it('show a rejection for 5 s, a silent link and late pictures', () => {
     expect(lit({ refusedAt: 1000 }, 5999)).toEqual(['CHECK CRT']);
     expect(lit({ refusedAt: 1000 }, 6001)).toEqual([]);
     expect(lit({ silence: 0.6 })).toEqual(['LINK DELAY']);

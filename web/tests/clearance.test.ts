@@ -11,13 +11,13 @@ import { SPAN_S, Trend } from '../src/panel/clearance/trend';
 import { wayParts } from '../src/panel/clearance/way-to-fixture';
 import { condition, FEET, near, SI, work } from './worksite';
 
-test('the gauge is logarithmic between its ends, and stays on itself', () => {
+test('the clearance gauge is logarithmic and clamped to its ends', () => {
   expect([placeOf(NEAREST), placeOf(FARTHEST)]).toEqual([0, 1]);
   expect([placeOf(-0.1), placeOf(0), placeOf(50)]).toEqual([0, 0, 1]);
   expect(placeOf(Math.sqrt(NEAREST * FARTHEST))).toBeCloseTo(0.5);
 });
 
-test('time to contact is told only while the gap closes', () => {
+test('the time to contact is shown only while the clearance decreases', () => {
   expect(contactIn(0.4, 0.02)).toBeCloseTo(20);
   expect(contactIn(0.4, 0)).toBeNull();
   expect(contactIn(0.4, -0.02)).toBeNull();
@@ -25,7 +25,7 @@ test('time to contact is told only while the gap closes', () => {
   expect(contactIn(5, 0.002)).toBeNull();
 });
 
-test('the last minute runs from the left to now, and forgets what is older', () => {
+test('the curve shows only the last minute', () => {
   const trend = new Trend();
   for (let time = 0; time <= 100; time += 0.5) trend.add(time, time / 100);
   const path = trend.path(100, 1);
@@ -35,7 +35,7 @@ test('the last minute runs from the left to now, and forgets what is older', () 
   expect(path.match(/[ML]/g)).toHaveLength(2 * SPAN_S + 1);
 });
 
-test('where nothing is watched the curve has a gap, and a restart begins it anew', () => {
+test('the curve has a gap without a monitored pair and is cleared at a restart', () => {
   const trend = new Trend();
   for (const [time, value] of [
     [0, 1],
@@ -49,7 +49,7 @@ test('where nothing is watched the curve has a gap, and a restart begins it anew
   expect(trend.path(0.02, 2)).toBe('M1.0000 0.5000');
 });
 
-test('what inhibits stands above what is made to touch, the deepest contact first', () => {
+test('contacts that inhibit are listed first, the deepest one on top', () => {
   const way: WayOut = {
     cause: 'contact',
     text: '',
@@ -72,7 +72,7 @@ test('what inhibits stands above what is made to touch, the deepest contact firs
   expect(lines[3]?.text).toBe('Essential contact: prong – bar');
 });
 
-test('conditions that all find room keep the order given, whatever holds', () => {
+test('conditions that all fit keep their order', () => {
   const places = new Places(3);
   const names = (...margins: number[]) =>
     places
@@ -83,7 +83,7 @@ test('conditions that all find room keep the order given, whatever holds', () =>
   expect(names(0.1, 0.1)).toEqual(['a', 'b']);
 });
 
-test('where not all find room what fails is shown, and takes the place of one that holds alone', () => {
+test('a failed condition replaces one that holds if not all fit', () => {
   const places = new Places(3);
   const shown = (failing: string) =>
     places
@@ -99,7 +99,7 @@ test('where not all find room what fails is shown, and takes the place of one th
   expect(shown('acde')).toBe('ace');
 });
 
-test('a condition’s limit is at the middle of its bar, what holds is short of it', () => {
+test('a condition holds up to the middle of its bar', () => {
   const bars = new ConditionBars();
   const part = (value: number, limit: number) => {
     const one = condition({ value, limit, margin: limit - value });
@@ -112,7 +112,7 @@ test('a condition’s limit is at the middle of its bar, what holds is short of 
   expect(part(5, 0.1)).toBe(1);
 });
 
-test('a window’s bar does not leap where the nearer bound changes', () => {
+test('the bar of a range is continuous where the nearer bound changes', () => {
   const bars = new ConditionBars();
   const within = (value: number) => {
     const [limit, margin] = value > 0.05 ? [0.1, 0.1 - value] : [0, value];
@@ -124,7 +124,7 @@ test('a window’s bar does not leap where the nearer bound changes', () => {
   expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);
 });
 
-test('the way to the pin names the stick and the key that shorten it', () => {
+test('the distance to the pin names the stick and key that reduce it', () => {
   expect(wayParts([1.99, 0.3, -0.254], FEET, KEYS)).toEqual([
     { stick: '+X', handle: 'W', value: '78' },
     { stick: '+Y', handle: 'D', value: '12' },
@@ -137,7 +137,7 @@ test('the way to the pin names the stick and the key that shorten it', () => {
   ]);
 });
 
-test('figures are in the operator’s small units', () => {
+test('distances are in the small units of the operator', () => {
   expect(figures(condition({ value: 0.0635 }), FEET)).toEqual({ value: '2.5', unit: 'in' });
   expect(figures(condition({ value: 1.2 }), SI)).toEqual({ value: '120', unit: 'cm' });
   expect(figures(condition({ value: 0.1, unit: 'rad' }), SI)).toEqual({ value: '5.7', unit: '°' });
@@ -145,7 +145,7 @@ test('figures are in the operator’s small units', () => {
   expect(figures(condition({ value: null as never }), SI).value).toBe('–');
 });
 
-test('once all is met the title says what to do, or nothing where it happens by itself', () => {
+test('the title names the next action once all conditions hold', () => {
   const now = (action: Objective['action']) => whatNow(work({ objective: { action, text: '' } }), KEYS);
   expect(now('capture')).toBe(': squeeze, hold G');
   expect(now('acquire')).toBe('');
@@ -154,7 +154,7 @@ test('once all is met the title says what to do, or nothing where it happens by 
   expect(now('dock')).toBe('');
 });
 
-test('a cell holds the words that tell a trunnion from a latch, and each from the others', () => {
+test('a cell text distinguishes trunnions and latches', () => {
   const guides = ['forward port', 'forward starboard', 'aft port', 'aft starboard', 'keel'];
   const names = guides.flatMap((guide) => [`${guide} trunnion in guide`, `${guide} latch ready`]);
   const shown = names.map(shortened);
@@ -163,7 +163,7 @@ test('a cell holds the words that tell a trunnion from a latch, and each from th
   expect(Math.max(...shown.map((name) => name.length))).toBeLessThan(21);
 });
 
-test('a wide gap is not drawn, nor one that is closed', () => {
+test('a wide or zero clearance is not drawn', () => {
   const gap = {} as ClosestPoints;
   const drawn = (nearest: Near | null) => drawnGap({ work: { nearest }, display: { gap } } as Frame);
   expect(drawn(near({ clearance: 0.4 }))).toBe(gap);

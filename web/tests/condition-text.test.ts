@@ -14,7 +14,7 @@ function condition(
   return { name: '', holds, value: 0, limit: 0, unit, margin: 0, words, numbers };
 }
 
-test('numbers stand in the operator’s units, and a range has its unit once', () => {
+test('numbers are in the operator’s units; a range has one unit', () => {
   const palm = condition('palm {} above the bar, {} to {} allowed', [1.231, 0, 0.01905], 'm');
   expect(conditionText(palm, SI)).toBe('palm 123 cm above the bar, 0 to 1.91 cm allowed');
   expect(conditionText(palm, FEET)).toBe('palm 48.5 in above the bar, 0 to 0.75 in allowed');
@@ -22,7 +22,7 @@ test('numbers stand in the operator’s units, and a range has its unit once', (
   expect(conditionText(bar, FEET)).toBe('bar 47.2 in clear of the palm, −0.787 to 1.38 in allowed');
 });
 
-test('angles stand in degrees, speeds in the unit of small speeds, and plain numbers alone', () => {
+test('angles are in degrees, speeds in small units, counts without a unit', () => {
   const pitch = condition('pitch −{}, at most {} allowed', [0.2182, 0.1745], 'rad');
   expect(conditionText(pitch, SI)).toBe('pitch −12.5°, at most 10° allowed');
   const speed = condition('{}, at most {} allowed', [0.06096, 0.03048], 'm/s');
@@ -32,13 +32,13 @@ test('angles stand in degrees, speeds in the unit of small speeds, and plain num
   );
 });
 
-test('words without a number are whole', () => {
+test('a text without a number is unchanged', () => {
   expect(conditionText(condition('bar behind the palm, none allowed', [], 'm'), SI)).toBe(
     'bar behind the palm, none allowed',
   );
 });
 
-test('a value that fails never reads like its limit', () => {
+test('a failed value is never displayed like its limit', () => {
   const palm = condition('palm {} above the bar, {} to {} allowed', [0.0190551, 0, 0.01905], 'm');
   const [value, limit] = conditionText(palm, SI).match(/1\.\d+/g) ?? [];
   expect(Number(value)).toBeGreaterThan(Number(limit));

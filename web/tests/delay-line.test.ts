@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { DelayLine, isStale } from '../src/link/delay-line';
 import type { Frame } from '../src/link/protocol';
 
-/** What a line with this delay [s] shows at each time [ms], of frames that come every 100 ms from 0 on, by tick. */
+/** Return the ticks that a line with this delay [s] shows at each time [ms]; a frame arrives every 100 ms from 0 on. */
 function shows(delay: number, times: readonly number[], frames = 100): readonly (number | undefined)[] {
   const line = new DelayLine(delay);
   let tick = 0;
@@ -14,27 +14,27 @@ function shows(delay: number, times: readonly number[], frames = 100): readonly 
 
 const seen = (tick: number, at: number) => ({ frame: { tick } as Frame, at });
 
-describe('a line with a delay', () => {
-  it('shows each frame so much later than it came, in their order, none before its time', () => {
+describe('a delay line', () => {
+  it('shows each frame after its delay, in order', () => {
     const times = Array.from({ length: 500 }, (_, i) => 7 * i);
     shows(1.5, times).forEach((tick, i) => {
       expect(tick).toBe(Math.max(0, Math.floor(((times[i] ?? 0) - 1500) / 100)));
     });
   });
 
-  it('without a delay shows what came last', () => {
+  it('without a delay shows the newest frame', () => {
     expect(shows(0, [0, 99, 100, 250])).toEqual([0, 0, 1, 2]);
     const line = new DelayLine(0);
-    line.put(seen(0, 500)); // came as the page was about to draw what was due a little earlier
+    line.put(seen(0, 500)); // arrived just before the page drew an earlier frame
     expect(line.at(499)?.frame.tick).toBe(0);
   });
 
-  it('shows nothing where nothing has come', () => {
+  it('shows nothing before the first frame', () => {
     expect(new DelayLine(1).at(5000)).toBeNull();
     expect(new DelayLine(1).age(5000)).toEqual({ s: 0, set: 1 });
   });
 
-  it('begins anew with a flight that does: what was under way is shown no more', () => {
+  it('discards pending frames at a restart', () => {
     const line = new DelayLine(2);
     for (let tick = 0; tick < 50; tick += 1) line.put(seen(tick, 100 * tick));
     expect(line.at(4900)?.frame.tick).toBe(29);
@@ -45,7 +45,7 @@ describe('a line with a delay', () => {
     expect(line.at(7100)?.frame.tick).toBe(1);
   });
 
-  it('is stale half a second beyond its delay, when the link says no more', () => {
+  it('is stale 0.5 s after its delay without new frames', () => {
     const line = new DelayLine(2);
     for (let tick = 0; tick < 10; tick += 1) line.put(seen(tick, 100 * tick));
     for (const now of [0, 900, 2900]) expect(isStale(line.age(now))).toBe(false);

@@ -12,7 +12,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-test('the master alarm counts warnings and cautions apart, and nothing else', () => {
+test('the master alarm counts warnings and cautions separately', () => {
   const lit = (...levels: ('info' | 'caution' | 'warning')[]) => counted(levels.map((level) => ({ level })));
   expect(lit()).toBe('');
   expect(lit('info')).toBe('');
@@ -20,7 +20,7 @@ test('the master alarm counts warnings and cautions apart, and nothing else', ()
   expect(lit('caution', 'warning', 'caution')).toBe('1 warning, 2 cautions');
 });
 
-test('a switch that is held acts once, after its time', () => {
+test('a held switch acts once, after its hold time', () => {
   const acted = vi.fn();
   const hold = new Hold(0.3, acted);
   hold.press(1000);
@@ -35,7 +35,7 @@ test('a switch that is held acts once, after its time', () => {
   expect(acted).toHaveBeenCalledTimes(1);
 });
 
-test('a switch held long enough acts though nobody looked meanwhile', () => {
+test('a switch held long enough acts without a poll in between', () => {
   const acted = vi.fn();
   const hold = new Hold(0.3, acted);
   hold.press(1000);
@@ -43,12 +43,12 @@ test('a switch held long enough acts though nobody looked meanwhile', () => {
   expect(acted).toHaveBeenCalledTimes(1);
 });
 
-test('the orbiter rests below a tenth of a millimetre a second', () => {
+test('the orbiter is at rest below 0.1 mm/s', () => {
   expect(isMoving({ orbiter_velocity: [0, 5e-5, 0] })).toBe(false);
   expect(isMoving({ orbiter_velocity: [0, 0, -0.01] })).toBe(true);
 });
 
-test('the key map lists what this arm has, and no more', () => {
+test('the key map lists only the keys of the present arm', () => {
   const told = (hand: 'prong' | 'snares', stand: object | null) =>
     working({ work: { hand, stand } } as Parameters<typeof working>[0])
       .map(([, does]) => does)

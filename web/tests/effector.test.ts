@@ -8,14 +8,14 @@ import { SI } from './worksite';
 
 const CARGO = { name: 'payload', held: false, seat: '' } as Cargo;
 
-test('a payload is in the grasp, in a seat, both, or free', () => {
+test('a payload is captured, berthed, both, or free', () => {
   expect(whereIs(false, '')).toBe('free');
   expect(whereIs(false, 'Cargo bay')).toBe('Cargo bay');
   expect(whereIs(true, '')).toBe('held');
   expect(whereIs(true, 'Cargo bay')).toBe('held, fixed');
 });
 
-test('the end effector says what it holds, how heavy that is and how fast it may go; else how far the next is', () => {
+test('the end effector shows its payload and speed limit, else a distance', () => {
   const payloads = [
     { id: 0, mass: 0, translation: [0.6, 0.1] },
     { id: 2, mass: 1000, translation: [0.06, 0.03] },
@@ -31,7 +31,7 @@ test('the end effector says what it holds, how heavy that is and how fast it may
   expect(words([], null)).toBe('');
 });
 
-test('the prong is on its way until it is where its switch sends it', () => {
+test('the prong moves until it reaches its commanded position', () => {
   expect(onItsWay({ switch: 'stop', opening: 0.4 })).toBe(false);
   expect(onItsWay({ switch: 'close', opening: 0.4 })).toBe(true);
   expect(onItsWay({ switch: 'close', opening: 0 })).toBe(false);
@@ -39,7 +39,7 @@ test('the prong is on its way until it is where its switch sends it', () => {
   expect(onItsWay({ switch: 'open', opening: 1 })).toBe(false);
 });
 
-test('the latch speaks of what is held, else of what is in a seat', () => {
+test('the latch row is for the captured payload, else the berthed one', () => {
   const seated = { ...CARGO, seat: 'bay' };
   expect(seatNow({ cargo: [seated, { ...CARGO, held: true }] })).toBe('');
   expect(seatNow({ cargo: [CARGO, seated] })).toBe('bay');

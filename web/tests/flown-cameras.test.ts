@@ -7,7 +7,7 @@ const RECORDED = [
   { time_s: 10, monitors: [['C'], ['B', 'D']] },
 ] as unknown as PlaybackIndex['pictures'];
 
-/** Monitors of which every change is reported, as `Pictures` does. */
+/** Monitors that report each change, as `Pictures` does. */
 function replay(recorded: PlaybackIndex['pictures']) {
   const shown: (readonly string[])[] = [];
   const cameras: FlownCameras = new FlownCameras(recorded, {

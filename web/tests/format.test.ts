@@ -1,18 +1,18 @@
 import { expect, test } from 'vitest';
 import { attitude, clock, degrees, fixed, missionTime, parseNumber, timeCode } from '../src/words/format';
 
-test('a number has a sign, fixed decimals and a true minus', () => {
+test('a number has a sign, fixed decimals and a minus character', () => {
   expect(fixed(1.26, 1)).toBe('+1.3');
   expect(fixed(-953.84, 1)).toBe('−953.8');
   expect(fixed(12.5, 1, false)).toBe('12.5');
 });
 
-test('there is no negative zero', () => {
+test('zero never has a minus', () => {
   expect(fixed(-0.004, 2)).toBe('+0.00');
   expect(fixed(-0, 1, false)).toBe('0.0');
 });
 
-test('an attitude lies in 0.0 to 359.9 degrees', () => {
+test('an attitude is from 0.0 to 359.9 degrees', () => {
   expect(attitude(-Math.PI / 2)).toBe('270.0');
   expect(attitude(2 * Math.PI - 1e-9)).toBe('0.0');
   expect(attitude(Math.PI)).toBe('180.0');
@@ -23,7 +23,7 @@ test('angles are shown in degrees', () => {
   expect(degrees(Math.PI / 3, 1, false)).toBe('60.0');
 });
 
-test('times are written as the panel does', () => {
+test('times have the format of the panel', () => {
   expect(missionTime(3 * 86400 + 2 * 3600 + 17)).toBe('003/02:00:17');
   expect(timeCode(61.239)).toBe('00:01:01.23');
   expect(timeCode(0.07)).toBe('00:00:00.07');

@@ -22,14 +22,14 @@ function ghostOf(names: readonly string[]): { ghost: Ghost; parts: readonly Obje
   return { ghost, parts: stage.children };
 }
 
-test('a ghost has a filling and edges', () => {
+test('a ghost has faces and edges', () => {
   const { parts } = ghostOf(['boom']);
   const [filling, edges] = parts[0]?.children ?? [];
   expect(filling).toBeInstanceOf(Mesh);
   expect(edges).toBeInstanceOf(LineSegments);
 });
 
-test('only what moves has a ghost', () => {
+test('only moving bodies have a ghost', () => {
   const { ghost, parts } = ghostOf(['boom', 'payload', 'joint']);
   const turned = [0, 0, 0, Math.cos(0.1), 0, 0, Math.sin(0.1)];
   ghost.set([1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, ...turned], performance.now() + 1000);

@@ -13,7 +13,7 @@ const WAYS = [
   { ...WAY, stick: 'rotation', axis: 0, sign: -1 },
 ] as const;
 
-test('what flies is named as the part of the device that was moved last, until a key is pressed', () => {
+test('the device moved last is named until a key is pressed', () => {
   const still = Array.from({ length: 17 }, () => ({ pressed: false, value: 0 }));
   const device = {
     kind: 'pad',
@@ -42,7 +42,7 @@ test('what flies is named as the part of the device that was moved last, until a
   expect(words()).toContain('THC +X (W)');
 });
 
-test('what moves an axis has a short name of its own on every device', () => {
+test('each axis has a unique short name on every device', () => {
   for (const [kind, mapping] of Object.entries(DEFAULTS)) {
     if (kind === 'keyboard') continue;
     const [first = ''] = Object.keys(mapping.bindings);
@@ -63,7 +63,7 @@ test('what moves an axis has a short name of its own on every device', () => {
   }
 });
 
-test('only what flies is named: neither a device that is gone nor one whose throttle stands off centre', () => {
+test('a lost device or one off centre is not named', () => {
   const pad = (kind: 'thc pad' | 'rhc pad') => ({
     kind,
     state: 'flying',

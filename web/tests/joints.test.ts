@@ -11,7 +11,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-test('the master is told at most twenty times a second, and its last place always', () => {
+test('master angles are sent at most 20 times a second, the last ones always', () => {
   const told: number[] = [];
   const paced = new Paced<number>(50, (value) => told.push(value));
   for (let i = 0; i < 100; i += 1) {
@@ -30,7 +30,7 @@ test('one slider moves one angle of the master', () => {
   expect(replaced([1, 2, 3, 4, 5, 6], 2, 9)).toEqual([1, 2, 9, 4, 5, 6]);
 });
 
-test('a place on a joint’s bar is the angle that stands there', () => {
+test('a position on a joint bar gives the angle at that position', () => {
   const joint = { hard: [-3, 3], soft: [-2.9, 2.9], reach: [-2.7, 2.7] } as const;
   for (let at = 0; at <= BAR; at += 8.5) expect(place(joint, angleAt(joint, at))).toBeCloseTo(at);
   expect([angleAt(joint, -5), angleAt(joint, BAR + 5)]).toEqual([-3, 3]);

@@ -23,7 +23,7 @@ const strip = (name: string, more: Partial<Strip> = {}): Strip => ({
 const CLEARANCE = strip('Clearance', { caution: 0.6, warning: 0.15 });
 const ANGLE = strip('Elbow', { quantity: 'angle', rests: false });
 
-/** What a station tells of some seconds, ten times each, the value being the time. */
+/** Frames of some seconds, ten each second; each value is the time. */
 function told(from: number, to: number, more: Partial<Recent> = {}): Recent {
   const count = Math.round((to - from) * 10);
   const samples = Array.from({ length: count }, (_, i) => {
@@ -41,7 +41,7 @@ function begun(seconds: number): LastMinutes {
 
 const line = (time_s: number): LogEvent => ({ time_s, kind: 'mode', level: 'info', text: `${time_s}` });
 
-test('only strips that are chosen have their curves, which end at the newest value', () => {
+test('only selected strips have curves, which end at the newest value', () => {
   const made = begun(20);
   const { strips } = made.over({ from: 10, to: made.now }, ['Clearance'], UNITS);
   const [clearance, angle] = strips;
@@ -51,7 +51,7 @@ test('only strips that are chosen have their curves, which end at the newest val
   expect(angle?.curves[0]?.times_s).toEqual([]);
 });
 
-test('values of a strip are its own, and its range holds them, zero at rest and the caution', () => {
+test('the range of a strip contains its values, zero and the caution', () => {
   const made = begun(20);
   const { strips } = made.over({ from: 0, to: made.now }, ['Clearance', 'Elbow'], UNITS);
   const [clearance, angle] = strips;
@@ -62,7 +62,7 @@ test('values of a strip are its own, and its range holds them, zero at rest and 
   expect(angle?.high).toBeLessThan(-0.9);
 });
 
-test('an hour of flight takes no more memory than the last minutes', () => {
+test('memory is bounded by the last minutes of a run', () => {
   const made = begun(1);
   for (let second = 1; second < 3600; second += 1) {
     made.take(told(second, second + 1));
@@ -74,7 +74,7 @@ test('an hour of flight takes no more memory than the last minutes', () => {
   expect(made.now).toBeCloseTo(3599.9);
 });
 
-test('the last stretch of a lane goes on until now; what ended before the span is left out', () => {
+test('the last stretch of a lane ends now; earlier stretches are omitted', () => {
   const made = begun(20);
   const stretches = [
     { start_s: 0, end_s: 4, label: 'A', level: 'info' as const },
@@ -86,7 +86,7 @@ test('the last stretch of a lane goes on until now; what ended before the span i
   expect(lanes[0]?.stretches).toEqual([{ ...stretches[1], end_s: made.now }]);
 });
 
-test('a flight that begins anew forgets the one before, its log too', () => {
+test('a restart clears curves, lanes and log', () => {
   const made = begun(20);
   made.note([line(5), line(19)]);
   made.note([line(0)]);
@@ -97,7 +97,7 @@ test('a flight that begins anew forgets the one before, its log too', () => {
   expect(events.map(({ time_s }) => time_s)).toEqual([0]);
 });
 
-test('a quantity that there is not has no points', () => {
+test('a missing quantity has no points', () => {
   const made = new LastMinutes();
   const samples = [{ time_s: 0, values: [null, 1], worst: '' }];
   made.take({ type: 'recent', strips: [CLEARANCE, ANGLE], samples, lanes: [] });
@@ -117,17 +117,17 @@ test.each([
   expect(to).toBeCloseTo(range[1] ?? NaN, 9);
 });
 
-test('a range is round in the unit that is read', () => {
+test('a range is round in the displayed unit', () => {
   const [, high] = roundRange(0, 0.61, 1 / 0.0254);
   expect(high / 0.0254).toBeCloseTo(25, 9);
 });
 
-test('no time before the run is marked', () => {
+test('the axis has no marks before the start of the run', () => {
   expect(marks({ from: -100, to: 20 })).toEqual([0, 15]);
   expect(marks({ from: -30, to: 0 })).toEqual([]);
 });
 
-test('what is later than figures are shown of is kept back, and comes with its time', () => {
+test('later values are held back until their time', () => {
   const made = begun(20);
   const stretch = { label: 'ORB UNL', level: 'info' } as const;
   const lane = [0, 5, 15].map((start_s) => ({ ...stretch, start_s, end_s: start_s + 5 }));

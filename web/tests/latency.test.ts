@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, test } from 'vitest';
 import { Latency } from '../src/link/latency';
 import { type Delay, type Delays, delayWords, linkLamp } from '../src/panel/rail/delays';
 
@@ -11,7 +11,7 @@ const delays = (command: Delay, others: Partial<Delays> = {}): Delays => ({
 });
 
 describe('stick to picture', () => {
-  it('lasts from the input to the first picture that shows it', () => {
+  it('is the time from the input to the first picture that shows it', () => {
     const latency = new Latency();
     latency.sent(7, 100);
     latency.drawn(6, 130);
@@ -22,7 +22,7 @@ describe('stick to picture', () => {
     expect(latency.percentile95(160 + 10_001)).toBeNull();
   });
 
-  it('tells what of it is the link’s, by the frame’s arrival', () => {
+  it('includes the share of the link, from the arrival of the frame', () => {
     const latency = new Latency();
     latency.sent(1, 100);
     latency.sent(2, 200);
@@ -33,7 +33,7 @@ describe('stick to picture', () => {
     expect(latency.percentile95(800)).toBeNull();
   });
 
-  it('does not count the delay that the scenario sets for pictures', () => {
+  it('excludes the camera delay of the scenario', () => {
     const latency = new Latency(2);
     latency.sent(1, 100);
     expect(latency.due(0, 110)).toBe(false); // no picture waits for a frame that is long under way
@@ -41,7 +41,7 @@ describe('stick to picture', () => {
     expect(latency.percentile95(2160)).toBe(60);
   });
 
-  it('the rail tells a delay that is set, and the measured one where they differ', () => {
+  it('the rail shows the set delay, and the measured one if different', () => {
     const told = (set: number, measured: number | null) => {
       const { label, text } = delayWords(delays({ set, measured }));
       return `${label} ${text}`;
@@ -55,7 +55,7 @@ describe('stick to picture', () => {
     expect(told(2, 1.5)).toBe('Command set 2.00, measured 1.50 s');
   });
 
-  it('the rail tells those of three delays that there are', () => {
+  it('the rail shows only delays that are set', () => {
     const camera = { set: 1.5, measured: 1.52 };
     const telemetry = { set: 1, measured: 1.31 };
     expect(delayWords(delays(NONE, { camera }))).toEqual({ label: 'Camera delay', text: '1.50 s' });
@@ -69,7 +69,7 @@ describe('stick to picture', () => {
     });
   });
 
-  it('LINK DELAY tells of a delay in force, of a longer one and of silence', () => {
+  it('LINK DELAY shows an active delay, a longer one and a silent link', () => {
     const lamp = (silence: number, set: number, measured: number | null) =>
       linkLamp(silence, delays({ set, measured }));
     expect(lamp(0.1, 0, 0.05)).toBeNull();
@@ -87,26 +87,26 @@ describe('stick to picture', () => {
     });
   });
 
-  it('lets no picture be begun without an input that is about to be answered', () => {
+  it('postpones a picture for an input whose answer is due', () => {
     const latency = new Latency();
     expect(latency.due(0, 0)).toBe(false);
     latency.sent(7, 100);
     expect(latency.due(6, 110)).toBe(true);
     expect(latency.due(6, 120)).toBe(true);
-    expect(latency.due(7, 121)).toBe(false); // the frame at hand has flown it
+    expect(latency.due(7, 121)).toBe(false); // this frame contains the input
   });
 
-  it('waits no longer than a station takes that is well', () => {
+  it('waits only for the usual answer time of a station', () => {
     const latency = new Latency();
     latency.sent(7, 100);
     expect(latency.due(6, 139)).toBe(true);
     expect(latency.due(6, 140)).toBe(false);
   });
 
-  it('holds no picture up for each of many inputs', () => {
+  it('does not postpone pictures again for each of many inputs', () => {
     const latency = new Latency();
     let held = 0;
-    // A stick that is moved on and on: a message every 15 ms, answered 20 ms later.
+    // A stick that moves continuously: one message every 15 ms, answered 20 ms later.
     for (let now = 0, seq = 0; now < 3000; now += 5) {
       if (now % 15 === 0) latency.sent(++seq, now);
       const flown = Math.floor((now - 20) / 15) + 1;
@@ -116,4 +116,21 @@ describe('stick to picture', () => {
     expect(held).toBeGreaterThan(0);
     expect(held).toBeLessThan(0.3 * 3000);
   });
+});
+
+test('latency is the 95th percentile of the last 10 s', () => {
+  const latency = new Latency();
+  for (let i = 1; i <= 100; i += 1) {
+    latency.sent(i, 0);
+    latency.drawn(i, i);
+  }
+  expect(latency.percentile95(100)).toBe(95);
+});
+
+test('a lost connection discards the pending inputs', () => {
+  const latency = new Latency();
+  latency.sent(1, 0);
+  latency.forget();
+  latency.drawn(1, 50);
+  expect(latency.percentile95(50)).toBeNull();
 });

@@ -45,7 +45,7 @@ test('an unknown condition is an error that names it', () => {
   expect(() => daylightOf([DAY], 'dusk')).toThrow('dusk');
 });
 
-test('sun, Earth and sky come into the low profile’s light as the condition has them', () => {
+test('the low profile has sun, Earth and sky light of the condition', () => {
   const { light } = lighted();
   light.set(daylightOf([DAY, NIGHT], 'day'), new Set());
   expect(uniform(light, 'toSun')).toMatchObject({ x: 0, y: 0, z: 1 });
@@ -56,7 +56,7 @@ test('sun, Earth and sky come into the low profile’s light as the condition ha
   expect(uniform(light, 'earthshine').g).toBeCloseTo(0.5 / Math.PI, 12);
 });
 
-test('in sunlight no lamp counts; in the dark all do, by their switches', () => {
+test('lamps are computed only in the dark, by their switches', () => {
   const { light } = lighted();
   expect(light.room).toBe(2);
   const count = (name: string, on: readonly string[]) => {
@@ -69,7 +69,7 @@ test('in sunlight no lamp counts; in the dark all do, by their switches', () => 
   expect(count('night', [])).toBe(0);
 });
 
-test('lamps go with their bodies, and a spot’s beam with its axis', () => {
+test('a lamp and the axis of its beam move with their body', () => {
   const { light, body } = lighted();
   light.set(daylightOf([NIGHT], 'night'), new Set(['floods', 'spot']));
   const half = Math.SQRT1_2;
@@ -85,7 +85,7 @@ test('lamps go with their bodies, and a spot’s beam with its axis', () => {
   expect(beam.w).toBeGreaterThan(1);
 });
 
-test('the faces of a switch’s lamps light and darken with it alone', () => {
+test('a lamp face changes only with its own switch', () => {
   const { materials } = lighted();
   const face = (name: string) => {
     const found = materials.material(`glow ${name}`);
@@ -96,18 +96,18 @@ test('the faces of a switch’s lamps light and darken with it alone', () => {
   expect(face('floods')).toBeLessThan(0.2);
 });
 
-test('a lamp that is switched keeps the order of all', () => {
+test('switching a lamp keeps the order of the lamps', () => {
   expect(toggled(['a', 'b', 'c'], ['a', 'c'], 'b')).toEqual(['a', 'b', 'c']);
   expect(toggled(['a', 'b', 'c'], ['a', 'c'], 'a')).toEqual(['c']);
 });
 
-test('black space does not change what a picture calls for, and an even one stands at the key', () => {
+test('the exposure ignores black space; a uniform picture meets the key', () => {
   expect(metered([KEY, KEY])).toBeCloseTo(0, 12);
   expect(metered([KEY / 4, 0, 0, 0])).toBeCloseTo(2, 12);
   expect(metered([0, 0])).toBeNull();
 });
 
-test('the first picture sets the exposure, later ones draw it near by e in its time constant', () => {
+test('the first picture sets the exposure; later ones change it exponentially', () => {
   const exposure = new Exposure();
   exposure.follow(0, 0, null);
   expect(exposure.settled).toBe(false);
@@ -118,7 +118,7 @@ test('the first picture sets the exposure, later ones draw it near by e in its t
   expect(exposure.stops).toBeCloseTo(1 - 2 / Math.E, 9);
 });
 
-test('an exposure stays within its range about where the light begins', () => {
+test('an exposure stays within its range about the initial value', () => {
   const exposure = new Exposure();
   exposure.follow(0, 2, null);
   exposure.meter(20);
@@ -128,7 +128,7 @@ test('an exposure stays within its range about where the light begins', () => {
   expect(exposure.stops).toBeCloseTo(2 - RANGE, 9);
 });
 
-test('a lock holds an exposure whatever the picture, and from its end on it follows from there', () => {
+test('a lock holds the exposure; after unlock it follows the picture', () => {
   const exposure = new Exposure();
   exposure.follow(0, 0, 1.5);
   exposure.meter(-1);
@@ -138,7 +138,7 @@ test('a lock holds an exposure whatever the picture, and from its end on it foll
   expect(exposure.stops).toBeCloseTo(-1 + 2.5 / Math.E, 9);
 });
 
-test('after a jump in time the next picture sets the exposure anew', () => {
+test('the next picture after a jump in time sets the exposure', () => {
   const exposure = new Exposure();
   exposure.follow(5, 0, null);
   exposure.meter(-1);
@@ -148,7 +148,7 @@ test('after a jump in time the next picture sets the exposure anew', () => {
   expect(exposure.stops).toBe(1);
 });
 
-test('in another light the next picture sets the exposure anew', () => {
+test('the next picture after a change of light sets the exposure', () => {
   const exposure = new Exposure();
   exposure.follow(0, 0, null);
   exposure.meter(-1);
@@ -159,14 +159,14 @@ test('in another light the next picture sets the exposure anew', () => {
   expect(exposure.stops).toBe(2);
 });
 
-test('a picture that can see nothing stands where the light begins', () => {
+test('a black picture has the initial exposure of the light', () => {
   const exposure = new Exposure();
   exposure.follow(0, 2, null);
   exposure.meter(null);
   expect(exposure.stops).toBe(2);
 });
 
-test('grey light is found again from the byte that the tone map shows it with', () => {
+test('the inverse of the tone map returns the grey value of a byte', () => {
   for (const light of [0.02, 0.18, 0.5, 1, 3]) {
     const shown = agx(light);
     const srgb = shown <= 0.0031308 ? 12.92 * shown : 1.055 * shown ** (1 / 2.4) - 0.055;

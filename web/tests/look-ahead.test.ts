@@ -20,7 +20,7 @@ const ahead: Ahead = {
   poses: [],
 };
 
-test('the figures are in the operator’s units', () => {
+test('distances and angles are in the operator’s units', () => {
   expect(words(ahead, joints, unitsOf('ft-in'))).toEqual({
     clearance: '10 in',
     between: 'lower boom to bay wall port',
@@ -30,19 +30,19 @@ test('the figures are in the operator’s units', () => {
   expect(words(ahead, joints, unitsOf('SI')).clearance).toBe('25 cm');
 });
 
-test('a contact on the way is what is told, and a joint past its limit', () => {
+test('a predicted contact or joint past its limit is named', () => {
   const told = words({ ...ahead, contact_s: 3.04, room: -0.0175 }, joints, unitsOf('SI'));
   expect(told.clearance).toBe('contact 3.0 s');
   expect(told.joint).toBe('Elbow 1° past');
   expect(words({ ...ahead, clearance: null }, joints, unitsOf('SI')).clearance).toBe('–');
 });
 
-test('it says whose look it is', () => {
+test('the label names the stick command of the prediction', () => {
   expect(about({ held: true, moves: true })).toBe('sticks held');
   expect(about({ held: false, moves: true })).toBe('last axis, full');
   expect(about({ held: false, moves: false })).toBe('sticks centred');
 });
 
-test('the times come in turn, 2 to 20 s', () => {
+test('the look-ahead time cycles from 2 to 20 s', () => {
   expect([2, 5, 10, 20, 12].map(next)).toEqual([5, 10, 20, 2, 20]);
 });

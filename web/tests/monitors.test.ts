@@ -3,7 +3,7 @@ import { clipped, labelPlace } from '../src/panel/monitors/label-place';
 
 const BOX = { left: 0, top: 0, right: 100, bottom: 80 };
 
-test('a line is cut off at the picture’s edges', () => {
+test('a line is clipped at the edges of the picture', () => {
   expect(clipped({ x: -50, y: 40 }, { x: 50, y: 40 }, BOX)).toEqual([
     { x: 0, y: 40 },
     { x: 50, y: 40 },
@@ -13,7 +13,7 @@ test('a line is cut off at the picture’s edges', () => {
   expect(clipped({ x: 10, y: 10 }, { x: 10, y: 10 }, BOX)).not.toBeNull();
 });
 
-test('a label stands on the side away from the middle, inside the picture, and covers nothing', () => {
+test('a label is placed away from the centre and covers nothing', () => {
   const picture = { width: 600, height: 400 };
   const label = { width: 60, height: 20 };
   const at = (x: number, y: number, taken: (typeof BOX)[] = []) =>
@@ -40,7 +40,7 @@ test('a label stands on the side away from the middle, inside the picture, and c
   }
 });
 
-test('a label beside a slanting line keeps near to it, and clear of it', () => {
+test('a label at a slanted line is 12 px from it', () => {
   const label = { width: 40, height: 20 };
   const [a, b] = [
     { x: 300, y: 100 },

@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import type { Command } from '../src/link/socket';
 import { Report } from '../src/page/report';
 
-describe('a report', () => {
-  it('is sent once a second, and at once where a monitor shows another camera', () => {
+describe('a report of the shown cameras', () => {
+  it('is sent once a second, and at once when a monitor changes its camera', () => {
     const sent: Command[] = [];
     const report = new Report((command) => sent.push(command));
     for (let now = 5000; now < 8000; now += 100) report.update(now, [['A'], ['B', 'C']], now);

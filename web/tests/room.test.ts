@@ -6,7 +6,7 @@ const SHEETS = import.meta.glob<string>('../src/**/*.css', { query: '?raw', impo
 /** Every `@media` and `@container` of the style sheets. */
 const QUERIES = Object.values(SHEETS).flatMap((sheet) => sheet.match(/@(media|container)[^{]*/g) ?? []);
 
-test('a style sheet asks for room by name, and every name is used', () => {
+test('every breakpoint has a name, and every name is used', () => {
   const names = QUERIES.flatMap((query) => [...query.matchAll(/\(--(\w+)\)/g)].map(([, name]) => name));
   expect(new Set(names)).toEqual(new Set(Object.keys(ROOM)));
 });

@@ -13,7 +13,7 @@ const solid = { ...placed, material: 'metal' } as const;
 const turn = { start: 0, sweep: 2 * Math.PI } as const;
 const section = { half_width: 1, top: 1, middle: 0, bottom: -1, exponents: [2, 2] } as const;
 
-/** Volume inside a closed surface; negative where its triangles face inwards. */
+/** Return the volume of a closed surface; negative if its triangles face inwards. */
 function volume({ positions, indices }: Surface): number {
   const corner = (i: number) => new Vector3().fromArray(positions, 3 * (indices[i] ?? 0));
   let sum = 0;
@@ -161,10 +161,10 @@ function cameraAt(pose: readonly number[]): Cameras {
   return new Cameras([camera], [body]);
 }
 
-test('the stated field of view is the horizontal one, at every aspect', () => {
+test('the field of view is the horizontal one at every aspect ratio', () => {
   const cameras = cameraAt([0, 0, 0, 1, 0, 0, 0]);
   for (const aspect of [4 / 3, 5 / 3]) {
-    // Looking aft with up up, port is to the right: y is starboard.
+    // Seen aft with the upper side up, port is on the right; y is starboard.
     expect(cameras.project('X', aspect, [10, -9.99, 1])).toMatchObject({
       x: expect.closeTo(1, 2),
       visible: true,
@@ -174,11 +174,11 @@ test('the stated field of view is the horizontal one, at every aspect', () => {
   }
 });
 
-test('what lies behind a camera is not in its picture', () => {
+test('a point behind a camera is not visible', () => {
   expect(cameraAt([0, 0, 0, 1, 0, 0, 0]).project('X', 1, [-10, 0, 1]).visible).toBe(false);
 });
 
-test('a line of the scene is told as far as it is before the camera', () => {
+test('a line is projected only as far as it is in front of the camera', () => {
   const cameras = cameraAt([0, 0, 0, 1, 0, 0, 0]);
   const whole = cameras.segment('X', 1, [10, -5, 1], [10, 5, 1]);
   expect(whole?.map(({ x }) => x)).toEqual([0.75, 0.25].map((x) => expect.closeTo(x, 5)));
@@ -195,7 +195,7 @@ test('a line of the scene is told as far as it is before the camera', () => {
   }
 });
 
-test('a camera moves with its body, and sees directions in its own axes', () => {
+test('a camera moves with its body', () => {
   const half = Math.SQRT1_2;
   const cameras = cameraAt([5, 0, 0, half, 0, 0, half]); // yawed 90 deg: looks along y
   expect(cameras.project('X', 1, [5, 7, 1])).toMatchObject({

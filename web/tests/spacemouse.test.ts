@@ -1,7 +1,7 @@
 import { expect, test, vi } from 'vitest';
-import { SpaceMouse } from '../src/input/spacemouse';
+import { CAP_AT_REST, parsed, SpaceMouse } from '../src/input/spacemouse';
 
-/** A SpaceMouse that a test turns, allowed to this page before. */
+/** Return a SpaceMouse that the page has permission to use, and its controls for a test. */
 async function connected(vendorId = 0x256f, usage = 8) {
   const device = Object.assign(new EventTarget(), {
     vendorId,
@@ -32,7 +32,7 @@ async function connected(vendorId = 0x256f, usage = 8) {
   };
 }
 
-test('one that was allowed before is there again, and gone when it is unplugged', async () => {
+test('a permitted SpaceMouse connects by itself and is lost when unplugged', async () => {
   const { mouse, report, unplug } = await connected();
   report(1, 0, -350, 0);
   expect(mouse.reading(0)?.axes).toEqual([0, -1, 0, 0, 0, 0]);
@@ -40,7 +40,7 @@ test('one that was allowed before is there again, and gone when it is unplugged'
   expect(mouse.reading(10)).toBeNull();
 });
 
-test('deflected and silent it is out of reach; at rest it may be silent for ever', async () => {
+test('a silent SpaceMouse is lost only while it is deflected', async () => {
   const { mouse, report } = await connected();
   for (let now = 0; now < 5000; now += 20) expect(mouse.reading(now)).not.toBeNull();
   report(1, 0, 100, 0);
@@ -52,22 +52,47 @@ test('deflected and silent it is out of reach; at rest it may be silent for ever
   expect(mouse.reading(last + 20)).not.toBeNull();
 });
 
-test('a page that was busy for seconds takes nothing from it', async () => {
+test('a busy page does not lose a SpaceMouse', async () => {
   const { mouse, report } = await connected();
   report(1, 0, 100, 0);
   expect(mouse.reading(100)).not.toBeNull();
   expect(mouse.reading(5100)).not.toBeNull();
 });
 
-test('a report that is not understood is said, and moves nothing', async () => {
+test('an invalid report is named and deflects nothing', async () => {
   const { mouse, report } = await connected();
   report(1, 1, 2);
   expect(mouse.problem).toContain('Report 1 with 4 bytes');
   expect(mouse.reading(0)).toBeNull();
 });
 
-test('a mouse of the same makers is none', async () => {
+test('a mouse of the same maker is not a SpaceMouse', async () => {
   const { mouse } = await connected(0x046d, 2);
   expect(mouse.reading(0)).toBeNull();
   expect(mouse.name).toBe('');
+});
+
+function reportData(...values: number[]): DataView {
+  const data = new DataView(new ArrayBuffer(2 * values.length));
+  values.forEach((value, i) => {
+    data.setInt16(2 * i, value, true);
+  });
+  return data;
+}
+
+test('a SpaceMouse sends its axes in two reports or in one', () => {
+  const two = parsed(CAP_AT_REST, 1, reportData(350, -175, 0));
+  expect(two?.axes).toEqual([1, -0.5, 0, 0, 0, 0]);
+  const turned = two && parsed(two, 2, reportData(0, 0, -350));
+  expect(turned?.axes).toEqual([1, -0.5, 0, 0, 0, -1]);
+  expect(parsed(CAP_AT_REST, 1, reportData(0, 0, 70, 0, 0, 700))?.axes).toEqual([0, 0, 0.2, 0, 0, 1]);
+});
+
+test('a report of a wrong length is invalid; an unknown report is ignored', () => {
+  expect(parsed(CAP_AT_REST, 1, reportData(1, 2))).toBeNull();
+  expect(parsed(CAP_AT_REST, 1, reportData(1, 2, 3, 4, 5))).toBeNull();
+  expect(parsed(CAP_AT_REST, 2, new DataView(new ArrayBuffer(5)))).toBeNull();
+  expect(parsed(CAP_AT_REST, 0x17, new DataView(new ArrayBuffer(1)))).toBe(CAP_AT_REST);
+  const buttons = parsed(CAP_AT_REST, 3, new DataView(Uint8Array.of(2, 1).buffer))?.buttons;
+  expect(buttons?.flatMap((down, i) => (down ? [i] : []))).toEqual([1, 8]);
 });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { kept, Tones } from '../src/page/tones';
 
-/** Keeps what was started and stopped, at which pitch. */
+/** Records which oscillators are started and stopped, with their pitch. */
 class FakeAudio {
   currentTime = 0;
   state = 'running';
@@ -41,14 +41,14 @@ function made(text: string | null = null) {
 }
 
 describe('tones', () => {
-  it('are silent until a key or a pointer was used', () => {
+  it('are silent before the first key or pointer input', () => {
     const { audio, tones } = made();
     tones.sound('warning', true);
     tones.captured();
     expect(audio.tones).toHaveLength(0);
   });
 
-  it('tell a caution once, and once more for each that comes in', () => {
+  it('sound once for each new caution', () => {
     const { audio, tones } = made();
     tones.wake();
     tones.sound('caution', true);
@@ -63,7 +63,7 @@ describe('tones', () => {
     expect(audio.tones).toHaveLength(3);
   });
 
-  it('warn by two pitches in turn, 2.5 times a second, until acknowledged', () => {
+  it('alternate between two pitches for a warning until acknowledged', () => {
     const { audio, tones } = made();
     tones.wake();
     const heard: number[] = [];
@@ -80,7 +80,7 @@ describe('tones', () => {
     expect(audio.tones[0]?.ended).not.toBeNull();
   });
 
-  it('tell a capture by two rising clicks, a mode by one', () => {
+  it('sound two rising clicks for a capture, one for a mode', () => {
     const { audio, tones } = made();
     tones.wake();
     tones.captured();
@@ -91,7 +91,7 @@ describe('tones', () => {
     expect(audio.tones).toHaveLength(3);
   });
 
-  it('keep volume and mute, which act at once', () => {
+  it('store volume and mute, which act at once', () => {
     const { audio, tones, store } = made();
     tones.wake();
     tones.set({ volume: 1 });

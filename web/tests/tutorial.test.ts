@@ -17,7 +17,7 @@ interface Flown {
   readonly x?: number;
   readonly stick?: number;
   readonly offAxis?: boolean;
-  /** How far off, where that is within what capture allows. */
+  /** Distance from the exact pose, within the capture envelope. */
   readonly aside?: number;
   readonly depth?: boolean;
   readonly held?: boolean;
@@ -41,7 +41,7 @@ function condition(name: string, holds: boolean, value = 0): Condition {
   };
 }
 
-/** A frame: over the payload in its seat, nothing right yet, nothing held. */
+/** Return a frame: above the berthed payload, no condition holds, nothing is captured. */
 function frame(flown: Flown = {}): Frame {
   const { tick = 1, x = 0, stick = 0, held = false, seat = 'bay', flags = ['EXTEND', 'OPEN'] } = flown;
   const work = {
@@ -69,7 +69,7 @@ function at(name: string): Progress {
   return { ...BEGIN, at: STEPS.findIndex((step) => step.name === name), tick: 0 };
 }
 
-/** What the panel shows in each state that words are made for. */
+/** Panel components of each state that has texts. */
 const STATES: readonly Frame[] = [
   frame(),
   frame({ offAxis: true }),
@@ -83,7 +83,7 @@ const STATES: readonly Frame[] = [
   frame({ held: true, flags: ['RIGID'], seat: '', rate: 'vernier', warns: true }),
 ];
 
-test('there are six steps, each of which something ends and nothing at rest does', () => {
+test('each of the six steps can be completed, but not at rest', () => {
   expect(STEPS.map(({ name }) => name)).toEqual(['look', 'move', 'line up', 'close in', 'capture', 'lift']);
   const still = { from: [0, 0, 0], looked: false, lifted: 0 } as const;
   const all = { from: [9, 9, 9], looked: true, lifted: LIFTED } as const;
@@ -93,7 +93,7 @@ test('there are six steps, each of which something ends and nothing at rest does
   }
 });
 
-test('words and caps name only what can be done, by keys and by pad, and the words are short', () => {
+test('texts and key caps name only existing keys and buttons and are short', () => {
   for (const step of STEPS) {
     const named = STATES.flatMap((now) => pieces(step.words(now, FEET)))
       .filter(({ kind }) => kind === 'use')
@@ -108,16 +108,16 @@ test('words and caps name only what can be done, by keys and by pad, and the wor
   }
 });
 
-test('words are in the operator’s units', () => {
-  const told = (name: string, flown: Flown, units = SI) =>
+test('texts are in the operator’s units', () => {
+  const closing = (name: string, flown: Flown, units = SI) =>
     STEPS.find((step) => step.name === name)?.words(frame(flown), units) ?? '';
-  expect(told('line up', {})).toContain('under 5.0 cm');
-  expect(told('line up', {}, FEET)).toContain('under 2.0 in');
-  expect(told('close in', { offAxis: true })).toContain('the last 30 cm');
-  expect(told('lift', { held: true, flags: ['RIGID'], seat: '' })).toContain('is 1 m above');
+  expect(closing('line up', {})).toContain('under 5.0 cm');
+  expect(closing('line up', {}, FEET)).toContain('under 2.0 in');
+  expect(closing('close in', { offAxis: true })).toContain('the last 30 cm');
+  expect(closing('lift', { held: true, flags: ['RIGID'], seat: '' })).toContain('is 1 m above');
 });
 
-test('once the latches have let go the lift names what lifts, and an alarm that its seat sets off', () => {
+test('the lift step names the key that lifts, and an alarm of its berth', () => {
   const lift = STEPS.at(-1);
   const free = { held: true, flags: ['RIGID'], seat: '' };
   expect(lift?.caps(frame({ ...free, seat: 'bay' }))).toEqual([['latch', 'unlatch']]);
@@ -127,7 +127,7 @@ test('once the latches have let go the lift names what lifts, and an alarm that 
   expect(lift?.words(frame(free), SI)).not.toMatch(/rate|CLEARANCE/);
 });
 
-test('marks in words become pieces', () => {
+test('marks split a text into pieces', () => {
   expect(pieces('Hold {+X}: *RIGID*.')).toEqual([
     { kind: 'text', text: 'Hold ' },
     { kind: 'use', text: '+X' },
@@ -137,7 +137,7 @@ test('marks in words become pieces', () => {
   ]);
 });
 
-test('a flight from the first look to the lift goes through every step in turn', () => {
+test('a whole run completes each step in order', () => {
   let progress = seen(BEGIN, frame(), -2);
   const fly = (flown: Flown, height = -2) => {
     progress = seen(progress, frame({ tick: progress.tick + 1, ...flown }), height);
@@ -166,17 +166,17 @@ test('a flight from the first look to the lift goes through every step in turn',
   expect(fly({}, 0)).toBe('over');
 });
 
-test('a flight begun anew begins the tutorial anew, from where the tip is then', () => {
+test('a restart starts the tutorial again from the present tip position', () => {
   const late = { ...at('capture'), tick: 900, from: [1, 2, 3] as const };
   const progress = seen(late, frame({ tick: 1, x: 7 }), -2);
   expect(progress).toMatchObject({ at: 0, tick: 1, from: [7, 0, 0], seat: -2 });
 });
 
-test('opened with the payload in the grasp it begins with the lift', () => {
+test('the tutorial starts at the lift with a captured payload', () => {
   expect(seen(BEGIN, frame({ held: true }), 0).at).toBe(STEPS.length - 1);
 });
 
-test('a step gone back to ends once it is done anew', () => {
+test('a repeated step ends when it is done again', () => {
   const lined = (tick: number, offAxis: boolean) => frame({ tick, offAxis });
   let progress = back(at('close in'));
   expect(STEPS[progress.at]?.name).toBe('line up');
@@ -187,7 +187,7 @@ test('a step gone back to ends once it is done anew', () => {
   expect(back(BEGIN).at).toBe(0);
 });
 
-test('skipping goes on to the end and no farther', () => {
+test('skipping stops at the last step', () => {
   let progress = BEGIN;
   for (const _ of STEPS) progress = skip(progress);
   expect(isOver(progress)).toBe(true);
@@ -195,7 +195,7 @@ test('skipping goes on to the end and no farther', () => {
   expect(progress.skipped.size).toBe(STEPS.length);
 });
 
-test('a step that was skipped and then flown is done', () => {
+test('a step that was skipped and then flown counts as done', () => {
   const skipped = skip(at('move'));
   expect([...skipped.skipped]).toEqual([1]);
   let progress = seen(back(skipped), frame({ tick: 1, x: 0 }), 0);
@@ -204,7 +204,7 @@ test('a step that was skipped and then flown is done', () => {
   expect([STEPS[progress.at]?.name, progress.skipped.size]).toEqual(['line up', 0]);
 });
 
-test('an axis counts as held to the side that is meant, past its deadband', () => {
+test('an axis counts as held past its deadband on the named side', () => {
   const buttons = Array.from({ length: 17 }, (_, i) => ({ pressed: i === 9 || i === 3, value: 0 }));
   const device = { reading: { axes: [0.02, -0.5], buttons }, mapping: DEFAULTS.pad };
   expect([isDown(device, 'a1', -1), isDown(device, 'a1', 1), isDown(device, 'a0', 1)]).toEqual([
@@ -220,7 +220,7 @@ test('an axis counts as held to the side that is meant, past its deadband', () =
   expect(isDown({ reading: null, mapping: DEFAULTS.pad }, 'b3', 1)).toBe(false);
 });
 
-test('who has skipped steps is not told that all is flown until it is', () => {
+test('the closing text says "complete" only without skipped steps', () => {
   let progress: Progress = { ...BEGIN, at: STEPS.length };
   for (const now of [frame(), frame({ held: true }), frame({ seat: '' })]) {
     progress = seen(progress, now, 0);
@@ -230,7 +230,7 @@ test('who has skipped steps is not told that all is flown until it is', () => {
   expect(farewell(progress.flown)[0]).toBe('Complete');
 });
 
-test('the closing time stands, whatever is flown afterwards, until a step is gone back to', () => {
+test('the closing time is kept until a step is repeated', () => {
   const later = (progress: Progress, flown: Flown, time_s: number) =>
     seen(progress, { ...frame(flown), time_s }, 2 * LIFTED);
   let progress: Progress = { ...at('lift'), seat: 0 };
@@ -242,8 +242,8 @@ test('the closing time stands, whatever is flown afterwards, until a step is gon
   expect(back(progress).flown).toBeNull();
 });
 
-test('the closing words tell the time', () => {
-  const told = (flown: number) => farewell(flown).join();
-  expect(told(59.9)).toMatch(/^Complete.*, 59 s after/);
-  expect(told(185)).toMatch(/, 3 min 5 s after/);
+test('the closing text has the time', () => {
+  const closing = (flown: number) => farewell(flown).join();
+  expect(closing(59.9)).toMatch(/^Complete.*, 59 s after/);
+  expect(closing(185)).toMatch(/, 3 min 5 s after/);
 });

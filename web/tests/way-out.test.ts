@@ -5,13 +5,13 @@ import { wayOutText } from '../src/words/way-out';
 
 const WAY: WayOut = { cause: 'contact', text: '', stick: 'translation', axis: 2, sign: -1, position: '' };
 
-test('a stick’s direction comes with its key, after the position to enter', () => {
+test('a stick direction has its mode and key', () => {
   expect(wayOutText(WAY, '', KEYS)).toBe('THC −Z (Q)');
   expect(wayOutText({ ...WAY, position: 'ORB UNL' }, '', KEYS)).toBe('ORB UNL, THC −Z (Q)');
   expect(wayOutText({ ...WAY, stick: 'rotation', axis: 0, sign: 1 }, '', KEYS)).toBe('RHC +roll (O)');
 });
 
-test('a joint is named with the position in which it moves, the telescope by itself', () => {
+test('a joint escape names its mode; the telescope has none', () => {
   const joint: WayOut = { ...WAY, stick: 'joint', axis: 2, position: 'SINGLE' };
   expect(wayOutText(joint, 'elbow pitch', KEYS)).toBe('SINGLE elbow pitch −');
   expect(wayOutText(joint, '', KEYS)).toBe('SINGLE −');

@@ -1,0 +1,29 @@
+import { expect, test, vi } from 'vitest';
+import { Controllers } from '../src/input/controllers';
+import { isZero } from '../src/input/deflection';
+import { NO_AXES, plugged } from './gamepads';
+
+test('a lost device zeroes all devices and is forgotten when acknowledged', () => {
+  const world = plugged({ id: 'Left' }, { id: 'Right' });
+  vi.stubGlobal('window', { addEventListener() {} });
+  const controllers = new Controllers(() => {}, { moved() {}, taken: () => false });
+  controllers.poll(0, 0);
+  world.axes(1, 0, -1, 0, 0);
+  controllers.poll(20, 0);
+  world.axes(1, ...NO_AXES);
+  controllers.poll(40, 0);
+  world.axes(0, 0, -1, 0, 0);
+  controllers.keyboard.held.add('KeyD');
+  expect(controllers.poll(60, 1).slice(0, 2)).toEqual([1, 1]);
+  world.unplug(1);
+  expect(isZero(controllers.poll(80, 0.01))).toBe(true);
+  expect(controllers.keyboard.held.size).toBe(0);
+  expect(controllers.shown.gone).toEqual({ thc: null, rhc: 'Right' });
+  expect(isZero(controllers.poll(100, 0.01))).toBe(true);
+  controllers.acknowledge();
+  expect(controllers.devices.map(({ kind, name }) => `${kind} ${name}`)).toEqual(['pad Left']);
+  world.plug(1);
+  controllers.poll(120, 0.01);
+  expect(controllers.devices.map(({ name }) => name)).toEqual(['Left']);
+  expect(controllers.lost).toEqual([]);
+});

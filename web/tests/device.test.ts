@@ -1,0 +1,127 @@
+import { expect, test } from 'vitest';
+import { isZero } from '../src/input/deflection';
+import { Device, deflection } from '../src/input/device';
+import type { Action } from '../src/input/keymap';
+import { zeroed } from '../src/input/rebind';
+import { mappingOf, restore, save } from '../src/input/store';
+import { NO_AXES, reading } from './gamepads';
+
+const PAD = mappingOf('pad');
+/** The seven stick axes that a reading of one pad deflects. */
+function flown(axes: readonly number[], pressed: Record<number, number> = {}): readonly number[] {
+  return deflection(reading(axes, pressed), PAD).slice(0, 7);
+}
+
+test('a pad at rest has zero deflections without a negative sign', () => {
+  expect(flown(NO_AXES).every((value) => Object.is(value, 0))).toBe(true);
+  expect(isZero(flown([0.05, -0.05, 0.07, 0]))).toBe(true);
+});
+
+test('the left stick commands X and Y, the triggers command Z', () => {
+  expect(flown([0, -1, 0, 0])).toEqual([1, 0, 0, 0, 0, 0, 0]);
+  expect(flown([1, 0, 0, 0])).toEqual([0, 1, 0, 0, 0, 0, 0]);
+  expect(flown(NO_AXES, { 6: 1 })).toEqual([0, 0, -1, 0, 0, 0, 0]);
+  expect(flown(NO_AXES, { 7: 1 })).toEqual([0, 0, 1, 0, 0, 0, 0]);
+});
+
+test('the right stick commands pitch and yaw, the bumpers command roll', () => {
+  expect(flown([0, 0, 0, -1])).toEqual([0, 0, 0, 0, 1, 0, 0]);
+  expect(flown([0, 0, 1, 0])).toEqual([0, 0, 0, 0, 0, 1, 0]);
+  expect(flown(NO_AXES, { 4: 1 })).toEqual([0, 0, 0, -1, 0, 0, 0]);
+});
+
+test('the cross drives the telescope with Menu, else tilts the camera', () => {
+  expect(flown(NO_AXES, { 9: 1, 12: 1 })).toEqual([0, 0, 0, 0, 0, 0, 1]);
+  expect(flown(NO_AXES, { 9: 1, 13: 1 })).toEqual([0, 0, 0, 0, 0, 0, -1]);
+  expect(deflection(reading(NO_AXES, { 12: 1 }), PAD)).toEqual([0, 0, 0, 0, 0, 0, 0, 0, 1, 0]);
+  expect(deflection(reading(NO_AXES, { 9: 1, 12: 1 }), PAD).slice(7)).toEqual([0, 0, 0]);
+});
+
+/** A pad whose buttons a test presses; `press` returns the names of its actions, a grip with + or -. */
+function pressed() {
+  const acted: string[] = [];
+  const device = new Device('pad', (action: Action) =>
+    acted.push(action.name === 'grip' ? `${action.grip}${action.down ? '+' : '-'}` : action.name),
+  );
+  return {
+    device,
+    press(...indices: number[]) {
+      device.read(reading(NO_AXES, Object.fromEntries(indices.map((index) => [index, 1]))), 0);
+      return acted.splice(0);
+    },
+    unplug() {
+      device.read(null, 0);
+      return acted.splice(0);
+    },
+  };
+}
+
+test('North captures; Menu with North releases', () => {
+  const { press } = pressed();
+  expect(press(3)).toEqual(['close+']);
+  expect(press()).toEqual(['close-']);
+  expect(press(9)).toEqual([]);
+  expect(press(9, 3)).toEqual(['open+']);
+  expect(press(3)).toEqual([]);
+  expect(press()).toEqual(['open-']);
+});
+
+test('Menu alone steps the camera when it is released', () => {
+  const { press } = pressed();
+  expect([press(9), press()]).toEqual([[], ['cameraStep']]);
+  expect([press(9), press(9, 8), press(9), press()]).toEqual([[], ['fly orbiter'], [], []]);
+  expect([press(9), press(9, 12), press()]).toEqual([[], [], []]);
+});
+
+test('a lost or disarmed pad ends its held grips', () => {
+  const first = pressed();
+  first.press(3);
+  expect(first.unplug()).toEqual(['close-']);
+  const second = pressed();
+  second.press(3);
+  second.device.disarm();
+  expect(second.press(3)).toEqual(['close-']);
+  expect(second.press()).toEqual([]);
+});
+
+test('East stops, also with Menu', () => {
+  const { press } = pressed();
+  expect(press(1)).toEqual(['stop']);
+  press();
+  press(9);
+  expect(press(9, 1)).toEqual(['stop']);
+});
+
+test('a lost device is zeroed at once and flies again after it was centred', () => {
+  const device = new Device('pad', () => {});
+  expect(isZero(device.read(reading([0, -1, 0, 0]), 0))).toBe(true);
+  expect(device.state).toBe('waiting');
+  device.read(reading(NO_AXES), 10);
+  expect(device.read(reading([0, -1, 0, 0]), 20)[0]).toBe(1);
+  expect(isZero(device.read(null, 30))).toBe(true);
+  expect(device.state).toBe('lost');
+  expect(isZero(device.read(reading([0, -1, 0, 0]), 40))).toBe(true);
+  device.read(reading([0, 0.02, 0, 0]), 50);
+  expect(device.read(reading([0, -1, 0, 0]), 60)[0]).toBe(1);
+});
+
+test('a sensor off centre is reported and flies after it was zeroed', () => {
+  const device = new Device('pad', () => {});
+  const atRest = reading([0.2, 0, 0, 0]);
+  for (let now = 0; now <= 10_000; now += 100) device.read(atRest, now);
+  expect(device.state).toBe('waiting');
+  expect(device.resting).toBe(true);
+  expect(mappingOf('pad').centres).toEqual([]);
+  save('pad', zeroed('pad', mappingOf('pad'), atRest.axes));
+  expect(isZero(device.read(atRest, 10_100))).toBe(true);
+  expect(device.state).toBe('flying');
+  expect(device.read(reading([1, 0, 0, 0]), 10_200)[1]).toBe(1);
+  expect(device.read(reading([-1, 0, 0, 0]), 10_300)[1]).toBe(-1);
+  restore('pad');
+});
+
+test('a stick that a hand holds off centre is not a sensor off centre', () => {
+  const device = new Device('pad', () => {});
+  for (let now = 0; now <= 10_000; now += 100) device.read(reading([0.2 + 0.05 * (now % 200), 0, 0, 0]), now);
+  expect(device.resting).toBe(false);
+});

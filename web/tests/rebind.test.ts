@@ -1,0 +1,73 @@
+import { expect, test } from 'vitest';
+import { DEFAULTS } from '../src/input/defaults';
+import { USES } from '../src/input/keymap';
+import { parseMapping, sourcesOf } from '../src/input/mapping';
+import { bind, isFixed, keyRefusal, movers, unbind, zeroed } from '../src/input/rebind';
+
+test('a key assigned to any use survives JSON and frees the former keys', () => {
+  const mapping = DEFAULTS.keyboard;
+  for (const use of USES.keys()) {
+    if (isFixed('keyboard', use)) continue;
+    const changed = bind('keyboard', mapping, use, { source: 'Numpad7', sign: 1 });
+    const back = parseMapping(JSON.parse(JSON.stringify(changed)));
+    expect(back).toEqual(changed);
+    expect(sourcesOf(back, use)).toEqual(['Numpad7']);
+    const others = Object.entries(mapping.bindings).filter(([, its]) => its !== use);
+    expect(Object.entries(back.bindings).filter(([, its]) => its !== use)).toEqual(others);
+  }
+});
+
+test('a key in use is rejected by the name of its use', () => {
+  for (const [source, its] of Object.entries(DEFAULTS.keyboard.bindings)) {
+    for (const use of ['+X', 'rate', 'close']) {
+      const put = () => bind('keyboard', DEFAULTS.keyboard, use, { source, sign: 1 });
+      if (its === use) expect(put).not.toThrow();
+      else expect(put).toThrow(USES.get(its)?.label);
+    }
+  }
+});
+
+test('a stick assigned to +X inverted replaces both sides of X', () => {
+  const free = unbind(DEFAULTS.pad, '+pitch');
+  expect(sourcesOf(free, '-pitch')).toEqual([]);
+  const changed = bind('pad', free, '+X', { source: 'a3', sign: -1 });
+  expect(changed.bindings['a3']).toBe('-X');
+  expect(changed.bindings['a1']).toBeUndefined();
+  expect(movers(changed, '+X')).toEqual([{ source: 'a3', sign: -1 }]);
+  expect(movers(changed, '-X')).toEqual([{ source: 'a3', sign: 1 }]);
+});
+
+test('an axis is rejected for a use that needs a button, or if in use', () => {
+  expect(() => bind('pad', DEFAULTS.pad, 'rate', { source: 'a5', sign: 1 })).toThrow('needs a button');
+  expect(() => bind('pad', DEFAULTS.pad, '+X', { source: 'a3', sign: 1 })).toThrow('RHC −pitch');
+});
+
+test('keys of the browser and Space cannot be assigned', () => {
+  const alone = { ctrlKey: false, altKey: false, metaKey: false };
+  for (const code of [
+    'Tab',
+    'Backspace',
+    'Slash',
+    'Quote',
+    'F1',
+    'F5',
+    'F12',
+    'ShiftLeft',
+    'AltRight',
+    'MetaLeft',
+  ]) {
+    expect(keyRefusal({ code, ...alone })).toContain('belongs to the browser');
+  }
+  for (const part of ['ctrlKey', 'altKey', 'metaKey']) {
+    expect(keyRefusal({ code: 'Insert', ...alone, [part]: true })).toContain('belong to the browser');
+  }
+  expect(keyRefusal({ code: 'Space', ...alone })).toContain('always stops');
+  for (const code of ['Digit1', 'Numpad0', 'Insert', 'ArrowUp']) {
+    expect(keyRefusal({ code, ...alone })).toBeNull();
+  }
+});
+
+test('an axis too far off centre is not zeroed; an unused one is ignored', () => {
+  expect(() => zeroed('thc joystick', DEFAULTS['thc joystick'], [0, 0, 0.8, -1])).toThrow('Axis 2');
+  expect(zeroed('thc joystick', DEFAULTS['thc joystick'], [0.1, 0, 0, -1]).centres).toEqual([0.1, 0, 0, 0]);
+});

@@ -1,0 +1,54 @@
+import { expect, test } from 'vitest';
+import { actionOf } from '../src/replay/keys';
+import { player } from './recording-player';
+
+test('keys play, seek and step; an unassigned key does nothing', async () => {
+  const { player: made } = await player();
+  const none = () => {};
+  const keys = {
+    event: none,
+    desk: none,
+    camera: none,
+    stepCamera: none,
+    otherMonitor: none,
+    plane: none,
+    matrix: none,
+    split: none,
+    asFlown: none,
+    zoom: none,
+    close: none,
+  };
+  const press = (code: string, shiftKey = false) => actionOf(made, keys, { code, shiftKey })?.();
+  press('Space');
+  expect(made.playing).toBe(true);
+  press('End');
+  expect(made.position).toBe(20);
+  press('ArrowLeft');
+  expect(made.position).toBe(19);
+  press('ArrowLeft', true);
+  expect(made.position).toBeCloseTo(18.98);
+  press('Home');
+  expect(made.position).toBe(0.02);
+  expect(actionOf(made, keys, { code: 'KeyW', shiftKey: false })).toBeUndefined();
+});
+
+test('A restores the cameras as flown; plus and minus zoom', async () => {
+  const { player: made } = await player();
+  const done: string[] = [];
+  const none = () => {};
+  const keys = {
+    event: none,
+    desk: none,
+    camera: none,
+    stepCamera: none,
+    otherMonitor: none,
+    plane: none,
+    matrix: none,
+    split: none,
+    asFlown: () => done.push('as flown'),
+    zoom: (way: number) => done.push(`zoom ${way}`),
+    close: none,
+  };
+  for (const code of ['KeyA', 'Equal', 'Minus']) actionOf(made, keys, { code, shiftKey: false })?.();
+  expect(done).toEqual(['as flown', 'zoom 1', 'zoom -1']);
+});
