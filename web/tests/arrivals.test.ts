@@ -11,17 +11,17 @@ const line = (time_s: number): LogEvent => ({ time_s, kind: 'mode', level: 'info
 describe('messages from the station', () => {
   it('are shown with the delays of the scenario', () => {
     const arrivals = new Arrivals(DELAYS);
-    const told: LogEvent[] = [];
+    const shown: LogEvent[] = [];
     for (let tick = 0; tick < 60; tick += 1) {
       const now = 100 * tick;
       arrivals.put(frame(tick), now);
       arrivals.addEvents([line(tick / 10)]);
       expect(arrivals.at('telemetry', now)?.frame.tick).toBe(Math.max(0, tick - 10));
       expect(arrivals.at('camera', now)?.frame.tick).toBe(Math.max(0, tick - 20));
-      told.push(...arrivals.dueEvents(now));
-      expect(told.length).toBe(Math.max(0, tick - 10) + 1);
+      shown.push(...arrivals.dueEvents(now));
+      expect(shown.length).toBe(Math.max(0, tick - 10) + 1);
     }
-    expect(told).toEqual(Array.from({ length: 50 }, (_, tick) => line(tick / 10)));
+    expect(shown).toEqual(Array.from({ length: 50 }, (_, tick) => line(tick / 10)));
   });
 
   it('keep all log lines at a restart', () => {

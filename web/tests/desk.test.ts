@@ -49,11 +49,11 @@ test('the orbiter is at rest below 0.1 mm/s', () => {
 });
 
 test('the key map lists only the keys of the present arm', () => {
-  const told = (hand: 'prong' | 'snares', stand: object | null) =>
+  const keyMap = (hand: 'prong' | 'snares', stand: object | null) =>
     working({ work: { hand, stand } } as Parameters<typeof working>[0])
       .map(([, does]) => does)
       .join();
-  expect(told('snares', null)).not.toMatch(/prong|telescope/);
-  expect(told('prong', {})).toMatch(/prong.*telescope/);
-  expect(told('prong', {})).not.toMatch(/capture/);
+  expect(keyMap('snares', null)).not.toMatch(/prong|telescope/);
+  expect(keyMap('prong', {})).toMatch(/prong.*telescope/);
+  expect(keyMap('prong', {})).not.toMatch(/capture/);
 });

@@ -12,18 +12,18 @@ afterEach(() => {
 });
 
 test('master angles are sent at most 20 times a second, the last ones always', () => {
-  const told: number[] = [];
-  const paced = new Paced<number>(50, (value) => told.push(value));
+  const sent: number[] = [];
+  const paced = new Paced<number>(50, (value) => sent.push(value));
   for (let i = 0; i < 100; i += 1) {
     paced.put(i);
     vi.advanceTimersByTime(10);
   }
   vi.advanceTimersByTime(200);
-  expect(told.length).toBeLessThanOrEqual(21);
-  expect([told[0], told.at(-1)]).toEqual([0, 99]);
+  expect(sent.length).toBeLessThanOrEqual(21);
+  expect([sent[0], sent.at(-1)]).toEqual([0, 99]);
   vi.advanceTimersByTime(1000);
   paced.put(7);
-  expect(told.at(-1)).toBe(7);
+  expect(sent.at(-1)).toBe(7);
 });
 
 test('one slider moves one angle of the master', () => {

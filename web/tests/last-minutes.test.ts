@@ -24,7 +24,7 @@ const CLEARANCE = strip('Clearance', { caution: 0.6, warning: 0.15 });
 const ANGLE = strip('Elbow', { quantity: 'angle', rests: false });
 
 /** Frames of some seconds, ten each second; each value is the time. */
-function told(from: number, to: number, more: Partial<Recent> = {}): Recent {
+function recent(from: number, to: number, more: Partial<Recent> = {}): Recent {
   const count = Math.round((to - from) * 10);
   const samples = Array.from({ length: count }, (_, i) => {
     const time_s = from + i / 10;
@@ -35,7 +35,7 @@ function told(from: number, to: number, more: Partial<Recent> = {}): Recent {
 
 function begun(seconds: number): LastMinutes {
   const made = new LastMinutes();
-  made.take(told(0, seconds, { strips: [CLEARANCE, ANGLE] }));
+  made.take(recent(0, seconds, { strips: [CLEARANCE, ANGLE] }));
   return made;
 }
 
@@ -65,7 +65,7 @@ test('the range of a strip contains its values, zero and the caution', () => {
 test('memory is bounded by the last minutes of a run', () => {
   const made = begun(1);
   for (let second = 1; second < 3600; second += 1) {
-    made.take(told(second, second + 1));
+    made.take(recent(second, second + 1));
     made.note([line(second)]);
   }
   const { strips, events } = made.over({ from: 0, to: made.now }, ['Clearance'], UNITS);
@@ -80,8 +80,8 @@ test('the last stretch of a lane ends now; earlier stretches are omitted', () =>
     { start_s: 0, end_s: 4, label: 'A', level: 'info' as const },
     { start_s: 4, end_s: 5, label: 'B', level: 'info' as const },
   ];
-  made.take(told(20, 21, { lanes: [{ name: 'MON 1', stretches }] }));
-  made.take(told(21, 22));
+  made.take(recent(20, 21, { lanes: [{ name: 'MON 1', stretches }] }));
+  made.take(recent(21, 22));
   const { lanes } = made.over({ from: 10, to: made.now }, [], UNITS);
   expect(lanes[0]?.stretches).toEqual([{ ...stretches[1], end_s: made.now }]);
 });
@@ -90,7 +90,7 @@ test('a restart clears curves, lanes and log', () => {
   const made = begun(20);
   made.note([line(5), line(19)]);
   made.note([line(0)]);
-  made.take(told(0, 1, { strips: [CLEARANCE, ANGLE] }));
+  made.take(recent(0, 1, { strips: [CLEARANCE, ANGLE] }));
   expect(made.now).toBeCloseTo(0.9);
   const { strips, events } = made.over({ from: -60, to: made.now }, ['Clearance'], UNITS);
   expect(strips[0]?.curves[0]?.values).toHaveLength(10);
@@ -131,7 +131,7 @@ test('later values are held back until their time', () => {
   const made = begun(20);
   const stretch = { label: 'ORB UNL', level: 'info' } as const;
   const lane = [0, 5, 15].map((start_s) => ({ ...stretch, start_s, end_s: start_s + 5 }));
-  made.take(told(20, 20, { lanes: [{ name: 'Mode', stretches: lane }] }));
+  made.take(recent(20, 20, { lanes: [{ name: 'Mode', stretches: lane }] }));
   made.note([line(4), line(16)]);
   for (const [until, events, stretches] of [
     [12, 1, 2],

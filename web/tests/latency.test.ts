@@ -42,17 +42,17 @@ describe('stick to picture', () => {
   });
 
   it('the rail shows the set delay, and the measured one if different', () => {
-    const told = (set: number, measured: number | null) => {
+    const delayText = (set: number, measured: number | null) => {
       const { label, text } = delayWords(delays({ set, measured }));
       return `${label} ${text}`;
     };
-    expect(told(0, null)).toBe('Delay ');
-    expect(told(0, 0.09)).toBe('Delay ');
-    expect(told(0, 0.31)).toBe('Command set 0.00, measured 0.31 s');
-    expect(told(2, null)).toBe('Command delay 2.00 s');
-    expect(told(2, 2.09)).toBe('Command delay 2.00 s');
-    expect(told(2, 2.31)).toBe('Command set 2.00, measured 2.31 s');
-    expect(told(2, 1.5)).toBe('Command set 2.00, measured 1.50 s');
+    expect(delayText(0, null)).toBe('Delay ');
+    expect(delayText(0, 0.09)).toBe('Delay ');
+    expect(delayText(0, 0.31)).toBe('Command set 0.00, measured 0.31 s');
+    expect(delayText(2, null)).toBe('Command delay 2.00 s');
+    expect(delayText(2, 2.09)).toBe('Command delay 2.00 s');
+    expect(delayText(2, 2.31)).toBe('Command set 2.00, measured 2.31 s');
+    expect(delayText(2, 1.5)).toBe('Command set 2.00, measured 1.50 s');
   });
 
   it('the rail shows only delays that are set', () => {
