@@ -2,7 +2,7 @@ import { Mesh, type Scene, ShaderMaterial, Vector2, Vector3 } from 'three';
 import type { Body } from './bodies';
 import type { Daylight } from './daylight';
 
-/** Shorter bodies cast no shadow worth its cost [m]. */
+/** Length of the shortest body that casts a shadow [m]. */
 const SHORTEST = 0.8;
 const point = new Vector3();
 const ABEAM = new Vector3(0, 1, 0);
@@ -30,7 +30,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(0.0, 0.0, 0.02, 0.62 * (1.0 - smoothstep(0.5, 1.0, clear)));
   }`;
 
-/** A moving body as a shadow sees it: a rod through the middle of its box. */
+/** Simplified moving body that casts the shadow: a rod through the centre of its box. */
 interface Rod {
   readonly body: Body;
   readonly from: Vector3;
@@ -38,17 +38,17 @@ interface Rod {
   readonly radius: number;
 }
 
-/** The low profile's shadow: soft rods for the moving bodies, along the sun's rays onto one surface. */
+/** Shadow of the low profile: soft rods in place of the moving bodies, projected along the sun's rays. */
 export class Blob {
   private readonly rods: Rod[];
   private readonly ends: Vector2[];
   private readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
-  /** Two directions across the sun's rays: a shadow is flat in their plane. */
+  /** Two directions normal to the sun's rays; shadows are computed in their plane. */
   private readonly across = new Vector3();
   private readonly up = new Vector3();
 
-  /** Shadows of `casters` on the mesh `ground`, whose geometry stays its owner's. */
+  /** Shadows of `casters` on the mesh `ground`. The geometry of `ground` is shared, so `dispose` leaves it. */
   constructor(scene: Scene, ground: Mesh, casters: readonly Body[]) {
     this.rods = casters.flatMap(rodOf);
     this.ends = this.rods.flatMap(() => [new Vector2(), new Vector2()]);
@@ -75,7 +75,7 @@ export class Blob {
     scene.add(this.mesh);
   }
 
-  /** Puts the sun; without it there is no shadow. */
+  /** Set the sun. Without sunlight there is no shadow. */
   set({ toSun, sun }: Daylight): void {
     this.across.crossVectors(toSun, ABEAM).normalize();
     this.up.crossVectors(this.across, toSun);
@@ -83,7 +83,7 @@ export class Blob {
     this.update();
   }
 
-  /** Follows the bodies. */
+  /** Move the shadows with the bodies. */
   update(): void {
     const { across, up } = this;
     this.rods.forEach(({ body, from, to }, i) => {
@@ -101,7 +101,7 @@ export class Blob {
   }
 }
 
-/** The rod in a body's box; none for a body shorter than `SHORTEST`. */
+/** Return the rod in a body's box, or an empty array for a body shorter than `SHORTEST`. */
 function rodOf(body: Body): Rod[] {
   const { min, max } = body.box();
   const size = new Vector3().subVectors(max, min);

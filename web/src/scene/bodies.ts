@@ -21,7 +21,7 @@ const MIRROR = new Matrix4().makeScale(1, -1, 1);
 const place = new Vector3();
 const turn = new Quaternion();
 
-/** Before the sky, which is behind everything. */
+/** Render order after all other bodies, but before the sky. */
 const LAST = 0.5;
 
 /** A lamp and its pose in its body's frame. */
@@ -30,14 +30,14 @@ export interface PlacedLight {
   readonly place: Matrix4;
 }
 
-/** A body as it is drawn now. */
+/** Name, number of triangles and drawn position of a body. */
 export interface DrawnBody {
   readonly name: string;
   readonly triangles: number;
   readonly at: Vec3;
 }
 
-/** All of a body that one material draws. */
+/** Shapes of a body that share one material. */
 class Batch {
   readonly surface = new Surface();
   readonly colours: number[] = [];
@@ -60,7 +60,7 @@ class Batch {
   }
 }
 
-/** One rigid body: its shapes merged into one mesh a material. */
+/** A rigid body: its shapes merged into one mesh for each material. */
 export class Body {
   readonly group = new Object3D();
   readonly lights: PlacedLight[] = [];
@@ -91,7 +91,7 @@ export class Body {
     for (const mesh of this.group.children) mesh.renderOrder = LAST;
   }
 
-  /** Pose in the scene: x, y, z, then the quaternion w, x, y, z, found in `poses` from `first` on. */
+  /** Set the pose in the scene from `poses`: x, y, z and the quaternion w, x, y, z, starting at index `first`. */
   setPose(poses: readonly number[], first: number): void {
     place.fromArray(poses, first);
     turn.set(poses[first + 4] ?? 0, poses[first + 5] ?? 0, poses[first + 6] ?? 0, poses[first + 3] ?? 1);
@@ -99,7 +99,7 @@ export class Body {
     this.group.updateMatrixWorld(true);
   }
 
-  /** Its name, its triangles, and the pose of its frame in the scene. */
+  /** Name, number of triangles, and position of the body in the scene. */
   get drawn(): DrawnBody {
     const triangles = this.group.children.reduce(
       (sum, child) => sum + (child instanceof Mesh ? (child.geometry.index?.count ?? 0) / 3 : 0),
@@ -109,12 +109,12 @@ export class Body {
     return { name: this.group.name, triangles, at: [x, y, z] };
   }
 
-  /** The mesh of a batch, if the body has one. */
+  /** Return the mesh of a batch, or undefined if the body has none. */
   mesh(batch: string): Mesh | undefined {
     return this.group.children.find((child): child is Mesh => child instanceof Mesh && child.name === batch);
   }
 
-  /** Box round all that is drawn, in the body's frame. */
+  /** Return the bounding box of all meshes, in the body's frame. */
   box(): Box3 {
     const box = new Box3();
     for (const child of this.group.children) {
@@ -128,7 +128,7 @@ export class Body {
   }
 }
 
-/** All shapes of all groups, each as often as it is drawn, with its place in the outermost frame. */
+/** Yield every shape, with groups expanded, and its pose in the outermost frame. */
 function* placed(
   shapes: readonly Shape[],
   frame: Matrix4,
@@ -149,7 +149,7 @@ function* placed(
   }
 }
 
-/** How many lamps some bodies have. */
+/** Return the number of lamps of the bodies. */
 export function lampCount(bodies: readonly BodyInfo[]): number {
   let count = 0;
   for (const { shapes } of bodies)
@@ -157,7 +157,7 @@ export function lampCount(bodies: readonly BodyInfo[]): number {
   return count;
 }
 
-/** Roll, pitch, yaw about fixed axes, then the shift. */
+/** Return the transform: roll, pitch, yaw about fixed axes, then the translation. */
 function motionOf(position: Vec3, [roll, pitch, yaw]: Vec3): Matrix4 {
   const motion = new Matrix4().makeRotationFromEuler(new Euler(roll, pitch, yaw, 'ZYX'));
   return motion.setPosition(...position);

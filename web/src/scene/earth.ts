@@ -15,16 +15,16 @@ import { type Daylight, FULL_SUN } from './daylight';
 import type { Quality } from './drawn';
 import { paintedCap, paintedClouds } from './painted';
 
-/** Radius of the Earth and of an orbit 350 km up [km]. */
+/** Radius of the Earth, and of an orbit at 350 km altitude [km]. */
 const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
 export const LIMB = Math.asin(EARTH / ORBIT);
-/** What the night side has of full daylight: moonlight, many times over, so that the limb can just be made out. */
+/** Brightness of the night side over full daylight; many times moonlight, so that the limb is just visible. */
 const NIGHT = '0.004';
 const UP = new Vector3(0, 0, 1);
 
-/** Rays of the sky, whichever place the camera has; drawn last and behind everything. */
+/** Directions of the sky, independent of the camera's position; drawn behind everything. */
 const vertexShader = /* glsl */ `
   varying vec3 ray;
   #ifdef PAINTED
@@ -48,7 +48,7 @@ const vertexShader = /* glsl */ `
     gl_Position.z = gl_Position.w * 0.999999;
   }`;
 
-/** Sea, land and cloud by ray and sphere, seen through a thickening of air, and a thin blue limb. */
+/** Sea, land and clouds where the ray meets the sphere, with haze towards the limb, and a thin blue limb. */
 const fragmentShader = /* glsl */ `
   varying vec3 ray;
   uniform vec3 nadir, sun, sunlight;
@@ -116,7 +116,7 @@ const paintedShader = /* glsl */ `
     gl_FragColor = vec4(tint * texture2D(clouds, place).rgb, 1.0);
   }`;
 
-/** The Earth below: by its shader, or on the low profile as a painted cap of the sky. */
+/** The Earth: computed in the shader, or in the low profile a painted cap of the sky. */
 export class Earth {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly texture: Texture | null;
@@ -124,7 +124,7 @@ export class Earth {
   private readonly sun = new Vector3();
   private readonly sunlight = new Color();
 
-  /** `exposure`: of the low profile's pictures. */
+  /** `exposure`: exposure of the low profile's pictures. */
   constructor(
     stage: Scene,
     private readonly quality: Quality,
@@ -157,7 +157,7 @@ export class Earth {
     stage.add(this.mesh);
   }
 
-  /** Puts Earth and sun. */
+  /** Set the directions of Earth and sun. */
   set(daylight: Daylight): void {
     this.nadir.copy(daylight.nadir);
     this.sun.copy(daylight.toSun);

@@ -3,8 +3,8 @@ import type { Daylight } from './daylight';
 import { isSpot, type Lamp, PENUMBRA, standing } from './floodlights';
 
 /**
- * Sun, Earth and sky are summed at the corners; where no lamp counts, that is made what is shown there, too, and pixels
- * cost a texture and a product.
+ * Sums the light of sun, Earth and sky at each vertex. Without lamps it also computes the displayed colour there, so
+ * that a pixel costs only a texture look-up and a product.
  */
 const vertexShader = /* glsl */ `
   uniform vec3 toSun, nadir, sun, earthshine, above, below;
@@ -37,7 +37,7 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
-/** Lamps are near, and their light falls between the corners of large faces: it is summed in the picture. */
+/** Sums the light of lamps at each pixel: a near lamp may light only the middle of a large face. */
 const fragmentShader = /* glsl */ `
   varying vec3 lit;
   #ifdef PATTERN
@@ -71,7 +71,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(shown, 1.0);
   }`;
 
-/** The low profile's light, which all its materials share. */
+/** Light of the low profile, shared by all its materials. */
 export class LambertLight {
   readonly uniforms: Readonly<Record<string, IUniform>>;
   private readonly toSun = new Vector3();
@@ -82,12 +82,12 @@ export class LambertLight {
     above: new Color(),
     below: new Color(),
   };
-  /** Of the pictures drawn next: a factor. */
+  /** Exposure of the next pictures, a factor. */
   readonly exposure = { value: 1 };
   private readonly count = { value: 0 };
-  /** Place, and one over the square of its reach. */
+  /** Position of each lit lamp, and one over the square of its reach. */
   private readonly places: readonly Vector4[];
-  /** Direction of its beam, and how steeply it fades from 1 on its axis with the cosine: not at all round a flood. */
+  /** Beam direction of each lit lamp, and the slope of its fading with the cosine of the angle; 0 for a flood. */
   private readonly beams: readonly Vector4[];
   private readonly glows: readonly Color[];
   private lamps: readonly Lamp[] = [];
@@ -95,7 +95,7 @@ export class LambertLight {
   private readonly materials: ShaderMaterial[] = [];
   private shaded = 0;
 
-  /** `room`: for so many lamps. */
+  /** `room`: greatest number of lamps. */
   constructor(readonly room: number) {
     const each = Array.from({ length: room });
     this.places = each.map(() => new Vector4());
@@ -114,7 +114,7 @@ export class LambertLight {
     };
   }
 
-  /** A material in this light: coloured at its corners, dimmed by a pattern. */
+  /** Make a material in this light, with vertex colours that a pattern dims. */
   material(pattern: Texture | null): ShaderMaterial {
     const made = new ShaderMaterial({
       vertexColors: true,
@@ -131,20 +131,20 @@ export class LambertLight {
     return made;
   }
 
-  /** These are the lamps. */
+  /** Set the lamps. */
   take(lamps: readonly Lamp[]): void {
     this.lamps = lamps;
   }
 
   /**
-   * Puts sun, Earth and sky, and lights the lamps of these switches. In sunlight a lamp changes little that can be seen,
-   * and doubles what a pixel costs: it counts while there is none.
+   * Set the light of sun, Earth and sky, and the switches that are on. Lamps are computed only without sunlight: in
+   * sunlight they change little and double the cost of a pixel.
    */
   set(daylight: Daylight, on: ReadonlySet<string>): void {
     const { toSun, nadir, sun, earthshine, above, below } = daylight;
     this.toSun.copy(toSun);
     this.nadir.copy(nadir);
-    // A matt surface gives off its irradiance over pi.
+    // The radiance of a matt surface is its irradiance divided by pi.
     for (const [name, colour] of Object.entries({ sun, earthshine, above, below }))
       this.glowing[name as keyof typeof this.glowing].copy(colour).multiplyScalar(1 / Math.PI);
     const dark = sun.r + sun.g + sun.b === 0;
@@ -154,7 +154,7 @@ export class LambertLight {
     this.follow();
   }
 
-  /** Makes the pixels count with so many lamps. */
+  /** Compile the shaders for this number of lamps. */
   private shade(lamps: number): void {
     if (lamps === this.shaded) return;
     this.shaded = lamps;
@@ -164,7 +164,7 @@ export class LambertLight {
     }
   }
 
-  /** Follows the bodies that carry lamps. */
+  /** Move the lamps with their bodies. */
   follow(): void {
     this.lit.forEach((lamp, i) => {
       const [place, beam] = [this.places[i], this.beams[i]];
@@ -180,7 +180,7 @@ export class LambertLight {
 
 const [at, along] = [new Vector3(), new Vector3()];
 
-/** Fades to nothing at the cone's rim, as a straight line in the cosine that meets the penumbra's middle. */
+/** Return the slope of a linear fading in the cosine that is one half at the middle of the penumbra. */
 function steepness(cone: number): number {
   const middle = (Math.cos(cone) + Math.cos(cone * (1 - PENUMBRA))) / 2;
   return 0.5 / (1 - middle);

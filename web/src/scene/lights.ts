@@ -10,16 +10,16 @@ import {
 import type { Daylight } from './daylight';
 import { isSpot, type Lamp, PENUMBRA } from './floodlights';
 
-/** Half the side of the square round the bay that casts shadows [m]. */
+/** Half the side of the square around the bay in which shadows are cast [m]. */
 const SHADOWED = 15;
 /** Height of the sun's shadow camera [m]. */
 const HEIGHT = 40;
-/** Of a lamp's light with distance. */
+/** Exponent of the decay of a lamp's light with distance. */
 const DECAY = 1.8;
 
 /**
- * The full profile's lights: sun, earthshine, skylight, and the lamps that bodies carry. What is dark stays there at
- * no intensity: fewer lights would be other shaders, which take seconds to compile.
+ * The full profile's lights: sun, earthshine, skylight, and the lamps that bodies carry. A light that
+ * is off keeps intensity 0: another number of lights needs other shaders, which take seconds to compile.
  */
 export class Lights {
   private readonly sun = shadowing();
@@ -34,7 +34,7 @@ export class Lights {
     this.lamps = lamps.map((lamp) => ({ lamp, lit: this.addLamp(lamp) }));
   }
 
-  /** Puts sun, Earth and sky, and lights the lamps of these switches. */
+  /** Set the light of sun, Earth and sky, and the switches that are on. */
   set(daylight: Daylight, on: ReadonlySet<string>): void {
     const { sun, earthshine, sky } = this;
     sun.color.copy(daylight.sun);

@@ -6,7 +6,7 @@ import { Surface } from './surface';
 const edgeAlong = new Vector3();
 const edgeRound = new Vector3();
 
-/** Skin over a loft's sections, closed at both ends; `segments` points round each section. */
+/** Make the surface over a loft's sections, closed at both ends, with `segments` points around each section. */
 export function loft(shape: Loft, segments: number): Surface {
   const rings = shape.sections.map((section) => ringOf(section, segments));
   const width = 2 * Math.PI * Math.max(...shape.sections.map((section) => section.half_width));
@@ -26,7 +26,7 @@ export function loft(shape: Loft, segments: number): Surface {
   return surface;
 }
 
-/** Points of a section from its lowest one round by starboard, top and port; the last repeats the first. */
+/** Return the points of a section, from the lowest one over starboard, top and port; the last one repeats the first. */
 function ringOf(section: Section, segments: number): Vector3[] {
   const ring: Vector3[] = [];
   for (let k = 0; k <= segments; k++) {
@@ -41,7 +41,7 @@ function ringOf(section: Section, segments: number): Vector3[] {
   return ring;
 }
 
-/** Outward unit normal at a point of the skin, from its neighbours. */
+/** Return the outward unit normal at a point of the surface, from the neighbouring points. */
 function normalAt(rings: readonly Vector3[][], i: number, k: number): Vector3 {
   const ring = present(rings[i], 'section');
   const segments = ring.length - 1;

@@ -35,32 +35,32 @@ const LOOKS: Record<Material, Look> = {
   glow: look('#fff4de', 1),
 };
 
-/** The part of metal's brightness that is left where it has no surroundings to reflect. */
+/** Share of its brightness that a metal loses in the low profile, which has no reflections. */
 const DULL = 0.55;
-/** How batches of what glows by itself begin; the name of a switch follows. */
+/** Prefix of the batch names of glowing faces; the name of the switch follows. */
 const GLOW = 'glow ';
-/** Of a lamp's face that is dark. */
+/** Brightness of the face of a lamp that is off. */
 const UNLIT = 0.08;
 
-/** What makes the low profile's materials. */
+/** Maker of the materials of the low profile. */
 export interface Shading {
   material(pattern: Texture | null): Drawn;
 }
 
-/** The materials of one profile, made when first asked for. */
+/** Materials of one profile, each made at its first use. */
 export class Materials {
   private readonly made = new Map<string, Drawn>();
   private readonly textures = new Map<string, Texture>();
 
-  /** `light`: of the low profile. */
+  /** `light`: light of the low profile. */
   constructor(
     private readonly quality: Quality,
     private readonly light: Shading,
   ) {}
 
   /**
-   * A substance's colour, and the name of the batch that it is drawn in: its own in the full profile; in the
-   * low one all substances of a pattern share a batch. The faces of a switch's lamps are a batch of their own.
+   * Return the colour of a substance and the name of its batch. In the full profile each substance has a batch; in the
+   * low profile all substances with the same pattern share one. The lamp faces of each switch are a separate batch.
    */
   look(substance: Material, lamps = ''): { batch: string; colour: Color } {
     const { colour, pattern, metalness } = LOOKS[substance];
@@ -70,12 +70,12 @@ export class Materials {
     return { batch: pattern, colour: tint.multiplyScalar(1 - DULL * metalness * metalness) };
   }
 
-  /** Whether a batch casts and takes shadows. */
+  /** Return whether a batch casts and receives shadows. */
   solid(batch: string): boolean {
     return !batch.startsWith(GLOW);
   }
 
-  /** Lights the faces of the lamps of these switches. */
+  /** Light the faces of the lamps whose switches are on, darken the others. */
   lightUp(on: ReadonlySet<string>): void {
     for (const [batch, material] of this.made) {
       if (material instanceof MeshBasicMaterial && batch.startsWith(GLOW))
@@ -83,7 +83,7 @@ export class Materials {
     }
   }
 
-  /** The material of a batch. */
+  /** Return the material of a batch. */
   material(batch: string): Drawn {
     const known = this.made.get(batch);
     if (known) return known;

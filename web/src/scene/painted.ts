@@ -9,10 +9,10 @@ import {
 } from 'three';
 import { present } from '../basics/assert';
 
-/** How often the clouds repeat from the nadir to the limb. */
+/** Number of cloud repeats from the nadir to the limb. */
 const REPEATS = 2.4;
 
-/** Angles from the limb [rad] and colours of the cap's rings, from the nadir on; beyond the last is black. */
+/** Angles from the limb [rad] and colours of the cap's rings, from the nadir outwards. The last ring is black. */
 const RINGS: readonly (readonly [number, readonly [number, number, number]])[] = [
   [Number.NEGATIVE_INFINITY, [0.16, 0.31, 0.52]],
   [-0.75, [0.2, 0.36, 0.58]],
@@ -25,7 +25,7 @@ const RINGS: readonly (readonly [number, readonly [number, number, number]])[] =
   [0.035, [0, 0, 0]],
 ];
 
-/** The Earth as a cap of the sky about +z, of this angle from the nadir to the limb [rad]. */
+/** Make the Earth as a cap of the sky around +z; `limb` is the angle from the nadir to the limb [rad]. */
 export function paintedCap(limb: number): BufferGeometry {
   const round = 48;
   const [positions, colours, uvs, indices] = [[], [], [], []] as [number[], number[], number[], number[]];
@@ -50,7 +50,7 @@ export function paintedCap(limb: number): BufferGeometry {
   return geometry;
 }
 
-/** Grey clouds of soft noise, 128 pixels square; the texture repeats mirrored. */
+/** Make a texture of grey clouds from smooth noise, 128 x 128 pixels, repeated mirrored. */
 export function paintedClouds(): Texture {
   const size = 128;
   const canvas = document.createElement('canvas');
@@ -74,7 +74,7 @@ export function paintedClouds(): Texture {
   return texture;
 }
 
-/** Random values in [0, 1] on a lattice of this step [pixels], joined smoothly. */
+/** Return noise in [0, 1]: random values on a lattice with this step [pixels], interpolated smoothly. */
 function softNoise(x: number, y: number, step: number): number {
   const [i, j] = [Math.floor(x / step), Math.floor(y / step)];
   const ease = (t: number) => t * t * (3 - 2 * t);

@@ -3,12 +3,12 @@ import { present } from '../basics/assert';
 import type { Axis, Vec2 } from '../link/protocol';
 import { Surface } from './surface';
 
-/** A smooth stretch of a profile: points (along the axis, away from it), the outside to the left. */
+/** Smooth part of a profile: points (position along the axis, distance from it), with the outside on the left. */
 export type Strip = readonly Vec2[];
 
 const FULL = 2 * Math.PI - 1e-3;
 
-/** Surface swept by a profile turned about an axis; neighbouring strips meet in a sharp edge. */
+/** Make the surface that a profile sweeps about an axis. Neighbouring strips meet at a sharp edge. */
 export function revolve(
   strips: readonly Strip[],
   axis: Axis,
@@ -26,7 +26,7 @@ export function revolve(
   return surface;
 }
 
-/** The point or direction (along, away, round) at an angle about the axis, in the body's x, y, z. */
+/** Return a point or direction (along, away, round), at an angle about the axis, in the body's x, y, z. */
 function around(axis: Axis, angle: number, along: number, away: number, round: number): Vector3 {
   const p = away * Math.cos(angle) - round * Math.sin(angle);
   const q = away * Math.sin(angle) + round * Math.cos(angle);
@@ -70,7 +70,7 @@ function sweepStrip(
   });
 }
 
-/** Outward unit normal (along, away) of a strip at its point i; a strip that ends where it begins is closed. */
+/** Return the outward unit normal (along, away) at point i of a strip. A strip is closed if its ends coincide. */
 function normalAt(strip: Strip, i: number): Vec2 {
   const last = strip.length - 1;
   const [begin, end] = [present(strip[0], 'profile'), present(strip[last], 'profile')];
@@ -82,7 +82,7 @@ function normalAt(strip: Strip, i: number): Vec2 {
   return [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
 }
 
-/** The flat face at one end of a part turn; the outline is convex. */
+/** Add the flat face at one end of a partial turn. The outline must be convex. */
 function closeEnd(surface: Surface, outline: Strip, axis: Axis, angle: number, side: 1 | -1): void {
   const first = surface.positions.length / 3;
   const normal = around(axis, angle, 0, 0, side);

@@ -18,7 +18,7 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** Sides of a full turn in the low profile, below a radius [m]; what is larger has the most. */
+/** Number of sides of a full turn in the low profile, for radii below a limit [m]; larger ones have `MOST`. */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],
@@ -27,7 +27,7 @@ const SIDES = [
 const MOST = 32;
 const TURN = 2 * Math.PI;
 
-/** Geometry of a shape that is no group, about its own origin. */
+/** Make the surface of a shape, relative to its own origin. */
 export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surface {
   switch (shape.kind) {
     case 'box':
@@ -53,7 +53,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
   }
 }
 
-/** How many sides a full turn of this radius [m] is drawn with. */
+/** Return the number of sides of a full turn with this radius [m]. */
 function sides(radius: number, quality: Quality): number {
   if (quality === 'low') return SIDES.find(([below]) => radius < below)?.[1] ?? MOST;
   return Math.round(Math.min(96, 24 + 60 * radius));
@@ -83,7 +83,7 @@ function box({ size }: Box): Surface {
   return surface;
 }
 
-/** Faces a to f of a hexahedron, each by the vertices round it, from zero, counter-clockwise as seen from outside. */
+/** Vertices (from 0) of the faces a to f of a hexahedron, counter-clockwise as seen from outside. */
 const RIMS = [
   [0, 1, 5, 4],
   [0, 2, 3, 1],
@@ -124,7 +124,7 @@ function cylinder(shape: Cylinder, quality: Quality): Surface {
   return revolve(edges(corners), shape.axis, 0, TURN, sides(Math.max(radius, end), quality));
 }
 
-/** A lamp's face, seen from before it. */
+/** Make the face of a lamp, visible from its front. */
 function face({ radius }: Light, quality: Quality): Surface {
   const profile: Strip = [
     [0, radius],
@@ -165,17 +165,17 @@ function sphere({ radius }: Sphere, quality: Quality): Surface {
   return revolve([profile], 'x', 0, TURN, round);
 }
 
-/** How many sides a part of a turn is drawn with. */
+/** Return the number of sides of a partial turn. */
 function part(sweep: number, radius: number, quality: Quality): number {
   return Math.max(4, Math.ceil((sides(radius, quality) * sweep) / TURN));
 }
 
-/** The edges of an angular profile, each smooth in itself. */
+/** Return the edges of an angular profile as strips. */
 function edges(corners: Strip): Strip[] {
   return corners.slice(1).map((corner, i) => [corners[i] ?? corner, corner]);
 }
 
-/** Values of a curve at t = 0, 1/n … 1. */
+/** Return the values of a curve at t = 0, 1/n … 1. */
 function steps(n: number, curve: (t: number) => Vec2): Strip {
   return Array.from({ length: Math.ceil(n) + 1 }, (_, i) => curve(i / Math.ceil(n)));
 }

@@ -2,12 +2,12 @@ import { CanvasTexture, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping,
 import { present } from '../basics/assert';
 import type { Quality } from './drawn';
 
-/** What is drawn on a surface, as a grey that dims its colour; `plain` has none. */
+/** Grey pattern that dims the colour of a surface; `plain` is no pattern. */
 export type Pattern = 'plain' | 'quilt' | 'liner' | 'seams' | 'tiles' | 'panel';
 
 type Painter = (pen: CanvasRenderingContext2D, size: number, random: () => number) => void;
 
-/** Width and height of one repeat on the surface [m], and its painter. */
+/** Width and height of one repeat on the surface [m], and the function that paints it. */
 const PATTERNS: Record<Exclude<Pattern, 'plain'>, { repeat: [number, number]; paint: Painter }> = {
   quilt: { repeat: [2, 2], paint: (pen, size, random) => stitched(pen, size, random, 6, 0.4) },
   liner: { repeat: [2.4, 2.4], paint: (pen, size, random) => stitched(pen, size, random, 4, 0.5) },
@@ -16,7 +16,7 @@ const PATTERNS: Record<Exclude<Pattern, 'plain'>, { repeat: [number, number]; pa
   panel: { repeat: [2.24, 1], paint: panelled },
 };
 
-/** The texture of a pattern, the same on every run. The low profile looks at one of its sizes a pixel, not at two. */
+/** Make the texture of a pattern, equal in every run. The low profile reads only one mipmap level for each pixel. */
 export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Quality): Texture {
   const { repeat, paint } = PATTERNS[pattern];
   const full = quality === 'full';
@@ -26,7 +26,7 @@ export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Qual
   return texture;
 }
 
-/** Heights of crumpled blanket, for relief: mid grey is level. */
+/** Make the relief of a crumpled blanket; middle grey is level. */
 export function crumpleTexture(size: number): Texture {
   return repeated(size, crumpled, [1.2, 1.2]);
 }
@@ -42,7 +42,7 @@ function repeated(size: number, paint: Painter, [width, height]: readonly [numbe
   return texture;
 }
 
-/** Numbers in [0, 1), the same for the same seed (Numerical Recipes' linear congruence). */
+/** Return a generator of random numbers in [0, 1), equal for equal seeds (Numerical Recipes' linear congruence). */
 function generator(seed: number): () => number {
   let state = seed;
   return () => {
@@ -56,7 +56,7 @@ const grey = (level: number, alpha = 1) => {
   return `rgba(${value}, ${value}, ${value}, ${alpha})`;
 };
 
-/** Faint stains of all sizes, drawn across the edges so that repeats join. */
+/** Paint faint stains of all sizes, across the edges too, so that repeats join without a seam. */
 function stain(pen: CanvasRenderingContext2D, size: number, random: () => number, count: number): void {
   for (let i = 0; i < count; i++) {
     pen.fillStyle = grey(random() < 0.5 ? 0 : 1, 0.05 * random());
@@ -66,7 +66,7 @@ function stain(pen: CanvasRenderingContext2D, size: number, random: () => number
   }
 }
 
-/** Blankets of n by n panels with stitched borders, each panel a shade of its own. */
+/** Paint a blanket of n x n panels with stitched borders, each panel in a different shade. */
 function stitched(
   pen: CanvasRenderingContext2D,
   size: number,
@@ -90,7 +90,7 @@ function stitched(
   }
 }
 
-/** A boom's wrapping: a seam with its row of ties every quarter, one seam along it. */
+/** Paint the wrapping of a boom: a seam with a row of ties at each quarter, and one seam along the boom. */
 function wrapped(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
   pen.fillStyle = grey(0.97);
   pen.fillRect(0, 0, size, size);
@@ -108,7 +108,7 @@ function wrapped(pen: CanvasRenderingContext2D, size: number, random: () => numb
   pen.fillRect(0, 0.1 * size, size, size / 100);
 }
 
-/** Sixteen by sixteen tiles, each a shade of its own, with dark gaps. */
+/** Paint 16 x 16 tiles in different shades, with dark gaps. */
 function tiled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
   pen.fillStyle = grey(0.35);
   pen.fillRect(0, 0, size, size);
@@ -121,7 +121,7 @@ function tiled(pen: CanvasRenderingContext2D, size: number, random: () => number
   }
 }
 
-/** A radiator's tubes, and a joint every quarter. */
+/** Paint the tubes of a radiator, and a joint at each quarter. */
 function panelled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
   pen.fillStyle = grey(0.96);
   pen.fillRect(0, 0, size, size);
@@ -134,7 +134,7 @@ function panelled(pen: CanvasRenderingContext2D, size: number, random: () => num
   for (let i = 0; i < 4; i++) pen.fillRect((i * size) / 4, 0, size / 170, size);
 }
 
-/** Creases in all directions, light and dark. */
+/** Paint light and dark creases in all directions. */
 function crumpled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
   pen.fillStyle = grey(0.5);
   pen.fillRect(0, 0, size, size);
