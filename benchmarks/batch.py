@@ -1,4 +1,4 @@
-"""Closed-loop steering of many arms, with the same step as array programs measured beside it."""
+"""Benchmark of closed-loop steering of many arms, compared with the same step as array programs."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ from benchmarks.measure import Figure
 
 Fields = tuple[Any, ...]
 Peer = Callable[[Array, Array, int], Array]
-"""From joint angles (n, 6), targets (n, 12) and steps to joint angles (n, 6)."""
+"""Function from joint angles (n, 6), targets (n, 12) and a number of steps to joint angles (n, 6)."""
 
 START = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
-"""Over the payload bay, far from every limit."""
+"""Joint angles [rad] of a pose above the payload bay, far from all limits."""
 PERIOD, GAIN = 0.02, 0.5
 PROMISED = 120e6
-"""Arm-steps in a second, on two cores."""
+"""Promised number of arm-steps in a second, on two cores."""
 SPAN = 5.0
-"""How long each is tried; the best counts [s]."""
+"""Time for which each program is repeated [s]; the best repetition counts."""
 
 
 def arm_steps() -> list[Figure]:
-    """Time of one step of one arm, all cores at work, packing and checking included."""
+    """Measure the time of one step of one arm on all cores, with packing and checking."""
     arm = aftdeck.load_arm("srms")
 
     def ours(start: Array, targets: Array, steps: int) -> Array:
         return steer_batch(arm, start, targets, steps=steps, period=PERIOD, gain=GAIN).angles
 
     figures = [_figure("closed loop, an arm-step", ours, _flock(arm, 8192), 2000, 1e9 / PROMISED)]
-    # how many arms suit each best
+    # the number of arms with which each library is fastest
     peers: list[tuple[str, int, Peer]] = [("NumPy", 2048, lambda q, t, n: _by_numpy(arm, q, t, n))]
     if importlib.util.find_spec("jax"):
         peers.append(("JAX", 131_072, _by_jax(arm)))
@@ -50,7 +50,7 @@ def arm_steps() -> list[Figure]:
 
 
 def _figure(name: str, peer: Peer, flock: tuple[Array, Array], steps: int, target: float | None) -> Figure:
-    """Least wall time of an arm-step [ns]."""
+    """Measure the shortest wall time of an arm-step [ns]."""
     start, targets = flock
     peer(start, targets, steps)  # compiles
     times: list[float] = []
@@ -64,7 +64,7 @@ def _figure(name: str, peer: Peer, flock: tuple[Array, Array], steps: int, targe
 
 
 def _flock(arm: aftdeck.Arm, count: int) -> tuple[Array, Array]:
-    """(count, 6) joint angles and (count, 12) targets."""
+    """Return joint angles (count, 6) and targets (count, 12)."""
     rng = np.random.default_rng(1)
     start = START + rng.uniform(-0.3, 0.3, (count, 6))
     pose = arm.forward(start + rng.uniform(-0.1, 0.1, (count, 6)))
@@ -90,7 +90,7 @@ def _by_jax(arm: aftdeck.Arm) -> Peer:
 
 
 def _step(xp: ModuleType, arm: aftdeck.Arm, q: Fields, target: Fields) -> Fields:
-    """One step of all arms in arrays of one field each, by the array library `xp`."""
+    """Compute one step of all arms with the array library `xp`, in one array for each value."""
     l1, l2, l3, l4, l5, upper, lower = (float(x) for x in arm.model.links[:7])
     pitch = q[1] + q[2] + q[3]
     s1, s2, s23, s234, s5, s6 = (xp.sin(x) for x in (q[0], q[1] + upper, q[1] + q[2] + lower, pitch, q[4], q[5]))
@@ -104,7 +104,7 @@ def _step(xp: ModuleType, arm: aftdeck.Arm, q: Fields, target: Fields) -> Fields
     z0 = (c1 * s234, s1 * s234, c234)
     y = tuple(a * c6 + b * s6 for a, b in zip(y0, z0, strict=True))
     z = tuple(b * c6 - a * s6 for a, b in zip(y0, z0, strict=True))
-    # what is left
+    # the remaining rotation and distance
     v = (target[0] - c1 * out + s1 * side, target[1] - s1 * out - c1 * side, target[2] - down)
     w = []
     for i, j in ((1, 2), (2, 0), (0, 1)):
@@ -114,7 +114,7 @@ def _step(xp: ModuleType, arm: aftdeck.Arm, q: Fields, target: Fields) -> Fields
     b1, b3 = (c234 * (c1 * w[0] + s1 * w[1]) - s234 * w[2], s234 * (c1 * w[0] + s1 * w[1]) + c234 * w[2])
     b4, b6 = (c234 * (c1 * v[0] + s1 * v[1]) - s234 * v[2], s234 * (c1 * v[0] + s1 * v[1]) + c234 * v[2])
     b2, b5 = -s1 * w[0] + c1 * w[1], -s1 * v[0] + c1 * v[1]
-    # the closed inverse of the Jacobian
+    # closed-form inverse of the Jacobian
     s34, c34 = s234 * c2 - c234 * s2, c234 * c2 + s234 * s2
     s4, c4 = s234 * c23 - c234 * s23, c234 * c23 + s234 * s23
     reach = l2 + l3 + abs(l4)

@@ -1,4 +1,4 @@
-"""Hexahedra near contact inside compiled code: last plane, clearance, cold verdict; coal and MuJoCo beside them."""
+"""Benchmark of compiled code for hexahedra near contact, compared with coal and MuJoCo."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from aftdeck.law import law
 from benchmarks.measure import Figure, microseconds
 
 COUNT, FRAMES = 128, 40
-"""Pairs, and frames of a pass."""
+"""Number of pairs, and of frames in a pass."""
 DRIFT, SPIN = 0.005, 0.005
-"""How far a body moves [m] and turns [rad] between frames: 0.25 m/s and 0.25 rad/s at 50 frames a second."""
+"""Translation [m] and rotation [rad] of a body between frames: 0.25 m/s and 0.25 rad/s at 50 frames a second."""
 CUBE = np.array([(x, y, z) for y in (-1, 1) for x in (-1, 1) for z in (-1, 1)]) / 2.0
 RIMS = [(0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3)]
 
 
 @law
 def reverify(first: Array, second: Array, pairs: Array) -> int:
-    """How many pairs' last planes hold."""
+    """Return the number of pairs whose last separating plane still separates them."""
     held = 0
     for k in range(len(first)):
         held += verified(first[k], second[k], pairs[k])
@@ -35,7 +35,7 @@ def reverify(first: Array, second: Array, pairs: Array) -> int:
 
 @law
 def follow(first: Array, second: Array, pairs: Array) -> float:
-    """The sum of all clearances in frame after frame (frames, n, 48), there and back."""
+    """Return the sum of all clearances in the frames (frames, n, 48), forwards and then backwards."""
     total = 0.0
     for frame in range(2 * len(second)):
         there = second[min(frame, 2 * len(second) - 1 - frame)]
@@ -46,7 +46,7 @@ def follow(first: Array, second: Array, pairs: Array) -> float:
 
 @law
 def judge(first: Array, second: Array, pairs: Array) -> int:
-    """How many of pairs never seen before collide."""
+    """Return the number of pairs that collide, without data of an earlier frame."""
     count = 0
     pairs[:] = 0.0
     for k in range(len(first)):
@@ -55,7 +55,7 @@ def judge(first: Array, second: Array, pairs: Array) -> int:
 
 
 def hexahedra() -> list[Figure]:
-    """The three promises, and the same verdicts by other libraries."""
+    """Measure the three promised times, and the same verdicts by other libraries."""
     rng = np.random.default_rng(1972)
     figures = []
     for kind, bodies in {"boxes": _boxes(rng), "skewed": _skewed(rng)}.items():
@@ -74,7 +74,7 @@ def hexahedra() -> list[Figure]:
         frames = np.empty((FRAMES, COUNT, BODY))
         for frame in range(FRAMES):
             onward = np.array([_turn(spin[k], SPIN * frame) @ turns[k] for k in range(COUNT)])
-            # Only away from the other body: a depth is another task.
+            # Bodies only move apart: the penetration depth is measured separately.
             away = drift * np.sign((drift * pairs[:, NORMAL : NORMAL + 3]).sum(axis=1))[:, None]
             frames[frame] = _placed(local, middles + away * DRIFT * frame, onward)
         time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs})
@@ -104,7 +104,7 @@ def _boxes(rng: np.random.Generator) -> Array:
 
 
 def _skewed(rng: np.random.Generator) -> Array:
-    """Boxes whose top is smaller than their bottom, and beside it."""
+    """Return boxes whose top is smaller than their bottom and shifted sideways."""
     bodies = _boxes(rng)
     rise = 0.5 - bodies[..., 2:] / np.ptp(bodies[..., 2:], axis=1, keepdims=True)
     lean = rng.uniform(-0.3, 0.3, (2 * COUNT, 1, 2)) * np.ptp(bodies[..., :2], axis=1, keepdims=True)
@@ -112,9 +112,9 @@ def _skewed(rng: np.random.Generator) -> Array:
     return bodies
 
 
-def _turn(way: Array, angle: float) -> Array:
-    """The rotation about a way by an angle (Rodrigues)."""
-    x, y, z = way / np.linalg.norm(way)
+def _turn(axis: Array, angle: float) -> Array:
+    """Return the rotation matrix about an axis by an angle [rad] (Rodrigues)."""
+    x, y, z = axis / np.linalg.norm(axis)
     cross = np.array([(0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)])
     return np.asarray(np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross)
 
@@ -127,7 +127,7 @@ def _placed(local: Array, middles: Array, turns: Array) -> Array:
 
 
 def _beside(first: Array, local: Array, turns: Array, rng: np.random.Generator) -> Array:
-    """Where the second bodies stand 1 mm to 0.1 m from the first: far out, then in along the shortest way."""
+    """Return centres of the second bodies at a clearance of 1 mm to 0.1 m. They move in from far along the normal."""
     ways = rng.normal(size=(COUNT, 3))
     middles = 6.0 * ways / np.linalg.norm(ways, axis=1, keepdims=True)
     for k, body in enumerate(_placed(local, middles, turns)):
@@ -138,7 +138,7 @@ def _beside(first: Array, local: Array, turns: Array, rng: np.random.Generator) 
 
 
 def _peers(bodies: Array, first: Array, near: Array, middles: Array, turns: Array) -> list[Figure]:
-    """One call a pair from Python, as both are offered."""
+    """Measure one call for each pair from Python by both libraries."""
     hulls = [_hull(body) for body in bodies]
     here = coal.Transform3s.Identity()
     there = [coal.Transform3s(turn, middle) for turn, middle in zip(turns, middles, strict=True)]

@@ -1,4 +1,4 @@
-"""The compiled laws called from Python, with other ways to the same numbers measured beside them."""
+"""Benchmarks of the compiled laws called from Python, compared with other libraries."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from aftdeck.steering.msteer import msteer
 from benchmarks.measure import Figure, microseconds
 
 TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
-"""Angular [rad/s], then translational velocity [m/s] of the tip, in L: beyond a joint's rate limit."""
+"""Angular velocity [rad/s], then velocity [m/s] of the tip, in L; it exceeds a joint rate limit."""
 
 POSE = (-0.5, 1.3, -1.8, -1.2, 0.3, -2.0)
-"""Joint angles of an arm over the bay, far from every singularity [rad]."""
+"""Joint angles of an arm above the bay, far from every singularity [rad]."""
 
 
 def rate_law() -> list[Figure]:
-    """RMSRAT with RATLMT: twelve numbers in, six out; the same by general libraries."""
+    """Measure RMSRAT with RATLMT (twelve numbers in, six out), and the same by general libraries."""
     scenario = load_scenario("first-flight")
     rules = steering_setup(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
@@ -56,13 +56,13 @@ def rate_law() -> list[Figure]:
 
 
 def steering() -> list[Figure]:
-    """A whole control step of each mode: MSTEER, state in and out."""
+    """Measure a whole control step of each mode: MSTEER, with its state."""
     scenario = load_scenario("loaded")
     rules_by_mode = steering_setup(scenario, scenario.payload).rules
     figures = []
     for position, mode in MODES.items():
         if position.startswith("AUTO"):
-            continue  # as OPR CMD
+            continue  # same laws as OPR CMD
         for law in mode.laws:
             rules = rules_by_mode[position, "coarse", law]
             command, state, report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
@@ -82,7 +82,7 @@ def steering() -> list[Figure]:
 
 
 def inverse() -> list[Figure]:
-    """All eight branches of the closed inverse: RMANGS, one call from Python."""
+    """Measure all eight branches of the closed-form inverse: RMANGS, one call from Python."""
     arm = load_scenario("first-flight").arm
     pose = arm.forward(POSE)
     names = {
@@ -99,7 +99,7 @@ def inverse() -> list[Figure]:
 
 
 def calls() -> list[Figure]:
-    """The public calls of an arm, all their checks included; their targets are shares of what EAIK's inverse takes."""
+    """Measure the public calls of an arm, with their checks. The targets are multiples of EAIK's inverse."""
     arm, angles, twist = load_scenario("first-flight").arm, np.array(POSE), np.array(TWIST)
     pose = arm.forward(angles)
     peer = _eaik(pose)
@@ -119,9 +119,9 @@ def calls() -> list[Figure]:
 
 
 def _eaik(pose: Pose) -> float | None:
-    """How long EAIK's inverse takes [us], its first branch checked; None where it is not installed."""
+    """Return the time of EAIK's inverse [us], or None if EAIK is not installed. Checks the first branch."""
     try:
-        from eaik.IK_HP import HPRobot  # noqa: PLC0415  (a peer that `make bench` alone installs)
+        from eaik.IK_HP import HPRobot  # noqa: PLC0415  (only `make bench` installs it)
     except ImportError:
         return None
     centres, axes = _chain(load_scenario("first-flight"))
@@ -129,19 +129,19 @@ def _eaik(pose: Pose) -> float | None:
     target = np.eye(4)
     target[:3, :3], target[:3, 3] = pose.rotation, pose.position
     found = peer.fwdKin(peer.IK(target).Q[0])
-    assert np.allclose(found[:3, 3], pose.position, atol=1e-6), f"EAIK's first branch comes to {found[:3, 3]}"
+    assert np.allclose(found[:3, 3], pose.position, atol=1e-6), f"EAIK's first branch gives the position {found[:3, 3]}"
     return microseconds("f(pose)", {"f": peer.IK, "pose": target})
 
 
 class _Jacobian:
-    """(6, 6) Jacobian of the tip in L from joint angles (6,) [rad], by another library."""
+    """Function from joint angles (6,) [rad] to the (6, 6) Jacobian of the tip in L, by another library."""
 
     def __call__(self, angles: Array) -> Array:
         raise NotImplementedError
 
 
 def _chain(scenario: Scenario) -> tuple[Array, Array]:
-    """Joint centres and tip (7, 3) [m] and joint axes (6, 3) at zero angles, in L."""
+    """Return joint centres and tip (7, 3) [m], and joint axes (6, 3), at zero angles in L."""
     linkage = scenario.arm.model.linkage
     centres = np.cumsum(linkage.steps, axis=0)
     tip = scenario.arm.forward(np.zeros(6)).position

@@ -1,4 +1,4 @@
-"""What a measurement is, and how short calls are timed."""
+"""Measured figures, and timing of short calls."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ class Figure(msgspec.Struct, frozen=True):
         name: what was measured.
         value: the number.
         unit: its unit.
-        target: the most that is promised, or None where nothing is (a peer, a part of something).
-        note: how it was measured, or what with.
+        target: greatest value that is promised, or None (for a compared library, or for a part of another figure).
+        note: conditions of the measurement.
     """
 
     name: str
@@ -28,7 +28,7 @@ class Figure(msgspec.Struct, frozen=True):
 
     @property
     def kept(self) -> bool:
-        """Whether the promise is kept."""
+        """True if the target is met or there is none."""
         return self.target is None or self.value <= self.target
 
 
@@ -36,7 +36,7 @@ Benchmark = Callable[[], list[Figure]]
 
 
 def microseconds(statement: str, names: dict[str, object], *, repeat: int = 150, span: float = 0.002) -> float:
-    """Time of one execution of `statement` [us]: the best of `repeat` loops of about `span` [s] each."""
+    """Return the time of one execution of `statement` [us]: the best of `repeat` loops of about `span` [s] each."""
     timer = timeit.Timer(statement, globals=names)
     timer.timeit(1)  # compiles
     once = max(timer.timeit(3) / 3, 1e-8)
@@ -45,6 +45,6 @@ def microseconds(statement: str, names: dict[str, object], *, repeat: int = 150,
 
 
 def percentile(values: list[float], percent: float) -> float:
-    """The smallest value that `percent` of the values do not exceed."""
+    """Return the smallest value that `percent` of the values do not exceed."""
     ordered = sorted(values)
     return ordered[max(0, math.ceil(percent / 100 * len(ordered)) - 1)]

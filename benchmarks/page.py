@@ -1,4 +1,4 @@
-"""The station's page in headless Chromium, drawn by the processor: time between pictures, and from key to picture."""
+"""Benchmark of the page in headless Chromium with software drawing: time between pictures, and from key to picture."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from benchmarks.measure import Figure
 from benchmarks.station import flying
 
 FLAGS = ("--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-compositing", "--no-sandbox")
-"""The scene is drawn with Mesa's GL; the page is put together without it, as Chromium does by itself where there is no
-graphics card. Through that GL too, half as many pictures are drawn and shown."""
+"""Mesa's GL draws the scene but does not composite the page, as in Chromium without a graphics card. With compositing
+by Mesa's GL, half as many pictures are drawn."""
 WIDTH, HEIGHT = 640, 400
-"""Of each monitor's picture [px]."""
+"""Size of each monitor's picture [px]."""
 SECONDS = 10
-"""So long the arm is flown at least, key after key."""
+"""Shortest time for which the arm is flown [s], key after key."""
 WAIT_MS = 300_000.0
-"""The longest that anything is waited for [ms]: where the laws are new, they are compiled first."""
+"""Longest wait [ms]; the first run compiles the laws."""
 SEEN = "[window.__aftdeck.frames, performance.now()]"
-"""Pictures drawn, and when [ms]."""
+"""Number of pictures drawn, and the present time [ms]."""
 SIZE = "(({ clientWidth, clientHeight }) => [clientWidth, clientHeight])(document.querySelector('.picture'))"
 
 
 def page() -> list[Figure]:
-    """Two monitors of 640 x 400, low profile, the station beside it on the same machine."""
+    """Measure two monitors of 640 x 400 px in the low profile, with the station on the same machine."""
     figures = []
     for name in ("first-flight", "srms-deploy"):
         with flying(name) as address, _opened(address) as shown:
@@ -41,14 +41,14 @@ def page() -> list[Figure]:
             drawn, milliseconds = (now - was for now, was in zip(shown.evaluate(SEEN), before, strict=True))
             late = shown.evaluate("window.__aftdeck.latency95")
             width, height = shown.evaluate(SIZE)
-            said = f"low profile, {width:.0f} x {height:.0f} each, {shown.evaluate('window.__aftdeck.renderer')}"
+            note = f"low profile, {width:.0f} x {height:.0f} each, {shown.evaluate('window.__aftdeck.renderer')}"
         figures += [
             Figure(
                 f"{name}, time between pictures",
                 milliseconds / drawn,
                 "ms",
                 40.0,
-                f"{1e3 * drawn / milliseconds:.1f} a second; {said}",
+                f"{1e3 * drawn / milliseconds:.1f} a second; {note}",
             ),
             Figure(f"{name}, key to picture, p95", late, "ms", 100.0, "of the last 10 s"),
         ]
@@ -57,7 +57,7 @@ def page() -> list[Figure]:
 
 @contextmanager
 def _opened(address: str) -> Iterator[Page]:
-    """The station's page, once its first frame is drawn."""
+    """Open the page and wait until its first frame is drawn."""
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         shown = browser.new_page(viewport={"width": 1440, "height": 800})
@@ -68,7 +68,7 @@ def _opened(address: str) -> Iterator[Page]:
 
 
 def _fit(shown: Page) -> None:
-    """Make the window such that each monitor has its size: the page scales with both of its sides."""
+    """Resize the window until each monitor has the size WIDTH x HEIGHT."""
     for _ in range(12):
         width, height = shown.evaluate(SIZE)
         size = shown.viewport_size

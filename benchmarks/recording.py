@@ -1,4 +1,4 @@
-"""The session file: what it costs the flight, the disk, and how quickly it is verified."""
+"""Benchmark of recordings: time for each step, size of the file, and time to verify it."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from aftdeck.simulation.run import Simulation
 from benchmarks.measure import Figure, percentile
 
 FLOWN_S = 30.0
-"""Real time for which a flight is recorded [s]."""
+"""Real time for which a run is recorded [s]."""
 SMOOTH = 0.1
-"""Share of the way to where the sticks are going that they go in a step."""
+"""Share of the remaining distance that the sticks move in each step."""
 
 
 def recording() -> list[Figure]:
-    """A flight with random sticks at the pace of the clock, recorded, then verified; the same flown unrecorded."""
+    """Measure a run with random sticks in real time: without a recording, with one, and its verification."""
     scenario = load_scenario("first-flight")
     _flown(scenario, None, 2.0)  # compiles
     bare, _ = _flown(scenario, None, FLOWN_S)
@@ -47,14 +47,14 @@ def recording() -> list[Figure]:
         Figure("handing a step over, median", statistics.median(appends), "us", None, count),
         Figure("handing a step over, mean", statistics.mean(appends), "us", 30.0, "on the simulation's thread"),
         Figure("handing a step over, 99 %", percentile(appends, 99.0), "us", None, "with the writer beside it"),
-        Figure("a step with recording, more", more, "us", 30.0, "median against the same flight unrecorded"),
+        Figure("a step with recording, more", more, "us", 30.0, "median against the same run without a recording"),
         Figure("the file, a minute", size, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
         Figure("time to verify a second of it", 1000.0 / pace, "ms", 20.0, f"{pace:.0f} times real time"),
     ]
 
 
 def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[list[float], list[float]]:
-    """A whole step's time and the part of it that recording takes [us], at the control period."""
+    """Return the time of each step, and the part that the recording takes [us], at the control period."""
     sim = Simulation(scenario)
     steps, appends = [], []
     due = time.perf_counter()
@@ -73,12 +73,12 @@ def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[
 
 
 def _hands(count: int) -> Iterator[Inputs]:
-    """Sticks that go smoothly from place to place, a mode now and then."""
+    """Yield inputs with smoothly moving sticks and some changes of mode."""
     chance = random.Random(4)
     at, to = [0.0] * 6, [0.0] * 6
     for step in range(count):
         if step % 25 == 0:
             to = [chance.uniform(-1.0, 1.0) if chance.random() < SMOOTH * 6 else 0.0 for _ in at]
-        at = [round(a + SMOOTH * (b - a), 3) for a, b in zip(at, to, strict=True)]  # as the page sends them
+        at = [round(a + SMOOTH * (b - a), 3) for a, b in zip(at, to, strict=True)]  # rounded as in the page's messages
         mode = chance.choice(("ORB UNL", "END EFF")) if step % 250 == 0 else None
         yield Inputs((at[0], at[1], at[2]), (at[3], at[4], at[5]), mode=mode)

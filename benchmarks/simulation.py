@@ -1,4 +1,4 @@
-"""The simulation without a screen, and what one step and one frame for the page cost."""
+"""Benchmarks of headless runs, of one step, and of one frame for the page."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from aftdeck.station.conversion.frame_of import Displays
 from benchmarks.measure import Figure, microseconds, percentile
 
 STEPS = 2000
-"""Steps of which the median is measured."""
+"""Number of steps from which the median is taken."""
 PIECE, FLIGHTS = 50, 8
-"""Steps that are timed together, and how often each is flown."""
+"""Steps that are timed together, and number of runs."""
 
 
 def headless() -> list[Figure]:
-    """``sts-400-closed`` from its first step to its summary, after a run to warm up."""
+    """Measure ``sts-400-closed`` from its first step to its summary, after a warm-up run."""
     scenario = load_scenario("sts-400-closed")
     ticks = run(scenario).frames[-1].tick
     took = []
@@ -35,22 +35,22 @@ def headless() -> list[Figure]:
     best = min(took)
     return [
         Figure("sts-400-closed headless", best, "s", 0.5, f"{ticks} steps, best of {len(took)}, warm"),
-        Figure("one step of it", best / ticks * 1e6, "us", None, "with the frame's hash and the summary"),
+        Figure("one step of it", best / ticks * 1e6, "us", None, "with the digest and the summary"),
         Figure("simulated time per time", ticks * scenario.control_period / best, "1", None, "times real time"),
     ]
 
 
 def worksites() -> list[Figure]:
-    """Whole missions without a screen: steering, plant, every watched pair, phases."""
+    """Measure whole missions without a screen: steering, plant, all monitored pairs, phases."""
     figures = []
     for name, promised in (("concept-1972-script", 2.5), ("srms-berth", None), ("free-flyer", None)):
         scenario = load_scenario(name)
         (ticks, bare), (_, tallied), (_, framed) = (_flown(scenario, how) for how in (_bare, _tallied, _framed))
         flown, pairs = ticks * scenario.control_period, len(Simulation(scenario).watched())
-        said = f"{flown:g} s flown, {pairs} watched pairs of parts, {PIECE} steps at a time, best of {FLIGHTS}"
+        note = f"{flown:g} s flown, {pairs} monitored pairs, {PIECE} steps at a time, best of {FLIGHTS}"
         figures += [
-            Figure(f"{name}, a whole frame", bare / ticks * 1e6, "us", 80.0, said),
-            Figure(f"{name}, the same sealed", tallied / ticks * 1e6, "us", None, "with its hash and the summary"),
+            Figure(f"{name}, a whole frame", bare / ticks * 1e6, "us", 80.0, note),
+            Figure(f"{name}, the same sealed", tallied / ticks * 1e6, "us", None, "with the digest and the summary"),
             Figure(
                 f"{name}, the same with frames",
                 framed / ticks * 1e6,
@@ -64,7 +64,7 @@ def worksites() -> list[Figure]:
 
 
 How = Callable[[Simulation, Tally], None]
-"""A step of a flight."""
+"""Function that runs one step."""
 
 
 def _bare(sim: Simulation, tally: Tally) -> None:
@@ -72,7 +72,7 @@ def _bare(sim: Simulation, tally: Tally) -> None:
 
 
 def _tallied(sim: Simulation, tally: Tally) -> None:
-    """As `run` flies it."""
+    """Run one step as `run` does."""
     sim.advance()
     tally.take(sim._state, sim.seal())
 
@@ -83,17 +83,17 @@ def _framed(sim: Simulation, tally: Tally) -> None:
 
 
 def _flown(scenario: Scenario, how: How) -> tuple[int, float]:
-    """The steps of a scenario's script and the time that they take [s].
+    """Return the number of steps of a scenario's script and their time [s].
 
-    Every flight is the same, step for step: each piece of it counts at its quickest, which leaves out what other
-    work the machine had to do then.
+    All runs are equal, step for step. The sum takes the shortest time of each piece, which excludes other work of the
+    machine.
     """
-    flights = [_pieces(scenario, how) for _ in range(FLIGHTS + 1)][1:]  # the first warms up
+    flights = [_pieces(scenario, how) for _ in range(FLIGHTS + 1)][1:]  # the first run warms up
     return flights[0][0], sum(min(took) for took in zip(*(took for _, took in flights), strict=True))
 
 
 def _pieces(scenario: Scenario, how: How) -> tuple[int, list[float]]:
-    """The steps of one flight, and the time of each piece of it [s]."""
+    """Return the number of steps of one run and the time of each piece of it [s]."""
     steps, took, ticks = _steps(scenario, how), [], 0
     while True:
         start = time.perf_counter()
@@ -105,7 +105,7 @@ def _pieces(scenario: Scenario, how: How) -> tuple[int, list[float]]:
 
 
 def _steps(scenario: Scenario, how: How) -> Iterator[None]:
-    """A whole flight, one step at a time."""
+    """Run a whole scenario, one step for each `next`."""
     sim, tally = Simulation(scenario), Tally()
     while not sim.ended:
         how(sim, tally)
@@ -113,7 +113,7 @@ def _steps(scenario: Scenario, how: How) -> Iterator[None]:
 
 
 def with_frame() -> list[Figure]:
-    """The median step of every built-in scenario, bare and with its frame; without a script a stick is deflected."""
+    """Measure the median step of each built-in scenario, with and without frames. Without a script, a stick moves."""
     figures = []
     for name in built_in():
         scenario = load_scenario(name)
@@ -127,7 +127,7 @@ def with_frame() -> list[Figure]:
 
 
 def _median(scenario: Scenario, inputs: Inputs | None, how: Literal["advance", "step"]) -> float:
-    """The median time of a step [us]."""
+    """Return the median time of a step [us]."""
     sim = Simulation(scenario)
     took: list[float] = []
     step = sim.advance if how == "advance" else sim.step
@@ -139,7 +139,7 @@ def _median(scenario: Scenario, inputs: Inputs | None, how: Literal["advance", "
 
 
 def frame() -> list[Figure]:
-    """One step by hand and one frame made for the page."""
+    """Measure one manual step and one frame for the page."""
     scenario = load_scenario("first-flight")
     sim, displays, encoder = Simulation(scenario), Displays(scenario), msgspec.json.Encoder()
     inputs = Inputs(translation=(0.01, 0.0, 0.0))
@@ -149,7 +149,7 @@ def frame() -> list[Figure]:
     wire = microseconds("f(seen, 0)", {"f": displays.frame, "seen": seen})
     encoding = microseconds("encode(message)", {"encode": encoder.encode, "message": displays.frame(seen, 0)})
     return [
-        Figure("a step of the simulation", step, "us", None, "ORB UNL, by hand"),
+        Figure("a step of the simulation", step, "us", None, "ORB UNL, manual"),
         Figure("its frame for the page", wire, "us", None, "poses, panel numbers, lamps"),
         Figure("the frame's encoding", encoding, "us", None, "JSON"),
         Figure("the frame's size", len(text), "bytes", None, "JSON"),

@@ -1,4 +1,4 @@
-"""The program as its user meets it: its help, its start, and its answer to a stick, in processes of their own."""
+"""Benchmarks of the program in separate processes: its help, its start, and its response to a stick."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from benchmarks.measure import Figure, percentile
 
 AFTDECK = (sys.executable, "-m", "aftdeck")
 WAIT = 60.0
-"""The longest that anything is waited for [s]."""
+"""Longest wait [s]."""
 
 _messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
 
 
 def help_page() -> list[Figure]:
-    """``aftdeck --help``, from its start to its end."""
+    """Measure ``aftdeck --help``, from its start to its end."""
     took = []
     for _ in range(8):
         start = time.perf_counter()
@@ -39,7 +39,7 @@ def help_page() -> list[Figure]:
 
 
 def first_use() -> list[Figure]:
-    """An arm loaded, and the first step of a simulation, each in a new process with its imports."""
+    """Measure loading an arm and the first step of a simulation, each in a new process with its imports."""
     return [
         Figure("load_arm", _new("aftdeck.load_arm('srms')"), "s", 0.3, "with its imports, best of 5 processes"),
         Figure(
@@ -53,18 +53,18 @@ def first_use() -> list[Figure]:
 
 
 def _new(statement: str) -> float:
-    """The least time [s] that a new process takes for importing the package and a statement."""
+    """Return the shortest time in which a new process imports the package and executes a statement [s]."""
     code = f"import time; t = time.perf_counter(); import aftdeck; {statement}; print(time.perf_counter() - t)"
     command = [sys.executable, "-c", code]
     took = [
         float(subprocess.run(command, check=True, capture_output=True, text=True, timeout=WAIT).stdout)
         for _ in range(6)
     ]
-    return min(took[1:])  # the first fills the caches
+    return min(took[1:])  # the first process fills the caches
 
 
 def start() -> list[Figure]:
-    """``aftdeck fly --no-browser`` until the page is served and until it has its first frame."""
+    """Measure ``aftdeck fly --no-browser`` until the page is served, and until it has its first frame."""
     pages, frames = [], []
     for number in range(4):
         begun = time.perf_counter()
@@ -75,7 +75,7 @@ def start() -> list[Figure]:
                 _next(socket)
                 page = time.perf_counter() - begun
                 _frame(socket)
-            if number:  # the first one fills the caches
+            if number:  # the first run fills the caches
                 pages.append(page)
                 frames.append(time.perf_counter() - begun)
     return [
@@ -85,11 +85,11 @@ def start() -> list[Figure]:
 
 
 def latency() -> list[Figure]:
-    """From a sticks message sent to the arrival of the first frame that has flown it."""
+    """Measure the time from a sticks message to the arrival of the first frame that contains it."""
     took, pause = [], random.Random(1)
     with flying() as address, _page(address) as socket:
         for seq in range(500):
-            time.sleep(pause.uniform(0.0, 0.02))  # so that messages come at all times of a control period
+            time.sleep(pause.uniform(0.0, 0.02))  # messages arrive at all times within a control period
             sent = time.perf_counter()
             socket.send(
                 msgspec.json.encode(from_page.Sticks(seq, (0.01 * (seq % 2), 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)).decode()
@@ -108,7 +108,7 @@ def latency() -> list[Figure]:
 
 @contextmanager
 def flying(scenario: str = "first-flight") -> Iterator[str]:
-    """Host and port of a running ``aftdeck fly``."""
+    """Run ``aftdeck fly`` inside the `with` block; yields its host and port."""
     command = [*AFTDECK, "fly", scenario, "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
@@ -121,7 +121,7 @@ def flying(scenario: str = "first-flight") -> Iterator[str]:
 
 @contextmanager
 def _greeting(address: str) -> Iterator[ClientConnection]:
-    """A page that has said hello."""
+    """Connect as a page and send `hello`."""
     with connect(f"ws://{address}/ws", compression=None, open_timeout=WAIT) as socket:
         socket.send(msgspec.json.encode(from_page.Hello(kinds.PROTOCOL)).decode())
         yield socket
@@ -129,7 +129,7 @@ def _greeting(address: str) -> Iterator[ClientConnection]:
 
 @contextmanager
 def _page(address: str) -> Iterator[ClientConnection]:
-    """A page that has been welcomed."""
+    """Connect as a page and wait for `welcome`."""
     with _greeting(address) as socket:
         while not isinstance(_next(socket), Welcome):
             pass

@@ -1,4 +1,4 @@
-"""The STS-400 move in modes 1, 2 and 3, as published (strict) and corrected: `python -m benchmarks.strict`."""
+"""Table of the STS-400 motion in modes 1 to 3, as published (strict) and corrected: `python -m benchmarks.strict`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOVES = {"1": "sts-400-position", "2": "sts-400-closed", "3": "sts-400-open"}
 
 
 def flown(name: str, strict: bool, period: float) -> Run:
-    """The built-in scenario with two of its settings changed."""
+    """Return the built-in scenario with two settings changed."""
     text = (HERE / f"{name}.toml").read_text()
     top = text.index("\n[initial]")
     settings = f"\nstrict = {str(strict).lower()}\ncontrol_period = {period}\n"
@@ -21,7 +21,7 @@ def flown(name: str, strict: bool, period: float) -> Run:
 
 
 def off_the_line(flight: Run) -> float:
-    """Greatest distance of the tip from the straight line between its first pose and its target [m]."""
+    """Return the greatest distance of the tip from the straight line between its first pose and its target [m]."""
     start = flight.scenario.arm.forward(flight.scenario.initial_angles).position
     goal = next(frame.goal for frame in flight.frames if frame.goal is not None)
     way = np.array(goal.position) - start
@@ -31,7 +31,7 @@ def off_the_line(flight: Run) -> float:
 
 
 def arrivals(flight: Run) -> tuple[float, float]:
-    """When the tip has come within 1 mm and within 0.01 deg of its target for good [s]."""
+    """Return the time after which the tip stays within 1 mm and 0.01 deg of its target [s]."""
     tip = turn = 0.0
     for frame in flight.frames:
         if frame.goal is None or frame.goal.distance > 1e-3:

@@ -8,11 +8,11 @@ arm = aftdeck.load_arm("srms")
 angles = np.radians([0.0, 25.0, -25.0, 5.0, 0.0, 0.0])  # pre-cradle; SRMS joint angles, base to tip
 
 pose = arm.forward(angles)  # frame 7 in L, metres
-inches, degrees = arm.panel(pose)  # the same as the panel shows it: of the end effector's own axes
+inches, degrees = arm.panel(pose)  # in panel components; the attitude is that of the end effector's axes (E)
 print("tip in L      ", pose.position.round(3), "m")
 print("on the panel  ", [round(x, 1) for x in inches], "in;", [round(a, 1) for a in degrees], "deg")
 
-up = np.array([0.0, 0.0, 0.0, 0.0, 0.0, -0.1])  # a twist in L: no turning, 0.1 m/s against its z axis
+up = np.array([0.0, 0.0, 0.0, 0.0, 0.0, -0.1])  # a twist in L: no rotation, 0.1 m/s along −z
 print("to lift it    ", np.degrees(arm.joint_rates(angles, up)).round(3), "deg/s")
 
 for solution in arm.inverse(pose, near=angles):

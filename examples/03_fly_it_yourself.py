@@ -1,4 +1,4 @@
-"""Be the operator: sticks and switches step by step, then go back in time and do it differently."""
+"""Fly with your own inputs, step by step, then restore an earlier state and fly differently."""
 
 import aftdeck
 
@@ -7,7 +7,7 @@ seconds = round(1.0 / sim.scenario.control_period)  # steps in a second
 
 
 def fly(inputs: aftdeck.Inputs, duration: int) -> aftdeck.Frame:
-    """The last frame of some seconds with the sticks held."""
+    """Hold the sticks for `duration` seconds; return the last frame."""
     frames = [sim.step(inputs) for _ in range(duration * seconds)]
     return frames[-1]
 
@@ -18,7 +18,7 @@ there = sim.save()
 
 sim.step(aftdeck.Inputs(mode="END EFF"))  # turn the MODE rotary, press ENTER
 frame = fly(aftdeck.Inputs(translation=(0.3, 0.0, 0.0)), 4)
-print(f"then out along the hand: tip at {tuple(round(x, 3) for x in frame.position)} m in L")
+print(f"then out along the end effector: tip at {tuple(round(x, 3) for x in frame.position)} m in L")
 
 sim.restore(there)
 sim.step(aftdeck.Inputs(mode="SINGLE", joint=5, rate="vernier"))

@@ -1,4 +1,4 @@
-"""Write a scenario, see how its mistakes are reported, and fly it."""
+"""Write a scenario, read the report of its errors, and fly it."""
 
 import math
 import tempfile
@@ -38,4 +38,4 @@ with tempfile.TemporaryDirectory() as folder:
     run = aftdeck.run(file)
 
 speed = math.hypot(*run.frames[-1].twist[3:])
-print(f"{run.scenario.title}: {run.summary.ended}; with 15 000 lb in its hand the tip lifts at {speed:.3f} m/s")
+print(f"{run.scenario.title}: {run.summary.ended}; with a payload of 15 000 lb the tip lifts at {speed:.3f} m/s")

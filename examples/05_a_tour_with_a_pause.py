@@ -1,9 +1,9 @@
-"""Fly stored points as the operator of AUTO 1 does: check, PROCEED, wait at a pause point, PROCEED; then refuse one."""
+"""Fly the stored points of AUTO 1: CMD CK, PROCEED, a pause point, PROCEED; then send a command that is rejected."""
 
 import aftdeck
 
 sim = aftdeck.Simulation("sequence")
-frame = sim.step(aftdeck.Inputs())  # the scenario begins in AUTO 1: the way to its first point is rehearsed
+frame = sim.step(aftdeck.Inputs())  # the scenario starts in AUTO 1 with a rehearsal of the motion to its first point
 print(f"{frame.mode}, {frame.points} points; CMD CK {frame.check.text if frame.check else 'none'}")
 
 pauses = 0
@@ -16,5 +16,5 @@ while frame.sequence != "idle":
         print(f"{event.time_s:6.2f} s  {event.text}")
 print(f"{pauses} pause on the way")
 
-frame = sim.step(aftdeck.Inputs(mode="PL"))  # a switch that cannot be obeyed changes nothing
+frame = sim.step(aftdeck.Inputs(mode="PL"))  # a rejected command changes nothing
 print(f"still in {frame.mode}: {frame.events[-1].text}")

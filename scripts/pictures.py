@@ -1,8 +1,8 @@
-"""Makes the pictures of the station from the real program: ``python scripts/pictures.py [NAME ...]``, all or some.
+"""Make the pictures of the station from the real program: ``python scripts/pictures.py [NAME ...]``; default: all.
 
-Starts `aftdeck fly`, opens the page in Chromium in the full profile at 1440 x 900, flies the arm with the keys
-that the README names, and keeps what the page shows in ``docs/pictures/``. The first part is flown in the low
-profile, because a machine without a graphics card draws the full one too slowly to be flown far.
+Starts `aftdeck fly`, flies the arm with keys, opens the page in Chromium in the full profile at 1440 x 900, and saves
+screenshots in ``docs/pictures/``. The first part of the motion is flown in the low profile, because a machine without
+a graphics card draws the full profile too slowly.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from typing import NamedTuple
 from playwright.sync_api import Browser, Page, sync_playwright
 
 UNMEASURED = ".rail .delay { display: none }"
-"""How slowly a processor draws in full detail is nothing of the station's."""
+"""Style that hides the delay in the rail, which depends on the speed of this machine's software drawing."""
 FOLDER = Path(__file__).resolve().parent.parent / "docs" / "pictures"
 SIZE = (1440, 900)
 MOST_BYTES = 600_000
-"""A picture in the README has at most this size."""
+"""Greatest size of a picture in the README [bytes]."""
 WAIT_MS = 60_000
 """Longest wait for the page [ms]; software drawing is slow."""
 FLAGS = [
@@ -36,17 +36,17 @@ FLAGS = [
     "--disable-sync",
 ]
 Held = tuple[Sequence[str], float]
-"""Keys held together, and for how long [s of simulated time]."""
+"""Keys held together, and the duration [s of simulated time]."""
 
 
 class Picture(NamedTuple):
-    """What is flown before a picture is kept.
+    """Motion before a picture is saved.
 
     Attributes:
-        scenario: what `aftdeck fly` is given.
-        before: keys, in the low profile.
-        last: keys still held when it is kept, in the full profile; longer than the 10 s in which the page counts its
-            delay, because how slowly this machine draws is no news for a reader.
+        scenario: scenario of `aftdeck fly`.
+        before: keys that are held first, in the low profile.
+        last: keys that are held while the picture is saved, in the full profile. They are held for more than 10 s, so
+            that the page no longer counts the slow drawing of this machine in its delay.
     """
 
     scenario: str
@@ -62,7 +62,7 @@ PICTURES = {
 
 
 def main() -> None:
-    """Makes the pictures named, or every one."""
+    """Make the named pictures, or all."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     for name in sys.argv[1:] or PICTURES:
         scenario, before, last = PICTURES[name]
@@ -79,7 +79,7 @@ def main() -> None:
 
 @contextmanager
 def station(scenario: str) -> Iterator[str]:
-    """The address of a running `aftdeck fly`."""
+    """Run `aftdeck fly` inside the `with` block; yields its address."""
     command = [sys.executable, "-m", "aftdeck.cli", "fly", scenario, "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         try:
@@ -92,7 +92,7 @@ def station(scenario: str) -> Iterator[str]:
 
 @contextmanager
 def chromium() -> Iterator[Browser]:
-    """A headless Chromium: the one that AFTDECK_CHROMIUM names, else one on PATH."""
+    """Start a headless Chromium: the one that AFTDECK_CHROMIUM names, else one on PATH."""
     names = ("chromium", "chromium-browser", "google-chrome")
     found = os.environ.get("AFTDECK_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
     if found is None:
@@ -104,7 +104,7 @@ def chromium() -> Iterator[Browser]:
 
 
 def open_page(browser: Browser, address: str) -> Page:
-    """A page that has drawn its first frame and has the sticks."""
+    """Open a page; wait until it has drawn its first frame and has control."""
     width, height = SIZE
     page = browser.new_page(viewport={"width": width, "height": height})
     page.set_default_timeout(WAIT_MS)
@@ -115,7 +115,7 @@ def open_page(browser: Browser, address: str) -> Page:
 
 
 def hold(page: Page, keys: Sequence[str], seconds: float) -> None:
-    """Presses keys and keeps them down for a simulated time."""
+    """Hold keys for a simulated time."""
     begun = float(page.evaluate("window.__aftdeck.lastFrame.time_s"))
     for key in keys:
         page.keyboard.down(key)
@@ -123,13 +123,17 @@ def hold(page: Page, keys: Sequence[str], seconds: float) -> None:
 
 
 def release(page: Page, keys: Sequence[str]) -> None:
-    """Lets go of keys."""
+    """Release keys."""
     for key in keys:
         page.keyboard.up(key)
 
 
 def keep(page: Page, name: str) -> None:
-    """Saves what the page shows; a picture that is too large is an error."""
+    """Save a screenshot of the page.
+
+    Raises:
+        SystemExit: the picture is too large.
+    """
     path = FOLDER / name
     begun = time.perf_counter()
     page.screenshot(path=path, type="jpeg", quality=86, timeout=WAIT_MS, style=UNMEASURED)
