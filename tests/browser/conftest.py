@@ -1,4 +1,4 @@
-"""A station flown in a real browser: the server as a user starts it, Chromium, and a page."""
+"""Fixtures of the browser tests: a running station, Chromium, and pages of the station."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.programs import running
 
 START_S = 120.0
-"""The longest that a station may take to say its address, and the browser to start [s]."""
+"""Longest time until a station prints its address, and until the browser has started [s]."""
 
 COMPILED_S = 300.0
-"""The longest that it may take to answer after that, where the laws are compiled for the first time [s]."""
+"""Longest time until the station answers after that [s]; the first run compiles the laws."""
 
-# As benchmarks.page: the scene by Mesa's GL, the page put together without it.
+# As in benchmarks/page.py: Mesa's GL draws the scene, but does not composite the page.
 FLAGS = [
     "--use-angle=gl-egl",
     "--disable-gpu-compositing",
@@ -41,30 +41,31 @@ PAD = """
     };
     navigator.getGamepads = () => [window.testPad];
 """
-"""A pad whose axes a test sets; null takes it away."""
+"""A gamepad whose axes a test sets; null disconnects it."""
 
 SIZES = [(1280, 720), (1440, 900), (1920, 1080)]
-"""Windows that the page shall fit [px]."""
+"""Window sizes that the page must fit [px]."""
 NARROW = [(960, 900), (1024, 768), (768, 1024)]
-"""Narrow ones that are flown from: half a laptop's, an old screen, a tablet upright [px]."""
+"""Narrow window sizes in which the arm can be flown: half a laptop screen, an old screen, an upright tablet [px]."""
 
 OpenPage = Callable[..., Flight]
 
 
 @pytest.fixture(scope="module")
 def station(request: pytest.FixtureRequest) -> Iterator[str]:
-    """Address of a running `aftdeck fly`; a module of tests names its scenario in SCENARIO."""
+    """Address of a running `aftdeck fly`; a test module names its scenario in SCENARIO."""
     with flown(getattr(request.module, "SCENARIO", "first-flight")) as address:
         yield address
 
 
 @contextmanager
 def flown(*options: str) -> Iterator[str]:
-    """Address of an `aftdeck fly` with these options, which runs until this is left."""
+    """Run `aftdeck fly` with these options inside the `with` block; yields its address."""
     command = [sys.executable, "-m", "aftdeck.cli", "fly", *options, "--no-browser", "--port", "0"]
     with running(command, stdout=subprocess.PIPE, text=True) as process:
         address = _address(process)
-        with urlopen(f"{address}health", timeout=COMPILED_S) as answer:  # the socket listens before the server runs
+        # The socket accepts connections before the server answers.
+        with urlopen(f"{address}health", timeout=COMPILED_S) as answer:
             assert answer.status == 200
         yield address
 
@@ -82,14 +83,14 @@ def _address(process: subprocess.Popen[str]) -> str:
     try:
         first = lines.get(timeout=START_S)
     except Empty:
-        pytest.fail(f"`aftdeck fly` said nothing within {START_S:g} s.")
+        pytest.fail(f"`aftdeck fly` printed nothing within {START_S:g} s.")
     assert first.startswith("Aftdeck station: http://127.0.0.1:"), first
     return first.removeprefix("Aftdeck station: ").strip()
 
 
 @pytest.fixture(scope="session")
 def browser(chromium: Path) -> Iterator[Browser]:
-    """A Chromium that draws with the processor."""
+    """A Chromium that draws in software."""
     with sync_playwright() as playwright:
         running = playwright.chromium.launch(executable_path=chromium, args=FLAGS, timeout=START_S * 1000.0)
         yield running
@@ -98,7 +99,7 @@ def browser(chromium: Path) -> Iterator[Browser]:
 
 @pytest.fixture
 def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
-    """Opens pages of the station, in the low profile; none may write an error to its console."""
+    """Function that opens a page of the station in the low profile. An error in a console fails the test."""
     errors: list[str] = []
     pages: list[Page] = []
 
@@ -129,5 +130,5 @@ def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
 
 @pytest.fixture
 def flight(open_page: OpenPage) -> Flight:
-    """A page that flies, from the scenario's first instant."""
+    """A page in control, at the start of the scenario."""
     return open_page().from_the_start()

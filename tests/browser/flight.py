@@ -1,4 +1,4 @@
-"""One page of the station, as a test handles it."""
+"""A page of the station, with the actions and waits of the tests."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from playwright.sync_api import Locator, Page
 from aftdeck.station.messages.frame import Frame
 
 WAIT_MS = 60_000
-"""The longest wait for anything that a page shall do [ms]; software drawing on a busy machine is slow."""
+"""Longest wait for an action of a page [ms]; software drawing on a busy machine is slow."""
 
 TURNED = "document.querySelector('.rotary .turned')?.textContent"
-"""The mode turned to and not entered, in JavaScript."""
+"""JavaScript: mode to which the rotary is turned, but which is not entered."""
 ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
-"""The mode that the rotary shows as entered, in JavaScript."""
+"""JavaScript: mode that the rotary shows as entered."""
 
 WHO = "document.querySelector('.rail .who').textContent"
-"""Who flies, as the rail says it, in JavaScript."""
+"""JavaScript: text of the rail that names the operator."""
 NAMING = "!document.querySelector('.choices.naming').hidden"
-"""Whether the field for a name is open, in JavaScript."""
+"""JavaScript: the field for the name is open."""
 TYPING = "document.body.classList.contains('typing')"
-"""Whether keys type and do not fly, in JavaScript."""
+"""JavaScript: keys write text and do not fly."""
 
 WATCH = """() => {
     window.shown = false;
@@ -34,18 +34,18 @@ WATCH = """() => {
         observer.disconnect();
     }).observe(document, { attributes: true, characterData: true, childList: true, subtree: true });
 }"""
-"""Looks after every change of the page whether CONDITION holds, and keeps in `window.shown` that it did."""
+"""Check CONDITION after every change of the page; set `window.shown` when it held once."""
 
 
 class Flight:
-    """A page, its keys, and the last frame that all of it shows: pictures, lamps and figures."""
+    """A page, its keys, and the last frame that pictures, lamps and read-outs show."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
         self.until("window.__aftdeck?.lastFrame")
 
     def from_the_start(self) -> Flight:
-        """Waits for the sticks to be ours, and puts the scenario back to its first instant."""
+        """Wait until this page has control, then restart the scenario."""
         self.until("document.querySelector('.who').textContent.startsWith('You fly') && frame.time_s > 1")
         before = self.script("window.__aftdeck.restarts")
         self.page.get_by_role("button", name="Restart").click()
@@ -53,13 +53,13 @@ class Flight:
         return self
 
     def frame(self) -> Frame:
-        """The last frame shown."""
+        """Return the last frame shown."""
         return msgspec.convert(self.page.evaluate("window.__aftdeck.lastFrame"), Frame)
 
     def until(self, condition: str, timeout_ms: float = WAIT_MS) -> Frame:
-        """Waits for a JavaScript condition, in which `frame` is the last frame shown; returns the frame that met it.
+        """Wait for a JavaScript condition, in which `frame` is the last frame shown; return that frame.
 
-        What comes and goes by itself may pass unseen on a slow machine: see `shows`.
+        It may miss a state that ends by itself: use `shows` for such a state.
         """
         expression = (
             f"() => {{ const frame = window.__aftdeck?.lastFrame; return frame && ({condition}) && {{ frame }}; }}"
@@ -68,35 +68,35 @@ class Flight:
 
     @contextmanager
     def shows(self, condition: str) -> Iterator[None]:
-        """Waits for a JavaScript condition of the page's elements to be met by what is done inside, however briefly."""
+        """Wait until the actions of the `with` block have met a JavaScript condition, however briefly."""
         self.script(WATCH.replace("CONDITION", condition))
         yield
         self.until("window.shown")
 
-    def script(self, text: str) -> Any:  # what a page returns has no type
-        """Evaluates JavaScript in the page."""
+    def script(self, text: str) -> Any:  # a result of JavaScript has no type
+        """Evaluate JavaScript in the page."""
         return self.page.evaluate(text)
 
     def hold(self, key: str) -> None:
-        """Presses a key and keeps it down."""
+        """Press a key and hold it."""
         self.page.keyboard.down(key)
 
     def release(self, key: str) -> None:
-        """Lets go of a key."""
+        """Release a key."""
         self.page.keyboard.up(key)
 
     def press(self, *keys: str) -> None:
-        """Presses and lets go of keys, one after the other."""
+        """Press and release keys one after the other."""
         for key in keys:
             self.page.keyboard.press(key)
 
     def turn_to(self, mode: str) -> None:
-        """Turns the mode rotary by its key on the panel; pressed again, the key would enter the mode."""
+        """Turn the mode rotary by its key on the panel. A second press of the key would enter the mode."""
         self._mode_key(mode).click()
         self.until(f"{TURNED} === '{mode}'")
 
     def enter(self, mode: str) -> None:
-        """Enters a mode by its key on the panel: pressed once it turns the rotary, if need be, again it enters."""
+        """Enter a mode by its key on the panel: the first press turns the rotary, the second enters the mode."""
         if self.frame().mode != mode:
             if self.script(TURNED) != mode:
                 self.turn_to(mode)
@@ -107,28 +107,28 @@ class Flight:
         return self.page.get_by_role("group", name="Mode").get_by_role("button", name=mode, exact=True)
 
     def give_name(self, name: str) -> None:
-        """Types what the person at this page is called, key by key, under the rail's words of who flies."""
+        """Type the name of this page's user into the field in the rail, key by key."""
         self.page.locator(".rail .who").click()
         self.until(f"{NAMING} && {TYPING}")
         self.page.keyboard.type(name)
         self.press("Enter")
 
     def press_key(self, name: str) -> None:
-        """Presses a key of the desk by its name."""
+        """Press a button of the page by its name."""
         self.page.get_by_role("button", name=name, exact=True).click()
 
     def until_logged(self, text: str) -> None:
-        """Waits for an entry of the log: newer ones may have pushed it off the three lines, so that all are opened."""
+        """Wait for a line of the log. Opens the whole log meanwhile, because only the last three lines are shown."""
         more = self.page.locator(".events .more")
         opened = more.get_attribute("aria-expanded") == "false"
         if opened:
-            more.dispatch_event("click")  # without the pointer and the focus
+            more.dispatch_event("click")  # does not move the pointer or the focus
         self.page.locator(".log").get_by_text(text).first.wait_for(state="attached")
         if opened:
             more.dispatch_event("click")
 
     def pad_buttons(self, *pressed: int) -> None:
-        """Holds these buttons of the test pad, and no others; the page sees the others go, and each before the next."""
+        """Hold only these buttons of the test pad. The page reads the releases first, then each press separately."""
         self.script("window.testPad.buttons.forEach((button) => { button.pressed = false; })")
         self.polled()
         for number in pressed:
@@ -136,20 +136,20 @@ class Flight:
             self.polled()
 
     def polled(self) -> None:
-        """Waits until the page has read its devices: it does so in every frame that it draws."""
+        """Wait until the page has read its devices, which it does for every picture."""
         drawn = self.script("window.__aftdeck.frames")
         self.until(f"window.__aftdeck.frames > {drawn + 1}")
 
     def pad_axes(self, *axes: float) -> None:
-        """Puts the test pad's four axes."""
+        """Set the four axes of the test pad."""
         self.script(f"window.testPad.axes = {list(axes)}")
 
     def until_lit(self, lamp: str) -> None:
-        """Waits for a lamp of the spine."""
+        """Wait until a lamp of the spine is lit."""
         self.page.locator(".lamp.caution", has_text=lamp).wait_for()
 
 
 def shows(monitor: int, *names: str) -> str:
-    """In JavaScript: a monitor's pictures have these cameras' names, from the left."""
+    """JavaScript condition: the pictures of a monitor are from these cameras, from the left."""
     pictures = f"document.querySelectorAll('.monitor')[{monitor}].querySelectorAll('.picture .name b')"
     return f"[...{pictures}].map((name) => name.textContent).join() === '{','.join(names)}'"

@@ -8,12 +8,12 @@ from contextlib import contextmanager
 from typing import Any
 
 END_S = 120.0
-"""The longest that a program may take to end before it is killed [s]."""
+"""Longest time that a program may take to end before it is killed [s]."""
 
 
 @contextmanager
 def running(command: Sequence[str], **options: Any) -> Iterator[subprocess.Popen[Any]]:
-    """A program, with options of `subprocess.Popen`; it is ended when this is left."""
+    """Run a program with options of `subprocess.Popen` inside the `with` block, then end it."""
     with subprocess.Popen(command, **options) as process:
         try:
             yield process

@@ -1,4 +1,4 @@
-"""A payload acquired, lifted and let go from the page, by keys alone, with the concept arm of 1972."""
+"""A payload acquired, lifted and released by keys, with the concept arm of 1972."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.scene.bodies import bodies_of
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = str(Path(__file__).parent / "over-the-bar.toml")
-"""The hand begins open, 3 in over the bar."""
+"""The end effector starts open, 3 in above the bar."""
 
 AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
 CELL = "[...document.querySelectorAll('.cells li:not([hidden])')].find((cell) => /^{}/.test(cell.textContent))"
@@ -27,20 +27,20 @@ HELD = "frame.work.cargo[0].held"
 NORTH, MENU, CROSS_UP = 3, 9, 12
 """Buttons of the standard mapping."""
 MOST_TRIES = 10
-"""A key released late takes the hand past the window of 0.75 in."""
+"""A key that is released late moves the palm out of its range of 0.75 in."""
 
 
-def test_every_body_of_the_concepts_worksite_is_drawn(flight: Flight) -> None:
+def test_every_body_of_the_concept_worksite_is_drawn(flight: Flight) -> None:
     drawn = {body["name"]: body["triangles"] for body in flight.script("window.__aftdeck.bodies")}
     defined = {body.name: body.shapes for body in bodies_of(load_scenario(SCENARIO))}
     assert set(drawn) == set(defined) >= {"orbiter", "cae", "payload", "arm.prong", "arm.stand"}
     assert [name for name, shapes in defined.items() if shapes and drawn[name] == 0] == []
 
 
-def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight) -> None:
+def test_keys_acquire_lift_and_release_the_payload(flight: Flight) -> None:
     flight.until(f"{TITLE}.startsWith('acquire Payload') && !({HEIGHT_HOLDS})")
 
-    # Down: the palm meets the bar, the arm is inhibited, and the page says what frees it.
+    # Down to contact: the arm is inhibited, and the page shows the escape.
     flight.press("v")
     flight.until("frame.rate === 'vernier'")
     flight.hold("e")
@@ -49,20 +49,20 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     flight.until(f"{AT_REST} && /Escape: THC −Z/.test(document.querySelector('.touching').textContent)")
     assert_tidy(flight)
 
-    # Off the bar again, until the page says that the height is right.
+    # Up until the palm height holds.
     for _ in range(MOST_TRIES):
         frame = flight.until(AT_REST)
-        wanting = {each.name: each.value for each in frame.work.conditions if not each.holds}
-        if not frame.work.arm_inhibit and set(wanting) == {"prong closed"}:
+        failed = {each.name: each.value for each in frame.work.conditions if not each.holds}
+        if not frame.work.arm_inhibit and set(failed) == {"prong closed"}:
             break
-        key = "e" if wanting.get("palm height", 0.0) > 0.0 and not frame.work.arm_inhibit else "q"
+        key = "e" if failed.get("palm height", 0.0) > 0.0 and not frame.work.arm_inhibit else "q"
         flight.hold(key)
         flight.until(f"{HEIGHT_HOLDS} && !({INHIBITED})")
         flight.release(key)
     flight.until(f"{HEIGHT_HOLDS} && !({INHIBITED})")
     flight.until(f"/fingers .* apart, at most .* allowed/.test({TITLE})")
 
-    # The prong closes about the bar, and there the payload hangs.
+    # The prong closes and acquires the payload.
     flight.hold("g")
     flight.until("frame.work.hand.switch === 'close'")
     flight.release("g")
@@ -71,8 +71,8 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
     flight.until(f"{TITLE} === 'insert in the Cargo bayall met: release, hold R'")
 
-    # Up: it comes along, and is drawn where it is.
-    lowest = _place(flight, "payload")[2]
+    # The payload moves up with the arm, also in the picture.
+    lowest = _position(flight, "payload")[2]
     flight.press("v")
     flight.hold("q")
     flight.until(f"{HELD} && window.__aftdeck.bodies.find(({{ name }}) => name === 'payload').at[2] > {lowest + 1.0}")
@@ -81,12 +81,12 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     assert_tidy(flight)
     assert_readable(flight)
 
-    # Let go, it is free where it was left.
+    # The released payload stays at its position.
     flight.hold("r")
     flight.until(f"!{HELD} && frame.work.cargo[0].seat === ''")
     flight.release("r")
     flight.until_logged("Payload released: it is free")
-    assert _place(flight, "payload")[2] > lowest + 0.9
+    assert _position(flight, "payload")[2] > lowest + 0.9
 
 
 def test_y_and_n_drive_the_telescope(flight: Flight) -> None:
@@ -98,13 +98,15 @@ def test_y_and_n_drive_the_telescope(flight: Flight) -> None:
     flight.hold("y")
     now = flight.until(f"frame.work.stand > {start.work.stand + 0.10}")
     flight.release("y")
-    assert now.display.actual.position[2] < start.display.actual.position[2] - 0.09, "the arm rides on it"
+    assert now.display.actual.position[2] < start.display.actual.position[2] - 0.09, (
+        "the arm moves up with the telescope"
+    )
     assert now.display.commanded.position == pytest.approx(now.display.actual.position, abs=1e-6)
     flight.until("Number(document.querySelector('.stand .angle').textContent) > 194")
 
 
-def test_the_thc_flies_the_orbiter_and_the_assembly_element_stays_behind(flight: Flight) -> None:
-    before = _place(flight, "cae")
+def test_thc_flies_the_orbiter_and_the_assembly_element_stays(flight: Flight) -> None:
+    before = _position(flight, "cae")
     flight.press("`")
     flight.until("document.querySelector('.thc .about').textContent === 'moves the orbiter'")
     flight.hold("w")
@@ -112,11 +114,13 @@ def test_the_thc_flies_the_orbiter_and_the_assembly_element_stays_behind(flight:
     flight.release("w")
     flight.until("Math.hypot(...frame.display.orbiter_velocity) === 0")
     moved = flight.frame().display.orbiter[0]
-    assert _place(flight, "cae")[0] - before[0] == pytest.approx(moved, abs=1e-6), "it drifts aft as the orbiter goes"
+    assert _position(flight, "cae")[0] - before[0] == pytest.approx(moved, abs=1e-6), (
+        "it moves aft relative to the orbiter"
+    )
     assert flight.frame().display.actual.velocity == (0.0, 0.0, 0.0)
 
 
-def test_the_arm_follows_a_slider_of_the_master_to_its_place(flight: Flight) -> None:
+def test_arm_follows_a_slider_of_the_master_arm(flight: Flight) -> None:
     flight.enter("MASTER")
     start = flight.frame().angles[2]
     slider = flight.page.get_by_role("slider", name="Master Elbow")
@@ -127,7 +131,7 @@ def test_the_arm_follows_a_slider_of_the_master_to_its_place(flight: Flight) -> 
     assert flight.frame().angles[2] - start == pytest.approx(math.radians(5.0), abs=1e-3)
 
 
-def test_a_pad_closes_and_opens_the_prong_and_drives_the_telescope(open_page: OpenPage) -> None:
+def test_pad_moves_the_prong_and_the_telescope(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.pad_buttons(NORTH)
     flight.until("frame.work.hand.switch === 'close' && frame.work.hand.opening < 1")
@@ -141,7 +145,7 @@ def test_a_pad_closes_and_opens_the_prong_and_drives_the_telescope(open_page: Op
     flight.pad_buttons()
 
 
-def _place(flight: Flight, name: str) -> list[float]:
-    """Where a body is drawn, in the scene [m]."""
-    (place,) = [body["at"] for body in flight.script("window.__aftdeck.bodies") if body["name"] == name]
-    return [float(value) for value in place]
+def _position(flight: Flight, name: str) -> list[float]:
+    """Return the position at which a body is drawn, in the scene [m]."""
+    (position,) = [body["at"] for body in flight.script("window.__aftdeck.bodies") if body["name"] == name]
+    return [float(value) for value in position]

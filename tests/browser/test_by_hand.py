@@ -1,4 +1,4 @@
-"""Whole missions flown by hand: what the phases of their scripts do is done on the page, by keys and typed targets."""
+"""Whole missions flown manually: keys and keyed-in targets do on the page what the phases of the script do."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from tests.scenario.missions import TOLD, TURNING_POINTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
-FLOWN = ("concept-1972-script", "srms-berth")
-"""A mission of each worksite."""
+MISSIONS = ("concept-1972-script", "srms-berth")
+"""One mission for each worksite."""
 INCH = 0.0254
 LEG_MS = 400_000
-"""The longest wait for the end of a phase [ms]: a station on a busy machine may fly slower than the clock."""
+"""Longest wait for the end of a phase [ms]; a station on a busy machine may run slower than the clock."""
 KEYS = {(0, 1.0): "w", (0, -1.0): "s", (2, 1.0): "e", (2, -1.0): "q"}
-"""THC: axis and sign."""
+"""Key for each axis and sign of the THC."""
 AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4"
 SEAT = "frame.work.cargo[0].seat"
 UNTIL = {
@@ -39,7 +39,7 @@ UNTIL = {
 }
 
 
-@pytest.fixture(scope="module", params=FLOWN)
+@pytest.fixture(scope="module", params=MISSIONS)
 def mission(request: pytest.FixtureRequest) -> str:
     """Name of the scenario."""
     return str(request.param)
@@ -47,7 +47,7 @@ def mission(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="module")
 def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Folder of the flights."""
+    """Folder of the recordings."""
     return tmp_path_factory.mktemp("by-hand")
 
 
@@ -58,7 +58,7 @@ def station(mission: str, recordings: Path) -> Iterator[str]:
         yield address
 
 
-def test_the_mission_is_flown_by_hand(open_page: OpenPage, mission: str, recordings: Path) -> None:
+def test_mission_of_a_script_is_flown_manually(open_page: OpenPage, mission: str, recordings: Path) -> None:
     aims = _aims(mission)
     flight = open_page().from_the_start()
     for phase in load_scenario(mission).phases:
@@ -66,15 +66,15 @@ def test_the_mission_is_flown_by_hand(open_page: OpenPage, mission: str, recordi
     flight.press_key("Restart")
     flight.until("frame.time_s < 5")
     newest = sorted(recordings.glob("*.mcap"), key=lambda path: path.stat().st_mtime)[-2]
-    told = [event for _, record in Recording(newest).steps() for event in record.events]
-    assert [event.kind for event in told if event.kind in TURNING_POINTS] == TOLD[mission]
-    assert not {event.kind for event in told} & {"fault", "inhibit", "missed"}
+    events = [event for _, record in Recording(newest).steps() for event in record.events]
+    assert [event.kind for event in events if event.kind in TURNING_POINTS] == TOLD[mission]
+    assert not {event.kind for event in events} & {"fault", "inhibit", "missed"}
     assert {record.by for _, record in Recording(newest).steps()} == {"hand"}
     assert verify(newest).equal
 
 
 def _aims(mission: str) -> dict[str, Aim]:
-    """Where the script's phases send the arm, in panel components."""
+    """Return the target of each phase of the script, in panel components."""
     sim = Simulation(mission)
     displays, aims = Displays(sim.scenario), {}
     while not sim.ended:
@@ -87,7 +87,7 @@ def _aims(mission: str) -> dict[str, Aim]:
 
 
 def _fly(flight: Flight, phase: PhasePlan, aim: Aim | None) -> None:
-    """Do by hand what a phase says."""
+    """Fly a phase manually."""
     if flight.frame().rate != phase.rate:
         flight.press("v")
         flight.until(f"frame.rate === '{phase.rate}'")
@@ -113,7 +113,7 @@ def _fly(flight: Flight, phase: PhasePlan, aim: Aim | None) -> None:
 
 @contextmanager
 def _held(flight: Flight, key: str | None) -> Iterator[None]:
-    """A key is held while something is awaited."""
+    """Hold a key, if one is given, during the `with` block."""
     if key is not None:
         flight.hold(key)
     yield
@@ -122,7 +122,7 @@ def _held(flight: Flight, key: str | None) -> Iterator[None]:
 
 
 def _key_in(flight: Flight, aim: Aim) -> None:
-    """Type a target in the units that the page shows, and have it taken."""
+    """Key in a target in the units of the page, and wait until CMD CK is GOOD."""
     unit = flight.script("document.querySelector('.keyed i').textContent")
     metre = {"in": 1.0 / INCH, "m": 1.0}[unit]
     shown = [*(value * metre for value in aim.position), *(math.degrees(angle) for angle in aim.attitude)]

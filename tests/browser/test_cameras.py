@@ -1,4 +1,4 @@
-"""Cameras from the page: chosen, turned, split, all at once, through windows, and in a second window."""
+"""Cameras on the page: selection, drives, split monitors, all cameras, windows, and a secondary window."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from playwright.sync_api import Page
 
 from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight, shows
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "concept-1972"
 CAMERAS = [*"ABCDEFGHI", "P1", "P2", "CAE2", "W", "AFT", "ENG"]
-"""Thirteen of the report, a window, and the engineering view: more than the first bank of digits holds."""
+"""The first press of a digit selects one of the first ten, the second press one of the rest."""
 
 
 def lens(flight: Flight) -> str:
-    """What is burned into MON 1's picture of its lens."""
+    """Return the text of drive and lens in MON 1's picture."""
     return str(flight.page.locator(".monitor .lens").first.inner_text())
 
 
 def figure(flight: Flight, name: str) -> float:
-    """A figure of MON 1's lens: ``PAN``, ``TILT``, ``ZOOM``, ``FOV``."""
+    """Return ``PAN``, ``TILT``, ``ZOOM`` or ``FOV`` from MON 1's picture."""
     found = re.search(rf"{name} ([+−]?[\d.]+)", lens(flight))
     assert found is not None, lens(flight)
     return float(found[1].replace("−", "-"))
 
 
 def drawn(flight: Flight) -> bytes:
-    """The middle of MON 1's picture as it is drawn."""
+    """Return a screenshot of the centre of MON 1's picture."""
     box = flight.page.locator(".picture").first.bounding_box()
     assert box is not None
     clip: Any = {"x": box["x"] + box["width"] / 4, "y": box["y"] + box["height"] / 4, "width": 120, "height": 80}
@@ -41,12 +41,12 @@ def drawn(flight: Flight) -> bytes:
 
 
 def steady(flight: Flight, steps: int = 15) -> None:
-    """Waits until some steps more have been flown and drawn."""
+    """Wait until more steps have run and have been drawn."""
     tick, count = flight.frame().tick, flight.script("window.__aftdeck.frames")
     flight.until(f"frame.tick > {tick + steps} && window.__aftdeck.frames > {count + 4}")
 
 
-def test_the_monitors_begin_with_two_cameras_that_see_the_work(flight: Flight) -> None:
+def test_monitors_start_with_two_cameras_that_see_the_clearance(flight: Flight) -> None:
     names = [flight.page.locator(".monitor .name b").nth(i).inner_text() for i in (0, 1)]
     assert len(set(names)) == 2
     flight.press("c")
@@ -54,7 +54,7 @@ def test_the_monitors_begin_with_two_cameras_that_see_the_work(flight: Flight) -
         flight.page.locator(f".tile[aria-label^='{name},'][aria-label*='gap']").wait_for()
 
 
-def test_every_camera_is_put_on_either_monitor_by_its_digit(flight: Flight) -> None:
+def test_digits_select_every_camera_on_either_monitor(flight: Flight) -> None:
     for monitor in (0, 1):
         for index, name in enumerate(CAMERAS):
             digit = str((index + 1) % 10)
@@ -62,11 +62,11 @@ def test_every_camera_is_put_on_either_monitor_by_its_digit(flight: Flight) -> N
             if index >= 10:
                 flight.press(digit)
             flight.until(shows(monitor, name))
-            flight.press(",")  # so that the next press of the same digit is a first one
+            flight.press(",")  # the next press of the same digit is then a first press
         flight.press("x")
 
 
-def test_every_camera_is_put_on_either_monitor_by_its_button(flight: Flight) -> None:
+def test_buttons_select_every_camera_on_either_monitor(flight: Flight) -> None:
     for monitor in (0, 1):
         keys = flight.page.get_by_role("group", name=f"Camera of MON {monitor + 1}").get_by_role("button")
         assert keys.all_inner_texts() == CAMERAS
@@ -76,7 +76,7 @@ def test_every_camera_is_put_on_either_monitor_by_its_button(flight: Flight) -> 
             assert keys.nth(index).get_attribute("aria-pressed") == "true"
 
 
-def test_arrows_and_page_keys_turn_the_camera_and_the_picture_with_it_and_letting_go_stops_it(flight: Flight) -> None:
+def test_arrow_keys_turn_the_camera_until_they_are_released(flight: Flight) -> None:
     flight.press("3")
     steady(flight)
     before, picture = figure(flight, "PAN"), drawn(flight)
@@ -97,7 +97,7 @@ def test_arrows_and_page_keys_turn_the_camera_and_the_picture_with_it_and_lettin
     assert flight.frame().translation == (0, 0, 0)
 
 
-def test_the_zoom_ends_at_its_limit_and_says_so_in_the_figures(flight: Flight) -> None:
+def test_zoom_and_tilt_stop_at_their_limits_and_show_it(flight: Flight) -> None:
     flight.press("3")
     flight.hold("PageUp")
     flight.until(f"frame.views[2][2] < {math.radians(25.0) + 1e-5}")
@@ -112,7 +112,7 @@ def test_the_zoom_ends_at_its_limit_and_says_so_in_the_figures(flight: Flight) -
     assert "TILT −80.0 STOP" in lens(flight)
 
 
-def test_losing_the_focus_stops_the_camera_though_the_key_is_held(flight: Flight) -> None:
+def test_camera_stops_when_the_page_loses_the_focus(flight: Flight) -> None:
     flight.press("3")
     before = flight.frame().views[2][0]
     flight.hold("ArrowLeft")
@@ -125,7 +125,7 @@ def test_losing_the_focus_stops_the_camera_though_the_key_is_held(flight: Flight
     flight.release("ArrowLeft")
 
 
-def test_z_splits_the_monitor_each_half_takes_its_own_camera_and_x_goes_through_them(flight: Flight) -> None:
+def test_z_splits_the_monitor_and_x_selects_its_halves(flight: Flight) -> None:
     flight.press("1", "x", "2", "x", "z")
     flight.press("3")
     flight.until(shows(0, "A", "C"))
@@ -138,7 +138,7 @@ def test_z_splits_the_monitor_each_half_takes_its_own_camera_and_x_goes_through_
     flight.until(shows(0, "E"))
 
 
-def test_c_shows_all_cameras_and_a_click_or_a_digit_puts_one_on_the_monitor_in_hand(flight: Flight) -> None:
+def test_c_shows_all_cameras_and_a_click_or_digit_selects_one(flight: Flight) -> None:
     flight.press("1", "x", "2", "x", "c")
     tiles = flight.page.locator(".tile")
     flight.until(f"document.querySelectorAll('.tile').length === {len(CAMERAS)}")
@@ -159,7 +159,7 @@ def test_c_shows_all_cameras_and_a_click_or_a_digit_puts_one_on_the_monitor_in_h
     flight.page.locator(".desk").wait_for(state="visible")
 
 
-def test_the_arm_is_flown_on_while_all_cameras_are_shown(flight: Flight) -> None:
+def test_arm_can_be_flown_while_all_cameras_are_shown(flight: Flight) -> None:
     flight.press("c")
     start = flight.frame().display.actual.position
     flight.hold("w")
@@ -167,7 +167,7 @@ def test_the_arm_is_flown_on_while_all_cameras_are_shown(flight: Flight) -> None
     flight.release("w")
 
 
-def test_the_engineering_view_goes_round_by_mouse_and_keys_and_no_camera_turns(flight: Flight) -> None:
+def test_mouse_and_keys_turn_the_engineering_view_and_no_camera(flight: Flight) -> None:
     flight.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="ENG").click()
     steady(flight)
     views, picture = flight.frame().views, drawn(flight)
@@ -187,12 +187,12 @@ def test_the_engineering_view_goes_round_by_mouse_and_keys_and_no_camera_turns(f
     assert flight.frame().views == views
 
 
-def test_the_engineering_view_goes_round_what_is_chosen_and_is_shifted_by_the_second_button_or_by_keys(
+def test_engineering_view_turns_about_its_target_and_can_be_shifted(
     flight: Flight,
 ) -> None:
     flight.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="ENG").click()
     steady(flight)
-    flight.press("End")  # its exposure stays as it is
+    flight.press("End")  # lock the exposure
     first = flight.page.locator(".monitor").first
     pictures = []
     for target in ("place", "tip", "payload", "gap"):
@@ -220,7 +220,7 @@ def test_the_engineering_view_goes_round_what_is_chosen_and_is_shifted_by_the_se
     assert drawn(flight) != dragged
 
 
-def test_a_second_window_shows_the_same_flight_and_what_its_monitor_shows(flight: Flight) -> None:
+def test_monitor_window_shows_the_camera_of_its_monitor(flight: Flight) -> None:
     flight.press("1", "x", "2", "x")
     with flight.page.expect_popup() as opened:
         flight.page.locator(".monitor").nth(1).get_by_role("button", name="Own window").click()
@@ -243,7 +243,7 @@ def test_a_second_window_shows_the_same_flight_and_what_its_monitor_shows(flight
     page.close()
 
 
-def test_all_cameras_stand_in_a_window_of_their_own(flight: Flight) -> None:
+def test_window_of_all_cameras_selects_for_the_page(flight: Flight) -> None:
     flight.press("1", "c")
     with flight.page.expect_popup() as opened:
         flight.page.locator(".views").get_by_role("button", name="Own window").click()
@@ -269,14 +269,14 @@ def test_nothing_scrolls_overlaps_or_fades(flight: Flight) -> None:
         flight.press("c", "z")
 
 
-def test_a_page_says_why_a_fixed_camera_does_not_turn(flight: Flight) -> None:
+def test_turning_a_fixed_camera_is_rejected_in_the_log(flight: Flight) -> None:
     flight.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="AFT", exact=True).click()
     flight.hold("ArrowRight")
     flight.until_logged("AFT is fixed.")
     flight.release("ArrowRight")
 
 
-def test_a_drag_pans_and_tilts_the_picture_in_hand_the_wheel_zooms_it_and_letting_go_stops_it(flight: Flight) -> None:
+def test_drag_pans_and_tilts_and_the_wheel_zooms_the_camera(flight: Flight) -> None:
     flight.press("1", "x", "3")
     flight.until(shows(1, "C"))
     flight.press("x")
@@ -305,7 +305,7 @@ def test_a_drag_pans_and_tilts_the_picture_in_hand_the_wheel_zooms_it_and_lettin
     flight.until(f"frame.views[2][2] > {narrow + 0.002}")
 
 
-def test_who_watches_is_told_that_a_drag_turns_no_camera(flight: Flight, open_page: OpenPage) -> None:
+def test_drag_of_an_observer_turns_no_camera(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
     watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
     watcher.press("3")

@@ -1,4 +1,4 @@
-"""A payload captured from the page, by keys alone, with the Shuttle's snares."""
+"""A payload captured by keys, with the snares of the Shuttle's arm."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import pytest
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scene.bodies import bodies_of
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = str(Path(__file__).parent / "over-the-pin.toml")
-"""The end effector begins in line with the pin, 8 in from it."""
+"""The end effector starts aligned with the pin, 8 in from it."""
 
 AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
 DEPTH = "frame.work.conditions.find(({ name }) => name === 'pin depth').value"
@@ -22,19 +22,19 @@ TITLE = "document.querySelector('.conditions h2').textContent"
 LIT = "[...document.querySelectorAll('.flags .lit')].map((flag) => flag.textContent).join()"
 ABOUT = "document.querySelector('.effector .about').textContent"
 LOADED = "[...document.querySelectorAll('.rotary :not(.absent)')].some((key) => key.textContent === '{}')"
-"""The rotary's position can be entered."""
+"""JavaScript condition: the position of the rotary can be entered."""
 INCH = 0.0254
 MOST_TRIES = 20
 
 
-def test_every_body_of_the_orbiters_worksite_is_drawn(flight: Flight) -> None:
+def test_every_body_of_the_orbiter_worksite_is_drawn(flight: Flight) -> None:
     drawn = {body["name"]: body["triangles"] for body in flight.script("window.__aftdeck.bodies")}
     defined = {body.name: body.shapes for body in bodies_of(load_scenario(SCENARIO))}
     assert set(drawn) == set(defined) >= {"orbiter", "payload"}
     assert [name for name, shapes in defined.items() if shapes and drawn[name] == 0] == []
 
 
-def test_snares_that_close_beside_the_pin_say_what_was_not_met(flight: Flight) -> None:
+def test_snares_closed_beside_the_pin_log_the_failed_condition(flight: Flight) -> None:
     flight.until(f"{DEPTH} > {6 * INCH} && /pin .* in out from its seat, 0 to 4 in allowed/.test({TITLE})")
     flight.until("[...document.querySelectorAll('.look-ahead dd')].every((each) => each.checkVisibility())")
     assert_tidy(flight)
@@ -45,7 +45,7 @@ def test_snares_that_close_beside_the_pin_say_what_was_not_met(flight: Flight) -
     assert not flight.frame().work.cargo[0].held
 
 
-def test_the_payload_is_captured_by_keys_alone(flight: Flight) -> None:
+def test_keys_capture_and_unlatch_the_payload(flight: Flight) -> None:
     flight.until(f"!({LOADED.format('ORB LD')})")
     flight.press("v")
     flight.until("frame.rate === 'vernier'")
@@ -71,7 +71,7 @@ def test_the_payload_is_captured_by_keys_alone(flight: Flight) -> None:
     flight.until(f"{LOADED.format('ORB LD')} && {LOADED.format('PL')}")
     flight.until("document.querySelector('.seat .where').textContent === 'Payload bay latches'")
 
-    # Held by arm and latches, it is moved by neither; the page says so to whoever tries.
+    # The payload is captured and latched: T begins to open the latches.
     flight.hold("t")
     flight.until("document.querySelectorAll('.seat .fill')[1].style.transform === 'scaleX(1)'")
     flight.release("t")

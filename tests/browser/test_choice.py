@@ -1,4 +1,4 @@
-"""Another scenario chosen in the page: from the list, and by the Tutorial key."""
+"""Change of scenario in the page: from the list, and by the Tutorial key."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable
+from tests.browser.layout_checks import assert_readable
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -25,9 +25,9 @@ def choose(flight: Flight, title: str) -> None:
     flight.page.locator(".scenarios button").filter(has=flight.page.get_by_text(title, exact=True)).click()
 
 
-def test_a_scenario_is_chosen_from_the_list_and_every_page_comes_along(flight: Flight, open_page: OpenPage) -> None:
+def test_scenario_chosen_from_the_list_opens_on_every_page(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
-    for page in (flight, watcher):  # whatever is shown, the next flight begins with the desk
+    for page in (flight, watcher):  # a new scenario opens with the desk, whatever was shown
         page.press("c")
         page.until("document.querySelector('.matrix').checkVisibility()")
     choose(flight, "Three singularities")
@@ -41,7 +41,7 @@ def test_a_scenario_is_chosen_from_the_list_and_every_page_comes_along(flight: F
     flight.until("frame.translation[0] < -0.9")
     flight.release("s")
     choose(flight, "First flight")
-    flight.until(LEAVING)  # something was flown
+    flight.until(LEAVING)  # the arm was flown, so that the page asks
     assert "Leave “Three singularities” for “First flight”?" in flight.page.locator(".leaving").inner_text()
     flight.press_key("Stay")
     flight.until(f"!{LEAVING} && {TITLE} === 'Three singularities'")
@@ -50,17 +50,17 @@ def test_a_scenario_is_chosen_from_the_list_and_every_page_comes_along(flight: F
     flight.until(f"frame && {TITLE} === 'First flight' && frame.mode === 'ORB UNL'")
 
 
-def test_the_tutorial_key_goes_to_the_tutorial_and_opens_it(flight: Flight) -> None:
+def test_tutorial_key_opens_the_tutorial_scenario_and_its_guide(flight: Flight) -> None:
     flight.press_key("Tutorial")
     flight.until(f"frame && {TITLE} === 'Tutorial' && {GUIDED}")
     flight.press_key("Guide")
     flight.until(f"!{GUIDED}")
     choose(flight, "Tutorial")
-    flight.until(GUIDED)  # asked for by its row, it opens, too
+    flight.until(GUIDED)  # the guide also opens if the scenario is chosen from the list
     choose(flight, "First flight")
     flight.until(f"frame && {TITLE} === 'First flight' && frame.mode === 'ORB UNL'")
     flight.press_key("Tutorial")
-    flight.until(f"frame && {TITLE} === 'Tutorial' && {GUIDED}")  # asked for again, it opens again
+    flight.until(f"frame && {TITLE} === 'Tutorial' && {GUIDED}")  # the guide opens each time
     choose(flight, "First flight")
     flight.until(f"frame && {TITLE} === 'First flight' && frame.mode === 'ORB UNL'")
     choose(flight, "Tutorial")
@@ -69,7 +69,7 @@ def test_the_tutorial_key_goes_to_the_tutorial_and_opens_it(flight: Flight) -> N
     flight.until(f"frame && {TITLE} === 'First flight'")
 
 
-def test_the_list_fits_and_is_readable(flight: Flight) -> None:
+def test_scenario_list_fits_and_is_readable(flight: Flight) -> None:
     flight.page.locator(".rail .scenario > button").click()
     for width, height in SIZES:
         flight.page.set_viewport_size({"width": width, "height": height})

@@ -1,4 +1,4 @@
-"""PDRS control from the page, and the thresholds of a scenario's own: what the file says is what is shown and acts."""
+"""The sheet PDRS control, and clearance thresholds that a scenario sets."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ expect.set_options(timeout=WAIT_MS)
 SCENARIO = str(Path(__file__).parent / "own-thresholds.toml")
 
 
-def opened(flight: Flight) -> Locator:
-    """The page PDRS control, opened by its switch on the desk."""
+def open_control_page(flight: Flight) -> Locator:
+    """Open PDRS control by its switch on the desk; return the sheet."""
     flight.page.get_by_role("button", name="SPEC 94").click()
     sheet = flight.page.get_by_role("dialog", name="PDRS control")
     sheet.wait_for(state="visible")
     return sheet
 
 
-def test_a_pose_keyed_in_is_the_target_and_its_check_says_why_not(flight: Flight) -> None:
-    sheet = opened(flight)
+def test_keyed_in_pose_is_the_target_and_is_checked(flight: Flight) -> None:
+    sheet = open_control_page(flight)
     x = sheet.get_by_label("End X", exact=True)
     expect(x).to_have_value("−942.0")
     x.fill("-930")
@@ -41,22 +41,22 @@ def test_a_pose_keyed_in_is_the_target_and_its_check_says_why_not(flight: Flight
     sheet.wait_for(state="hidden")
 
 
-def test_until_one_is_keyed_in_page_and_desk_show_the_present_point(flight: Flight) -> None:
+def test_page_and_desk_show_the_present_point_without_a_target(flight: Flight) -> None:
     flight.turn_to("OPR CMD")
     start = flight.frame().display.actual.position[0]
     flight.hold("w")
     flight.until(f"Math.abs(frame.display.actual.position[0] - {start}) > 0.05")
     flight.release("w")
     flight.until("Math.hypot(...frame.display.actual.velocity) < 1e-4")
-    sheet = opened(flight)
+    sheet = open_control_page(flight)
     expect(sheet.locator(".to-go")).to_have_text("No target keyed in: this is the present point.")
     present = flight.script("document.querySelector('.resolution td.actual').textContent")
     for name in ("End X", "Target X"):
         expect(flight.page.get_by_label(name, exact=True)).to_have_value(present)
 
 
-def test_position_hold_and_the_reference_of_orb_ld_are_switched_there(flight: Flight) -> None:
-    sheet = opened(flight)
+def test_control_page_switches_position_hold_and_orb_ld_axes(flight: Flight) -> None:
+    sheet = open_control_page(flight)
     sheet.get_by_role("group", name="Position hold").get_by_role("button", name="Ena").click()
     flight.until("frame.position_hold")
     sheet.get_by_role("group", name="Position hold").get_by_role("button", name="Inh").click()
@@ -68,8 +68,8 @@ def test_position_hold_and_the_reference_of_orb_ld_are_switched_there(flight: Fl
     flight.until("!frame.payload_axes")
 
 
-def test_the_stored_points_are_those_of_the_file_and_the_next_one_is_marked(flight: Flight) -> None:
-    sheet = opened(flight)
+def test_control_page_lists_stored_points_and_marks_the_next(flight: Flight) -> None:
+    sheet = open_control_page(flight)
     rows = sheet.locator(".stored-points tbody tr:not([hidden])")
     expect(rows).to_have_count(2)
     expect(rows.nth(0)).to_have_text("1−942.0−60.0−597.5285.00.00.0fly by")
@@ -80,25 +80,25 @@ def test_the_stored_points_are_those_of_the_file_and_the_next_one_is_marked(flig
     expect(sheet.locator(".stored-points p")).to_contain_text("No points")
 
 
-def test_the_arm_is_flown_while_the_page_is_open(flight: Flight) -> None:
-    opened(flight)
+def test_arm_can_be_flown_while_the_control_page_is_open(flight: Flight) -> None:
+    open_control_page(flight)
     start = flight.frame().display.actual.position[0]
     flight.hold("w")
     flight.until(f"Math.abs(frame.display.actual.position[0] - {start}) > 0.02")
     flight.release("w")
 
 
-def test_who_watches_reads_it_and_is_told_that_he_cannot_switch(flight: Flight, open_page: OpenPage) -> None:
+def test_observer_reads_the_control_page_but_cannot_switch(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
     watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
-    sheet = opened(watcher)
+    sheet = open_control_page(watcher)
     expect(sheet.locator(".payload-table tr.held")).to_contain_text("no payload")
     sheet.get_by_role("button", name="Key in").click()
     watcher.until_logged("Observing: only the operator can do that.")
     assert flight.frame().display.aim is None
 
 
-def test_lamp_gauge_and_figure_follow_the_scenarios_thresholds(flight: Flight) -> None:
+def test_lamp_and_gauge_follow_the_thresholds_of_the_scenario(flight: Flight) -> None:
     flight.until_lit("CLEARANCE")
     flight.until("document.querySelector('.clearance').matches('.caution')")
     marks = "[...document.querySelectorAll('.gap-scale .marks span')].map((mark) => mark.textContent)"

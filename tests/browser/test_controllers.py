@@ -1,4 +1,4 @@
-"""The hand controllers' devices: what they are put to, changing it, and what happens when they are gone."""
+"""Devices of the hand controllers: assignments, changes of them, and lost devices."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from playwright.sync_api import Locator, Page, expect
 from aftdeck.recording.reader import Recording
 from tests.browser.conftest import SIZES, OpenPage, flown
 from tests.browser.flight import WAIT_MS, Flight
-from tests.browser.looks import assert_readable
+from tests.browser.layout_checks import assert_readable
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 expect.set_options(timeout=WAIT_MS)
@@ -38,12 +38,12 @@ CAP = """
         window.cap.dispatchEvent(Object.assign(new Event('inputreport'), { reportId: 1, data }));
     }, 16);
 """
-"""A SpaceMouse that tells all six axes in one report, as long as it is there; a test sets them."""
+"""A SpaceMouse that sends all six axes in one report while it is connected; a test sets them."""
 
 
 @pytest.fixture(scope="module")
 def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Folder of this module's recordings."""
+    """Folder of the recordings."""
     return tmp_path_factory.mktemp("flights")
 
 
@@ -61,7 +61,7 @@ def padded(open_page: OpenPage) -> Flight:
 
 
 def open_sheet(flight: Flight, device: str | None = None) -> None:
-    """Opens the sheet, at a device's part of it."""
+    """Open the sheet, and the part of a device if one is given."""
     flight.page.get_by_role("button", name="Controllers", exact=True).click()
     sheet(flight.page).wait_for(state="visible")
     if device:
@@ -69,43 +69,45 @@ def open_sheet(flight: Flight, device: str | None = None) -> None:
 
 
 def sheet(page: Page) -> Locator:
-    """The sheet of controllers."""
+    """Return the sheet *Controllers*."""
     return page.get_by_role("dialog", name="Controllers")
 
 
 def close_sheet(flight: Flight) -> None:
-    """Closes the sheet and waits until devices at rest have been seen so: they fly from then on."""
+    """Close the sheet and wait until the page has seen centred devices, which can then fly."""
     flight.press("Escape")
     sheet(flight.page).wait_for(state="hidden")
     flight.polled()
 
 
-def ask(flight: Flight, use: str) -> None:
-    """Presses the cap of a use; the sheet waits for what shall be there."""
+def request_assignment(flight: Flight, use: str) -> None:
+    """Press the button of a use; the sheet then waits for a key, button or axis."""
     flight.page.locator(f'[data-use="{use}"]').click()
     expect(flight.page.locator(f'[data-use="{use}"]')).to_contain_class("asked")
 
 
-def told(flight: Flight) -> str:
-    """What the sheet says."""
+def message(flight: Flight) -> str:
+    """Return the message of the sheet."""
     return str(flight.page.locator(".controllers .told").inner_text())
 
 
-def test_a_key_is_put_elsewhere_by_the_sheet_flies_and_is_kept(flight: Flight, recordings: Path) -> None:
+def test_reassigned_key_flies_and_is_stored_and_recorded(flight: Flight, recordings: Path) -> None:
     open_sheet(flight, "Keyboard")
-    ask(flight, "+X")
+    request_assignment(flight, "+X")
     flight.press("s")
-    assert "“THC −X”" in told(flight)  # the use that S has already
+    assert "“THC −X”" in message(flight)  # S already has this use
     flight.press("Tab")
-    assert "belongs to the browser" in told(flight)
+    assert "belongs to the browser" in message(flight)
     flight.press("Space")
-    assert "Space" in told(flight)
+    assert "Space" in message(flight)
     flight.press("Numpad5")
     expect(flight.page.locator('[data-use="+X"]')).to_have_text("Num 5")
     flight.hold("Numpad5")
     expect(flight.page.locator('[data-use="+X"]')).to_contain_class("held")
     tick = flight.frame().tick
-    assert flight.until(f"frame.tick > {tick + 25}").translation == (0, 0, 0), "nothing flies while the sheet is open"
+    assert flight.until(f"frame.tick > {tick + 25}").translation == (0, 0, 0), (
+        "the arm does not move while the sheet is open"
+    )
     flight.release("Numpad5")
     close_sheet(flight)
 
@@ -126,13 +128,13 @@ def test_a_key_is_put_elsewhere_by_the_sheet_flies_and_is_kept(flight: Flight, r
     assert any("Numpad5 +X" in used.bindings and "KeyW +X" not in used.bindings for used in flown_with)
 
 
-def test_a_stick_is_put_elsewhere_by_moving_it(padded: Flight) -> None:
+def test_stick_axis_is_reassigned_by_moving_it(padded: Flight) -> None:
     padded.enter("ORB UNL")
     open_sheet(padded, "Pad")
-    ask(padded, "+pitch")
+    request_assignment(padded, "+pitch")
     padded.press("Delete")
     expect(padded.page.locator('[data-use="+pitch"]')).to_have_text("·")
-    ask(padded, "+X")
+    request_assignment(padded, "+X")
     padded.pad_axes(0, 0, 0, -1)
     expect(padded.page.locator('[data-use="+X"]')).to_have_text("R stick ↑")
     padded.pad_axes(0, 0, 0, 0)
@@ -145,7 +147,7 @@ def test_a_stick_is_put_elsewhere_by_moving_it(padded: Flight) -> None:
     padded.until(STICKS_AT_ZERO)
 
 
-def test_deadband_and_expo_are_set_by_keys_and_act(padded: Flight) -> None:
+def test_deadband_and_expo_are_set_by_keys(padded: Flight) -> None:
     open_sheet(padded, "Pad")
     padded.page.get_by_label("Deadband").press("End")
     padded.page.get_by_label("Expo", exact=True).press("Home")
@@ -157,7 +159,7 @@ def test_deadband_and_expo_are_set_by_keys_and_act(padded: Flight) -> None:
     expect(padded.page.locator(".range output").first).to_have_text("8 %")
 
 
-def test_a_lost_device_zeroes_the_sticks_and_is_named_on_both_displays(padded: Flight) -> None:
+def test_lost_device_zeroes_the_sticks_and_is_named(padded: Flight) -> None:
     padded.pad_axes(0, -1, 0, 0)
     padded.until("frame.translation[0] === 1")
     padded.press("h")
@@ -170,7 +172,7 @@ def test_a_lost_device_zeroes_the_sticks_and_is_named_on_both_displays(padded: F
     padded.until(f"{GONE}.every((words) => words === '') && !({CROSSED})")
 
 
-def test_a_hidden_page_zeroes_a_pad_which_flies_once_seen_at_zero(padded: Flight) -> None:
+def test_hidden_page_zeroes_a_pad_until_it_was_centred(padded: Flight) -> None:
     hide = (
         "Object.defineProperty(document, 'hidden', {{ value: {0}, configurable: true }});"
         "document.dispatchEvent(new Event('visibilitychange'))"
@@ -190,7 +192,7 @@ def test_a_hidden_page_zeroes_a_pad_which_flies_once_seen_at_zero(padded: Flight
     padded.until("frame.translation[0] === 1")
 
 
-def test_a_pad_that_rests_off_centre_is_zeroed_only_when_asked(open_page: OpenPage) -> None:
+def test_pad_off_centre_is_zeroed_only_on_request(open_page: OpenPage) -> None:
     def off_centre(page: Page) -> None:
         page.add_init_script("window.testPad.axes = [0, 0.2, 0, 0]")
 
@@ -205,7 +207,7 @@ def test_a_pad_that_rests_off_centre_is_zeroed_only_when_asked(open_page: OpenPa
     flight.until("frame.translation[0] === 1")
 
 
-def test_of_two_pads_the_first_moved_is_the_thc_and_they_are_swapped_on_demand(padded: Flight) -> None:
+def test_first_moved_of_two_pads_is_the_thc_until_swapped(padded: Flight) -> None:
     padded.script(
         "window.second = { ...window.testPad, id: 'Other pad', index: 1, axes: [0, 0, 0, 0] };"
         "navigator.getGamepads = () => [window.testPad, window.second]"
@@ -227,7 +229,7 @@ def test_of_two_pads_the_first_moved_is_the_thc_and_they_are_swapped_on_demand(p
     padded.until("frame.translation[0] === 1 && frame.rotation[1] === 0")
 
 
-def test_touch_sticks_fly_with_two_fingers_at_once(flight: Flight) -> None:
+def test_touch_sticks_fly_with_two_fingers(flight: Flight) -> None:
     page = flight.page
     cdp = page.context.new_cdp_session(page)
     cdp.send("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
@@ -239,7 +241,7 @@ def test_touch_sticks_fly_with_two_fingers_at_once(flight: Flight) -> None:
     touch("touchStart", (640, 200))
     touch("touchEnd")
     page.get_by_role("group", name="Touch sticks").wait_for(state="visible")
-    (left, right) = (place(page, ".touch .left .knob.round"), place(page, ".touch .right .knob.round"))
+    (left, right) = (centre(page, ".touch .left .knob.round"), centre(page, ".touch .right .knob.round"))
     touch("touchStart", left, right)
     tick = flight.frame().tick
     assert flight.until(f"frame.tick > {tick + 25}").translation == (0, 0, 0), "a touch alone moves nothing"
@@ -253,14 +255,14 @@ def test_touch_sticks_fly_with_two_fingers_at_once(flight: Flight) -> None:
     flight.until("!document.querySelector('.lamp.caution')")
 
 
-def place(page: Page, selector: str) -> tuple[float, float]:
-    """The middle of an element [px]."""
+def centre(page: Page, selector: str) -> tuple[float, float]:
+    """Return the centre of an element [px]."""
     box = page.locator(selector).bounding_box()
     assert box is not None
     return (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
 
 
-def test_a_spacemouse_flies_and_its_loss_is_seen(open_page: OpenPage) -> None:
+def test_spacemouse_flies_and_its_loss_is_shown(open_page: OpenPage) -> None:
     flight = open_page(prepare=lambda page: page.add_init_script(CAP)).from_the_start()
     open_sheet(flight, "SpaceMouse")
     flight.page.get_by_role("button", name="Connect", exact=True).click()
@@ -274,7 +276,7 @@ def test_a_spacemouse_flies_and_its_loss_is_seen(open_page: OpenPage) -> None:
     flight.until(f"{STICKS_AT_ZERO} && {GONE}.every((words) => words === 'Test SpaceMouse is gone')")
 
 
-def test_a_browser_without_webhid_says_so(open_page: OpenPage) -> None:
+def test_missing_webhid_is_reported(open_page: OpenPage) -> None:
     without = "Object.defineProperty(navigator, 'hid', { value: undefined })"
     flight = open_page(prepare=lambda page: page.add_init_script(without)).from_the_start()
     open_sheet(flight, "SpaceMouse")
@@ -283,7 +285,7 @@ def test_a_browser_without_webhid_says_so(open_page: OpenPage) -> None:
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_sheet_fits_and_can_be_read(open_page: OpenPage, width: int, height: int) -> None:
+def test_controllers_sheet_fits_and_is_readable(open_page: OpenPage, width: int, height: int) -> None:
     flight = open_page(width, height, pad=True).from_the_start()
     open_sheet(flight)
     for device in ("Pad", "Keyboard", "SpaceMouse", "Touch sticks"):
@@ -295,5 +297,5 @@ def test_the_sheet_fits_and_can_be_read(open_page: OpenPage, width: int, height:
         )
         cut = "[...document.querySelectorAll('.controllers button')].filter((b) => b.scrollWidth > b.clientWidth + 1)"
         assert flight.script(f"{cut}.map((b) => b.textContent)") == []
-    ask(flight, "+X")
+    request_assignment(flight, "+X")
     assert_readable(flight)

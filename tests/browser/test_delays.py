@@ -1,4 +1,4 @@
-"""Delays of telemetry and of pictures: what the desk tells, and what cameras show, is as old as the scenario says."""
+"""Delays of telemetry and pictures: the read-outs and the pictures have the age that the scenario sets."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ pytestmark = pytest.mark.browser
 
 TELEMETRY_S, CAMERA_S = 1.0, 3.0
 SOON_S = 2.0
-"""A page that draws in software shows a frame within this time of its being due."""
+"""Longest time from the due time of a frame to its picture, with software drawing."""
 
-NOTE = """
+RECORD_ARRIVALS = """
     window.arrived = [];
     const Socket = window.WebSocket;
     window.WebSocket = class extends Socket {
         constructor(...given) {
             super(...given);
             this.addEventListener('message', ({ data }) => {
-                const said = JSON.parse(data);
-                if (said.type === 'frame') window.arrived.push({ ...said, came: performance.now() });
+                const message = JSON.parse(data);
+                if (message.type === 'frame') window.arrived.push({ ...message, came: performance.now() });
             });
         }
     };
 """
-"""Keeps what comes to a page, as it comes."""
+"""Stores each frame with its time of arrival at the page."""
 
 AGES = """() => {
     const [hours, minutes, seconds] = document.querySelector('.picture .code').textContent.split(':').map(Number);
@@ -45,12 +45,12 @@ AGES = """() => {
         stale: document.querySelector('.is-stale, body.stale') !== null,
     };
 }"""
-"""How old what a page shows is [s], and whether it says that it is too old."""
+"""Ages of the read-outs and of the picture [s], and whether the page marks them as stale."""
 
 
 @pytest.fixture(scope="module")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """Address of a station whose telemetry and pictures are late."""
+    """Address of a station with delayed telemetry and pictures."""
     first = Path(aftdeck.__file__).parent / "scenario" / "builtin" / "first-flight.toml"
     file = tmp_path_factory.mktemp("late") / "late.toml"
     delays = f"telemetry_delay = {TELEMETRY_S}\ncamera_delay = {CAMERA_S}\n"
@@ -61,14 +61,14 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture
 def page(open_page: OpenPage) -> Flight:
-    """A page that has shown late frames already: its first one is shown at once, however old the flight is."""
-    page = open_page(1280, 720, prepare=lambda page: page.add_init_script(NOTE))
+    """A page that already shows delayed frames; it shows its first frame without a delay."""
+    page = open_page(1280, 720, prepare=lambda page: page.add_init_script(RECORD_ARRIVALS))
     page.until(f"frame.time_s > {page.frame().time_s + CAMERA_S + 1.0}")
     return page
 
 
 def ages(page: Flight, count: int = 20) -> list[dict[str, float]]:
-    """How old all that a page shows is, some times, a picture or more apart."""
+    """Return `count` ages, each at least one picture after the one before."""
     found = []
     for _ in range(count):
         found.append(page.script(AGES))
@@ -76,7 +76,7 @@ def ages(page: Flight, count: int = 20) -> list[dict[str, float]]:
     return found
 
 
-def test_figures_and_pictures_are_each_as_old_as_set_and_not_called_stale(page: Flight) -> None:
+def test_figures_and_pictures_have_the_delays_of_the_scenario(page: Flight) -> None:
     for age in ages(page):
         assert TELEMETRY_S <= age["figures"] <= TELEMETRY_S + SOON_S
         assert CAMERA_S <= age["picture"] <= CAMERA_S + SOON_S
@@ -85,7 +85,7 @@ def test_figures_and_pictures_are_each_as_old_as_set_and_not_called_stale(page: 
 
 
 @pytest.mark.slow
-def test_the_log_and_the_mode_come_with_the_telemetry(page: Flight) -> None:
+def test_log_and_mode_have_the_telemetry_delay(page: Flight) -> None:
     page.script("""() => new MutationObserver(() => {
         const line = [...document.querySelectorAll('.log li')].some((line) => line.textContent.includes('END EFF'));
         window.logged ??= line ? performance.now() : undefined;
@@ -98,7 +98,7 @@ def test_the_log_and_the_mode_come_with_the_telemetry(page: Flight) -> None:
     page.enter("ORB UNL")
 
 
-def test_the_rail_and_the_lamp_tell_the_delays_and_stick_to_picture_leaves_them_out(page: Flight) -> None:
+def test_rail_and_lamp_show_delays_that_stick_to_picture_excludes(page: Flight) -> None:
     assert page.script("document.querySelector('.rail .delay').textContent") == "Delay TLM 1.00 · CAM 3.00 s"
     link = page.page.locator(".lamp.info", has_text="LINK DELAY")
     assert link.get_attribute("title") == "figures are 1.00 s old, pictures are 3.00 s old"
@@ -110,7 +110,7 @@ def test_the_rail_and_the_lamp_tell_the_delays_and_stick_to_picture_leaves_them_
 
 
 @pytest.mark.slow
-def test_a_restart_is_shown_at_once_and_what_follows_as_late_as_before(page: Flight) -> None:
+def test_restart_is_shown_at_once_and_later_frames_are_delayed(page: Flight) -> None:
     page.from_the_start()
     assert page.script("window.__aftdeck.lastFrame.time_s") < TELEMETRY_S
     page.until(f"frame.time_s > {CAMERA_S}")
@@ -119,9 +119,9 @@ def test_a_restart_is_shown_at_once_and_what_follows_as_late_as_before(page: Fli
 
 
 @pytest.mark.slow
-def test_a_second_window_shows_its_pictures_as_late(page: Flight, browser: Browser, station: str) -> None:
+def test_monitor_window_has_the_camera_delay(page: Flight, browser: Browser, station: str) -> None:
     other = browser.new_page(viewport={"width": 900, "height": 600})
-    other.add_init_script(NOTE)
+    other.add_init_script(RECORD_ARRIVALS)
     other.goto(f"{station}?view=mon1&quality=low")
     second = Flight(other)
     second.until(f"frame.time_s > {page.frame().time_s + CAMERA_S}")

@@ -1,4 +1,4 @@
-"""The station in Firefox: it loads without a complaint, draws, flies, turns a camera, and its sheets open."""
+"""The station in Firefox: it loads without errors, draws, flies, turns a camera and opens its sheets."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 from tests.browser.conftest import SIZES
 from tests.browser.firefox import ESCAPE, Firefox, find_programs, started
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -30,12 +30,12 @@ COLOURS = """() => {
         return new Set(pixels).size;
     });
 }"""
-"""How many colours each monitor's picture has."""
+"""Number of colours in each monitor's picture."""
 
 
 @pytest.fixture(scope="module")
 def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
-    """A Firefox at the station, which it flies; at the end nothing is on its console."""
+    """A Firefox in control of the station. An error in its console fails the tests."""
     programs = find_programs()
     if programs is None:
         missing = "no Firefox, or no Xvfb to draw on, was found: install firefox-esr and xvfb"
@@ -46,7 +46,7 @@ def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
         browser.go(f"{station}?quality=low")
         browser.resize(1280, 720)
         browser.until("frame?.time_s > 1 && document.querySelector('.who').textContent.startsWith('You fly')")
-        browser.until(TUTORIAL)  # it opens by itself for who has not seen it
+        browser.until(TUTORIAL)  # the tutorial opens by itself on the first visit
         press_rail(browser, "Guide")
         browser.until(f"!{TUTORIAL}")
         yield browser
@@ -58,7 +58,7 @@ def test_both_pictures_are_drawn(firefox: Firefox) -> None:
     assert min(firefox.script(COLOURS)) > 50
 
 
-def test_a_key_moves_the_arm_and_space_stops_it(firefox: Firefox) -> None:
+def test_key_moves_the_arm_and_space_stops_it(firefox: Firefox) -> None:
     start = firefox.script("window.__aftdeck.lastFrame.display.actual.position")
     firefox.hold("w")
     firefox.until(f"frame.display.actual.position.some((at, axis) => Math.abs(at - {start}[axis]) > 0.01)")
@@ -67,7 +67,7 @@ def test_a_key_moves_the_arm_and_space_stops_it(firefox: Firefox) -> None:
     firefox.release("w")
 
 
-def test_a_drag_turns_the_camera_and_letting_go_stops_it(firefox: Firefox) -> None:
+def test_drag_turns_the_camera_until_it_is_released(firefox: Firefox) -> None:
     driven = "frame.views.map(([pan]) => pan)"
     before = firefox.script(f"(() => {{ const frame = window.__aftdeck.lastFrame; return {driven}; }})()")
     firefox.point(
@@ -81,20 +81,20 @@ def test_a_drag_turns_the_camera_and_letting_go_stops_it(firefox: Firefox) -> No
 
 
 @pytest.mark.parametrize(("name", "key"), [("Key map", "?"), ("PDRS control", "\\"), ("Controllers", "")])
-def test_a_sheet_opens_can_be_read_and_closes(firefox: Firefox, name: str, key: str) -> None:
+def test_sheet_opens_is_readable_and_closes(firefox: Firefox, name: str, key: str) -> None:
     sheet = f"document.querySelector('dialog[aria-label=\"{name}\"]').open"
     if key:
         firefox.press(key)
     else:
         press_rail(firefox, name)
     firefox.until(sheet)
-    drawn_anew(firefox)
+    until_redrawn(firefox)
     assert_readable(firefox, "dialog[open]", least=30)
     firefox.press(ESCAPE)
     firefox.until(f"!{sheet}")
 
 
-def test_the_tutorial_opens_and_closes(firefox: Firefox) -> None:
+def test_tutorial_opens_and_closes(firefox: Firefox) -> None:
     press_rail(firefox, "Guide")
     firefox.until(TUTORIAL)
     assert_readable(firefox, ".tutorial", least=5)
@@ -103,20 +103,20 @@ def test_the_tutorial_opens_and_closes(firefox: Firefox) -> None:
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_page_is_tidy_and_readable(firefox: Firefox, width: int, height: int) -> None:
+def test_page_is_tidy_and_readable(firefox: Firefox, width: int, height: int) -> None:
     firefox.resize(width, height)
-    drawn_anew(firefox)
+    until_redrawn(firefox)
     assert_tidy(firefox)
     assert_readable(firefox)
 
 
 def press_rail(firefox: Firefox, name: str) -> None:
-    """Presses a key of the top rail."""
+    """Press a button of the top rail."""
     keys = "[...document.querySelectorAll('.rail-keys button')]"
     firefox.script(f"{keys}.find((key) => key.textContent === '{name}').click() ?? null")
 
 
-def drawn_anew(firefox: Firefox) -> None:
-    """Waits until pictures and figures have been drawn some times more."""
+def until_redrawn(firefox: Firefox) -> None:
+    """Wait until pictures and read-outs have been drawn again."""
     drawn = firefox.script("window.__aftdeck.frames")
     firefox.until(f"window.__aftdeck.frames > {drawn + 5}")

@@ -1,4 +1,4 @@
-"""The arm flown from the page: keyboard, pad, target, and what takes the sticks to zero."""
+"""The arm flown from the page: keyboard, pad, target, and causes that zero the sticks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STICKS_AT_ZERO = "[...frame.translation, ...frame.rotation, frame.drive].every((
 INCH = 0.0254
 
 
-def test_w_flies_the_tip_forward_and_letting_go_stops_it(flight: Flight) -> None:
+def test_w_flies_the_tip_forward_until_it_is_released(flight: Flight) -> None:
     flight.enter("ORB UNL")
     start = flight.frame().display.actual.position
     flight.hold("w")
@@ -28,7 +28,7 @@ def test_w_flies_the_tip_forward_and_letting_go_stops_it(flight: Flight) -> None
     assert math.dist(start[1:], end[1:]) < 0.01
 
 
-def test_a_slider_in_focus_has_its_arrows_and_leaves_the_letters_to_fly(flight: Flight) -> None:
+def test_slider_in_focus_takes_arrow_keys_while_letters_fly(flight: Flight) -> None:
     flight.enter("ORB UNL")
     before = flight.frame().views
     flight.script("(() => { const v = document.querySelector('.volume'); v.focus(); window.volume = v.value; })()")
@@ -41,7 +41,7 @@ def test_a_slider_in_focus_has_its_arrows_and_leaves_the_letters_to_fly(flight: 
     assert flight.frame().views == before
 
 
-def test_i_pitches_the_end_effector_up_in_place(flight: Flight) -> None:
+def test_i_pitches_the_end_effector_about_the_tip(flight: Flight) -> None:
     flight.enter("END EFF")
     start = flight.frame().display.actual
     flight.hold("i")
@@ -52,7 +52,7 @@ def test_i_pitches_the_end_effector_up_in_place(flight: Flight) -> None:
     assert math.dist(start.attitude, flight.frame().display.actual.attitude) > 0.001
 
 
-def test_a_pad_flies_both_hands_at_once(open_page: OpenPage) -> None:
+def test_pad_deflects_thc_and_rhc_at_once(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.enter("ORB UNL")
     start = flight.frame().display.actual.position
@@ -63,7 +63,7 @@ def test_a_pad_flies_both_hands_at_once(open_page: OpenPage) -> None:
     flight.until(STICKS_AT_ZERO)
 
 
-def test_a_lost_pad_zeroes_the_sticks_until_it_was_seen_at_zero(open_page: OpenPage) -> None:
+def test_lost_pad_zeroes_the_sticks_until_it_was_centred(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.pad_axes(0, -1, 0, 0)
     flight.until("frame.translation[0] === 1")
@@ -89,7 +89,7 @@ def test_a_lost_pad_zeroes_the_sticks_until_it_was_seen_at_zero(open_page: OpenP
     ],
     ids=["hidden", "blurred"],
 )
-def test_a_page_that_is_left_zeroes_the_sticks_though_a_key_is_held(flight: Flight, leave: str) -> None:
+def test_page_without_focus_zeroes_the_sticks(flight: Flight, leave: str) -> None:
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
     flight.script(leave)
@@ -98,26 +98,26 @@ def test_a_page_that_is_left_zeroes_the_sticks_though_a_key_is_held(flight: Flig
 
 def test_proceed_flies_to_the_keyed_in_target(flight: Flight) -> None:
     flight.enter("OPR CMD")
-    goal = key_in_x(flight, 4 * INCH)
+    target = key_in_x(flight, 4 * INCH)
     flight.until("frame.sequence === 'ready'")
     flight.press("p")
-    there = f"Math.abs(frame.display.actual.position[0] - {goal}) < 0.01"
+    there = f"Math.abs(frame.display.actual.position[0] - {target}) < 0.01"
     flight.until(f"{there} && frame.sequence !== 'in progress' && {AT_REST}")
 
 
-def test_space_stops_a_sequence_on_its_way_though_a_button_has_focus(flight: Flight) -> None:
+def test_space_stops_a_motion_while_a_button_has_focus(flight: Flight) -> None:
     flight.enter("OPR CMD")
-    goal = key_in_x(flight, 120 * INCH)  # eleven seconds away
+    target = key_in_x(flight, 120 * INCH)  # the motion takes 11 s
     flight.until("frame.sequence === 'ready'")
     flight.page.get_by_role("button", name="Proceed").focus()
     flight.press("Enter")
     flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.display.actual.velocity) > 0.01")
     flight.press("Space")
     flight.until(f"frame.sequence !== 'in progress' && {AT_REST}")
-    assert goal - flight.frame().display.actual.position[0] > 0.2
+    assert target - flight.frame().display.actual.position[0] > 0.2
 
 
-def test_the_joint_rotary_chooses_a_joint_which_w_drives_alone(flight: Flight) -> None:
+def test_w_drives_only_the_selected_joint(flight: Flight) -> None:
     flight.enter("SINGLE")
     joint = (flight.frame().joint + 1) % 6
     flight.press("=")
@@ -131,7 +131,7 @@ def test_the_joint_rotary_chooses_a_joint_which_w_drives_alone(flight: Flight) -
     assert moved == [index == joint for index in range(6)]
 
 
-def test_v_changes_between_coarse_and_vernier(flight: Flight) -> None:
+def test_v_switches_between_coarse_and_vernier(flight: Flight) -> None:
     before = flight.frame().rate
     flight.press("v")
     flight.until(f"frame.rate !== '{before}'")
@@ -139,7 +139,7 @@ def test_v_changes_between_coarse_and_vernier(flight: Flight) -> None:
     flight.until(f"frame.rate === '{before}'")
 
 
-def test_keys_type_in_a_text_field_and_do_not_fly(flight: Flight) -> None:
+def test_keys_in_a_text_field_do_not_fly(flight: Flight) -> None:
     flight.turn_to("OPR CMD")
     field = flight.page.get_by_label("Target X", exact=True)
     field.click()
@@ -152,7 +152,7 @@ def test_keys_type_in_a_text_field_and_do_not_fly(flight: Flight) -> None:
     assert flight.script("document.body.classList.contains('typing')")
 
 
-def test_what_is_no_number_is_refused_in_a_sentence(flight: Flight) -> None:
+def test_target_that_is_not_a_number_is_rejected(flight: Flight) -> None:
     flight.turn_to("OPR CMD")
     field = flight.page.get_by_label("Target Y", exact=True)
     field.fill("far")
@@ -162,10 +162,10 @@ def test_what_is_no_number_is_refused_in_a_sentence(flight: Flight) -> None:
 
 
 def key_in_x(flight: Flight, by: float) -> float:
-    """Keys in the present point moved along X by so many metres; returns the new X [m]."""
+    """Key in the present point moved along X by `by` [m]; return the new X [m]."""
     flight.page.get_by_role("button", name="Present").click()
     field = flight.page.get_by_label("Target X", exact=True)
-    goal = float(field.input_value().replace("−", "-")) + by / INCH
-    field.fill(f"{goal:.1f}")
+    target = float(field.input_value().replace("−", "-")) + by / INCH
+    field.fill(f"{target:.1f}")
     field.press("Enter")
-    return goal * INCH
+    return target * INCH

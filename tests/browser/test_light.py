@@ -1,4 +1,4 @@
-"""Light in the pictures: conditions, lamps and the lock of an exposure, as an operator sets them."""
+"""Light in the pictures: light conditions, lamps, and the lock of the exposure."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from base64 import b64encode
 import pytest
 
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable
+from tests.browser.layout_checks import assert_readable
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -27,14 +27,14 @@ _BRIGHTNESS = """() => {
 
 
 def brightness(flight: Flight) -> float:
-    """Of MON 1's picture, some pictures and three time constants of the exposure later."""
+    """Return the mean value of MON 1's picture after some pictures and three time constants of the exposure."""
     count, time = flight.script("window.__aftdeck.frames"), flight.frame().time_s
     flight.until(f"window.__aftdeck.frames > {count + 6} && frame.time_s > {time + 2.4}")
     return float(flight.script(_BRIGHTNESS))
 
 
 def switch(flight: Flight, *names: str) -> None:
-    """Presses keys of the open list, each once it has acted."""
+    """Press buttons of the open list, each after the one before has acted."""
     for name in names:
         key = flight.page.locator(".choices.light").get_by_role("button", name=name, exact=True)
         before = key.get_attribute("aria-pressed")
@@ -42,7 +42,7 @@ def switch(flight: Flight, *names: str) -> None:
         flight.page.locator(f".choices.light button:text-is('{name}'):not([aria-pressed={before}])").wait_for()
 
 
-def test_night_darkens_a_locked_picture_floods_light_it_and_exposure_follows_when_it_is_let_go(flight: Flight) -> None:
+def test_locked_exposure_darkens_at_night_and_adapts_after_unlock(flight: Flight) -> None:
     day = brightness(flight)
     flight.press("End")
     flight.until("document.querySelector('.monitor .burned.time').textContent.includes('EXP LOCK')")
@@ -78,10 +78,10 @@ _COLOURED = """() => {
         return most;
     });
 }"""
-"""The most that two colours of one pixel differ, in each picture."""
+"""Greatest difference of two colours of one pixel, in each picture."""
 
 
-def test_television_of_early_flights_is_black_and_white_and_windows_are_not(flight: Flight) -> None:
+def test_early_flights_make_television_but_not_windows_grey(flight: Flight) -> None:
     assert min(flight.script(_COLOURED)) > 10
     flight.page.locator(".monitor").first.get_by_role("button", name="AFT P", exact=True).click()
     flight.press("Home")
@@ -90,7 +90,7 @@ def test_television_of_early_flights_is_black_and_white_and_windows_are_not(flig
     flight.until(f"window.__aftdeck.frames > {count + 4}")
     window, television = flight.script(_COLOURED)
     assert window > 10
-    assert television < 4  # at its edge the page's own background shows
+    assert television < 4  # the edge of the picture contains the background of the page
 
 
 _BRIGHTEST = """async (png) => {
@@ -103,12 +103,12 @@ _BRIGHTEST = """async (png) => {
 
 
 def brightest(flight: Flight, selector: str) -> int:
-    """The brightest colour of a part of the page as it is seen, 0 to 255."""
+    """Return the brightest colour value of a part of the page, 0 to 255."""
     png = flight.page.locator(selector).first.screenshot()
     return int(flight.page.evaluate(_BRIGHTEST, b64encode(png).decode()))
 
 
-def test_dim_takes_the_page_to_55_percent_and_pictures_to_75_and_is_kept(flight: Flight) -> None:
+def test_dim_reduces_page_and_picture_brightness_and_is_stored(flight: Flight) -> None:
     parts = (".rail h1", ".group.mode", ".spine", ".selector", ".burned.name")
     lit = [brightest(flight, part) for part in parts]
     flight.page.get_by_role("button", name="Dim", exact=True).click()

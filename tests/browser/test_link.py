@@ -1,4 +1,4 @@
-"""The connection: refused, lost, and found again."""
+"""The connection of page and station: rejected, lost, and restored."""
 
 from __future__ import annotations
 
@@ -23,26 +23,26 @@ def page(browser: Browser) -> Iterator[Page]:
     page.close()
 
 
-def test_a_station_that_refuses_the_page_is_quoted(page: Page, station: str) -> None:
+def test_rejection_by_the_station_is_displayed(page: Page, station: str) -> None:
     sentence = "This station speaks protocol 2; the page speaks 1. Reload the page."
     answer(page, {"type": "refused", "seq": -1, "text": sentence})
     page.goto(station)
     page.get_by_role("alert").get_by_text(sentence).wait_for()
 
 
-def test_a_station_of_another_protocol_is_not_flown(page: Page, station: str) -> None:
+def test_station_of_another_protocol_is_rejected(page: Page, station: str) -> None:
     answer(page, {"type": "welcome", "protocol": 99})
     page.goto(station)
     page.get_by_text(f"This page speaks protocol {PROTOCOL}, the station speaks 99: reload the page.").wait_for()
 
 
-def test_a_message_that_the_page_does_not_know_is_not_passed_over(page: Page, station: str) -> None:
+def test_unknown_message_is_reported_by_its_type(page: Page, station: str) -> None:
     answer(page, {"type": "rumour"})
     page.goto(station)
     page.get_by_role("alert").get_by_text("rumour").wait_for()
 
 
-def test_a_lost_connection_shows_and_comes_back_with_the_sticks_at_zero(page: Page, station: str) -> None:
+def test_reconnected_page_has_zero_sticks_and_position_hold(page: Page, station: str) -> None:
     connections: list[WebSocketRoute] = []
     cut = False
 
@@ -74,15 +74,15 @@ STALL = "() => { const begun = performance.now(); while (performance.now() - beg
 
 
 @pytest.mark.slow
-def test_a_page_that_stood_still_flies_no_key_that_was_held_meanwhile(page: Page, station: str) -> None:
+def test_blocked_page_does_not_fly_the_key_held_meanwhile(page: Page, station: str) -> None:
     page.goto(f"{station}?quality=low")
     flight = Flight(page).from_the_start()
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
     flight.script(STALL)
     flight.until("frame.translation[0] === 0 && frame.position_hold")
-    stood = flight.frame().time_s
-    assert flight.until(f"frame.time_s > {stood + 2.0}").translation[0] == 0.0
+    blocked_until = flight.frame().time_s
+    assert flight.until(f"frame.time_s > {blocked_until + 2.0}").translation[0] == 0.0
     flight.release("w")
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
@@ -90,7 +90,7 @@ def test_a_page_that_stood_still_flies_no_key_that_was_held_meanwhile(page: Page
 
 
 def answer(page: Page, message: dict[str, object]) -> None:
-    """Lets the page's socket answer every message with this one."""
+    """Let the page's socket answer every message with `message`."""
 
     def connect(socket: WebSocketRoute) -> None:
         socket.on_message(lambda _: socket.send(json.dumps(message)))

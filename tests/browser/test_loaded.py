@@ -1,4 +1,4 @@
-"""A payload in the grasp: it is drawn, it moves, and its own point and axes are named."""
+"""A captured payload: its motion, its point of resolution and its axes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_orb_ld_lifts_the_payload(flight: Flight) -> None:
     flight.release("q")
 
 
-def test_the_switch_rotates_it_in_its_own_axes(flight: Flight) -> None:
+def test_payload_axes_switch_selects_law_7(flight: Flight) -> None:
     flight.enter("ORB LD")
     flight.press_key("Rotate in payload axes")
     flight.until("frame.payload_axes && frame.law === 7")
@@ -32,7 +32,7 @@ def test_the_switch_rotates_it_in_its_own_axes(flight: Flight) -> None:
     flight.until("!frame.payload_axes && frame.law === 4")
 
 
-def test_pl_moves_it_along_its_own_axes(flight: Flight) -> None:
+def test_pl_moves_the_payload(flight: Flight) -> None:
     flight.enter("PL")
     flight.until(f"{ABOUT} === 'payload, payload axes'")
     start = flight.frame().display.actual.position
@@ -41,7 +41,7 @@ def test_pl_moves_it_along_its_own_axes(flight: Flight) -> None:
     flight.release("w")
 
 
-def test_the_payloads_point_is_not_keyed_in_as_the_tips(flight: Flight) -> None:
+def test_present_point_of_the_payload_is_not_a_target_of_the_tip(flight: Flight) -> None:
     flight.enter("ORB LD")
     flight.turn_to("OPR CMD")
     flight.press_key("Present")

@@ -1,4 +1,4 @@
-"""The switches of the modes: the rotary, the law, the holds, TEST, and what is refused."""
+"""The switches of the modes: MODE rotary, law, RATE HOLD, POSITION HOLD, TEST, and rejected commands."""
 
 from __future__ import annotations
 
@@ -6,31 +6,31 @@ import pytest
 
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import ENTERED, TURNED, Flight
-from tests.browser.looks import assert_tidy
+from tests.browser.layout_checks import assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 HIDDEN = "document.querySelector('{}').checkVisibility() === false"
 SHOWN = "document.querySelector('{}').checkVisibility()"
 TO_THE_STOP_MS = 180_000
-"""The longest that a joint may take to its stops [ms]; it is there in 20 s."""
+"""Longest wait until a joint reaches its stop [ms]; the motion takes 20 s."""
 CHECK_CRT = "[...document.querySelectorAll('.lamp.caution')].some((lamp) => lamp.textContent.includes('CHECK CRT'))"
-"""A refusal's lamp, which goes out after 5 s."""
+"""JavaScript condition: the lamp of a rejection is lit, which lasts 5 s."""
 
 
-def test_brackets_turn_the_rotary_and_enter_enters_it(flight: Flight) -> None:
+def test_brackets_turn_the_rotary_and_enter_enters_the_mode(flight: Flight) -> None:
     flight.enter("ORB UNL")
     for mode in ("END EFF", "ORB LD", "PL", "SINGLE"):
         flight.press("]")
         flight.until(f"{TURNED} === '{mode}'")
-    assert flight.frame().mode == "ORB UNL", "turned is not entered"
+    assert flight.frame().mode == "ORB UNL", "turning the rotary does not enter the mode"
     flight.press("[", "[", "[")
     flight.until(f"{TURNED} === 'END EFF'")
     flight.press("Enter")
     flight.until(f"frame.mode === 'END EFF' && {ENTERED} === 'END EFF' && !{TURNED}")
 
 
-def test_a_click_turns_the_rotary_and_a_second_one_enters(flight: Flight) -> None:
+def test_first_click_turns_the_rotary_and_the_second_enters(flight: Flight) -> None:
     flight.enter("ORB UNL")
     flight.turn_to("SINGLE")
     flight.turn_to("DIRECT")
@@ -39,7 +39,7 @@ def test_a_click_turns_the_rotary_and_a_second_one_enters(flight: Flight) -> Non
     assert flight.frame().law == 9
 
 
-def test_pl_without_a_payload_may_be_turned_to_but_is_refused_in_a_sentence(flight: Flight) -> None:
+def test_pl_without_a_payload_is_rejected_when_entered(flight: Flight) -> None:
     before = flight.frame().mode
     flight.turn_to("PL")
     with flight.shows(CHECK_CRT):
@@ -49,7 +49,7 @@ def test_pl_without_a_payload_may_be_turned_to_but_is_refused_in_a_sentence(flig
     flight.until(f"{TURNED} === 'PL'")
 
 
-def test_the_rotary_shows_only_the_switches_of_the_mode_in_view(flight: Flight) -> None:
+def test_desk_shows_only_the_switches_of_the_selected_mode(flight: Flight) -> None:
     flight.enter("ORB UNL")
     flight.until(f"{HIDDEN.format('[aria-label=Law]')} && {HIDDEN.format('.joint-rotary')}")
     flight.turn_to("SINGLE")
@@ -61,14 +61,14 @@ def test_the_rotary_shows_only_the_switches_of_the_mode_in_view(flight: Flight) 
 
 
 @pytest.mark.parametrize(("law", "number"), [("position", 1), ("open loop", 3), ("closed loop", 2)])
-def test_the_law_switch_chooses_what_opr_cmd_flies(flight: Flight, law: str, number: int) -> None:
+def test_law_switch_selects_the_law_of_opr_cmd(flight: Flight, law: str, number: int) -> None:
     flight.enter("OPR CMD")
     flight.press_key(law)
     flight.until(f"frame.law === {number} && frame.law_choice === '{law}'")
     flight.until(f"document.querySelector('[aria-label=Law] [aria-pressed=true]').ariaLabel === '{law}'")
 
 
-def test_cmd_ck_says_good_or_what_is_in_the_way(flight: Flight) -> None:
+def test_cmd_ck_shows_good_or_fail(flight: Flight) -> None:
     flight.enter("OPR CMD")
     flight.press_key("Present")
     flight.press_key("Key in")
@@ -80,7 +80,7 @@ def test_cmd_ck_says_good_or_what_is_in_the_way(flight: Flight) -> None:
     assert_tidy(flight)
 
 
-def test_rate_hold_keeps_the_rates_until_it_is_pressed_again(flight: Flight) -> None:
+def test_rate_hold_keeps_the_rates_until_it_is_cancelled(flight: Flight) -> None:
     flight.enter("ORB UNL")
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
@@ -89,20 +89,20 @@ def test_rate_hold_keeps_the_rates_until_it_is_pressed_again(flight: Flight) -> 
     flight.release("w")
     held = "document.querySelector('.thc .held .mark')"
     flight.until(f"document.querySelector('.thc').matches('.holding') && Number({held}.getAttribute('cy')) < -30")
-    hand = "document.querySelector('.thc g:not(.held) > .mark')"
-    flight.until(f"Number({hand}.getAttribute('cy')) === 0")
+    own_mark = "document.querySelector('.thc g:not(.held) > .mark')"
+    flight.until(f"Number({own_mark}.getAttribute('cy')) === 0")
     assert flight.frame().translation == (1, 0, 0)
     flight.press_key("Rate hold")
     flight.until("!frame.rate_hold && frame.translation[0] === 0")
 
 
-def test_rate_hold_with_the_sticks_at_rest_is_refused(flight: Flight) -> None:
+def test_rate_hold_with_centred_sticks_is_rejected(flight: Flight) -> None:
     flight.enter("ORB UNL")
     flight.press("h")
     flight.until_logged("RATE HOLD refused: the sticks are at rest, there is no rate to keep")
 
 
-def test_a_pads_west_button_holds_the_rates(open_page: OpenPage) -> None:
+def test_west_button_of_a_pad_sets_rate_hold(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.enter("ORB UNL")
     flight.pad_axes(0, -1, 0, 0)
@@ -113,7 +113,7 @@ def test_a_pads_west_button_holds_the_rates(open_page: OpenPage) -> None:
     flight.until("!frame.rate_hold && frame.translation[0] === 0")
 
 
-def test_position_hold_is_a_switch(flight: Flight) -> None:
+def test_position_hold_is_switched_on_and_off(flight: Flight) -> None:
     flight.enter("ORB UNL")
     flight.press_key("Position hold")
     flight.until("frame.position_hold")
@@ -121,7 +121,7 @@ def test_position_hold_is_a_switch(flight: Flight) -> None:
     flight.until("!frame.position_hold")
 
 
-def test_brakes_safing_and_position_hold_are_in_reach_in_an_automatic_mode(flight: Flight) -> None:
+def test_brakes_safing_and_position_hold_work_in_automatic_modes(flight: Flight) -> None:
     flight.turn_to("AUTO 1")
     flight.page.get_by_label("Brakes", exact=False).wait_for(state="visible")
     flight.enter("OPR CMD")
@@ -146,13 +146,13 @@ def test_test_lights_every_lamp_and_segment_while_entered(flight: Flight) -> Non
     flight.until(f"{dark} > 3 && !{angle}.includes('888')")
 
 
-def test_a_lamp_keeps_the_log_to_its_cause_and_outlines_what_it_speaks_of(flight: Flight) -> None:
+def test_lamp_filters_the_log_and_outlines_its_group(flight: Flight) -> None:
     flight.turn_to("PL")
     with flight.shows(CHECK_CRT):
         flight.press("Enter")
     flight.until_logged("PL refused")
     flight.enter("END EFF")
-    flight.until_logged("END EFF entered")  # the newest line; one that came later would end the filter
+    flight.until_logged("END EFF entered")  # the newest line; a line that came later would end the filter
     lines = "[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.textContent)"
     with flight.shows("document.querySelector('.events').matches('.concerned')"):
         flight.page.get_by_role("button", name="CHECK CRT").click()
@@ -162,7 +162,7 @@ def test_a_lamp_keeps_the_log_to_its_cause_and_outlines_what_it_speaks_of(flight
     flight.until(f"{lines}.some((line) => line.includes('END EFF entered'))")
 
 
-def test_direct_drives_a_joint_past_its_soft_stop_and_the_panel_says_so(flight: Flight) -> None:
+def test_joint_past_its_soft_stop_in_direct_is_amber(flight: Flight) -> None:
     wrist_pitch = 3
     row = f"document.querySelectorAll('.joints tbody tr')[{wrist_pitch}]"
     flight.enter("DIRECT")

@@ -1,4 +1,4 @@
-"""Names of people in place of pages' numbers: in the rail, on the sticks, where sticks are handed over."""
+"""Names of users in place of page numbers: in the rail, at the sticks, and when control is handed over."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from tests.browser.flight import NAMING, TYPING, WHO, Flight
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
-HANDS = "['thc', 'rhc'].map((hand) => document.querySelector(`.${hand} h2 .about`).textContent).join()"
+STICK_NAMES = "['thc', 'rhc'].map((hand) => document.querySelector(`.${hand} h2 .about`).textContent).join()"
 
 
-def test_a_name_stands_where_the_pages_number_stood(flight: Flight, open_page: OpenPage) -> None:
+def test_name_replaces_the_number_of_the_page(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
     watcher.until(f"{WHO} === 'You watch · page 1 flies'")
     flight.give_name("Wanda Berg")
     watcher.until(f"{WHO} === 'You watch · Wanda Berg flies'")
-    watcher.until(f"{HANDS} === 'Wanda Berg,Wanda Berg'")
+    watcher.until(f"{STICK_NAMES} === 'Wanda Berg,Wanda Berg'")
     assert watcher.page.locator(".standing .device").inner_text() == "Wanda Berg flies"
     flight.until(f"!({NAMING}) && !{TYPING}")
-    assert flight.frame().translation == (0, 0, 0), "letters that are typed do not fly"
+    assert flight.frame().translation == (0, 0, 0), "typed letters do not fly"
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
     flight.release("w")
@@ -35,7 +35,7 @@ def test_a_name_stands_where_the_pages_number_stood(flight: Flight, open_page: O
         page.until_logged("Wanda Berg gives the sticks to Ben")
 
 
-def test_the_browser_keeps_the_name_until_it_is_taken_away(flight: Flight, open_page: OpenPage) -> None:
+def test_browser_stores_the_name_until_it_is_deleted(flight: Flight, open_page: OpenPage) -> None:
     other = open_page()
     flight.give_name("Anna")
     other.until(f"{WHO} === 'You watch · Anna flies'")
@@ -43,14 +43,14 @@ def test_the_browser_keeps_the_name_until_it_is_taken_away(flight: Flight, open_
     other.until(f"{WHO} === 'You fly · Anna watches'")
     flight.until(f"{WHO} === 'You watch · page 2 flies'")
     flight.page.locator(".rail .who").click()
-    flight.press("Delete", "Enter")  # it stands there, marked
+    flight.press("Delete", "Enter")  # the field contains the name, selected
     other.until(f"{WHO} === 'You fly · 1 watches'")
     flight.page.reload()
     flight.until(f"{WHO} === 'You watch · page 2 flies'")
     other.until(f"{WHO} === 'You fly · 1 watches'")
 
 
-def test_what_is_no_name_is_refused_beside_the_field_and_escape_leaves_it(flight: Flight) -> None:
+def test_invalid_name_is_rejected_and_escape_closes_the_field(flight: Flight) -> None:
     flight.give_name(" Anna")
     wrong = flight.page.locator(".naming .wrong")
     wrong.get_by_text("a name begins and ends without a space").wait_for()
@@ -61,7 +61,7 @@ def test_what_is_no_name_is_refused_beside_the_field_and_escape_leaves_it(flight
     assert wrong.inner_text() == "" and flight.page.get_by_label("Your name").get_by_role("textbox").input_value() == ""
 
 
-def test_space_stops_while_a_name_is_typed_too(flight: Flight) -> None:
+def test_space_stops_while_a_name_is_typed(flight: Flight) -> None:
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
     flight.press("h")

@@ -1,4 +1,4 @@
-"""Windows narrower than 1100 px: flown with MON 2 in a corner of MON 1; below 720 px, watched only."""
+"""Windows narrower than 1100 px have MON 2 in a corner of MON 1; below 720 px the page only observes."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import pytest
 from aftdeck.station.session.unattended import CAUSES
 from tests.browser.conftest import NARROW, OpenPage, flown
 from tests.browser.flight import Flight, shows
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "srms-deploy"
 ENDS = [(1099, 800), (720, 1024)]
-"""The widest window that is narrow, and the narrowest that flies [px]."""
+"""Widest narrow window, and narrowest window in which the arm can be flown [px]."""
 PHONE = (390, 844)
 TABLET = (768, 1024)
 
@@ -23,7 +23,7 @@ GROUPS = ["thc", "rhc", "mode", "resolution", "joints", "clearance", "effector",
 RAIL_KEYS = ["Restart", "Light", "Dim", "Tutorial", "Controllers"]
 FLIES = "document.querySelector('.who').textContent.startsWith('You fly')"
 WATCHES = "document.querySelector('.who').textContent.startsWith('You watch')"
-SAYS_SO = "document.querySelector('.too-narrow').checkVisibility()"
+IS_TOO_NARROW = "document.querySelector('.too-narrow').checkVisibility()"
 SCROLLS = "((desk) => desk.scrollHeight > desk.clientHeight)(document.querySelector('.desk'))"
 FORWARD = "frame.translation[0] > 0.9"
 
@@ -55,24 +55,24 @@ COVERED = """() => {
             if (text.checkVisibility() && meet(stick, text)) found.push(`a touch stick covers “${name(text)}”`);
     return found;
 }"""
-"""Texts of the pictures that lie on each other, under MON 2 or under a stick for fingers."""
+"""Texts of the pictures that overlap each other, or that MON 2 or a touch stick covers."""
 
 
 @pytest.fixture(scope="module")
 def station(request: pytest.FixtureRequest) -> Iterator[str]:
-    """Address of a flight of SCENARIO, or of the one that a test names."""
+    """Address of a station that runs SCENARIO, or the scenario of the test's parameter."""
     with flown(getattr(request, "param", SCENARIO)) as address:
         yield address
 
 
 @pytest.mark.parametrize(("width", "height"), [*NARROW, *ENDS])
-def test_all_that_is_flown_with_is_there_and_tidy(open_page: OpenPage, width: int, height: int) -> None:
+def test_narrow_page_shows_all_controls(open_page: OpenPage, width: int, height: int) -> None:
     flight = open_page(width, height).from_the_start()
     for name in GROUPS:
         assert flight.page.locator(f".group.{name}").is_visible(), name
     for name in RAIL_KEYS:
         assert flight.page.get_by_role("button", name=name, exact=True).is_visible(), name
-    assert not flight.script(SAYS_SO)
+    assert not flight.script(IS_TOO_NARROW)
     _assert_looks(flight)
     flight.press("z")
     flight.until(shows(0, "A", "A").replace("=== 'A,A'", ".includes(',')"))
@@ -84,7 +84,7 @@ def test_all_that_is_flown_with_is_there_and_tidy(open_page: OpenPage, width: in
 
 
 @pytest.mark.parametrize("station", ["free-flyer"], indirect=True)
-def test_the_prong_and_the_concepts_arm_have_room_too(open_page: OpenPage) -> None:
+def test_narrow_page_of_the_concept_arm_is_tidy(open_page: OpenPage) -> None:
     flight = open_page().from_the_start()
     for width, height in NARROW:
         flight.page.set_viewport_size({"width": width, "height": height})
@@ -92,7 +92,7 @@ def test_the_prong_and_the_concepts_arm_have_room_too(open_page: OpenPage) -> No
         _assert_looks(flight)
 
 
-def test_mon_2_in_mon_1_is_taken_in_hand_and_shows_what_is_chosen(open_page: OpenPage) -> None:
+def test_inset_mon_2_can_be_selected_and_changes_its_camera(open_page: OpenPage) -> None:
     flight = open_page(*TABLET).from_the_start()
     flight.press("x", "4")
     flight.until(shows(1, "D"))
@@ -106,7 +106,7 @@ def test_mon_2_in_mon_1_is_taken_in_hand_and_shows_what_is_chosen(open_page: Ope
     flight.until(f"{shows(0, 'C')} && {shows(1, 'B')}")
 
 
-def test_sticks_for_fingers_cover_nothing_that_is_read(open_page: OpenPage) -> None:
+def test_touch_sticks_cover_no_text(open_page: OpenPage) -> None:
     flight = open_page(*TABLET).from_the_start()
     flight.script("document.dispatchEvent(new PointerEvent('pointerdown', { pointerType: 'touch' }))")
     flight.page.get_by_role("group", name="Touch sticks").wait_for(state="visible")
@@ -114,7 +114,7 @@ def test_sticks_for_fingers_cover_nothing_that_is_read(open_page: OpenPage) -> N
     assert_tidy(flight)
 
 
-def test_where_the_height_does_not_suffice_the_desk_scrolls_and_the_monitors_do_not(open_page: OpenPage) -> None:
+def test_only_the_desk_scrolls_in_a_low_window(open_page: OpenPage) -> None:
     flight = open_page(1024, 600).from_the_start()
     assert flight.script(SCROLLS)
     assert flight.script("document.scrollingElement.scrollHeight <= innerHeight")
@@ -124,9 +124,9 @@ def test_where_the_height_does_not_suffice_the_desk_scrolls_and_the_monitors_do_
     flight.until("document.querySelector('.events.open .log').children.length > 1")
 
 
-def test_a_phone_watches_says_so_and_is_given_no_sticks(open_page: OpenPage) -> None:
+def test_phone_observes_and_never_gets_the_sticks(open_page: OpenPage) -> None:
     phone = open_page(*PHONE)
-    phone.until(f"{WATCHES} && {SAYS_SO} && frame.time_s > 0.5")
+    phone.until(f"{WATCHES} && {IS_TOO_NARROW} && frame.time_s > 0.5")
     assert phone.script("document.querySelector('.who').textContent") == "You watch · unattended"
     assert phone.page.locator(".too-narrow").is_visible()
     for shown in (".monitor .picture", ".clearance .gap-value", ".master", ".lamp", ".rail .met"):
@@ -141,17 +141,17 @@ def test_a_phone_watches_says_so_and_is_given_no_sticks(open_page: OpenPage) -> 
     phone.release("w")
     assert after.translation == (0.0, 0.0, 0.0) and after.brakes == before.brakes
     other = open_page()
-    other.until(FLIES)  # the phone, which came first, has no seat
+    other.until(FLIES)  # the phone came first, but cannot get control
     phone.until("document.querySelector('.who').textContent === 'You watch · page 1 flies'")
     assert not phone.page.get_by_role("button", name="Ask for the sticks").is_visible()
 
 
-def test_a_page_made_too_narrow_gives_the_sticks_up_and_gets_them_back(open_page: OpenPage) -> None:
+def test_page_made_too_narrow_loses_the_sticks_until_it_is_wide(open_page: OpenPage) -> None:
     flight = open_page(*TABLET).from_the_start()
     flight.hold("w")
     flight.until(FORWARD)
     _resize(flight, PHONE)
-    flight.until(f"{WATCHES} && {SAYS_SO} && frame.translation[0] === 0 && frame.position_hold")
+    flight.until(f"{WATCHES} && {IS_TOO_NARROW} && frame.translation[0] === 0 && frame.position_hold")
     flight.until_logged(CAUSES["page narrow"])
     flight.release("w")
     _resize(flight, TABLET)
@@ -162,14 +162,14 @@ def test_a_page_made_too_narrow_gives_the_sticks_up_and_gets_them_back(open_page
     flight.until("frame.translation[0] === 0")
 
 
-def test_whoever_watches_flies_when_the_flier_is_made_too_narrow_and_goes_on(open_page: OpenPage) -> None:
+def test_observer_keeps_control_after_the_operator_page_was_too_narrow(open_page: OpenPage) -> None:
     first = open_page(*TABLET).from_the_start()
     second = open_page()
     second.until(WATCHES)
     _resize(first, PHONE)
     second.until(FLIES)
     _resize(first, TABLET)
-    first.until(f"{WATCHES} && !({SAYS_SO})")
+    first.until(f"{WATCHES} && !({IS_TOO_NARROW})")
     assert second.script(FLIES)
     first.page.get_by_role("button", name="Ask for the sticks").wait_for(state="visible")
 
@@ -180,7 +180,7 @@ def _resize(flight: Flight, size: tuple[int, int]) -> None:
 
 
 def _assert_looks(flight: Flight) -> None:
-    """Nothing scrolls, overlaps, is cut off or hard to read, in the pictures either."""
+    """Assert that the page, including the pictures, is tidy and readable and does not scroll."""
     drawn = flight.script("window.__aftdeck.frames")
     flight.until(f"window.__aftdeck.frames > {drawn + 4}")
     assert not flight.script(SCROLLS)

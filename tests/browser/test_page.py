@@ -1,4 +1,4 @@
-"""The page itself: nothing scrolls, overlaps or fades, and everything is within reach of the keys."""
+"""The page: layout, keys, Tab order, units, pictures, and handing over control."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = pytest.mark.browser
 
@@ -24,7 +24,7 @@ def test_every_mode_is_tidy_and_readable(flight: Flight, mode: str) -> None:
     assert_readable(flight)
 
 
-def test_the_question_mark_shows_the_key_map_and_escape_closes_it(flight: Flight) -> None:
+def test_question_mark_opens_the_key_map_and_escape_closes_it(flight: Flight) -> None:
     key_map = flight.page.get_by_role("dialog", name="Key map")
     flight.press("?")
     key_map.wait_for(state="visible")
@@ -35,7 +35,7 @@ def test_the_question_mark_shows_the_key_map_and_escape_closes_it(flight: Flight
     key_map.wait_for(state="hidden")
 
 
-def test_camera_keys_act_on_the_monitor_in_hand(flight: Flight) -> None:
+def test_camera_keys_act_on_the_selected_monitor(flight: Flight) -> None:
     names = "[...document.querySelectorAll('.picture .name b')].map((name) => name.textContent)"
     first, second = flight.script(names)
     flight.press(".")
@@ -47,7 +47,7 @@ def test_camera_keys_act_on_the_monitor_in_hand(flight: Flight) -> None:
     assert flight.script(names)[0] == changed
 
 
-def test_the_focus_goes_from_the_monitors_over_the_spine_to_the_desk(flight: Flight) -> None:
+def test_tab_order_is_monitors_then_spine_then_desk(flight: Flight) -> None:
     visited: list[str] = []
     place = (
         "document.activeElement.closest('.monitor, .spine, .group, .rail')?.classList[1] ?? "
@@ -62,7 +62,7 @@ def test_the_focus_goes_from_the_monitors_over_the_spine_to_the_desk(flight: Fli
     assert [where for where in visited if where in order] == list(order)
 
 
-def test_a_second_page_watches(flight: Flight, open_page: OpenPage) -> None:
+def test_second_page_observes(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
     watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
     watcher.hold("w")
@@ -72,7 +72,7 @@ def test_a_second_page_watches(flight: Flight, open_page: OpenPage) -> None:
     flight.until("document.querySelector('.who').textContent.includes('1 watches')")
 
 
-def test_units_change_on_demand(flight: Flight) -> None:
+def test_units_button_changes_the_units(flight: Flight) -> None:
     unit = "document.querySelector('.resolution tbody th i').textContent"
     before = flight.script(unit)
     flight.page.get_by_title("Change the units of the read-outs").click()
@@ -85,7 +85,9 @@ def test_the_hook_measures_stick_to_picture(flight: Flight) -> None:
     flight.until("frame.translation[0] === 1")
     flight.release("w")
     measured = "window.__aftdeck.latency95"
-    flight.until(f"{measured} > 0 && {measured} < performance.now() - {before}")  # no longer than the key is known
+    flight.until(
+        f"{measured} > 0 && {measured} < performance.now() - {before}"
+    )  # not longer than the time since the key was pressed
     assert "llvmpipe" in flight.script("window.__aftdeck.renderer") or flight.script("window.__aftdeck.renderer")
     flight.until("window.__aftdeck.fps > 0")
 
@@ -96,45 +98,45 @@ _MASKED = """
         return name === 0x9246 ? 'A card of its own' : getParameter.call(this, name);
     };
 """
-"""What draws, by another name (UNMASKED_RENDERER_WEBGL): the page believes in a graphics card."""
+"""Replaces the name of the renderer (UNMASKED_RENDERER_WEBGL), so that the page assumes a graphics card."""
 
-_LOOK = """() => {
+_SMALL_PICTURE = """() => {
     const scene = document.querySelector('canvas.scene');
     const small = new OffscreenCanvas(48, 16).getContext('2d');
     small.drawImage(scene, 0, 0, 48, 16);
     return [...small.getImageData(0, 0, 48, 16).data];
 }"""
-"""All pictures, made small."""
+"""All pictures, reduced to 48 x 16 pixels."""
 
 
-def test_pictures_are_the_same_whether_a_card_shows_them_or_they_are_read_back(open_page: OpenPage) -> None:
-    looks = []
+def test_pictures_are_equal_on_a_graphics_card_and_when_read_back(open_page: OpenPage) -> None:
+    pictures = []
     for mask in (False, True):
         page = open_page(prepare=(lambda page: page.add_init_script(_MASKED)) if mask else None)
         page.until("window.__aftdeck.frames > 12")
         by_card = "document.querySelector('canvas.scene').getContext('webgl2') !== null"
         assert page.script(by_card) is mask
-        looks.append(page.script(_LOOK))
+        pictures.append(page.script(_SMALL_PICTURE))
         page.page.close()
-    read, shown = looks
+    read, shown = pictures
     reds = read[::4]
-    assert max(reds) - min(reds) > 100  # there is something in it
+    assert max(reds) - min(reds) > 100  # the picture is not empty
     apart = [abs(a - b) for a, b in zip(read, shown, strict=True)]
     assert sum(apart) / len(apart) < 2.0
 
 
-def test_who_watches_asks_for_the_sticks_and_flies_once_they_are_given(flight: Flight, open_page: OpenPage) -> None:
+def test_observer_asks_for_the_sticks_and_flies_after_they_are_given(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
-    said = "document.querySelector('.who').textContent"
-    watcher.until(f"{said}.startsWith('You watch')")
+    who = "document.querySelector('.who').textContent"
+    watcher.until(f"{who}.startsWith('You watch')")
     watcher.page.get_by_role("button", name="Ask for the sticks").click()
     flight.page.get_by_text("asks for the sticks").wait_for()
     flight.page.get_by_role("button", name="Keep").click()
     watcher.until_logged("keeps the sticks")
     watcher.page.get_by_role("button", name="Ask for the sticks").click()
     flight.page.get_by_role("button", name="Give").click()
-    watcher.until(f"{said}.startsWith('You fly')")
-    flight.until(f"{said}.startsWith('You watch')")
+    watcher.until(f"{who}.startsWith('You fly')")
+    flight.until(f"{who}.startsWith('You watch')")
     watcher.hold("w")
     watcher.until("frame.translation[0] === 1")
     watcher.release("w")

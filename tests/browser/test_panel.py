@@ -1,4 +1,4 @@
-"""The operator's panel with a payload in the grasp: every text can be read, and Tab goes to everything."""
+"""The operator's panel with a captured payload: every text is readable, and Tab reaches every control."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import pytest
 
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy, collisions
+from tests.browser.layout_checks import assert_readable, assert_tidy, collisions
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "srms-berth"
 
 SHEETS = {"Key map": "?", "PDRS control": "\\", "Controllers": ""}
-"""Sheets by their names, and the key that opens each; the last has a button."""
+"""Key that opens each sheet; the last one is opened by a button."""
 
 UNREACHED = """() => {
     const visited = new Set(window.visited);
@@ -22,24 +22,24 @@ UNREACHED = """() => {
         .filter((each) => each.checkVisibility({ visibilityProperty: true }) && !each.disabled && !visited.has(each))
         .map((each) => each.getAttribute('aria-label') || each.textContent || each.title);
 }"""
-"""What can be operated and had not been in focus, by name."""
+"""Names of the controls that Tab has not reached."""
 
 
 def resized(flight: Flight, width: int, height: int) -> None:
-    """Gives the page another size."""
+    """Set the size of the page and wait until it is drawn."""
     flight.page.set_viewport_size({"width": width, "height": height})
     flight.until(f"innerWidth === {width} && innerHeight === {height}")
-    drawn_anew(flight)
+    until_redrawn(flight)
 
 
-def drawn_anew(flight: Flight) -> None:
-    """Waits until figures and legends have been written again."""
+def until_redrawn(flight: Flight) -> None:
+    """Wait until read-outs and legends have been updated."""
     tick, count = flight.frame().tick, flight.script("window.__aftdeck.frames")
     flight.until(f"frame.tick > {tick + 10} && window.__aftdeck.frames > {count + 3}")
 
 
 def assert_all_in_reach(flight: Flight) -> None:
-    """Tab goes to everything that is there to be operated."""
+    """Assert that Tab reaches every control."""
     flight.script(
         "(() => { document.activeElement?.blur(); window.watching?.abort(); window.watching = new AbortController();"
         "const visited = window.visited = [], { signal } = window.watching;"
@@ -48,21 +48,21 @@ def assert_all_in_reach(flight: Flight) -> None:
     for _ in range(20):
         flight.press(*["Tab"] * 20)
         if flight.script("new Set(window.visited).size < window.visited.length"):
-            break  # it is round
+            break  # Tab has reached the first control again
     assert flight.script(UNREACHED) == []
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_loaded_desk_is_tidy_and_readable_in_every_mode(flight: Flight, width: int, height: int) -> None:
+def test_loaded_desk_is_tidy_and_readable_in_every_mode(flight: Flight, width: int, height: int) -> None:
     resized(flight, width, height)
     for mode in ("ORB LD", "SINGLE", "OPR CMD", "TEST"):
         flight.enter(mode)
-        drawn_anew(flight)
+        until_redrawn(flight)
         assert_tidy(flight)
         assert_readable(flight)
 
 
-def test_every_sheet_fits_and_can_be_read_at_every_size(flight: Flight) -> None:
+def test_every_sheet_fits_and_is_readable_at_every_size(flight: Flight) -> None:
     for name, key in SHEETS.items():
         if key:
             flight.press(key)
@@ -84,14 +84,14 @@ def test_every_sheet_fits_and_can_be_read_at_every_size(flight: Flight) -> None:
         sheet.wait_for(state="hidden")
 
 
-def test_everything_is_in_reach_of_tab(flight: Flight) -> None:
+def test_tab_reaches_every_control_of_the_desk(flight: Flight) -> None:
     for mode in ("SINGLE", "OPR CMD", "ORB LD"):
         flight.enter(mode)
-        drawn_anew(flight)
+        until_redrawn(flight)
         assert_all_in_reach(flight)
 
 
-def test_everything_in_the_sheets_is_in_reach_of_tab(flight: Flight) -> None:
+def test_tab_reaches_every_control_of_the_sheets(flight: Flight) -> None:
     flight.press("\\")
     assert_all_in_reach(flight)
     flight.press("Escape", "?")
@@ -102,7 +102,7 @@ def test_everything_in_the_sheets_is_in_reach_of_tab(flight: Flight) -> None:
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_a_refusal_and_the_task_can_be_read_whole_in_the_log(open_page: OpenPage, width: int, height: int) -> None:
+def test_rejection_and_task_are_not_cut_off_in_the_log(open_page: OpenPage, width: int, height: int) -> None:
     cut_off = """[...document.querySelectorAll('LINES')]
         .filter((line) => line.scrollWidth > line.clientWidth + 1 || line.scrollHeight > line.clientHeight + 1)
         .map((line) => line.textContent)"""
@@ -119,4 +119,4 @@ def test_a_refusal_and_the_task_can_be_read_whole_in_the_log(open_page: OpenPage
         const at = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
         return right > left && !key.contains(at);
     }).map((key) => key.textContent)""")
-    assert pressed == []  # nothing lies over a key
+    assert pressed == []  # no element covers a button

@@ -1,4 +1,4 @@
-"""The top rail with all that can stand in it: many phases, a recording, a delay, a page that watches."""
+"""The top rail with all its elements: many phases, a recording, a delay, an observer."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LATE_BY = {
     "late": 'command_delay = "2 s"',
     "later": 'command_delay = "2 s"\ntelemetry_delay = "1.25 s"\ncamera_delay = "1.5 s"',
 }
-"""Delays of the scenarios that have some."""
+"""Delays of the two scenarios with a delay."""
 NAME = "Maximiliana Alexandrina"
 LATE = """
     const send = WebSocket.prototype.send;
@@ -33,7 +33,7 @@ LATE = """
         setTimeout(() => this.readyState === WebSocket.OPEN && send.call(this, text), 400);
     };
 """
-"""A link on which all that the page says takes 0.4 s longer."""
+"""A link that delays each message of the page by 0.4 s."""
 
 _LEAVES = """() => [...document.querySelectorAll('.rail > *, .rail button')]
     .filter((node) => node.getBoundingClientRect().right > innerWidth + .5)
@@ -42,12 +42,12 @@ _CUT = """() => [...document.querySelectorAll('.phases .present, .rail .met, .ra
     .filter((node) => node.scrollWidth > node.clientWidth + 1 && node.clientWidth > 0)
     .filter((node) => !node.title.startsWith(node.textContent))
     .map((node) => node.textContent)"""
-"""What is cut off, and not told whole as the pointer rests on it, as a scenario's name is."""
+"""Texts that are cut off and have no tooltip with the whole text."""
 
 
 @pytest.fixture(scope="module", params=FLIGHTS.values(), ids=list(FLIGHTS))
 def station(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """Address of a station whose rail is full."""
+    """Address of a station with a full rail."""
     scenario, option = request.param
     folder = tmp_path_factory.mktemp("rail")
     file = (str(folder / "flights"),) if option == "--record" else ()
@@ -57,21 +57,21 @@ def station(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 
 
 def late(folder: Path, delays: str) -> str:
-    """A scenario with many tasks and these delays."""
+    """Write a scenario with many phases and these delays; return its path."""
     berth = Path(aftdeck.__file__).parent / "scenario" / "builtin" / "srms-berth.toml"
     (folder / "late.toml").write_text(f"{delays}\n{berth.read_text(encoding='utf-8')}", encoding="utf-8")
     return str(folder / "late.toml")
 
 
 def assert_whole(page: Flight) -> None:
-    """Nothing of the rail is out of the page, and what is cut off is told whole by a title."""
+    """Assert that the rail is within the page and that each text that is cut off has a tooltip."""
     assert page.script(_LEAVES) == []
     assert page.script(_CUT) == []
 
 
 @pytest.mark.parametrize(("width", "height"), [*SIZES, *NARROW])
-def test_nothing_in_the_rail_leaves_the_page(open_page: OpenPage, width: int, height: int) -> None:
-    pages = (open_page(width, height), open_page(width, height))  # one flies, one watches
+def test_rail_stays_within_the_page(open_page: OpenPage, width: int, height: int) -> None:
+    pages = (open_page(width, height), open_page(width, height))  # an operator and an observer
     for page in pages:
         page.until("frame.time_s > 0.3")
         assert_whole(page)
@@ -89,17 +89,15 @@ def test_nothing_in_the_rail_leaves_the_page(open_page: OpenPage, width: int, he
     ids=["no delay", "a delay"],
     indirect=["station"],
 )
-def test_a_delay_stands_as_set_and_as_measured_where_commands_take_longer(
-    open_page: OpenPage, delay: int, width: int, height: int
-) -> None:
-    told = "document.querySelector('.rail .delay').textContent"
+def test_rail_shows_a_set_and_a_longer_measured_delay(open_page: OpenPage, delay: int, width: int, height: int) -> None:
+    delay_text = "document.querySelector('.rail .delay').textContent"
     page = open_page(width, height, prepare=lambda page: page.add_init_script(LATE))
     page.until(f"{WHO} === 'You fly'")
-    page.until(f"{told}.trim() === '{'Command delay 2.00 s' if delay else 'Delay'}'")
+    page.until(f"{delay_text}.trim() === '{'Command delay 2.00 s' if delay else 'Delay'}'")
     page.hold("w")
     page.until("frame.translation[0] === 1")
     page.release("w")
-    page.until(f"/^Command set {delay}.00, measured {delay}\\.[4-9]/.test({told})")
+    page.until(f"/^Command set {delay}.00, measured {delay}\\.[4-9]/.test({delay_text})")
     page.until_lit("LINK")
     assert_whole(page)
     open_page(width, height)

@@ -1,4 +1,4 @@
-"""From the sticks to a replay of the flight, and back."""
+"""From the flight to its replay and back."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from tests.browser.conftest import OpenPage, flown
 from tests.browser.flight import WHO, Flight
-from tests.browser.looks import collisions
+from tests.browser.layout_checks import collisions
 
 pytestmark = pytest.mark.browser
 
@@ -20,7 +20,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         yield address
 
 
-def test_a_flight_is_replayed_from_its_own_page_and_then_flown_on(open_page: OpenPage, station: str) -> None:
+def test_replay_opens_from_the_page_and_returns_to_the_flight(open_page: OpenPage, station: str) -> None:
     flight = open_page()
     flight.hold("w")
     ended = flight.until("frame.translation[0] === 1 && frame.time_s > 1.5")

@@ -1,4 +1,4 @@
-"""A recording played in a real browser: from its server, and as one file without any."""
+"""A recording played back in a browser: from its server, and as one HTML file."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from aftdeck.recording.trial import Trial
 from aftdeck.station.playback.one_file import write_html
 from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 from tests.station.recordings import playing, record_run
 
 pytestmark = pytest.mark.browser
 
 DURATION = 12.0
-"""Of the recording [s]."""
+"""Length of the recording [s]."""
 MEGABYTES = 5_000_000
 TRIAL = Trial("P07", "command delay 2 s, wrist camera off, second of three sessions, orbiter axes first")
 
@@ -40,17 +40,17 @@ def station(recording: Path) -> Iterator[str]:
 
 @pytest.fixture
 def replay(open_page: OpenPage) -> Flight:
-    """A page that has the recording open at its first frame."""
+    """A page that shows the first frame of the recording."""
     return open_page()
 
 
 def press(replay: Flight, name: str) -> None:
-    """Presses a button of the transport."""
+    """Press a button of the transport."""
     replay.page.get_by_role("group", name="Playing").get_by_role("button", name=name, exact=True).first.click()
 
 
 def assert_values_are_those_recorded(replay: Flight, recording: Path) -> None:
-    """The frame drawn and the figures at the playhead are those of the file's frame of that tick."""
+    """Assert that the displayed frame and read-outs equal the recorded frame of the same tick."""
     shown = replay.frame()
     record = next(frame for _, frame in Recording(recording).steps() if frame.tick == shown.tick)
     assert shown.angles == record.angles
@@ -61,7 +61,7 @@ def assert_values_are_those_recorded(replay: Flight, recording: Path) -> None:
     replay.until(f"document.querySelector('.picture .code').textContent.endsWith('{record.time_s:05.2f}')")
 
 
-def test_it_says_that_it_replays_plays_faster_pauses_and_ends_at_the_last_frame(replay: Flight) -> None:
+def test_replay_plays_faster_pauses_and_ends_at_the_last_frame(replay: Flight) -> None:
     assert replay.frame().tick == 1
     words = replay.page.locator(".rail").inner_text()
     assert "REPLAY" in words
@@ -82,7 +82,7 @@ def test_it_says_that_it_replays_plays_faster_pauses_and_ends_at_the_last_frame(
     replay.until("document.querySelector('.play').textContent === 'Play'")
 
 
-def test_it_seeks_by_click_and_keys_and_shows_what_was_recorded(replay: Flight, recording: Path) -> None:
+def test_click_and_keys_seek_to_recorded_values(replay: Flight, recording: Path) -> None:
     box = replay.page.locator(".scrub").bounding_box()
     assert box is not None
     replay.page.mouse.click(box["x"] + box["width"] * 0.3, box["y"] + box["height"] / 2)
@@ -103,7 +103,7 @@ def test_it_seeks_by_click_and_keys_and_shows_what_was_recorded(replay: Flight, 
     replay.until("frame.tick === 1")
 
 
-def test_the_desk_shows_what_was_flown_and_takes_nothing(replay: Flight) -> None:
+def test_desk_of_a_replay_shows_recorded_values_and_is_inert(replay: Flight) -> None:
     replay.press("d")
     replay.page.get_by_role("slider", name="Playhead").focus()
     for _ in range(4):
@@ -126,14 +126,14 @@ def test_nothing_scrolls_overlaps_or_fades(replay: Flight) -> None:
             replay.press("d")
 
 
-def test_the_rail_says_who_took_part_and_under_which_condition(replay: Flight) -> None:
+def test_rail_shows_participant_and_condition(replay: Flight) -> None:
     words = replay.page.locator(".rail .words")
     for (name, text), fact in zip(TRIAL._asdict().items(), words.all(), strict=True):
         assert fact.inner_text().lower() == f"{name} {text}".lower()
-        assert fact.get_attribute("title") == text, "it is told whole where the rail has no room"
+        assert fact.get_attribute("title") == text, "the tooltip has the whole text"
 
 
-def test_a_narrow_window_has_room_for_the_run_and_for_the_desk_too(replay: Flight) -> None:
+def test_narrow_replay_is_tidy_with_and_without_the_desk(replay: Flight) -> None:
     replay.press("End")
     replay.until("frame.tick === 600")
     for width, height in NARROW:
@@ -144,24 +144,22 @@ def test_a_narrow_window_has_room_for_the_run_and_for_the_desk_too(replay: Fligh
             else:
                 replay.press("d")
             replay.until(f"innerWidth === {width} && window.__aftdeck.frames > {drawn}")
-            if change != "desk" or height > 768:  # lower, the desk scrolls
+            if change != "desk" or height > 768:  # in a lower window the desk scrolls
                 assert_tidy(replay)
                 assert_readable(replay)
 
 
-def test_the_html_file_plays_without_a_server_a_request_or_an_error(
-    browser: Browser, recording: Path, tmp_path: Path
-) -> None:
+def test_html_file_plays_without_requests_or_errors(browser: Browser, recording: Path, tmp_path: Path) -> None:
     out = tmp_path / "flight.html"
     write_html(recording, out)
     assert out.stat().st_size < MEGABYTES
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     page.set_default_timeout(WAIT_MS)
-    asked: list[str] = []
-    said: list[str] = []
-    page.on("request", lambda request: asked.append(request.url))
-    page.on("console", lambda message: said.append(message.text))
-    page.on("pageerror", lambda error: said.append(str(error)))
+    requests: list[str] = []
+    console: list[str] = []
+    page.on("request", lambda request: requests.append(request.url))
+    page.on("console", lambda message: console.append(message.text))
+    page.on("pageerror", lambda error: console.append(str(error)))
     page.goto(f"{out.as_uri()}?quality=low")
     replay = Flight(page)
     replay.press(" ")
@@ -170,11 +168,11 @@ def test_the_html_file_plays_without_a_server_a_request_or_an_error(
     replay.until("frame.tick === 600")
     assert_tidy(replay)
     page.close()
-    assert [url for url in asked if not url.startswith("data:")] == [f"{out.as_uri()}?quality=low"]
-    assert [text for text in said if "GPU stall" not in text] == []
+    assert [url for url in requests if not url.startswith("data:")] == [f"{out.as_uri()}?quality=low"]
+    assert [text for text in console if "GPU stall" not in text] == []
 
 
-def test_the_monitors_show_what_they_showed_in_flight_until_a_camera_is_chosen(replay: Flight) -> None:
+def test_monitors_show_the_recorded_cameras_until_one_is_chosen(replay: Flight) -> None:
     names = "[...document.querySelectorAll('.picture .name b')].map((name) => name.textContent).join()"
     replay.until(f"{names} === 'C,WR'")
     replay.press("End")

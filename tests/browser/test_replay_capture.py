@@ -1,4 +1,4 @@
-"""A recorded capture played in a real browser: clearance, marks, the cameras as flown, the time axis zoomed."""
+"""A recorded capture played back in a browser: clearance, marks, cameras as flown, zoom of the time axis."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 from tests.station.recordings import playing, record_capture
 
 pytestmark = pytest.mark.browser
@@ -31,7 +31,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture
 def replay(open_page: OpenPage) -> Flight:
-    """A page that has the recording open at its first frame."""
+    """A page that shows the first frame of the recording."""
     return open_page()
 
 
@@ -39,7 +39,7 @@ def figure(replay: Flight, name: str) -> str:
     return replay.page.locator(".measures tr", has_text=name).locator("td").inner_text()
 
 
-def test_clearance_is_a_strip_an_alarm_and_a_figure_and_the_capture_a_mark(replay: Flight) -> None:
+def test_clearance_and_capture_have_strip_alarm_figure_and_mark(replay: Flight) -> None:
     assert replay.script(MARKS) == "captured,released"
     lanes = replay.page.locator(".lane", has_text="Alarms").inner_text()
     assert "CLEARANCE" in lanes
@@ -47,14 +47,16 @@ def test_clearance_is_a_strip_an_alarm_and_a_figure_and_the_capture_a_mark(repla
     assert strip.locator("path.caution").count() == strip.locator("path.warning").count() == 1
     box = replay.page.locator(".scrub").bounding_box()
     assert box is not None
-    replay.page.mouse.click(box["x"] + box["width"] * 0.75, box["y"] + box["height"] / 2)  # beside the payload
+    replay.page.mouse.click(
+        box["x"] + box["width"] * 0.75, box["y"] + box["height"] / 2
+    )  # the end effector is close to the payload
     replay.until("document.querySelector('.strip .tag').classList.contains('caution')")
     assert figure(replay, "Capture misalignment").endswith("3.0°")
     assert figure(replay, "Smallest clearance").endswith(" in")
     assert [figure(replay, name) for name in ("Brakes used", "Camera changes")] == ["1", "1"]
 
 
-def test_the_monitors_go_back_to_the_cameras_as_flown_by_key_and_by_button(replay: Flight) -> None:
+def test_key_and_button_restore_the_cameras_as_flown(replay: Flight) -> None:
     button = replay.page.get_by_role("button", name="As flown")
     replay.until(f"{NAMES} === 'C,WR'")
     assert button.get_attribute("aria-pressed") == "true"
@@ -71,7 +73,7 @@ def test_the_monitors_go_back_to_the_cameras_as_flown_by_key_and_by_button(repla
     replay.until(f"{NAMES} === 'A,WR'")
 
 
-def test_the_time_axis_comes_closer_about_the_playhead_and_moves_on_with_it(replay: Flight) -> None:
+def test_time_axis_zooms_about_the_playhead_and_follows_it(replay: Flight) -> None:
     whole = replay.script(AXIS)
     for _ in range(5):
         replay.press("=")

@@ -1,4 +1,4 @@
-"""Second windows of a recording: monitor, cameras and strips at the playhead of the page that plays."""
+"""Secondary windows of a recording: monitor, cameras and strips at the playhead of the page."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from playwright.sync_api import Locator, Page
 
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight, shows
-from tests.browser.looks import assert_readable, assert_tidy
-from tests.browser.test_windows import tag, torn_off, who
+from tests.browser.layout_checks import assert_readable, assert_tidy
+from tests.browser.test_windows import open_window, tag, who
 from tests.station.recordings import playing, record_run
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -45,20 +45,20 @@ def monitor(replay: Flight) -> Flight:
 
 
 def following(replay: Flight, key: Locator) -> Flight:
-    """The window that a key opens, once it has heard of its page."""
-    window = torn_off(replay, key)
+    """Open a window by a button; return it after it has received data of its page."""
+    window = open_window(replay, key)
     window.until(FOLLOWS)
     return window
 
 
 def seek(page: Page, part: float) -> None:
-    """Clicks the time axis."""
+    """Click the time axis at a fraction of its length."""
     box = page.locator(".scrub").bounding_box()
     assert box is not None
     page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
 
 
-def test_a_seek_in_the_page_or_in_the_strips_moves_all(replay: Flight, strips: Flight, monitor: Flight) -> None:
+def test_seek_in_the_page_or_the_strips_moves_all_windows(replay: Flight, strips: Flight, monitor: Flight) -> None:
     for page, part in ((replay.page, 0.75), (strips.page, 0.25)):
         seek(page, part)
         tick = replay.until(f"Math.abs(frame.tick - {part * STEPS}) < 5").tick
@@ -68,7 +68,7 @@ def test_a_seek_in_the_page_or_in_the_strips_moves_all(replay: Flight, strips: F
         strips.until(f"{tag('POR rate')} === '{value}'")
 
 
-def test_windows_play_with_their_page_and_their_keys_play_it(replay: Flight, strips: Flight, monitor: Flight) -> None:
+def test_keys_of_windows_play_the_replay_in_all_windows(replay: Flight, strips: Flight, monitor: Flight) -> None:
     replay.page.get_by_role("button", name="Speed 2", exact=True).click()
     monitor.press(" ")
     replay.until("document.querySelector('.play').textContent === 'Pause' && frame.tick > 20")
@@ -77,7 +77,7 @@ def test_windows_play_with_their_page_and_their_keys_play_it(replay: Flight, str
     strips.press(" ")
     replay.until("document.querySelector('.play').textContent === 'Play'")
     tick = replay.frame().tick
-    strips.press("Shift+ArrowRight")  # a frame
+    strips.press("Shift+ArrowRight")  # one frame
     for window in (replay, strips, monitor):
         window.until(f"Math.abs(frame.tick - {tick}) < 5")
     monitor.press("End")
@@ -85,7 +85,7 @@ def test_windows_play_with_their_page_and_their_keys_play_it(replay: Flight, str
         window.until(f"frame.tick === {STEPS}")
 
 
-def test_a_monitor_s_window_shows_what_its_monitor_shows_and_chooses_for_it(replay: Flight, monitor: Flight) -> None:
+def test_monitor_window_shows_and_selects_the_camera_of_its_monitor(replay: Flight, monitor: Flight) -> None:
     monitor.until(shows(0, "WR"))
     replay.press("x", "4")
     monitor.until(shows(0, "D"))
@@ -96,7 +96,7 @@ def test_a_monitor_s_window_shows_what_its_monitor_shows_and_chooses_for_it(repl
     monitor.until(shows(0, "C"))
 
 
-def test_all_cameras_stand_in_a_window_that_follows(replay: Flight) -> None:
+def test_window_of_all_cameras_follows_the_playhead(replay: Flight) -> None:
     window = following(replay, replay.page.get_by_role("button", name="Cameras ↗"))
     seek(replay.page, 0.5)
     tick = replay.until(f"Math.abs(frame.tick - {STEPS / 2}) < 5").tick
@@ -105,7 +105,7 @@ def test_all_cameras_stand_in_a_window_that_follows(replay: Flight) -> None:
     replay.until(shows(0, "KEEL"))
 
 
-def test_the_strips_have_a_time_axis_of_their_own_and_fit_the_window(replay: Flight, strips: Flight) -> None:
+def test_strips_window_has_its_own_time_axis_and_fits(replay: Flight, strips: Flight) -> None:
     strips.press("=")
     strips.until("!document.querySelector('[aria-label=Wider]').disabled")
     assert replay.page.get_by_role("button", name="Wider").is_disabled()
@@ -117,14 +117,14 @@ def test_the_strips_have_a_time_axis_of_their_own_and_fit_the_window(replay: Fli
         assert_readable(strips, least=20)
 
 
-def test_a_window_whose_page_is_closed_says_so(replay: Flight, strips: Flight) -> None:
+def test_window_of_a_closed_page_says_so_and_still_seeks(replay: Flight, strips: Flight) -> None:
     replay.page.goto("about:blank")
     strips.until(who("Its page is closed"))
-    seek(strips.page, 0.5)  # it goes on by itself
+    seek(strips.page, 0.5)  # the window seeks without its page
     strips.until(f"Math.abs(frame.tick - {STEPS / 2}) < 5")
 
 
-def test_a_page_says_that_the_browser_opens_no_window(open_page: OpenPage) -> None:
+def test_blocked_window_is_reported(open_page: OpenPage) -> None:
     replay = open_page(prepare=lambda page: page.add_init_script("window.open = () => null"))
     replay.page.get_by_role("button", name="Strips ↗").click()
     replay.until("document.querySelector('.said').textContent.startsWith('Pop-ups are blocked')")

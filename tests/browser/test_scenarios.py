@@ -1,4 +1,4 @@
-"""Every built-in scenario opens in the browser, is drawn and flies on."""
+"""Every built-in scenario opens in the browser, is drawn and runs."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 @pytest.fixture(scope="module", params=built_in())
 def station(request: pytest.FixtureRequest) -> Iterator[str]:
-    """Address of a station that flies this scenario."""
+    """Address of a station that runs the scenario."""
     with flown(str(request.param)) as address:
         yield address
 
 
-def test_a_built_in_scenario_opens_is_drawn_and_flies(open_page: OpenPage) -> None:
+def test_built_in_scenario_opens_is_drawn_and_runs(open_page: OpenPage) -> None:
     flight = open_page()
     flight.until("frame.time_s > 0 && window.__aftdeck.frames > 5")
     bodies = flight.script("window.__aftdeck.bodies")
     assert bodies and all(body["triangles"] > 0 for body in bodies if "." not in body["name"])
 
 
-def test_every_camera_of_it_is_put_on_either_monitor(open_page: OpenPage) -> None:
+def test_every_camera_of_a_scenario_opens_on_either_monitor(open_page: OpenPage) -> None:
     flight = open_page()
     flight.until("window.__aftdeck.frames > 5")
     for monitor in (0, 1):

@@ -1,4 +1,4 @@
-"""Near all three singularities: the gauges, their lamp, and the way out that the page names."""
+"""Near all three singularities: the gauges, their lamp, and the escapes that the page shows."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -19,10 +19,10 @@ KEYS = {
     ("rotation", 1, 1): "i", ("rotation", 1, -1): "k",
     ("rotation", 2, 1): "l", ("rotation", 2, -1): "j",
 }  # fmt: skip
-"""The key that deflects a stick this way."""
+"""Key for each stick, axis and sign."""
 
 
-def test_each_gauge_names_its_way_out(flight: Flight) -> None:
+def test_each_singularity_gauge_names_its_escape(flight: Flight) -> None:
     flight.until_lit("SINGULAR")
     flight.until("document.querySelectorAll('.distance.caution').length === 3")
     flight.until("frame.ways_out.length === 3")
@@ -31,7 +31,7 @@ def test_each_gauge_names_its_way_out(flight: Flight) -> None:
         assert label.startswith((f"{name}: THC ", f"{name}: RHC ", f"{name}: SINGLE "))
 
 
-def test_the_way_out_that_is_named_leads_out(flight: Flight) -> None:
+def test_named_escape_leads_away_from_the_singularity(flight: Flight) -> None:
     start = flight.until("frame.ways_out.some((way) => way.cause === 'elbow')")
     way = next(way for way in start.ways_out if way.cause == "elbow")
     key = KEYS[way.stick, way.axis, way.sign]
@@ -40,7 +40,7 @@ def test_the_way_out_that_is_named_leads_out(flight: Flight) -> None:
     flight.release(key)
 
 
-def test_pressing_the_lamp_keeps_the_log_to_singularities(flight: Flight) -> None:
+def test_singular_lamp_filters_the_log(flight: Flight) -> None:
     flight.until_lit("SINGULAR")
     with flight.shows("document.querySelectorAll('.distance.concerned').length === 3"):
         flight.page.locator(".lamp", has_text="SINGULAR").click()
@@ -51,7 +51,7 @@ def test_pressing_the_lamp_keeps_the_log_to_singularities(flight: Flight) -> Non
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_ways_out_are_tidy_and_readable(open_page: OpenPage, width: int, height: int) -> None:
+def test_escapes_are_tidy_and_readable(open_page: OpenPage, width: int, height: int) -> None:
     flight = open_page(width, height).from_the_start()
     flight.enter("SINGLE")
     flight.until("frame.ways_out.every((way) => way.stick === 'joint')")

@@ -1,4 +1,4 @@
-"""The page while the station is still being prepared."""
+"""The page while the station is being prepared."""
 
 from __future__ import annotations
 

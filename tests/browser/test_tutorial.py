@@ -1,4 +1,4 @@
-"""The tutorial: flown by a pad from the first look to the lift, opened once by itself, and how it looks."""
+"""The tutorial: flown with a pad, opened by itself and by its key, and its layout."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import pytest
 from aftdeck.station.messages.frame import Frame
 from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -23,12 +23,12 @@ SOUTH, NORTH, L_TRIGGER, R_TRIGGER, MENU = 0, 3, 6, 7, 9
 """Buttons of the standard mapping."""
 INCH = 0.0254
 PIN_X = -903.7323 * INCH
-"""Where the pin stands, along the panel's X [m]; across it, in the bay's middle."""
+"""X of the grapple pin in the panel frame [m]; its Y is 0."""
 LATCHES_MS = 120_000
-"""The latches take 30 s; a busy machine is slower."""
+"""Longest wait for the latches [ms], which take 30 s."""
 MOST_TRIES = 20
 MIDDLE = 1.5 * INCH
-"""Well within the middle of the wrist camera's picture: the step asks for 2 in."""
+"""Greatest distance from the axis of the pin when the step is flown [m]; the step allows 2 in."""
 
 CLASHES = """() => {
     const box = (node) => node.getBoundingClientRect();
@@ -56,22 +56,22 @@ CLASHES = """() => {
     }
     return clashes;
 }"""
-"""What of the card covers what shall be seen, leaves it, or meets another part of it."""
+"""Groups that the card covers, and parts of the card that leave it or overlap."""
 
 
-def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPage) -> None:
+def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
     flight = open_page(pad=True)
     flight.until(OPEN)
     flight.from_the_start()
 
-    # Look: another camera.
+    # Look: select another camera.
     flight.until(f"{STEP} === '1 of 6' && {AT_REST}")
     flight.pad_buttons(MENU)
     flight.until(f"{DRAWN} && {WORDS}.includes('Menu')")
     flight.pad_buttons()
     flight.until(f"{STEP} === '2 of 6'")
 
-    # Move: towards the pin, as it happens; the drawing lights what is held.
+    # Move: towards the pin; the drawing of the pad lights the held control.
     flight.pad_axes(-1.0, 0.0, 0.0, 0.0)
     flight.until("document.querySelector('.tutorial kbd.held')?.textContent === 'L stick ←left'")
     assert flight.script("document.querySelectorAll('.pad-drawing .part.held').length") == 1
@@ -80,7 +80,7 @@ def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPag
     flight.pad_axes(0.0, 0.0, 0.0, 0.0)
 
     _slow(flight)
-    _line_up(flight)
+    _align(flight)
     flight.until(r"/ \([LR].\) /.test(document.querySelector('.cells .way').title)")
     _close_in(flight)
 
@@ -92,7 +92,7 @@ def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPag
     flight.pad_buttons()
     flight.until(f"{STEP} === '6 of 6' && {WORDS}.includes('wait for RIGID')")
 
-    # Lift: the latches let go first, then it comes along.
+    # Lift: the latches open first, then the payload moves with the arm.
     flight.until(f"{WORDS}.includes('Hold Menu + South')")
     flight.pad_buttons(MENU, SOUTH)
     flight.until_logged("latches of the Payload bay latches opening")
@@ -110,12 +110,12 @@ def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPag
     assert _height(flight) > low + 0.9
     assert flight.script(TITLE) == "Complete"
 
-    # Begun anew, the flight is taught anew.
+    # A restart starts the tutorial again.
     flight.from_the_start()
     flight.until(f"{STEP} === '1 of 6'")
 
 
-def test_it_opens_by_itself_once_and_by_its_key_whenever_asked(open_page: OpenPage) -> None:
+def test_tutorial_opens_once_by_itself_and_by_its_key(open_page: OpenPage) -> None:
     flight = open_page()
     flight.until(f"{OPEN} && {STEP} === '1 of 6'")
     flight.press("x")
@@ -134,7 +134,7 @@ def test_it_opens_by_itself_once_and_by_its_key_whenever_asked(open_page: OpenPa
     flight.until(f"!({OPEN})")
 
 
-def test_its_keys_light_and_give_way_to_the_pads_drawing(open_page: OpenPage) -> None:
+def test_tutorial_shows_keys_or_the_drawing_of_the_pad(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.press_key("Skip step")
     flight.until(f"{STEP} === '2 of 6' && !({DRAWN}) && {WORDS}.includes('W moves')")
@@ -151,7 +151,7 @@ def test_its_keys_light_and_give_way_to_the_pads_drawing(open_page: OpenPage) ->
     flight.release("a")
 
 
-def test_another_mode_is_named_with_the_way_back(open_page: OpenPage) -> None:
+def test_tutorial_names_another_mode_and_returns_from_it(open_page: OpenPage) -> None:
     flight = open_page().from_the_start()
     flight.until(f"{STEP} === '1 of 6'")
     flight.press("[", "Enter")
@@ -165,7 +165,7 @@ def test_another_mode_is_named_with_the_way_back(open_page: OpenPage) -> None:
 
 @pytest.mark.parametrize(("width", "height"), [*SIZES, *NARROW])
 @pytest.mark.parametrize("pad", [False, True])
-def test_each_step_covers_nothing_that_it_needs_and_can_be_read(
+def test_tutorial_card_covers_no_needed_group_and_is_readable(
     open_page: OpenPage, width: int, height: int, pad: bool
 ) -> None:
     flight = open_page(width, height, pad=pad).from_the_start()
@@ -193,13 +193,13 @@ def _slow(flight: Flight) -> None:
     flight.pad_buttons()
 
 
-def _line_up(flight: Flight) -> None:
-    """Slides until the step ends: only with the stick let go."""
+def _align(flight: Flight) -> None:
+    """Align the end effector with the pin. The step ends only with centred sticks."""
     flown = -2
     for _ in range(MOST_TRIES):
         frame = flight.until(f"frame.display.stick_seq > {flown} && {AT_REST}")
         (aside,) = [each.value for each in frame.work.conditions if each.name == "pin off axis"]
-        if _wanting(frame) <= {"pin depth"} and aside < MIDDLE:
+        if _failed_conditions(frame) <= {"pin depth"} and aside < MIDDLE:
             break
         flown = frame.display.stick_seq
         aft, starboard = frame.display.actual.position[0] - PIN_X, frame.display.actual.position[1]
@@ -219,11 +219,11 @@ def _line_up(flight: Flight) -> None:
 
 
 def _close_in(flight: Flight) -> None:
-    """Flies at the pin until it stands in the snares and everything is at rest."""
+    """Move towards the pin until all conditions hold and the arm is at rest."""
     flown = -2
     for _ in range(MOST_TRIES):
         frame = flight.until(f"frame.display.stick_seq > {flown} && {AT_REST}")
-        if not _wanting(frame):
+        if not _failed_conditions(frame):
             break
         flown = frame.display.stick_seq
         (depth,) = [each.value for each in frame.work.conditions if each.name == "pin depth"]
@@ -234,11 +234,11 @@ def _close_in(flight: Flight) -> None:
         flight.pad_axes(0.0, 0.0, 0.0, 0.0)
 
 
-def _wanting(frame: Frame) -> set[str]:
+def _failed_conditions(frame: Frame) -> set[str]:
     return {each.name for each in frame.work.conditions if not each.holds}
 
 
 def _height(flight: Flight) -> float:
-    """Where the payload is drawn, upwards in the scene [m]."""
+    """Return the height at which the payload is drawn, in the scene [m]."""
     (place,) = [body["at"] for body in flight.script("window.__aftdeck.bodies") if body["name"] == "payload"]
     return float(place[2])

@@ -1,4 +1,4 @@
-"""Second windows of a flight: their keys are the flier's, strips run with it, and each page has windows of its own."""
+"""Secondary windows of a flight: their keys act for their page, strips follow the run, and each page has its own."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from playwright.sync_api import Locator, Page
 
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight, shows
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -20,22 +20,22 @@ HANDLES = "document.querySelector('.who').textContent === 'Keys act here too'"
 
 @pytest.fixture
 def second(flight: Flight) -> Flight:
-    """A window of MON 2, opened from the page that flies, once its keys are taken."""
-    second = torn_off(flight, own_window(flight, 1))
+    """A window of MON 2 whose keys act for the operator's page."""
+    second = open_window(flight, own_window(flight, 1))
     second.until(HANDLES)
     return second
 
 
 @pytest.fixture
 def strips(flight: Flight) -> Flight:
-    """A window of the strips, opened from the page that flies, once its keys are taken."""
-    strips = torn_off(flight, flight.page.get_by_role("button", name="Strips ↗"))
+    """A window of the strips whose keys act for the operator's page."""
+    strips = open_window(flight, flight.page.get_by_role("button", name="Strips ↗"))
     strips.until(HANDLES)
     return strips
 
 
-def torn_off(flight: Flight, key: Locator) -> Flight:
-    """The window that a key opens."""
+def open_window(flight: Flight, key: Locator) -> Flight:
+    """Press a button that opens a window; return the window."""
     with flight.page.expect_popup() as opened:
         key.click()
     page: Page = opened.value
@@ -44,31 +44,31 @@ def torn_off(flight: Flight, key: Locator) -> Flight:
 
 
 def own_window(flight: Flight, monitor: int) -> Locator:
-    """The key under a monitor that opens a window of it."""
+    """Return the button that opens a monitor in a secondary window."""
     return flight.page.locator(".monitor").nth(monitor).get_by_role("button", name="Own window")
 
 
 def who(words: str) -> str:
-    """What the window says of its page, as a condition."""
+    """Return the JavaScript condition that the window shows this text about its page."""
     return f"document.querySelector('.who').textContent === '{words}'"
 
 
 def row(name: str) -> str:
-    """A lane's or a strip's row, in JavaScript."""
+    """Return the row of a lane or strip, in JavaScript."""
     return f"[...document.querySelectorAll('.timeline .row')].find((row) => row.textContent.startsWith('{name}'))"
 
 
 def tag(strip: str) -> str:
-    """A strip's value at the playhead, in JavaScript."""
+    """Return a strip's value at the playhead, in JavaScript."""
     return f"{row(strip)}?.querySelector('.tag')?.textContent"
 
 
-def test_sticks_stop_and_brakes_answer_to_keys_of_the_second_window(flight: Flight, second: Flight) -> None:
+def test_keys_of_a_secondary_window_fly_stop_and_brake(flight: Flight, second: Flight) -> None:
     second.hold("w")
     flight.until(FORWARD)
     second.page.get_by_role("button", name="Split").focus()
     split = second.page.locator(".picture").count()
-    second.press("Space")  # stops, and presses no button
+    second.press("Space")  # stops, and does not press the button
     flight.until(f"{AT_ZERO} && !document.querySelector('.monitor .split')")
     assert second.page.locator(".picture").count() == split
     second.release("w")
@@ -79,7 +79,7 @@ def test_sticks_stop_and_brakes_answer_to_keys_of_the_second_window(flight: Flig
     second.release("b")
 
 
-def test_sticks_go_to_zero_as_the_second_window_loses_the_focus_or_closes(flight: Flight, second: Flight) -> None:
+def test_secondary_window_without_focus_zeroes_the_sticks(flight: Flight, second: Flight) -> None:
     second.hold("w")
     flight.until(FORWARD)
     second.script("window.dispatchEvent(new Event('blur'))")
@@ -95,7 +95,7 @@ def test_sticks_go_to_zero_as_the_second_window_loses_the_focus_or_closes(flight
     flight.until(AT_ZERO)
 
 
-def test_camera_keys_of_the_second_window_act_on_its_monitor(flight: Flight, second: Flight) -> None:
+def test_camera_keys_of_a_monitor_window_act_on_its_monitor(flight: Flight, second: Flight) -> None:
     flight.page.locator(".monitor").nth(0).locator(".picture").click()
     second.press("4")
     flight.until(shows(1, "D"))
@@ -108,7 +108,7 @@ def test_camera_keys_of_the_second_window_act_on_its_monitor(flight: Flight, sec
     assert [i for i, view in enumerate(after) if view != before[i]] == [3]
 
 
-def test_a_window_whose_page_is_gone_chooses_cameras_by_itself_until_it_is_back(flight: Flight, second: Flight) -> None:
+def test_window_of_a_closed_page_selects_cameras_by_itself(flight: Flight, second: Flight) -> None:
     flight.page.goto("about:blank")
     second.until(who("Its page is closed"))
     second.press("1")
@@ -121,7 +121,7 @@ def test_a_window_whose_page_is_gone_chooses_cameras_by_itself_until_it_is_back(
     second.release("w")
 
 
-def test_strips_run_with_the_flight_and_end_at_the_page_s_own_values(flight: Flight, strips: Flight) -> None:
+def test_strips_follow_the_run_and_end_at_the_values_of_the_page(flight: Flight, strips: Flight) -> None:
     strips.hold("w")
     moving = flight.until(FORWARD)
     flight.until(f"frame.time_s > {moving.time_s + 2}")
@@ -146,16 +146,14 @@ def test_strips_run_with_the_flight_and_end_at_the_page_s_own_values(flight: Fli
     strips.until(f"{clock} > '{before}'")
 
 
-def test_lanes_of_the_strips_tell_mode_and_cameras(flight: Flight, strips: Flight) -> None:
+def test_lanes_of_the_strips_show_mode_and_cameras(flight: Flight, strips: Flight) -> None:
     flight.press("x", "4")
     strips.until(f"{row('MON 2')}?.querySelector('.plot').textContent.endsWith('D')")
     flight.enter("END EFF")
     strips.until(f"{row('Mode')}.querySelector('.plot').textContent.endsWith('END EFF')")
 
 
-def test_strips_are_chosen_and_stand_in_the_page_s_units_over_as_much_time_as_asked(
-    flight: Flight, strips: Flight
-) -> None:
+def test_strips_can_be_selected_in_page_units_and_zoomed(flight: Flight, strips: Flight) -> None:
     page = strips.page
     page.get_by_role("button", name="Strips", exact=True).click()
     page.get_by_role("group", name="Strips").get_by_role("button", name="Elbow", exact=True).click()
@@ -173,22 +171,22 @@ def test_strips_are_chosen_and_stand_in_the_page_s_units_over_as_much_time_as_as
         assert_readable(strips, least=20)
 
 
-def test_a_restart_begins_the_strips_anew(flight: Flight, strips: Flight) -> None:
+def test_restart_clears_the_strips(flight: Flight, strips: Flight) -> None:
     flight.until("frame.time_s > 4")
     flight.from_the_start()
     strips.until("document.querySelector('.position').textContent < '00:04'")
     strips.until(f"frame.time_s < 4 && {row('Clearance')}.querySelector('path.actual').getAttribute('d')")
 
 
-def test_two_pages_of_one_browser_have_each_its_own_windows(flight: Flight) -> None:
-    with flight.page.expect_popup() as opened:  # a copy of the tab, with what the browser keeps for it
+def test_two_pages_of_one_browser_have_separate_windows(flight: Flight) -> None:
+    with flight.page.expect_popup() as opened:  # a copy of the tab, with its session storage
         flight.script("void open(location.href)")
     opened.value.set_default_timeout(WAIT_MS)
     other = Flight(opened.value)
     flight.press("1")
     other.until("document.querySelector('.who').textContent.startsWith('You watch')")
     other.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="C", exact=True).click()
-    first, second = torn_off(flight, own_window(flight, 0)), torn_off(other, own_window(other, 0))
+    first, second = open_window(flight, own_window(flight, 0)), open_window(other, own_window(other, 0))
     first.until(f"{shows(0, 'A')} && {HANDLES}")
     second.until(f"{shows(0, 'C')} && {who('Observing')}")
     other.page.reload()
@@ -197,7 +195,7 @@ def test_two_pages_of_one_browser_have_each_its_own_windows(flight: Flight) -> N
     second.until(shows(0, "D"))
     flight.press("2")
     first.until(shows(0, "B"))
-    second.press("4")  # nobody's keys: they choose cameras of the page that watches
+    second.press("4")  # camera keys of this window act on the observer's page
     assert second.script(shows(0, "D"))
     other.page.close()
     second.until(who("Its page is closed"))
@@ -205,7 +203,7 @@ def test_two_pages_of_one_browser_have_each_its_own_windows(flight: Flight) -> N
     assert first.script(shows(0, "B"))
 
 
-def test_a_page_says_that_the_browser_opens_no_window(open_page: OpenPage) -> None:
+def test_blocked_window_is_reported(open_page: OpenPage) -> None:
     flight = open_page(prepare=lambda page: page.add_init_script("window.open = () => null"))
     flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
     own_window(flight, 0).click()

@@ -1,4 +1,4 @@
-"""The worksite on the page: clearance, contacts, capture conditions, and what the end effector is told."""
+"""The worksite on the page: clearance, contacts, capture conditions, and commands of the end effector."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from aftdeck.simulation.frame import WayOut
 from aftdeck.worksite.report import Objective
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
-from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.layout_checks import assert_readable, assert_tidy
 from tests.browser.worksite import PRONG, SNARES, Worksite, condition, info, near, work
 
 pytestmark = pytest.mark.browser
@@ -36,11 +36,11 @@ BEFORE_ACQUISITION = (
     condition("palm height", 0.0635, 0.019, "palm 2.5 in above the bar, 0 to 0.75 in allowed"),
     condition("palm along bar", 0.1, 0.3, "palm 3.9 in from the bar's middle to its rear"),
 )
-HIT = near("palm", "payload top", -0.0102)
-TOUCHED = near("prong", "receptacle", 0.0, essential=True)
+DETRIMENTAL = near("palm", "payload top", -0.0102)
+ESSENTIAL = near("prong", "receptacle", 0.0, essential=True)
 GRASPING = work(
-    nearest=HIT,
-    contacts=(HIT, TOUCHED),
+    nearest=DETRIMENTAL,
+    contacts=(DETRIMENTAL, ESSENTIAL),
     arm_inhibit=True,
     inhibits=("palm touches payload top: 0.402 in deep",),
     objective=Objective("acquire", "acquire payload"),
@@ -52,19 +52,19 @@ GRASPING = work(
 
 @pytest.fixture
 def sited(open_page: OpenPage) -> Sited:
-    """Opens a page of a station with a worksite of the test's own."""
+    """Function that opens a page of a station with the worksite of the test."""
 
     def open_one(
         worksite: Worksite, width: int = 1280, height: int = 720, pad: bool = False
     ) -> tuple[Flight, Worksite]:
-        flight = open_page(width, height, pad, worksite.stand_between)
+        flight = open_page(width, height, pad, worksite.intercept)
         flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
         return flight, worksite
 
     return open_one
 
 
-def test_the_nearest_pair_is_told_lit_and_drawn(sited: Sited) -> None:
+def test_pair_of_minimum_clearance_is_named_lit_and_drawn(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.021))))
     flight.until("document.querySelector('.clearance .number').textContent.trim() === '15 in'")
     group = flight.page.locator(".clearance").inner_text()
@@ -76,7 +76,7 @@ def test_the_nearest_pair_is_told_lit_and_drawn(sited: Sited) -> None:
     flight.until("document.querySelector('.gap').getAttribute('visibility') === 'visible'")
 
 
-def test_a_caution_that_was_seen_alarms_again_as_a_warning(sited: Sited) -> None:
+def test_acknowledged_caution_alarms_again_as_a_warning(sited: Sited) -> None:
     flight, site = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
     master = flight.page.locator(".master")
     flight.page.locator(".master.caution").wait_for()
@@ -91,7 +91,7 @@ def test_a_caution_that_was_seen_alarms_again_as_a_warning(sited: Sited) -> None
     flight.until("!document.querySelector('.master').matches('.caution, .warning')")
 
 
-def test_a_gap_that_opens_far_from_both_lights_nothing(sited: Sited) -> None:
+def test_large_increasing_clearance_lights_no_lamp(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 4.1, -0.021))))
     flight.until("/opening/.test(document.querySelector('.clearance').textContent)")
     assert "contact in" not in flight.page.locator(".clearance").inner_text()
@@ -99,7 +99,7 @@ def test_a_gap_that_opens_far_from_both_lights_nothing(sited: Sited) -> None:
     assert flight.script("document.querySelector('.gap').getAttribute('visibility')") == "hidden"
 
 
-def test_a_contact_is_marked_and_what_it_inhibits_says_what_frees_it(sited: Sited) -> None:
+def test_contact_is_marked_and_shows_its_escape(sited: Sited) -> None:
     flight, site = sited(Worksite(info("prong", stand=True), GRASPING))
     site.ways_out = (WayOut("contact", "telescope longer", "telescope", 0, 1),)
     flight.page.locator(".flag.lit", has_text="Arm inhibit").wait_for()
@@ -115,7 +115,7 @@ def test_a_contact_is_marked_and_what_it_inhibits_says_what_frees_it(sited: Site
     flight.until(f"{marks}.length === 0 && !document.querySelector('.inhibits .lit')")
 
 
-def test_conditions_keep_their_places_and_say_when_all_are_met(sited: Sited) -> None:
+def test_conditions_keep_their_order_and_show_when_all_hold(sited: Sited) -> None:
     flight, site = sited(
         Worksite(info(), work(objective=Objective("capture", "capture payload"), conditions=BEFORE_CAPTURE))
     )
@@ -130,7 +130,7 @@ def test_conditions_keep_their_places_and_say_when_all_are_met(sited: Sited) -> 
     assert flight.script(names) == "off axis,distance,tilt,roll"
 
 
-def test_without_an_objective_the_payloads_are_told(sited: Sited) -> None:
+def test_payloads_are_listed_without_an_objective(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work()))
     flight.until("document.querySelector('.cargo tr').textContent === 'payloadCargo bay'")
     assert flight.script("document.querySelectorAll('.cargo tr')[1].textContent") == "free flyerfree0.5 in/s"
@@ -144,31 +144,31 @@ def test_capture_and_release_act_only_when_held(sited: Sited) -> None:
     flight.hold("g")
     flight.until(full.format(0))
     flight.release("g")
-    assert [m["switch"] for m in site.asked if m["type"] == "effector"] == ["close"]
+    assert [m["switch"] for m in site.sent if m["type"] == "effector"] == ["close"]
     release = flight.page.get_by_role("button", name="Release, hold 1 s")
     release.focus()
     flight.hold("Enter")
     flight.until(full.format(1))
     flight.release("Enter")
-    assert [m["switch"] for m in site.asked if m["type"] == "effector"] == ["close", "open"]
+    assert [m["switch"] for m in site.sent if m["type"] == "effector"] == ["close", "open"]
 
 
-def test_a_press_stops_the_prong_while_it_moves(sited: Sited) -> None:
+def test_key_press_stops_the_moving_prong(sited: Sited) -> None:
     flight, site = sited(Worksite(info("prong", stand=True), work(hand=PRONG, stand=3.6)))
     flight.until("document.querySelector('.effector [aria-pressed=true]').textContent.startsWith('Close')")
     flight.press("g")
-    site.until_asked(flight, "effector", switch="stop")
+    site.until_sent(flight, "effector", switch="stop")
 
 
-def test_a_pads_north_captures_and_menu_with_it_releases(sited: Sited) -> None:
+def test_north_of_a_pad_captures_and_menu_north_releases(sited: Sited) -> None:
     flight, site = sited(Worksite(info(), work()), pad=True)
     flight.pad_buttons(NORTH)
-    site.until_asked(flight, "effector", switch="close")
+    site.until_sent(flight, "effector", switch="close")
     flight.pad_buttons(MENU, NORTH)
-    site.until_asked(flight, "effector", switch="open")
+    site.until_sent(flight, "effector", switch="open")
 
 
-def test_the_thc_flies_the_orbiter_when_told_to_and_says_so(sited: Sited) -> None:
+def test_thc_switched_to_the_orbiter_moves_only_the_orbiter(sited: Sited) -> None:
     flight, site = sited(Worksite(info(), work(orbiter=(1.2, 0.0, -0.1), orbiter_velocity=(0.06, 0.0, 0.0))))
     flight.press("`")
     flight.until("document.querySelector('.thc .about').textContent === 'moves the orbiter'")
@@ -176,22 +176,22 @@ def test_the_thc_flies_the_orbiter_when_told_to_and_says_so(sited: Sited) -> Non
     flight.hold("w")
     flight.until("document.querySelector('.thc .value').textContent === '+1.00'")
     flight.release("w")
-    flown = [m for m in site.asked if m["type"] == "sticks"]
+    flown = [m for m in site.sent if m["type"] == "sticks"]
     assert max(m["orbiter"][0] for m in flown) == 1
     assert all(m["translation"] == [0, 0, 0] for m in flown)
     flight.press("`")
     flight.until("document.querySelector('.thc .about').textContent === 'left hand'")
 
 
-def test_the_telescope_has_its_row_and_its_keys(sited: Sited) -> None:
+def test_telescope_has_a_row_and_keys(sited: Sited) -> None:
     flight, site = sited(Worksite(info("prong", stand=True), work(hand=SNARES, stand=3.6)))
     flight.until("document.querySelector('.stand .angle').textContent === '141.7'")
     flight.hold("y")
-    site.until_asked(flight, "sticks", telescope=1)
+    site.until_sent(flight, "sticks", telescope=1)
     flight.release("y")
 
 
-def test_the_arm_follows_the_masters_sliders(sited: Sited) -> None:
+def test_master_slider_sends_one_changed_angle(sited: Sited) -> None:
     site = Worksite(info(), work())
     site.mode = "MASTER"
     flight, _ = sited(site)
@@ -200,24 +200,24 @@ def test_the_arm_follows_the_masters_sliders(sited: Sited) -> None:
     elbow.wait_for()
     elbow.focus()
     flight.press("PageUp")
-    site.until_asked(flight, "master")
+    site.until_sent(flight, "master")
     angles = site.last("master")["angles"]
     assert angles[2] - joints[2] == pytest.approx(math.radians(5.0), abs=1e-3)
     assert [*angles[:2], *angles[3:]] == pytest.approx([*joints[:2], *joints[3:]], abs=1e-3)
     flight.press("Space")
-    site.until_asked(flight, "stop")
+    site.until_sent(flight, "stop")
 
 
-def test_a_part_of_the_problem_begins_anew_from_the_rail(sited: Sited) -> None:
+def test_task_phase_is_initialised_from_the_rail(sited: Sited) -> None:
     flight, site = sited(Worksite(info("prong", stand=True), work(task=2)))
     flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
     flight.press_key("Initialise")
     flight.press_key("extraction")
-    site.until_asked(flight, "initialise", part="extraction")
+    site.until_sent(flight, "initialise", part="extraction")
     assert not flight.page.get_by_role("button", name="extraction").is_visible()
 
 
-def test_the_separating_plane_is_shown_on_demand(sited: Sited) -> None:
+def test_plane_button_shows_the_separating_plane(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
     key = flight.page.get_by_role("button", name="Plane")
     flight.press("f")
@@ -227,7 +227,7 @@ def test_the_separating_plane_is_shown_on_demand(sited: Sited) -> None:
 
 
 @pytest.mark.parametrize("mode", ["ORB UNL", "OPR CMD", "SINGLE", "MASTER"])
-def test_a_worksite_at_work_is_tidy_and_readable(sited: Sited, mode: str) -> None:
+def test_page_with_contacts_and_conditions_is_tidy_and_readable(sited: Sited, mode: str) -> None:
     site = Worksite(info("prong", stand=True), GRASPING)
     site.mode = mode
     flight, _ = sited(site)
@@ -243,7 +243,7 @@ def test_a_worksite_at_work_is_tidy_and_readable(sited: Sited, mode: str) -> Non
     _assert_looks(flight)
 
 
-def test_snares_and_payloads_are_tidy_and_readable(sited: Sited) -> None:
+def test_page_with_snares_and_payloads_is_tidy_and_readable(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.02))))
     flight.until("document.querySelector('.cargo td').textContent !== ''")
     _assert_looks(flight)
@@ -253,7 +253,7 @@ def test_snares_and_payloads_are_tidy_and_readable(sited: Sited) -> None:
 
 
 def _assert_looks(flight: Flight) -> None:
-    """Nothing overlaps, leaves its group or is hard to read, at any of the sizes."""
+    """Assert that the page is tidy and readable at each size."""
     for width, height in SIZES:
         flight.page.set_viewport_size({"width": width, "height": height})
         drawn = flight.script("window.__aftdeck.frames")

@@ -1,4 +1,4 @@
-"""A station whose worksite is as a test says: its frames pass through here, and the page's commands end here."""
+"""A station with the worksite of a test: frames are changed on their way to the page, commands are only stored."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from tests.browser.flight import WAIT_MS, Flight
 
 Message = dict[str, Any]
 
-LOOK_MS = 20
-"""Time between two looks at what the page asked for [ms]."""
-HERE, THERE = (2.0, -1.2, 1.2), (2.2, -1.6, 0.9)
-"""Two points over the bay that camera B sees."""
+POLL_MS = 20
+"""Time between two checks of the messages of the page [ms]."""
+POINT_A, POINT_B = (2.0, -1.2, 1.2), (2.2, -1.6, 0.9)
+"""Two points above the bay that camera B sees."""
 AT_REST = (0.0, 0.0, 0.0)
 UPRIGHT: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
@@ -32,33 +32,33 @@ PARTS: tuple[kinds.ProblemPart, ...] = ("full problem", "acquisition", "extracti
 
 
 def near(a: str, b: str, clearance: float, closing: float = 0.0, essential: bool = False) -> Near:
-    """Two watched parts between the two points."""
+    """Return a monitored pair whose closest points are POINT_A and POINT_B."""
     normal = (0.3714, -0.7428, -0.5571) if clearance > 0.0 else (0.0, 0.0, 0.0)
-    return Near(a, b, clearance, closing, HERE, THERE, normal, 0.0, essential)
+    return Near(a, b, clearance, closing, POINT_A, POINT_B, normal, 0.0, essential)
 
 
 def closest_points(pair: Near) -> ClosestPoints:
-    """The same pair as it is drawn: its points are given in the scene."""
+    """Return the closest points of a pair as they are drawn."""
     x, y, z = ((p + q) / 2.0 for p, q in zip(pair.point_a, pair.point_b, strict=True))
     return ClosestPoints(pair.point_a, pair.point_b, (x, y, z), pair.normal)
 
 
 def condition(name: str, value: float, limit: float, text: str, unit: Unit = "m") -> Condition:
-    """A value that is allowed up to a limit."""
+    """Return a condition that holds up to a limit."""
     return Condition(name, value <= limit, value, limit, unit, limit - value, text)
 
 
 def info(hand: Any = "snares", stand: bool = False) -> WorkInfo:
-    """A worksite with two payloads and a seat."""
+    """Return a worksite with two payloads and a berth."""
     telescope = StandInfo(2.4, 5.5, 0.3) if stand else None
     return WorkInfo(hand, telescope, ("payload", "free flyer"), (SeatInfo("bay", "Cargo bay"),), PARTS, 0.6, 0.15)
 
 
 def work(**changes: Any) -> Work:
-    """A worksite where nothing is near and nothing moves, but for the changes."""
+    """Return a worksite without close parts, at rest, with these fields changed."""
     cargo = (
-        Cargo("payload", HERE, UPRIGHT, AT_REST, False, "bay"),
-        Cargo("free flyer", HERE, UPRIGHT, (0.012, 0.0, 0.0), False, ""),
+        Cargo("payload", POINT_A, UPRIGHT, AT_REST, False, "bay"),
+        Cargo("free flyer", POINT_A, UPRIGHT, (0.012, 0.0, 0.0), False, ""),
     )
     still = Work(
         task=1,
@@ -81,48 +81,48 @@ def work(**changes: Any) -> Work:
 
 
 class Worksite:
-    """What the page is told of the worksite, and what it asked for.
+    """Worksite that the page receives, and the messages that the page sends.
 
     Attributes:
-        work: of every frame from now on.
-        mode: of every frame from now on; empty: the station's own.
-        ways_out: of every frame from now on.
-        asked: every message of the page but its measurements, as decoded JSON.
+        work: worksite of every later frame.
+        mode: mode of every later frame; if empty, the mode of the station.
+        ways_out: escapes of every later frame.
+        sent: all messages of the page except `hello` and `shown`, as decoded JSON.
     """
 
-    def __init__(self, told: WorkInfo, now: Work) -> None:
-        self.info, self.work = told, now
+    def __init__(self, info: WorkInfo, now: Work) -> None:
+        self.info, self.work = info, now
         self.mode = ""
         self.ways_out: tuple[WayOut, ...] = ()
-        self.asked: list[Message] = []
+        self.sent: list[Message] = []
 
-    def stand_between(self, page: Page) -> None:
-        """Passes everything between the page and its station, as changed."""
+    def intercept(self, page: Page) -> None:
+        """Route all messages between the page and the station through this worksite."""
         page.route_web_socket("**/ws", self._connect)
 
     def last(self, kind: str) -> Message:
-        """The page's last message of that type; empty where there is none."""
-        return next((message for message in reversed(self.asked) if message["type"] == kind), {})
+        """Return the page's last message of this type, or an empty one."""
+        return next((message for message in reversed(self.sent) if message["type"] == kind), {})
 
-    def until_asked(self, flight: Flight, kind: str, **fields: Any) -> None:
-        """Waits until the page's last message of that type has these fields."""
-        for _ in range(WAIT_MS // LOOK_MS):
+    def until_sent(self, flight: Flight, kind: str, **fields: Any) -> None:
+        """Wait until the page's last message of this type has these fields."""
+        for _ in range(WAIT_MS // POLL_MS):
             if fields.items() <= self.last(kind).items():
                 return
-            flight.page.wait_for_timeout(LOOK_MS)
-        raise AssertionError(f"the page asked for {self.last(kind)}, not for {fields}")
+            flight.page.wait_for_timeout(POLL_MS)
+        raise AssertionError(f"the page sent {self.last(kind)}, not {fields}")
 
     def _connect(self, socket: WebSocketRoute) -> None:
         server = socket.connect_to_server()
 
-        def asked(text: str | bytes) -> None:
+        def receive(text: str | bytes) -> None:
             message = json.loads(text)
             if message["type"] not in ("hello", "shown"):
-                self.asked.append(message)
+                self.sent.append(message)
             if message["type"] in ("hello", "sticks", "restart"):
                 server.send(text)
 
-        socket.on_message(asked)
+        socket.on_message(receive)
         server.on_message(lambda text: socket.send(self._changed(json.loads(text))))
 
     def _changed(self, message: Message) -> str:
@@ -134,7 +134,7 @@ class Worksite:
         return json.dumps(message)
 
     def _put_work(self, frame: Message) -> None:
-        """The worksite, and the lamp of its clearance as the station lights it."""
+        """Put the worksite into a frame, with the CLEARANCE lamp that the station would light."""
         near = self.work.nearest
         level = level_of(near.clearance, self.info.caution, self.info.warning) if near else CLEAR
         frame["work"] = msgspec.to_builtins(msgspec.structs.replace(self.work, clearance_level=level))

@@ -1,4 +1,4 @@
-"""What a page shall look like: nothing scrolls, overlaps or is cut off, and every text can be read."""
+"""Checks of the layout: nothing scrolls, overlaps or is cut off, and every text is readable."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any, Protocol
 class Scripted(Protocol):
     """A page in any browser."""
 
-    def script(self, text: str) -> Any:  # what a page returns has no type
-        """Evaluates JavaScript in the page."""
+    def script(self, text: str) -> Any:  # a result of JavaScript has no type
+        """Evaluate JavaScript in the page."""
 
 
 _CLASHES = """async () => {
@@ -35,9 +35,9 @@ _CLASHES = """async () => {
             if (q.width === 0 || node.closest('.unseen')) continue;
             if (q.left < p.left - 1 || q.right > p.right + 1 || q.top < p.top - 1 || q.bottom > p.bottom + 1)
                 clashes.push(`“${node.textContent}” leaves ${name(a)}`);
-            // A name that is shortened is told whole as the pointer rests on it.
-            const told = node.title && node.title.startsWith(node.textContent);
-            if (node.matches('button') && (node.scrollWidth > node.clientWidth + 1) && !told)
+            // A shortened name has a tooltip with the whole text.
+            const hasTooltip = node.title && node.title.startsWith(node.textContent);
+            if (node.matches('button') && (node.scrollWidth > node.clientWidth + 1) && !hasTooltip)
                 clashes.push(`“${node.textContent}” is cut off`);
         }
         const cells = [...a.querySelectorAll('td, th')].filter((cell) => cell.textContent);
@@ -75,15 +75,15 @@ _TEXTS = """async () => {
         const element = node.parentElement;
         if (!node.textContent.trim() || !element.checkVisibility({ visibilityProperty: true })) continue;
         if (element.closest('.picture, .unseen') || !element.closest('WITHIN')) continue;
-        texts.push(told(element, node.textContent.trim()));
+        texts.push(appearance(element, node.textContent.trim()));
     }
     for (const field of document.querySelectorAll('input')) {
         if (field.value && field.closest('WITHIN') && field.type === 'text' && field.checkVisibility())
-            texts.push(told(field, field.value));
+            texts.push(appearance(field, field.value));
     }
     return texts;
 
-    function told(element, text) {
+    function appearance(element, text) {
         const chain = [];
         for (let up = element; up; up = up.parentElement) chain.unshift(getComputedStyle(up));
         let under = { r: 12, g: 13, b: 14, a: 1 };
@@ -151,20 +151,20 @@ _COLLISIONS = """async () => {
 
 
 def assert_tidy(page: Scripted) -> None:
-    """Nothing scrolls, overlaps or leaves its group; no text lies on another one or is cut off without an ellipsis."""
+    """Assert that nothing scrolls, overlaps, leaves its group or is cut off without an ellipsis."""
     clashes = page.script(_CLASHES) + collisions(page)
     assert clashes == [], clashes
 
 
 def collisions(page: Scripted, within: str = "body") -> list[str]:
-    """Texts that lie on another one or are cut off without an ellipsis, in sentences."""
+    """Return a sentence for each text that overlaps another one or is cut off without an ellipsis."""
     return list(page.script(_COLLISIONS.replace("WITHIN", within)))
 
 
 def assert_readable(page: Scripted, within: str = "body", least: int = 80) -> None:
-    """Every text, of which there are more than `least`, has a contrast of 4.5 to what is behind it, and 10 px or more.
+    """Assert that there are more than `least` texts, each with a contrast of 4.5 or more and 10 px or more.
 
-    `within`: a selector of what to look at.
+    `within` is the selector of the part that is checked.
     """
     texts = page.script(_TEXTS.replace("WITHIN", within))
     assert len(texts) > least
