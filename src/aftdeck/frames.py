@@ -103,7 +103,12 @@ def oriend(rotation: Array) -> tuple[float, float, float]:
 
     Elevation lies in [-pi/2, pi/2]. At +-pi/2 only azimuth -+ roll is determined; roll is then set to 0.
     """
-    (a, b, _), (d, e, _), (g, h, i) = rotation.tolist()
+    return oriend_rows(rotation.tolist())
+
+
+def oriend_rows(rows: Rows) -> tuple[float, float, float]:
+    """Return `oriend` of an orientation given as rows."""
+    (a, b, _), (d, e, _), (g, h, i) = rows
     cosine = math.hypot(a, d)
     elevation = math.atan2(-g, cosine)
     if cosine < _GIMBAL:

@@ -14,21 +14,23 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from aftdeck.bodies.pose import row_of
-from aftdeck.frames import Pose, endori
+from aftdeck.frames import Pose, Rows, endori
 from aftdeck.units import INCH
 from aftdeck.worksite.capture.grapple import CaptureEnvelope, in_envelope
 from aftdeck.worksite.capture.snare import Flags, Snare, SnareCommand, SnareTimes, advance, flags
 from aftdeck.worksite.conditions import Condition, all_hold, failing
 from aftdeck.worksite.log_line import LogLine
+from aftdeck.worksite.report import Vec3
 from aftdeck.worksite.seats.draw_in import remaining
 
 ENVELOPE = CaptureEnvelope(4.0 * INCH, -0.001, 4.0 * INCH, radians(10.0), radians(10.0), radians(10.0))
 TIMES = SnareTimes(2.5, 7.0, 4.0)
 AUTO, MAN, OFF = SnareCommand("AUTO"), SnareCommand("MAN"), SnareCommand("OFF")
+Fixture = tuple[Vec3, Rows]
 
 
-def near(position: tuple[float, float, float] = (0.05, 0.0, 0.0), turn: NDArray[np.float64] | None = None) -> Pose:
-    return Pose(np.array(position), np.eye(3) if turn is None else turn)
+def near(position: Vec3 = (0.05, 0.0, 0.0), turn: NDArray[np.float64] | None = None) -> Fixture:
+    return position, (np.eye(3) if turn is None else turn).tolist()
 
 
 INSIDE = in_envelope(near(), ENVELOPE)
@@ -76,7 +78,7 @@ RIGID_PIN = fly(Snare(), capture(AUTO), 14.0, conditions=INSIDE)[0]
         ("yaw", near(turn=endori(0, 0, radians(9.99))), near(turn=endori(0, 0, radians(10.01)))),
     ],
 )
-def test_capture_envelope_ends_at_its_limits(name: str, inside: Pose, outside: Pose) -> None:
+def test_capture_envelope_ends_at_its_limits(name: str, inside: Fixture, outside: Fixture) -> None:
     assert all_hold(in_envelope(inside, ENVELOPE))
     assert [condition.name for condition in failing(in_envelope(outside, ENVELOPE))] == [name]
 

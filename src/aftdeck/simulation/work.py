@@ -51,7 +51,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
     site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, worksite.watch, worksite.contacts
     worksite.monitored_before[:] = watch.active
-    now = update_contacts(
+    touching, changed, worksite.nearest = update_contacts(
         *worksite.places(site),
         plant.angles,
         plant.stand.position,
@@ -66,11 +66,10 @@ def _update_contacts(flight: Flight, state: State) -> None:
         *watch.packed,
         contacts.count,
     )
-    worksite.nearest = now.nearest
-    if now.touching or now.changed:
+    if touching or changed:
         worksite.permitted[:] = permitted(site, watch, worksite.frames)
         contacts.essential[:] = site.essential_while(sliding_payload(state), worksite.permitted)
-    contacts.judge(now.touching, now.changed, site.by_prong, worksite.task)
+    contacts.judge(touching, changed, site.by_prong, worksite.task)
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:

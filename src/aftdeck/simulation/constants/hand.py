@@ -28,12 +28,14 @@ class Bar:
         tolerances: tolerances of acquisition.
         packed: (5,) the same tolerances for the law.
         which: for each payload, (4,) the layout's solids that are HEX 1 to 3 and the bar; None without a bar.
+        bars: (c, 4) the same; -1 for a payload without a bar.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
 
     tolerances: Tolerances
     packed: Array
     which: tuple[Indices | None, ...]
+    bars: Indices
     fixed_finger: float
 
 
@@ -72,17 +74,15 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
         return None
     spacing = rule.prong_spacing + prong.fixed_finger
     tolerances = Tolerances(spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
-    return Bar(
-        tolerances,
-        tolerances.packed(),
-        tuple(
-            None
-            if payload.receptacle is None
-            else np.array([parts.index(name) for name in (*HEXES, part_of(payload.name, "receptacle"))], dtype=np.int64)
-            for payload in cargo
-        ),
-        prong.fixed_finger,
+    which = tuple(
+        None
+        if payload.receptacle is None
+        else np.array([parts.index(name) for name in (*HEXES, part_of(payload.name, "receptacle"))], dtype=np.int64)
+        for payload in cargo
     )
+    none = np.full(len(HEXES) + 1, -1)
+    bars = np.array([none if solids is None else solids for solids in which], dtype=np.int64).reshape(-1, len(none))
+    return Bar(tolerances, tolerances.packed(), which, bars, prong.fixed_finger)
 
 
 def snares_of(worksite: Worksite, cargo: tuple[Cargo, ...]) -> Snares | None:

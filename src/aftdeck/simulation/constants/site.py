@@ -62,6 +62,8 @@ class Site:
         layout: solids and monitored pairs.
         essential: (g,) 1 for pairs that the task brings into contact.
         meetings: relation and permitted depth of each of these pairs.
+        meeting_groups: (m,) indices of these pairs in the layout.
+        meeting_aligns: (m,) 1 for the pairs of docking and of guides, which are aligned before they touch.
         by_arm: (g,) 1 for pairs with a part of the arm.
         by_prong: (g,) 1 for pairs with the prong; all 0 for an arm without a prong.
         of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
@@ -91,6 +93,8 @@ class Site:
     layout: Layout
     essential: Mask
     meetings: tuple[Meeting, ...]
+    meeting_groups: Indices
+    meeting_aligns: Mask
     by_arm: Mask
     by_prong: Mask
     of_cargo: tuple[Mask, ...]
@@ -193,6 +197,8 @@ def site_of(scenario: Scenario) -> Site:
         layout=layout,
         essential=essential,
         meetings=meetings,
+        meeting_groups=np.array([meeting.group for meeting in meetings], dtype=np.int64),
+        meeting_aligns=np.array([meeting.relation in ("docking", "guides") for meeting in meetings], dtype=np.uint8),
         by_arm=by_arm,
         by_prong=layout.carried([PRONG]) if PRONG in arm.names else np.zeros_like(by_arm),
         of_cargo=of_cargo,

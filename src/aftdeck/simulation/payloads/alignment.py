@@ -8,23 +8,22 @@ over the remaining distance would bring them into contact in the relative positi
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import hypot, inf
 
 import numpy as np
 
-from aftdeck.arrays import Array, Mask
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.bodies.pose import pose_of
-from aftdeck.frames import oriend
+from aftdeck.frames import oriend_rows
+from aftdeck.law import law
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.constants.hand import Bar, Snares
+from aftdeck.simulation.constants.hand import Snares
 from aftdeck.simulation.constants.site import Meeting, Site
 from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand
 from aftdeck.simulation.payloads.seating import approached
 from aftdeck.simulation.state import State
-from aftdeck.worksite.capture.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquire
+from aftdeck.worksite.capture.acquisition import enclosed_bar
 from aftdeck.worksite.model import Relation
 from aftdeck.worksite.seats.berthing import over
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
@@ -40,7 +39,7 @@ second (assumed)."""
 def count(flight: Flight, state: State) -> None:
     """Update the pairs that count for the minimum clearance of the next step, after all motion of this step."""
     worksite = state.worksite
-    worksite.watch.counts[:], worksite.aligned_with = alarm_pairs(
+    worksite.watch.counts, worksite.aligned_with = alarm_pairs(
         flight, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
         worksite.contacts, worksite.permitted, flight.within,
     )  # fmt: skip
@@ -76,11 +75,17 @@ def alarm_pairs(
     """
     site = flight.site
     counts = site.detrimental.copy()
-    for group in _outside_relation(site, watch, frames, nearest, permitted, travel):
-        counts[group] = 1
+    if site.meetings:
+        near = count_far_pairs(
+            site.meeting_groups, site.meeting_aligns, watch.active, watch.found, watch.bound, permitted, nearest, NEAR,
+            travel, counts,
+        )  # fmt: skip
+        if near:
+            _count_unaligned(site, watch, frames, nearest, counts)
     k = None
     if held is None and site.bar is not None:
-        k = _about_bar(site.bar, watch.placed)
+        enclosed = enclosed_bar(watch.placed, site.bar.bars, site.bar.packed, NEAR)
+        k = None if enclosed < 0 else enclosed
     elif held is None and site.snares is not None:
         k = _before_snares(site, site.snares, frames, before)
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
@@ -88,48 +93,79 @@ def alarm_pairs(
     return counts & (1 - site.held[k]), k
 
 
+@law
+def count_far_pairs(
+    groups: Indices,
+    aligns: Mask,
+    active: Mask,
+    found: Array,
+    bound: Array,
+    permitted: Mask,
+    nearest: int,
+    farthest: float,
+    travel: float,
+    counts: Mask,
+) -> bool:
+    """Mark the pairs of the task that count without a test of their alignment.
+
+    These pairs touch where their relation does not permit a contact, or are apart and have no alignment, or are too far
+    apart to be aligned or to have the minimum clearance.
+
+    Args:
+        groups: (m,) indices of the pairs of the task.
+        aligns: (m,) 1 for the pairs whose relation has an alignment: docking and guides.
+        active: (g,) 1 for pairs that are monitored.
+        found: (g, 15) measurements, rows as in `worksite.watch.found`.
+        bound: (g,) lower bound of each pair's clearance [m].
+        permitted: (g,) 1 for pairs of the task that may be in contact at their present positions.
+        nearest: the pair with the minimum clearance before this step; -1 if there was none.
+        farthest: distance beyond which two parts are not aligned [m].
+        travel: greatest distance by which two parts can approach before the next minimum is found [m].
+        counts: (g,) 1 for the pairs that are not of the task; updated.
+
+    Returns:
+        Whether the alignment of another pair has to be tested.
+    """
+    if nearest >= 0 and counts[nearest] != 0:  # a pair farther apart cannot have the minimum clearance
+        farthest = min(farthest, found[nearest, CLEARANCE] + travel)
+    undecided = False
+    for m in range(len(groups)):
+        g = groups[m]
+        if active[g] == 0:
+            continue
+        if found[g, CLEARANCE] <= CONTACT:
+            counts[g] = 1 - permitted[g]
+        elif aligns[m] == 0 or bound[g] >= farthest:
+            counts[g] = 1
+        else:
+            undecided = True
+    return undecided
+
+
+def _count_unaligned(site: Site, watch: ClearanceMonitor, frames: Array, nearest: int, counts: Mask) -> None:
+    """Mark the pairs of the task that are near each other, apart and not aligned, after `count_far_pairs`."""
+    known: dict[tuple[int, Relation], bool] = {}
+    for meeting in site.meetings:
+        g, key = meeting.group, (meeting.cargo, meeting.relation)
+        if counts[g] or not watch.active[g] or watch.found[g, CLEARANCE] <= CONTACT:
+            continue
+        if key not in known:
+            reported = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == key)
+            known[key] = _is_aligned(site, frames, meeting, reported=reported)
+        counts[g] = not known[key]
+
+
 def _inhibited(contacts: Contacts, among: Mask) -> bool:
     """Return whether a contact of one of the pairs `among` (g,) inhibits the arm."""
     return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
-
-
-def _outside_relation(
-    site: Site, watch: ClearanceMonitor, frames: Array, nearest: int, permitted: Mask, travel: float
-) -> Iterator[int]:
-    """Yield the pairs of the task that touch, or would touch, where their relation does not permit a contact.
-
-    Pairs too far apart to be aligned, or to have the minimum clearance, are also yielded. Arguments as for
-    `alarm_pairs`.
-    """
-    known: dict[tuple[int, Relation], bool] = {}
-    farthest = NEAR  # parts farther apart are not aligned
-    if nearest >= 0 and site.detrimental[nearest]:  # a pair farther apart cannot have the minimum clearance
-        farthest = min(farthest, watch.found[nearest, CLEARANCE] + travel)
-    for meeting in site.meetings:
-        g, key = meeting.group, (meeting.cargo, meeting.relation)
-        if not watch.active[g]:
-            continue
-        if watch.found[g, CLEARANCE] <= CONTACT:
-            if not permitted[g]:
-                yield g
-        elif watch.bound[g] >= farthest:  # lower bound of the clearance
-            yield g
-        else:
-            if key not in known:
-                reported = any(
-                    other.group == nearest for other in site.meetings if (other.cargo, other.relation) == key
-                )
-                known[key] = _is_aligned(site, frames, meeting, reported=reported)
-            if not known[key]:
-                yield g
 
 
 def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
     """Return whether two parts would touch, after a straight approach, in the position that their relation permits.
 
     If the minimum clearance was of this payload and relation (`reported`), they have to touch inside the relation's
-    tolerances by the permitted depth, so that the lamp does not flicker. The caller finds alignment of the end
-    effector.
+    tolerances by the permitted depth, so that the lamp does not flicker. Only docking and guides have an
+    alignment of this kind.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if reported else 0.0
@@ -140,8 +176,8 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
         case "guides":
             guided = (berth for berth in site.berths[k] if berth.guides is not None)
             return any(_over_guides(site, frames, k, berth, depth, inside) for berth in guided)
-        case "acquisition" | "capture":
-            return False
+        case other:
+            raise AssertionError(f"the relation {other!r} has no alignment")
 
 
 def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
@@ -167,29 +203,17 @@ def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, 
     return least >= -depth and most <= NEAR and room >= inside
 
 
-def _about_bar(bar: Bar, placed: Array) -> int | None:
-    """Return the payload whose bar is before the palm and between the fingers; None if there is none."""
-    found = np.empty(FOUND)
-    for k, which in enumerate(bar.which):
-        if which is None:
-            continue
-        acquire(placed, which, bar.packed, found)
-        if found[AWAY] < NEAR and min(found[PALM], found[FIXED], found[PRONG]) >= 0.0:
-            return k
-    return None
-
-
 def _before_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
     """Return the payload whose pin is aligned with the end effector in position and attitude; None if none is."""
     envelope = snares.envelope
     for k in range(len(snares.fixtures)):
         if (fixture := fixture_in_hand(site, frames, k)) is None:
             continue
+        (out, y, z), rows = fixture
         wide = WIDEST if k == before else WIDER
-        out, y, z = fixture[:3].tolist()
         if hypot(y, z) > wide * envelope.radial or abs(out) > NEAR:
             continue
-        roll, pitch, yaw = (abs(angle) for angle in oriend(pose_of(fixture).rotation))
+        roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
         if roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw:
             return k
     return None

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from aftdeck.bodies.pose import POSE, compose, inverse, pose_of
+from aftdeck.bodies.pose import POSE, compose, inverse
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Bar, Snares
 from aftdeck.simulation.inputs import Inputs
@@ -16,7 +16,7 @@ from aftdeck.simulation.payloads.grasp import attach, empty_grasp, nearest_fixtu
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.payloads.seating import stay_or_leave
 from aftdeck.simulation.state import State
-from aftdeck.worksite.capture.acquisition import FOUND, acquire
+from aftdeck.worksite.capture.acquisition import acquired_bar
 from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.capture.snare import Snare, SnareCommand, advance
 from aftdeck.worksite.conditions import Condition
@@ -61,11 +61,8 @@ def _capture_by_prong(flight: Flight, state: State, bar: Bar) -> None:
         if bar.fixed_finger - worksite.prong.position > bar.tolerances.spacing:
             _release(flight, state, worksite.held)
         return
-    found = np.empty(FOUND)
-    for k, which in enumerate(bar.which):
-        if which is not None and acquire(worksite.watch.placed, which, bar.packed, found):
-            _attach(flight, state, k)
-            return
+    if (k := acquired_bar(worksite.watch.placed, bar.bars, bar.packed)) >= 0:
+        _attach(flight, state, k)
 
 
 def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None:
@@ -77,7 +74,7 @@ def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) ->
     conditions: tuple[Condition, ...] = ()
     if held is None and (near := nearest_fixture(flight, state, math.inf)) is not None:
         k, fixture = near
-        conditions = in_envelope(pose_of(fixture), snares.envelope)
+        conditions = in_envelope(fixture, snares.envelope)
     command = SnareCommand(
         "AUTO" if worksite.effector_mode == "auto" else "MAN",
         _TRIGGERS[worksite.switch] if pressed else "",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import chain
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import log
 from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
-from aftdeck.simulation.payloads.hand_poses import fixture_in_effector, payload_in_hand
+from aftdeck.simulation.payloads.hand_poses import InEffector, fixture_in_effector, payload_in_hand
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.capture.snare import Snare
@@ -40,7 +41,9 @@ def reset_grasp(flight: Flight, state: State, k: int) -> None:
     payload = state.worksite.cargo[k]
     payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()
     if (fixture := fixture_in_hand(flight.site, state.worksite.frames, k)) is not None:
-        payload.fixture_at_capture, payload.drawn_at_capture = fixture.tolist(), state.worksite.snare.drawn
+        position, rows = fixture
+        payload.fixture_at_capture = [*position, *chain.from_iterable(rows)]
+        payload.drawn_at_capture = state.worksite.snare.drawn
     update_steering(flight, state)
 
 
@@ -98,8 +101,8 @@ def pose_in_hand(flight: Flight, state: State, k: int) -> Array:
     return grasp
 
 
-def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
-    """Return the pose (12,) of a payload's grapple fixture in the end effector's axes E.
+def fixture_in_hand(site: Site, frames: Array, k: int) -> InEffector | None:
+    """Return the pose of a payload's grapple fixture in the end effector's axes E.
 
     Args:
         site: constants of the worksite.
@@ -112,17 +115,15 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
     fixture = site.snares.fixtures[k] if site.snares is not None else None
     if fixture is None:
         return None
-    found = np.empty(POSE)
-    fixture_in_effector(frames, site.last_joint, site.effector, site.cargo_row(k), fixture, found)
-    return found
+    return fixture_in_effector(frames, site.last_joint, site.effector, site.cargo_row(k), fixture)
 
 
-def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, Array] | None:
-    """Return the payload whose fixture is nearest, and the fixture's pose (12,) in E; None beyond `within` [m]."""
+def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, InEffector] | None:
+    """Return the payload whose fixture is nearest, and the fixture's pose in E; None beyond `within` [m]."""
     best, least = None, within
     for k in range(len(flight.site.cargo)):
         fixture = fixture_in_hand(flight.site, state.worksite.frames, k)
-        if fixture is not None and (away := math.hypot(*fixture[:3].tolist())) < least:
+        if fixture is not None and (away := math.hypot(*fixture[0])) < least:
             best, least = (k, fixture), away
     return best
 

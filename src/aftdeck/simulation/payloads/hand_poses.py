@@ -7,6 +7,10 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.law import law
+from aftdeck.simulation.frame import Rows, Vec3
+
+InEffector = tuple[Vec3, Rows]
+"""Position and rotation of a grapple fixture in the end effector's axes E."""
 
 
 @law
@@ -30,10 +34,8 @@ def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packe
 
 
 @law
-def fixture_in_effector(
-    frames: Array, last_joint: int, effector: Array, row: int, fixture: Array, found: Array
-) -> None:
-    """Write into `found` (12,) the pose of a payload's fixture in the end effector's axes E.
+def fixture_in_effector(frames: Array, last_joint: int, effector: Array, row: int, fixture: Array) -> InEffector:
+    """Return the pose of a payload's fixture in the end effector's axes E.
 
     Args:
         frames: (F, 12) poses of all frames in L.
@@ -41,9 +43,9 @@ def fixture_in_effector(
         effector: (12,) pose of E in that frame.
         row: row of the payload.
         fixture: (12,) pose of the fixture in the payload.
-        found: (12,) out.
     """
-    outer, inner = np.empty(POSE), np.empty(POSE)
+    outer, inner, p = np.empty(POSE), np.empty(POSE), np.empty(POSE)
     compose(frames[last_joint], effector, outer)
     compose(frames[row], fixture, inner)
-    relative(outer, inner, found)
+    relative(outer, inner, p)
+    return (p[0], p[1], p[2]), ((p[3], p[4], p[5]), (p[6], p[7], p[8]), (p[9], p[10], p[11]))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.bodies.pose import pose_of
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Bar
 from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand, nearest_fixture
@@ -33,7 +32,7 @@ def present_objective(flight: Flight, state: State) -> Pursued:
     if site.snares is not None and (near := nearest_fixture(flight, state)) is not None:
         k, fixture = near
         text = f"capture {site.cargo[k].title}"
-        return Objective("capture", text), in_envelope(pose_of(fixture), site.snares.envelope)
+        return Objective("capture", text), in_envelope(fixture, site.snares.envelope)
     return None, ()
 
 
@@ -45,7 +44,7 @@ def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
         acquire(state.worksite.watch.placed, which, site.bar.packed, found)
         return acquisition(found, site.bar.tolerances)
     if site.snares is not None and (fixture := fixture_in_hand(site, state.worksite.frames, k)) is not None:
-        return in_envelope(pose_of(fixture), site.snares.envelope)
+        return in_envelope(fixture, site.snares.envelope)
     return ()
 
 

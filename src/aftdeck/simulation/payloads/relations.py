@@ -15,7 +15,7 @@ from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.bodies.pose import POSE, pose_of, relative
 from aftdeck.bodies.repeated_test import measure
-from aftdeck.frames import oriend
+from aftdeck.frames import oriend_rows
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.site import Meeting, Site
 from aftdeck.simulation.payloads.grasp import fixture_in_hand
@@ -109,9 +109,8 @@ def _in_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
     """
     if site.snares is None or (fixture := fixture_in_hand(site, frames, k)) is None:
         return False
-    envelope, pose = site.snares.envelope, pose_of(fixture)
-    out, y, z = pose.position.tolist()
-    roll, pitch, yaw = (abs(angle) for angle in oriend(pose.rotation))
+    envelope, ((out, y, z), rows) = site.snares.envelope, fixture
+    roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
     return bool(
         hypot(y, z) <= envelope.radial
         and out >= envelope.nearest - depth

@@ -34,6 +34,8 @@ def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
     answer: str | None = None
     for k, payload in enumerate(state.worksite.cargo):
         own = pressed if k == index else None
+        if payload.seat and own is None and not payload.latches.motion:
+            continue
         if payload.seat:
             found = _update_fixed(flight, state, k, own)
         elif payload.held or own is not None:

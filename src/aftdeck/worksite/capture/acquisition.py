@@ -178,6 +178,39 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
     )
 
 
+@law
+def acquired_bar(bodies: Array, bars: Indices, rules: Array) -> int:
+    """Return the first payload whose bar is acquired; -1 if there is none.
+
+    Args:
+        bodies: as for `acquire`.
+        bars: (c, 4) `which` of `acquire` for each payload; negative for a payload without a bar.
+        rules: as for `acquire`.
+    """
+    found = np.empty(FOUND)
+    for k in range(len(bars)):
+        if bars[k, 0] >= 0 and acquire(bodies, bars[k], rules, found):
+            return k
+    return -1
+
+
+@law
+def enclosed_bar(bodies: Array, bars: Indices, rules: Array, near: float) -> int:
+    """Return the first payload whose bar, nearer than `near` [m], is before the palm and between the fingers.
+
+    Returns:
+        The payload; -1 if there is none. Arguments as for `acquired_bar`.
+    """
+    found = np.empty(FOUND)
+    for k in range(len(bars)):
+        if bars[k, 0] < 0:
+            continue
+        acquire(bodies, bars[k], rules, found)
+        if found[AWAY] < near and found[PALM] >= 0.0 and found[FIXED] >= 0.0 and found[PRONG] >= 0.0:
+            return k
+    return -1
+
+
 def grasp(found: Array) -> Grasp:
     """Return the orientation of the end effector and its remaining turns, from the law's result (12,)."""
     return Grasp("b" if found[SIDE] < 0.0 else "e", float(found[PITCH]), float(found[ROLL]), float(found[YAW]))

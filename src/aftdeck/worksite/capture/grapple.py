@@ -6,8 +6,9 @@ from math import hypot, inf
 
 import msgspec
 
-from aftdeck.frames import Pose, oriend
+from aftdeck.frames import Rows, oriend_rows
 from aftdeck.worksite.conditions import Condition, within
+from aftdeck.worksite.report import Vec3
 
 
 class CaptureEnvelope(msgspec.Struct, frozen=True):
@@ -27,16 +28,16 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
     """Limit about axis 1, to either side [rad]."""
 
 
-def in_envelope(fixture: Pose, envelope: CaptureEnvelope) -> tuple[Condition, ...]:
+def in_envelope(fixture: tuple[Vec3, Rows], envelope: CaptureEnvelope) -> tuple[Condition, ...]:
     """Return the conditions of capture.
 
     Args:
-        fixture: pose of the grapple fixture in the end effector's axes (1 outwards). When rigid, the fixture's axes
-            and origin coincide with those of the end effector.
+        fixture: position [m] and rotation of the grapple fixture in the end effector's axes (1 outwards). When rigid,
+            the fixture's axes and origin coincide with those of the end effector.
         envelope: the capture envelope.
     """
-    out, y, z = fixture.position.tolist()
-    roll, pitch, yaw = oriend(fixture.rotation)
+    (out, y, z), rows = fixture
+    roll, pitch, yaw = oriend_rows(rows)
     radial = hypot(y, z)
     return (
         within("pin off axis", radial, -inf, envelope.radial, "m", _RADIAL_SAYS),

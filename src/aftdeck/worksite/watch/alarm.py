@@ -21,10 +21,6 @@ def level_of(clearance: float, caution: float, warning: float, before: Level = C
         warning: below this threshold the level is warning [m].
         before: the level until now.
     """
-
-    def under(threshold: float, was: bool) -> bool:
-        return clearance < threshold * (1.0 + HYSTERESIS if was else 1.0)
-
-    if under(warning, before == "warning"):
+    if clearance < (warning * (1.0 + HYSTERESIS) if before == "warning" else warning):
         return "warning"
-    return "caution" if under(caution, before != "info") else "info"
+    return "caution" if clearance < (caution if before == "info" else caution * (1.0 + HYSTERESIS)) else "info"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import compose
 from aftdeck.kinematics.frames import place_frames
@@ -58,20 +56,6 @@ def place_everything(
             row[i] += frames[space, i] - scene[i]
 
 
-class ContactUpdate(NamedTuple):
-    """Result of `update_contacts`.
-
-    Attributes:
-        touching: at least one group is in contact.
-        changed: a contact began, ended or reached its second step.
-        nearest: the group of least clearance among those that count; -1 if there is none.
-    """
-
-    touching: bool
-    changed: bool
-    nearest: int
-
-
 @law
 def update_contacts(
     joints: Array,
@@ -102,12 +86,17 @@ def update_contacts(
     memory: Array,
     found: Array,
     count: Mask,
-) -> ContactUpdate:
+) -> tuple[bool, bool, int]:
     """Run `place_everything`, `measure_groups` and `count_frames`; the arguments are those of these three laws.
 
     The arrays of a tuple are separate arguments here, which Python passes faster.
 
     On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
+
+    Returns:
+        Whether a group is in contact; whether a contact began, ended or reached its second step; and the group of least
+        clearance among those that count, -1 if there is none. A plain tuple, which compiled code makes faster than a
+        named one.
     """
     before[:] = now
     place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
@@ -115,7 +104,7 @@ def update_contacts(
     own = Measured(at, placed, bound, likely, memory, found)
     measure_groups(layout, own, active, counts, before, now, period, within)
     counted = count_frames(found, count)
-    return ContactUpdate(counted.touching, counted.changed, minimum_clearance_group(found, counts))
+    return counted.touching, counted.changed, minimum_clearance_group(found, counts)
 
 
 @law

@@ -7,6 +7,7 @@ one or several. A *group* is a monitored pair of parts. The clearance of a group
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
@@ -42,7 +43,7 @@ class PackedLayout(NamedTuple):
     reach: Array
 
 
-class Layout(msgspec.Struct, frozen=True, eq=False):
+class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
     """The solids of a run in packed arrays, all read-only. Every index counts from zero."""
 
     frames: tuple[str, ...]
@@ -65,7 +66,7 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
     reach: Array
     """(F,) greatest distance of a frame's solids from its origin [m]."""
 
-    @property
+    @cached_property
     def packed(self) -> PackedLayout:
         """Arrays that the laws read."""
         return PackedLayout(self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach)
