@@ -103,7 +103,7 @@ class Displays:
         return _vec3((point - tip.position) @ tip.rotation @ self._hand)
 
     def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
-        """Return the axes whose attitude the panel shows, in L: in loaded modes the payload's, else the end effector's."""
+        """Return the axes of the panel's attitude, in L: in loaded modes the payload's, else the end effector's."""
         if loaded and frame.payload is not None:
             return np.array(frame.payload[1])
         return tip.rotation @ self._hand
