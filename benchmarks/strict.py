@@ -43,7 +43,7 @@ def arrivals(flight: Run) -> tuple[float, float]:
 
 def main() -> None:
     """Print the table of docs/steering.md."""
-    print("| mode | control period | | off the line | miss at the end | tip, rotation there | ends |")
+    print("| mode | control period | | off the line | final error | tip, rotation on target | ends |")
     print("|---|---|---|---|---|---|---|")
     for mode, name in MOVES.items():
         for period in (0.02, 0.08):
