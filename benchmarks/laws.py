@@ -30,7 +30,7 @@ POSE = (-0.5, 1.3, -1.8, -1.2, 0.3, -2.0)
 
 
 def rate_law() -> list[Figure]:
-    """Measure RMSRAT with RATLMT (twelve numbers in, six out), and the same by general libraries."""
+    """Measure RMSRAT with RATLMT (twelve numbers in, six out), and the same computation with other libraries."""
     scenario = load_scenario("first-flight")
     rules = steering_setup(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
@@ -48,15 +48,15 @@ def rate_law() -> list[Figure]:
             rates = np.linalg.solve(jacobian(angles), twist)
             return np.asarray(rates * min(1.0, float((limits / np.maximum(np.abs(rates), 1e-300)).min())))
 
-        found = peer(numbers[:6], numbers[6:])
-        assert np.allclose(found, out, atol=1e-9), f"{name} gives {found}, the law {out}"
+        rates = peer(numbers[:6], numbers[6:])
+        assert np.allclose(rates, out, atol=1e-9), f"{name} gives {rates}, the law {out}"
         time = microseconds("f(angles, twist)", {"f": peer, "angles": numbers[:6], "twist": numbers[6:]})
         figures.append(Figure(f"the same by {name}", time, "us", None, how))
     return figures
 
 
 def steering() -> list[Figure]:
-    """Measure a whole control step of each mode: MSTEER, with its state."""
+    """Measure one steering step of each mode: MSTEER, with its state."""
     scenario = load_scenario("loaded")
     rules_by_mode = steering_setup(scenario, scenario.payload).rules
     figures = []
@@ -99,7 +99,7 @@ def inverse() -> list[Figure]:
 
 
 def calls() -> list[Figure]:
-    """Measure the public calls of an arm, with their checks. The targets are multiples of EAIK's inverse."""
+    """Measure the public calls of an arm, with their checks. Each target is a multiple of the time of EAIK's call."""
     arm, angles, twist = load_scenario("first-flight").arm, np.array(POSE), np.array(TWIST)
     pose = arm.forward(angles)
     peer = _eaik(pose)
@@ -114,7 +114,7 @@ def calls() -> list[Figure]:
         ("arm.inverse(pose, near=q)", 3.0),
     ):
         target = None if peer is None else share * peer
-        figures.append(Figure(call, microseconds(call, names), "us", target, f"asked {share:g} of EAIK's"))
+        figures.append(Figure(call, microseconds(call, names), "us", target, f"target: {share:g} of EAIK's inverse"))
     return figures
 
 
@@ -128,8 +128,8 @@ def _eaik(pose: Pose) -> float | None:
     peer = HPRobot(axes, np.vstack([centres[0], np.diff(centres, axis=0)]))
     target = np.eye(4)
     target[:3, :3], target[:3, 3] = pose.rotation, pose.position
-    found = peer.fwdKin(peer.IK(target).Q[0])
-    assert np.allclose(found[:3, 3], pose.position, atol=1e-6), f"EAIK's first branch gives the position {found[:3, 3]}"
+    tip = peer.fwdKin(peer.IK(target).Q[0])[:3, 3]
+    assert np.allclose(tip, pose.position, atol=1e-6), f"EAIK's first branch gives the position {tip}"
     return microseconds("f(pose)", {"f": peer.IK, "pose": target})
 
 
@@ -156,16 +156,16 @@ def _numpy_jacobian(scenario: Scenario) -> _Jacobian:
 
     class ByNumPy(_Jacobian):
         def __call__(self, angles: Array) -> Array:
-            turned, place = np.eye(3), centres[0]
-            ways, places = [], []
+            rotation, position = np.eye(3), centres[0]
+            directions, positions = [], []
             for k in range(6):
-                places.append(place)
-                ways.append(turned @ axes[k])
+                positions.append(position)
+                directions.append(rotation @ axes[k])
                 c, s = math.cos(angles[k]), math.sin(angles[k])
-                turned = turned @ (c * np.eye(3) + s * crosses[k] + (1.0 - c) * outer[k])
-                place = place + turned @ (centres[k + 1] - centres[k])
-            angular = np.array(ways).T
-            return np.vstack([angular, np.cross(np.array(ways), place - np.array(places)).T])
+                rotation = rotation @ (c * np.eye(3) + s * crosses[k] + (1.0 - c) * outer[k])
+                position = position + rotation @ (centres[k + 1] - centres[k])
+            angular = np.array(directions).T
+            return np.vstack([angular, np.cross(np.array(directions), position - np.array(positions)).T])
 
     return ByNumPy()
 
@@ -174,17 +174,17 @@ def _pinocchio_jacobian(scenario: Scenario) -> _Jacobian:
     centres, axes = _chain(scenario)
     model, joint, before = pinocchio.Model(), 0, np.zeros(3)
     for k in range(6):
-        here = pinocchio.SE3(np.eye(3), centres[k] - before)
-        joint = model.addJoint(joint, pinocchio.JointModelRevoluteUnaligned(axes[k]), here, f"joint {k}")
+        step = pinocchio.SE3(np.eye(3), centres[k] - before)
+        joint = model.addJoint(joint, pinocchio.JointModelRevoluteUnaligned(axes[k]), step, f"joint {k}")
         before = centres[k]
-    place = pinocchio.SE3(np.eye(3), centres[6] - before)
-    tip = model.addFrame(pinocchio.Frame("tip", joint, place, pinocchio.FrameType.OP_FRAME))
+    last = pinocchio.SE3(np.eye(3), centres[6] - before)
+    tip = model.addFrame(pinocchio.Frame("tip", joint, last, pinocchio.FrameType.OP_FRAME))
     data = model.createData()
 
     class ByPinocchio(_Jacobian):
         def __call__(self, angles: Array) -> Array:
-            found = pinocchio.computeFrameJacobian(model, data, angles, tip, pinocchio.LOCAL_WORLD_ALIGNED)
-            return np.vstack([found[3:], found[:3]])
+            linear_first = pinocchio.computeFrameJacobian(model, data, angles, tip, pinocchio.LOCAL_WORLD_ALIGNED)
+            return np.vstack([linear_first[3:], linear_first[:3]])
 
     return ByPinocchio()
 
@@ -200,14 +200,14 @@ def _mujoco_jacobian(scenario: Scenario) -> _Jacobian:
         before = centres[k]
     body.add_site(name="tip", pos=centres[6] - before)
     model = spec.compile()
-    data, found = mujoco.MjData(model), np.empty((6, 6))
+    data, jacobian = mujoco.MjData(model), np.empty((6, 6))
 
     class ByMuJoCo(_Jacobian):
         def __call__(self, angles: Array) -> Array:
             data.qpos[:] = angles
             mujoco.mj_kinematics(model, data)
             mujoco.mj_comPos(model, data)
-            mujoco.mj_jacSite(model, data, found[3:], found[:3], 0)
-            return found
+            mujoco.mj_jacSite(model, data, jacobian[3:], jacobian[:3], 0)
+            return jacobian
 
     return ByMuJoCo()

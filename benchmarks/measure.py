@@ -10,13 +10,13 @@ import msgspec
 
 
 class Figure(msgspec.Struct, frozen=True):
-    """One measured number.
+    """Measured number.
 
     Attributes:
         name: what was measured.
         value: the number.
         unit: its unit.
-        target: greatest value that is promised, or None (for a compared library, or for a part of another figure).
+        target: greatest value that is promised. None for another library, or for a figure without a promise.
         note: conditions of the measurement.
     """
 
@@ -28,7 +28,7 @@ class Figure(msgspec.Struct, frozen=True):
 
     @property
     def kept(self) -> bool:
-        """True if the target is met or there is none."""
+        """True if the value meets its target, or if the figure has no target."""
         return self.target is None or self.value <= self.target
 
 
@@ -45,6 +45,6 @@ def microseconds(statement: str, names: dict[str, object], *, repeat: int = 150,
 
 
 def percentile(values: list[float], percent: float) -> float:
-    """Return the smallest value that `percent` of the values do not exceed."""
+    """Return the smallest of the values that at least `percent` % of the values do not exceed."""
     ordered = sorted(values)
     return ordered[max(0, math.ceil(percent / 100 * len(ordered)) - 1)]

@@ -1,4 +1,7 @@
-"""Benchmark of the page in headless Chromium with software drawing: time between pictures, and from key to picture."""
+"""Benchmark of the page in headless Chromium without a graphics card: time between pictures, and from key to picture.
+
+The computer's processor draws the pictures.
+"""
 
 from __future__ import annotations
 
@@ -12,17 +15,18 @@ from benchmarks.measure import Figure
 from benchmarks.station import flying
 
 FLAGS = ("--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-compositing", "--no-sandbox")
-"""Mesa's GL draws the scene but does not composite the page, as in Chromium without a graphics card. With compositing
-by Mesa's GL, half as many pictures are drawn."""
+"""Mesa's GL draws the scene but does not composite the page, as in Chromium without a graphics card. If it also
+composited the page, Chromium would draw half as many pictures."""
 WIDTH, HEIGHT = 640, 400
 """Size of each monitor's picture [px]."""
 SECONDS = 10
-"""Shortest time for which the arm is flown [s], key after key."""
+"""Shortest time for which keys move the arm, one key after another [s]."""
 WAIT_MS = 300_000.0
 """Longest wait [ms]; the first run compiles the laws."""
-SEEN = "[window.__aftdeck.frames, performance.now()]"
-"""Number of pictures drawn, and the present time [ms]."""
+PROGRESS = "[window.__aftdeck.frames, performance.now()]"
+"""JavaScript for the number of pictures drawn, and the present time [ms]."""
 SIZE = "(({ clientWidth, clientHeight }) => [clientWidth, clientHeight])(document.querySelector('.picture'))"
+"""JavaScript for the size of a monitor's picture [px]."""
 
 
 def page() -> list[Figure]:
@@ -31,14 +35,14 @@ def page() -> list[Figure]:
     for name in ("first-flight", "srms-deploy"):
         with flying(name) as address, _opened(address) as shown:
             _fit(shown)
-            before = shown.evaluate(SEEN)
+            before = shown.evaluate(PROGRESS)
             keys = ("w", "s", "a", "d", "q", "e")
             for k in range(2 * SECONDS):
                 shown.keyboard.down(keys[k % len(keys)])
                 shown.wait_for_timeout(400)
                 shown.keyboard.up(keys[k % len(keys)])
                 shown.wait_for_timeout(100)
-            drawn, milliseconds = (now - was for now, was in zip(shown.evaluate(SEEN), before, strict=True))
+            drawn, milliseconds = (now - was for now, was in zip(shown.evaluate(PROGRESS), before, strict=True))
             late = shown.evaluate("window.__aftdeck.latency95")
             width, height = shown.evaluate(SIZE)
             note = f"low profile, {width:.0f} x {height:.0f} each, {shown.evaluate('window.__aftdeck.renderer')}"

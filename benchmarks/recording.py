@@ -1,4 +1,4 @@
-"""Benchmark of recordings: time for each step, size of the file, and time to verify it."""
+"""Benchmark of recordings: time for each step, size of the file, and time of its verification."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SMOOTH = 0.1
 
 
 def recording() -> list[Figure]:
-    """Measure a run with random sticks in real time: without a recording, with one, and its verification."""
+    """Measure a run with random sticks in real time, without and with a recording, and verify the recording."""
     scenario = load_scenario("first-flight")
     _flown(scenario, None, 2.0)  # compiles
     bare, _ = _flown(scenario, None, FLOWN_S)
@@ -38,27 +38,27 @@ def recording() -> list[Figure]:
         size = file.stat().st_size / 1e6 / (FLOWN_S / 60.0)
         begin = time.perf_counter()
         verdict = verify(file)
-        pace = verdict.time_s / (time.perf_counter() - begin)
+        speed = verdict.time_s / (time.perf_counter() - begin)
         if not verdict.equal:
-            raise RuntimeError(f"the recording does not repeat itself: {verdict.first}")
+            raise RuntimeError(f"the re-simulation differs from the recording: {verdict.first}")
     more = statistics.median(steps) - statistics.median(bare)
     count = f"{len(appends)} steps in {FLOWN_S:g} s"
     return [
-        Figure("handing a step over, median", statistics.median(appends), "us", None, count),
-        Figure("handing a step over, mean", statistics.mean(appends), "us", 30.0, "on the simulation's thread"),
-        Figure("handing a step over, 99 %", percentile(appends, 99.0), "us", None, "with the writer beside it"),
-        Figure("a step with recording, more", more, "us", 30.0, "median against the same run without a recording"),
-        Figure("the file, a minute", size, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
-        Figure("time to verify a second of it", 1000.0 / pace, "ms", 20.0, f"{pace:.0f} times real time"),
+        Figure("queueing a step, median", statistics.median(appends), "us", None, count),
+        Figure("queueing a step, mean", statistics.mean(appends), "us", 30.0, "on the simulation's thread"),
+        Figure("queueing a step, 99 %", percentile(appends, 99.0), "us", None, "while the writer's thread runs"),
+        Figure("recorded step, extra time", more, "us", 30.0, "median, compared with the run without a recording"),
+        Figure("file size of one minute", size, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
+        Figure("verification of one second", 1000.0 / speed, "ms", 20.0, f"{speed:.0f} times real time"),
     ]
 
 
 def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[list[float], list[float]]:
-    """Return the time of each step, and the part that the recording takes [us], at the control period."""
+    """Run in real time; return the time of each step, and the part of it in which the step is queued [us]."""
     sim = Simulation(scenario)
     steps, appends = [], []
     due = time.perf_counter()
-    for inputs in _hands(round(span / scenario.control_period)):
+    for inputs in _random_inputs(round(span / scenario.control_period)):
         begin = time.perf_counter()
         frame = sim.step(inputs)
         stepped = time.perf_counter()
@@ -72,8 +72,8 @@ def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[
     return steps, appends
 
 
-def _hands(count: int) -> Iterator[Inputs]:
-    """Yield inputs with smoothly moving sticks and some changes of mode."""
+def _random_inputs(count: int) -> Iterator[Inputs]:
+    """Yield the inputs of `count` steps, with smoothly moving sticks and some changes of mode."""
     chance = random.Random(4)
     at, to = [0.0] * 6, [0.0] * 6
     for step in range(count):

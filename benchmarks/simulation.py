@@ -20,7 +20,7 @@ from benchmarks.measure import Figure, microseconds, percentile
 STEPS = 2000
 """Number of steps from which the median is taken."""
 PIECE, FLIGHTS = 50, 8
-"""Steps that are timed together, and number of runs."""
+"""`PIECE`: number of steps that are timed together. `FLIGHTS`: number of runs."""
 
 
 def headless() -> list[Figure]:
@@ -35,8 +35,8 @@ def headless() -> list[Figure]:
     best = min(took)
     return [
         Figure("sts-400-closed headless", best, "s", 0.5, f"{ticks} steps, best of {len(took)}, warm"),
-        Figure("one step of it", best / ticks * 1e6, "us", None, "with the digest and the summary"),
-        Figure("simulated time per time", ticks * scenario.control_period / best, "1", None, "times real time"),
+        Figure("sts-400-closed, one step", best / ticks * 1e6, "us", None, "with the digest and the summary"),
+        Figure("simulated time per wall time", ticks * scenario.control_period / best, "1", None, "times real time"),
     ]
 
 
@@ -47,18 +47,18 @@ def worksites() -> list[Figure]:
         scenario = load_scenario(name)
         (ticks, bare), (_, tallied), (_, framed) = (_flown(scenario, how) for how in (_bare, _tallied, _framed))
         flown, pairs = ticks * scenario.control_period, len(Simulation(scenario).watched())
-        note = f"{flown:g} s flown, {pairs} monitored pairs, {PIECE} steps at a time, best of {FLIGHTS}"
+        note = f"{flown:g} s simulated, {pairs} monitored pairs, {PIECE} steps at a time, best of {FLIGHTS}"
         figures += [
-            Figure(f"{name}, a whole frame", bare / ticks * 1e6, "us", 80.0, note),
-            Figure(f"{name}, the same sealed", tallied / ticks * 1e6, "us", None, "with the digest and the summary"),
+            Figure(f"{name}, one step", bare / ticks * 1e6, "us", 80.0, note),
+            Figure(f"{name}, with digest", tallied / ticks * 1e6, "us", None, "one step, its digest and the summary"),
             Figure(
-                f"{name}, the same with frames",
+                f"{name}, with digest and frame",
                 framed / ticks * 1e6,
                 "us",
                 None,
-                "with its Frame, for a page or a file",
+                "one step, its digest, the summary and its frame",
             ),
-            Figure(f"{name}, computing for 10 minutes flown", tallied / flown * 600.0, "s", promised, "sealed"),
+            Figure(f"{name}, 10 simulated minutes", tallied / flown * 600.0, "s", promised, "wall time, with digests"),
         ]
     return figures
 
@@ -85,8 +85,8 @@ def _framed(sim: Simulation, tally: Tally) -> None:
 def _flown(scenario: Scenario, how: How) -> tuple[int, float]:
     """Return the number of steps of a scenario's script and their time [s].
 
-    All runs are equal, step for step. The sum takes the shortest time of each piece, which excludes other work of the
-    machine.
+    Every run computes the same steps. For each piece of `PIECE` steps, the shortest time of all runs counts, so that
+    other work of the machine is excluded.
     """
     flights = [_pieces(scenario, how) for _ in range(FLIGHTS + 1)][1:]  # the first run warms up
     return flights[0][0], sum(min(took) for took in zip(*(took for _, took in flights), strict=True))
@@ -113,7 +113,10 @@ def _steps(scenario: Scenario, how: How) -> Iterator[None]:
 
 
 def with_frame() -> list[Figure]:
-    """Measure the median step of each built-in scenario, with and without frames. Without a script, a stick moves."""
+    """Measure the median step of each built-in scenario, without and with frames.
+
+    In a scenario without a script, a stick is deflected.
+    """
     figures = []
     for name in built_in():
         scenario = load_scenario(name)
@@ -121,7 +124,7 @@ def with_frame() -> list[Figure]:
         bare, framed = (min(_median(scenario, inputs, how) for _ in range(3)) for how in ("advance", "step"))
         figures += [
             Figure(f"{name}, advance", bare, "us", None, f"median of {STEPS} steps, best of 3 runs"),
-            Figure(f"{name}, step", framed, "us", 100.0, "the same with its frame"),
+            Figure(f"{name}, step", framed, "us", 100.0, "as advance, and with the frame"),
         ]
     return figures
 

@@ -64,7 +64,7 @@ def _new(statement: str) -> float:
 
 
 def start() -> list[Figure]:
-    """Measure ``aftdeck fly --no-browser`` until the page is served, and until it has its first frame."""
+    """Measure the time from the start of ``aftdeck fly --no-browser`` to the page, and to the page's first frame."""
     pages, frames = [], []
     for number in range(4):
         begun = time.perf_counter()
@@ -85,7 +85,7 @@ def start() -> list[Figure]:
 
 
 def latency() -> list[Figure]:
-    """Measure the time from a sticks message to the arrival of the first frame that contains it."""
+    """Measure the time from the sending of a `Sticks` message to the arrival of the first frame that used it."""
     took, pause = [], random.Random(1)
     with flying() as address, _page(address) as socket:
         for seq in range(500):

@@ -13,7 +13,7 @@ MOVES = {"1": "sts-400-position", "2": "sts-400-closed", "3": "sts-400-open"}
 
 
 def flown(name: str, strict: bool, period: float) -> Run:
-    """Return the built-in scenario with two settings changed."""
+    """Run a built-in scenario with these values of `strict` and of the control period [s]."""
     text = (HERE / f"{name}.toml").read_text()
     top = text.index("\n[initial]")
     settings = f"\nstrict = {str(strict).lower()}\ncontrol_period = {period}\n"
@@ -24,14 +24,14 @@ def off_the_line(flight: Run) -> float:
     """Return the greatest distance of the tip from the straight line between its first pose and its target [m]."""
     start = flight.scenario.arm.forward(flight.scenario.initial_angles).position
     goal = next(frame.goal for frame in flight.frames if frame.goal is not None)
-    way = np.array(goal.position) - start
-    way /= np.linalg.norm(way)
+    line = np.array(goal.position) - start
+    line /= np.linalg.norm(line)
     travelled = np.array([frame.position for frame in flight.frames]) - start
-    return float(np.linalg.norm(travelled - np.outer(travelled @ way, way), axis=1).max())
+    return float(np.linalg.norm(travelled - np.outer(travelled @ line, line), axis=1).max())
 
 
 def arrivals(flight: Run) -> tuple[float, float]:
-    """Return the time after which the tip stays within 1 mm and 0.01 deg of its target [s]."""
+    """Return the times after which the tip stays within 1 mm, and within 0.01 deg, of its target [s]."""
     tip = turn = 0.0
     for frame in flight.frames:
         if frame.goal is None or frame.goal.distance > 1e-3:
@@ -43,7 +43,7 @@ def arrivals(flight: Run) -> tuple[float, float]:
 
 def main() -> None:
     """Print the table of docs/steering.md."""
-    print("| mode | control period | | off the line | miss at the end | tip, rotation there | ends |")
+    print("| mode | control period | | off the line | final error | tip, rotation on target | ends |")
     print("|---|---|---|---|---|---|---|")
     for mode, name in MOVES.items():
         for period in (0.02, 0.08):
@@ -52,11 +52,11 @@ def main() -> None:
                 s = flight.summary
                 assert s.position_error_m is not None and s.rotation_error_rad is not None
                 tip, turn = arrivals(flight)
-                there = f"{tip:.2f}, {turn:.2f} s" if max(tip, turn) < s.time_s - period else "never"
+                times = f"{tip:.2f}, {turn:.2f} s" if max(tip, turn) < s.time_s - period else "never"
                 line = "—" if mode == "1" else f"{off_the_line(flight) * 1e3:.3f} mm"
                 print(
                     f"| {mode} | {period} s | {'as published' if strict else 'corrected'} | {line} | "
-                    f"{s.position_error_m * 1e3:.3f} mm, {math.degrees(s.rotation_error_rad):.4f}° | {there} | "
+                    f"{s.position_error_m * 1e3:.3f} mm, {math.degrees(s.rotation_error_rad):.4f}° | {times} | "
                     f"{s.ended}, {s.time_s:.2f} s |"
                 )
 

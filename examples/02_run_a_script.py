@@ -1,4 +1,4 @@
-"""Fly a built-in scenario without a screen, and read what happened."""
+"""Run a built-in scenario without a screen, and read its events and frames."""
 
 import numpy as np
 

@@ -3,24 +3,24 @@
 import aftdeck
 
 sim = aftdeck.Simulation("first-flight")
-seconds = round(1.0 / sim.scenario.control_period)  # steps in a second
+steps_per_second = round(1.0 / sim.scenario.control_period)
 
 
 def fly(inputs: aftdeck.Inputs, duration: int) -> aftdeck.Frame:
     """Hold the sticks for `duration` seconds; return the last frame."""
-    frames = [sim.step(inputs) for _ in range(duration * seconds)]
+    frames = [sim.step(inputs) for _ in range(duration * steps_per_second)]
     return frames[-1]
 
 
 frame = fly(aftdeck.Inputs(translation=(1.0, 0.0, 0.0)), 4)
 print(f"{frame.time_s:.0f} s of full stick forward in {frame.mode}: limits acting {[x.text for x in frame.limits]}")
-there = sim.save()
+saved = sim.save()
 
 sim.step(aftdeck.Inputs(mode="END EFF"))  # turn the MODE rotary, press ENTER
 frame = fly(aftdeck.Inputs(translation=(0.3, 0.0, 0.0)), 4)
 print(f"then out along the end effector: tip at {tuple(round(x, 3) for x in frame.position)} m in L")
 
-sim.restore(there)
+sim.restore(saved)
 sim.step(aftdeck.Inputs(mode="SINGLE", joint=5, rate="vernier"))
 frame = fly(aftdeck.Inputs(drive=1.0), 4)
 print(f"or the wrist's roll alone: {tuple(round(x, 3) for x in frame.angles)} rad")

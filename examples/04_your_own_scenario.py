@@ -1,4 +1,4 @@
-"""Write a scenario, read the report of its errors, and fly it."""
+"""Write a scenario, print its errors, correct it and run it."""
 
 import math
 import tempfile

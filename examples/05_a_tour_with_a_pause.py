@@ -14,7 +14,7 @@ while frame.sequence != "idle":
     frame = sim.step(aftdeck.Inputs(proceed=waiting))
     for event in frame.events:
         print(f"{event.time_s:6.2f} s  {event.text}")
-print(f"{pauses} pause on the way")
+print(f"{pauses} pause before the last point")
 
 frame = sim.step(aftdeck.Inputs(mode="PL"))  # a rejected command changes nothing
 print(f"still in {frame.mode}: {frame.events[-1].text}")

@@ -1,8 +1,8 @@
-"""Make the pictures of the station from the real program: ``python scripts/pictures.py [NAME ...]``; default: all.
+"""Save screenshots of the station in ``docs/pictures/``: ``python scripts/pictures.py [NAME ...]``; default: all.
 
-Starts `aftdeck fly`, flies the arm with keys, opens the page in Chromium in the full profile at 1440 x 900, and saves
-screenshots in ``docs/pictures/``. The first part of the motion is flown in the low profile, because a machine without
-a graphics card draws the full profile too slowly.
+For each picture, the script starts `aftdeck fly`, opens the page in Chromium at 1440 x 900 pixels, and moves the arm
+with keys. The first part of the motion uses the low drawing profile, because a machine without a graphics card draws
+too slowly in the full profile. The screenshot is in the full profile.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ class Picture(NamedTuple):
     Attributes:
         scenario: scenario of `aftdeck fly`.
         before: keys that are held first, in the low profile.
-        last: keys that are held while the picture is saved, in the full profile. They are held for more than 10 s, so
-            that the page no longer counts the slow drawing of this machine in its delay.
+        last: keys that are held while the picture is saved, in the full profile. They are held for more than 10 s,
+            because the page measures its delay over the last 10 s: the slow opening of the page is then not included.
     """
 
     scenario: str
@@ -62,7 +62,7 @@ PICTURES = {
 
 
 def main() -> None:
-    """Make the named pictures, or all."""
+    """Save the named pictures, or all pictures."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     for name in sys.argv[1:] or PICTURES:
         scenario, before, last = PICTURES[name]
@@ -92,11 +92,11 @@ def station(scenario: str) -> Iterator[str]:
 
 @contextmanager
 def chromium() -> Iterator[Browser]:
-    """Start a headless Chromium: the one that AFTDECK_CHROMIUM names, else one on PATH."""
+    """Start a headless Chromium: the executable that AFTDECK_CHROMIUM names, or else a Chromium on PATH."""
     names = ("chromium", "chromium-browser", "google-chrome")
     found = os.environ.get("AFTDECK_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
     if found is None:
-        raise SystemExit("The pictures need a Chromium: install chromium, or name one in AFTDECK_CHROMIUM.")
+        raise SystemExit("Chromium was not found: install chromium, or set AFTDECK_CHROMIUM to its executable.")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=found, args=FLAGS)
         yield browser
@@ -115,7 +115,7 @@ def open_page(browser: Browser, address: str) -> Page:
 
 
 def hold(page: Page, keys: Sequence[str], seconds: float) -> None:
-    """Hold keys for a simulated time."""
+    """Press keys, and wait until the simulated time has advanced by `seconds`; the keys stay pressed."""
     begun = float(page.evaluate("window.__aftdeck.lastFrame.time_s"))
     for key in keys:
         page.keyboard.down(key)

@@ -18,7 +18,7 @@ COMMANDS = (_flights, _arm, _recordings)
 """Modules that add their commands to `app` when they are imported, in the order of its help."""
 
 READER_GONE = 141
-"""Exit code after the reader of a pipe has closed it: a shell's exit code for SIGPIPE."""
+"""Exit code after the reader of a pipe has closed the pipe: the code that a shell reports for SIGPIPE."""
 
 
 def main() -> None:

@@ -26,8 +26,8 @@ Port = Annotated[int, typer.Option(help="Port to listen on; 0 selects a free por
 NoBrowser = Annotated[bool, typer.Option("--no-browser", help="Do not open a browser.")]
 
 
-def _print_version(given: bool) -> None:
-    if given:
+def _print_version(requested: bool) -> None:
+    if requested:
         from aftdeck.version import __version__
 
         print(__version__)

@@ -29,7 +29,7 @@ class Question(StrEnum):
 
 
 class FrameChoice(StrEnum):
-    """Coordinate frames in which poses can be given and shown."""
+    """Coordinate frames of the poses that the command reads and prints."""
 
     L = "L"
     orbiter = "orbiter"
@@ -53,7 +53,7 @@ def arm(
             "ENDORI's roll, elevation, azimuth of frame 7; in panel: inches and the end effector's attitude).",
         ),
     ] = None,
-    deg: Annotated[bool, typer.Option("--deg", help="Read and print angles in degrees; default radians.")] = False,
+    deg: Annotated[bool, typer.Option("--deg", help="Read and print angles in degrees; default: radians.")] = False,
     frame: Annotated[FrameChoice, typer.Option(help="Coordinate frame of the pose.")] = FrameChoice.L,
     as_json: Json = False,
 ) -> None:
@@ -73,11 +73,11 @@ def arm(
             _modes(as_json)
 
 
-def _numbers(given: list[str], expected: int, question: str) -> list[float]:
-    if len(given) != expected:
-        raise InputError(f"{question} needs {expected} numbers, got {len(given)}: {' '.join(given)}")
+def _numbers(texts: list[str], expected: int, question: str) -> list[float]:
+    if len(texts) != expected:
+        raise InputError(f"{question} needs {expected} numbers, got {len(texts)}: {' '.join(texts)}")
     values = []
-    for text in given:
+    for text in texts:
         try:
             value = float(text)
         except ValueError:
@@ -158,7 +158,7 @@ def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
 
 
 def _shown_limits(rows: Sequence[Mapping[str, object]], names: tuple[str, ...], ending: str) -> list[dict[str, object]]:
-    """Return the limits with these names from the rows, as text."""
+    """Return a table of the limits `names` as text; `ending` is added to each name to find the value in `rows`."""
     return [{"joint": row["joint"]} | {name: _range(row[name + ending]) for name in names} for row in rows]
 
 

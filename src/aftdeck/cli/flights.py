@@ -51,12 +51,12 @@ def fly(
 
     for name, text in (("--participant", participant), ("--condition", condition)):
         if text is not None and record is None:
-            raise InputError(f"{name} requires --record DIR, because it is stored only in recordings")
+            raise InputError(f"{name} requires --record DIR, because it is stored in the recordings")
     own_trial = trial(participant, condition)
-    found = find_scenario(scenario)
+    source = find_scenario(scenario)
 
     def load() -> Scenario:
-        loaded = parse_scenario(*found)
+        loaded = parse_scenario(*source)
         print_cautions(_cautions(loaded))
         return loaded
 
@@ -84,7 +84,7 @@ def run(
         Path | None,
         typer.Option(
             metavar="FILE",
-            help="Take the inputs from this file of the 1972 report's channels, a line of JSON for each step.",
+            help="Read the inputs from this file: the 1972 report's channels, one line of JSON for each step.",
         ),
     ] = None,
     words: Annotated[
@@ -102,7 +102,7 @@ def run(
     from aftdeck.scenario.load import load_scenario
 
     if out is not None and words is not None and out.resolve() == words.resolve():
-        raise InputError(f"--out and --words have the same file {words}; give two files")
+        raise InputError(f"--out and --words name the same file {words}; name two different files")
     loaded = load_scenario(scenario)
     print_cautions(_cautions(loaded))
     if channels is None and not loaded.phases:
@@ -166,7 +166,7 @@ def _run(
 
 
 def _cautions(scenario: Scenario, surveyed: Sequence[Problem] = ()) -> tuple[str, ...]:
-    """Return one sentence for each caution of the loaded scenario and of a survey."""
+    """Return the cautions of the loaded scenario and of a survey, each as a sentence."""
     from aftdeck.files import sentences
 
     return tuple(sentences([*scenario.cautions, *surveyed], f"{scenario.name}.toml", scenario.text))

@@ -66,7 +66,7 @@ def replay(
 ) -> None:
     """Verify, re-run or play back a recording.
 
-    Exit code 1 if re-simulated frames differ from the recorded ones; 2 if the file is damaged or not a recording.
+    Exit code 1 if the re-simulated frames differ from the recorded frames; 2 if the file is damaged or not a recording.
     """
     if verify + bool(changes) + play + (html is not None) > 1:
         raise InputError("--verify, --set, --open and --html cannot be combined")
@@ -207,7 +207,8 @@ def recordings(
     ] = "",
     participant: Annotated[str, typer.Option(metavar="CODE", help="List only recordings of this participant.")] = "",
     since: Annotated[
-        str, typer.Option(metavar="DATE", help="List only recordings begun since this date (2026-11, 2026-11-21T14).")
+        str,
+        typer.Option(metavar="DATE", help="List only recordings that began then or later (2026-11, 2026-11-21T14)."),
     ] = "",
     gone: Annotated[bool, typer.Option("--gone", help="List only recordings whose files are missing.")] = False,
     forget: Annotated[
@@ -230,33 +231,36 @@ def recordings(
     if forget and delete:
         raise InputError("--forget and --delete cannot be combined")
     index = Index()
-    found = [entry for entry in index.entries(scenario, ended, since, participant) if not gone or entry.state == "gone"]
+    entries = index.entries(scenario, ended, since, participant)
+    if gone:
+        entries = [entry for entry in entries if entry.state == "gone"]
     if as_json:
-        print_json(found)
+        print_json(entries)
     else:
-        _print_entries(found)
+        _print_entries(entries)
     if forget:
-        index.forget(found)
-        print(f"{len(found)} removed from the list; their files were kept", file=sys.stderr)
-    elif delete and found and (yes or typer.confirm(f"Delete {_files(found)}?", err=True)):
-        index.delete(found)
-        print(f"{_files(found)} deleted", file=sys.stderr)
+        index.forget(entries)
+        print(f"{len(entries)} removed from the list; their files were kept", file=sys.stderr)
+    elif delete and entries and (yes or typer.confirm(f"Delete {_files(entries)}?", err=True)):
+        index.delete(entries)
+        print(f"{_files(entries)} deleted", file=sys.stderr)
 
 
-def _print_entries(found: list[Entry]) -> None:
-    if not found:
+def _print_entries(entries: list[Entry]) -> None:
+    if not entries:
         print("no recordings found; record with `aftdeck fly --record DIR` or `aftdeck run SCENARIO --out FILE`")
         return
-    wide = max(len(entry.scenario) for entry in found)
-    for entry in found:
+    width = max(len(entry.scenario) for entry in entries)
+    for entry in entries:
         ended = entry.ended if entry.state == "here" else entry.state
         began = entry.began[:19].replace("T", " ")
-        print(f"{began}  {entry.scenario:<{wide}}  {ended:<10}  {entry.time_s:>8.1f} s  {entry.bytes / 1e6:>7.2f} MB")
+        print(f"{began}  {entry.scenario:<{width}}  {ended:<10}  {entry.time_s:>8.1f} s  {entry.bytes / 1e6:>7.2f} MB")
         print(f"  {entry.path}")
         for name in ("participant", "condition", "changes"):
             if text := getattr(entry, name):
                 print(f"  {name:<11}  {text}")
 
 
-def _files(found: list[Entry]) -> str:
-    return f"{len(found)} recording{'s' if len(found) != 1 else ''}, {sum(e.bytes for e in found) / 1e6:.1f} MB"
+def _files(entries: list[Entry]) -> str:
+    """Return the number of recordings and the size of their files: ``2 recordings, 5.1 MB``."""
+    return f"{len(entries)} recording{'s' if len(entries) != 1 else ''}, {sum(e.bytes for e in entries) / 1e6:.1f} MB"

@@ -1,4 +1,4 @@
-"""Files of the 1972 report's channels (inputs) and words (outputs), for commands that write them or read inputs."""
+"""Files with the 1972 report's channels (inputs) and words (outputs): commands write both, and read the channels."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Operator = Callable[[Simulation], Inputs | None]
 
 @contextmanager
 def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
-    """Write a run's channels and words into a new file; at the end, print which inputs they could not express.
+    """Write a run's channels and words into a new file; at the end, print which inputs the channels cannot express.
 
     Raises:
         InputError: the arm is not the report's arm, or the file exists already or cannot be written.

@@ -1,4 +1,4 @@
-"""Header of a recording, which has all data that the run starts from, and the scenario rebuilt from the header."""
+"""Header of a recording with all data from which the run starts, and the scenario rebuilt from the header."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
-"""Path of the arm file in a temporary folder; so deep that a shapes file with ``..`` in its path is in it too."""
+"""Path of the arm file in a temporary folder: so deep that a shapes file with ``..`` in its path is inside it too."""
 _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
@@ -37,7 +37,7 @@ def opening(
         scenario: the scenario of the run.
         seed: the seed of the run.
         began_ns: wall time at which the run begins, since 1970 [ns].
-        changes: KEY=VALUE for each value in which the scenario differs from its text.
+        changes: the changes of the scenario's text that give this scenario, each as KEY=VALUE.
         trial: participant and condition.
     """
     model = scenario.arm.model
@@ -65,7 +65,7 @@ def opening(
 
 
 def machine() -> str:
-    """Return the names of all that a frame's last digits may depend on: processor, system, Python, NumPy, Numba."""
+    """Return names and versions on which a frame's last digits may depend: processor, system, Python, NumPy, Numba."""
     return (
         f"{platform.machine()} {platform.processor()}".strip()
         + f", {platform.system()}, Python {platform.python_version()}, NumPy {version('numpy')}, "
@@ -78,12 +78,13 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
 
     Args:
         start: header of the recording.
-        changes: values that replace the scenario's own, by their location in its file. A relative path to an arm or
-            a worksite is relative to the working folder.
+        changes: new values, by their location in the scenario's file. A relative path to an arm or a worksite is
+            relative to the working folder.
 
     Raises:
         RecordingError: the path of the arm's shapes file is outside the recording.
-        InputError: the scenario's file does not have a location of `changes`, or an arm or worksite is not a text.
+        InputError: a location in `changes` does not exist in the scenario's file, or the value of an arm or worksite is
+            not a text.
         ScenarioError: the scenario is not valid in this version or with these changes.
     """
     before = dict(parse_change(change) for change in start.changes)
@@ -105,7 +106,7 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
 
 
 def parse_change(text: str) -> tuple[Where, object]:
-    """Return the location in a scenario's file, and the value, that ``KEY=VALUE`` gives.
+    """Return the location in a scenario's file and the new value from the text ``KEY=VALUE``.
 
     The value is read as TOML if it is valid TOML (``0.5``, ``true``, ``[1, 2]``), otherwise as text (``0.5 ft/s``).
 

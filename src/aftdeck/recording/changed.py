@@ -54,12 +54,13 @@ def rerun(
 ) -> Outcome:
     """Re-run a recording's inputs with changes in its scenario.
 
-    A script runs to its new end; manual inputs end where the recording ends. With another control period, each step
-    uses the inputs recorded since the step before.
+    A re-run by script continues until the script ends in the re-run. A re-run with manual inputs ends where the
+    recording ends. With another control period, each step merges the inputs recorded since the step before
+    (`resample`).
 
     Args:
         path: the recording.
-        changes: ``KEY=VALUE`` each; ``seed=N`` changes the seed.
+        changes: changes, each as ``KEY=VALUE``; ``seed=N`` changes the seed.
         out: file for the recording of the re-run; None: the re-run is not recorded.
         progress: called repeatedly with the fraction of the recording that has been re-run, 0 to 1.
         index: list of recordings to which `out` is added.
@@ -116,7 +117,7 @@ def rerun(
 
 
 def _steps_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
-    """Yield inputs and frame of each step of the re-run; a script runs until it ends there, sooner or later."""
+    """Yield the inputs and the frame of each step of the re-run; a script runs until it ends in the re-run."""
     inputs: Inputs | None = Inputs()
     old, new = recording.opening.control_period_s, sim.scenario.control_period
     for record in resampled((record for record, _ in recording.steps()), old, new):

@@ -1,4 +1,4 @@
-"""Channels of a recording, in a context of foxglove-sdk: Aftdeck's own, and those with Foxglove's schemas."""
+"""Channels of a recording, in a context of foxglove-sdk: channels with Aftdeck's and with Foxglove's schemas."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FIXED, SCENE = "/tf_static", "/scene"
 
 
 class Channels:
-    """All channels of a context. If a server for viewers owns them, they exist for several runs.
+    """All channels of a context; the channels of a server for viewers exist for several runs.
 
     Attributes:
         context: context of the channels.

@@ -1,7 +1,8 @@
-"""Records of an MCAP file in order, each checked, so that damage can be distinguished from a file that is cut short.
+"""Records of an MCAP file, in order and checked, so that a damaged file is distinguished from one that is cut short.
 
-Every chunk has the CRC of its content, and the end of the data has the CRC of all bytes before it. Every length is
-stored twice. A file whose writer was killed ends within a record or in an unfinished chunk.
+Every chunk has the CRC of its content. The record at the end of the data has the CRC of all bytes before it. The length
+of a record must agree with the lengths of its parts. A file whose writer was killed ends within a record or within an
+unfinished chunk.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ MAGIC = b"\x89MCAP0\r\n"
 MAX_UNPACKED = 2**28
 """Longest chunk that is unpacked [bytes]; the chunks of the writer are more than a hundred times shorter."""
 UNDER_WAY = 2**64 - 1
-"""Value of a length field while the chunk is being written."""
+"""Value of a chunk's length fields while the chunk is being written."""
 _START = struct.Struct("<BQ")
 _INT, _LONG = struct.Struct("<I"), struct.Struct("<Q")
 _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
@@ -85,7 +86,8 @@ def _computed_length(opcode: int, body: bytes) -> int | None:
     """Return a record's length, computed from the lengths of its parts.
 
     Returns:
-        `UNDER_WAY` if a part is still being written; None if the record gives no lengths or `body` ends before them.
+        The length; `UNDER_WAY` if a part was still being written; None if the record has no lengths of parts, or if
+        `body` ends before them.
     """
     if opcode == Opcode.DATA_END:
         return _INT.size

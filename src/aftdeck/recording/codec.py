@@ -1,8 +1,8 @@
 """Conversion between values and the JSON of a recording, derived from the types of the values.
 
-A field with declared decimals (`aftdeck.field_meta`) is rounded to them, and a rotation in it becomes a quaternion, w x
-y z. Any other field keeps all digits, and a rotation in it becomes a matrix, row by row. Named tuples are written as
-objects, because viewers do not accept lists of lists.
+A field with declared decimals (`aftdeck.field_meta`) is rounded to these decimals; a rotation in it becomes a
+quaternion (w, x, y, z). Any other field keeps all digits; a rotation in it becomes a matrix, row by row. Named tuples
+become objects, because viewers do not accept lists of lists.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from aftdeck.frames import Rows, quaternion, rotation_of
 from aftdeck.recording.hints import apart, is_object, names, without_none
 
 Change = Callable[[Any], Any]
-"""Function that converts a value to its plain form, or back."""
+"""Function that converts a value to its plain form, or a plain form to its value."""
 S = TypeVar("S", bound=msgspec.Struct)
 
 _encode = msgspec.json.Encoder().encode
@@ -44,15 +44,15 @@ def plain(message: msgspec.Struct) -> Any:
     return message if change is None else change(message)
 
 
-def restored(kind: type[S], given: Any) -> S:
+def restored(kind: type[S], data: Any) -> S:
     """Return the message of a type from its plain form.
 
     Raises:
-        msgspec.ValidationError: `given` is not a message of this type.
+        msgspec.ValidationError: `data` is not a message of this type.
     """
     change = _of_struct(kind, back=True)
     try:
-        return msgspec.convert(given if change is None else change(given), kind)
+        return msgspec.convert(data if change is None else change(data), kind)
     except (TypeError, ValueError, AttributeError, KeyError, ArithmeticError) as error:
         if isinstance(error, msgspec.ValidationError):
             raise
@@ -60,7 +60,7 @@ def restored(kind: type[S], given: Any) -> S:
 
 
 def as_read(message: S) -> S:
-    """Return a message as it is read from a file: rounded to the declared decimals."""
+    """Return a message with the values that a file's reader gets: rounded to the declared decimals."""
     return restored(type(message), plain(message))
 
 
@@ -77,12 +77,12 @@ def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change
     if not back:
         return _written(kind, changes)
     if not issubclass(kind, msgspec.Struct):
-        return lambda given: [changes[name](given[name]) if name in changes else given[name] for name in names(kind)]
+        return lambda data: [changes[name](data[name]) if name in changes else data[name] for name in names(kind)]
 
-    def read(given: Any) -> Any:
-        if not isinstance(given, dict):
-            return given
-        return {name: changes[name](value) if name in changes else value for name, value in given.items()}
+    def read(data: Any) -> Any:
+        if not isinstance(data, dict):
+            return data
+        return {name: changes[name](value) if name in changes else value for name, value in data.items()}
 
     return read
 

@@ -12,7 +12,7 @@ from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.resample import SAME_TIME
 
 _NOT_COMPARED = {"wall_s", "latency_ms", "sha256", "tick", "events"}
-"""Fields that are not compared, because they are not part of the state; events are compared separately."""
+"""Fields that are not compared value by value: equal runs may differ in them. Events are compared separately."""
 
 
 class FieldChange(msgspec.Struct, frozen=True):
@@ -33,7 +33,7 @@ class Difference(msgspec.Struct, frozen=True):
 
 
 class Greatest(msgspec.Struct, frozen=True):
-    """Greatest difference of a quantity, and its simulated time."""
+    """Greatest difference of a quantity, and the simulated time at which it occurs."""
 
     value: float
     time_s: float
@@ -76,7 +76,7 @@ class Comparison:
         tip: greatest distance between the tips [m].
         joint: greatest difference of a joint angle [rad].
         joint_name: name of that joint; empty if no angle differs.
-        tip_at_end: distance between the tips at the last time that both runs have [m].
+        tip_at_end: distance between the tips at the last time at which both runs have a frame [m].
         compared: number of pairs of frames compared.
     """
 
@@ -113,13 +113,13 @@ class Comparison:
         self.tip_at_end = math.dist(before.position, after.position)
         if self.tip_at_end > self.tip.value:
             self.tip = Greatest(self.tip_at_end, before.time_s)
-        apart = [abs(a - b) for a, b in zip(before.angles, after.angles, strict=True)]
-        if max(apart) > self.joint.value:
-            self.joint = Greatest(max(apart), before.time_s)
-            self.joint_name = self._joints[apart.index(max(apart))]
+        differences = [abs(a - b) for a, b in zip(before.angles, after.angles, strict=True)]
+        if max(differences) > self.joint.value:
+            self.joint = Greatest(max(differences), before.time_s)
+            self.joint_name = self._joints[differences.index(max(differences))]
 
     def _note(self, before: FrameRecord | None, after: FrameRecord | None) -> None:
-        """Store the log lines of two frames; a frame is None if its run has none at this time."""
+        """Store the log lines of two frames; a frame is None if its run has no frame at this time."""
         if before is not None:
             self._before += [(event.text, event.time_s) for event in before.events]
         if after is not None:
@@ -129,7 +129,7 @@ class Comparison:
     def events(self) -> tuple[EventChange, ...]:
         """Log lines that only one run has, or whose times differ.
 
-        The n-th line with a text in one run is compared with the n-th line with that text in the other.
+        The n-th line with a text in one run is compared with the n-th line with the same text in the other run.
         """
         before, after = _numbered(self._before), _numbered(self._after)
         changes = [

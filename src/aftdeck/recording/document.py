@@ -1,6 +1,6 @@
-"""The tables of docs/recording.md, generated from the message types: ``python -m aftdeck.recording.document FILE``.
+"""Tables of docs/recording.md, generated from the message types: ``python -m aftdeck.recording.document FILE``.
 
-It replaces the text between the two marks of the file.
+The command replaces the text between the two marks in FILE.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Bodies as Foxglove's scene entities: cubes, cylinders and spheres where these suffice, otherwise triangles."""
+"""Conversion of bodies to Foxglove's scene entities: boxes, cylinders and spheres; triangles for all other shapes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from aftdeck.shapes import Axis, Box, Cylinder, Material, Sphere
 from aftdeck.worksite.model import Body
 
 GRAIN = 2.0**-10
-"""Increment to which corners of triangles are rounded [m]: short numbers compress well."""
+"""Increment to which the corners of triangles are rounded [m]: short numbers compress well."""
 _ALONG: dict[Axis, Array] = {
     "x": np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
     "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]),
@@ -28,13 +28,13 @@ _ALONG: dict[Axis, Array] = {
 
 
 def scene_update(bodies: Iterable[Body], time: fox.Timestamp) -> fox.SceneUpdate:
-    """Return an update that replaces all entities by these bodies; a body has a coordinate frame of its name."""
+    """Return an update that replaces all entities by these bodies."""
     delete_all = fox.SceneEntityDeletion(timestamp=time, type=fox.SceneEntityDeletionType.All)
     return fox.SceneUpdate(deletions=[delete_all], entities=[entity(body, time) for body in bodies])
 
 
 def entity(body: Body, time: fox.Timestamp) -> fox.SceneEntity:
-    """Return the entity of a body, in the coordinate frame with the name of the body."""
+    """Return the entity of a body, in the coordinate frame that has the body's name."""
     cubes, cylinders, spheres = [], [], []
     surfaces: dict[Material, list[Mesh]] = defaultdict(list)
     for shape, pose in placed(body.shapes):
@@ -85,9 +85,9 @@ def _triangles(surface: Mesh, colour: fox.Color) -> fox.TriangleListPrimitive:
 
 
 def _pose(pose: Pose) -> fox.Pose:
-    """Return a Foxglove pose; the rotation of a reflected pose has its y axis reversed.
+    """Return a Foxglove pose; if the pose is reflected, reverse its y axis, so that it becomes a rotation.
 
-    The picture stays the same, because every shape that is placed by such a pose is symmetric in y.
+    The picture does not change, because every shape with a reflected pose is symmetric in y.
     """
     rotation = pose.rotation if np.linalg.det(pose.rotation) > 0.0 else pose.rotation * [1.0, -1.0, 1.0]
     w, x, y, z = quaternion(rotation)

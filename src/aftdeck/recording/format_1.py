@@ -1,6 +1,6 @@
-"""Conversion of messages of layout 1 (Aftdeck 0.1) to the plain form of layout 2.
+"""Conversion of messages of layout 1 (Aftdeck 0.1) to the plain form (`codec.plain`) of layout 2.
 
-In layout 1, names of a frame's fields contain units, and some fields have other names.
+In layout 1, the names of a frame's fields contain units, and some fields have other names.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _FRAME = {
     "point_m": "resolution",
 }
 _WAY_OUT = "way out: "
-"""Start of the line with an escape direction among the reasons for an inhibit."""
+"""Beginning of a line with an escape direction; layout 1 lists such lines among the reasons for an inhibit."""
 _GOAL = {"position_m": "position", "distance_m": "distance", "angle_rad": "angle"}
 _WORK = {
     "stand_m": "stand",
@@ -48,10 +48,10 @@ _CARGO = {"position_m": "position", "rotation": "orientation", "velocity_m_s": "
 
 
 class FramesOf1:
-    """Converter of a run's frames in order: a frame's clearance level depends on the level before."""
+    """Converter of the frames of a run, in order: a frame's clearance level depends on that of the frame before."""
 
     def __init__(self, joints: tuple[str, ...], thresholds: Callable[[], tuple[float, float]]) -> None:
-        """Begin with the first frame of a run.
+        """Prepare for the first frame of a run.
 
         Args:
             joints: names of the arm's joints.
@@ -74,31 +74,33 @@ class FramesOf1:
             dict(zip(("pan", "tilt", "zoom"), views[i : i + 3], strict=True)) for i in range(0, len(views), 3)
         ]
         new["work"] = work = self._work(old["work"])
-        new["ways_out"] = [way | {"position": _position(way["text"], way["stick"])} for way in old["ways_out"]]
+        new["ways_out"] = [
+            escape | {"position": _position(escape["text"], escape["stick"])} for escape in old["ways_out"]
+        ]
         new["ways_out"] += [
-            self._out_of_contact(text.removeprefix(_WAY_OUT))
+            self._contact_escape(text.removeprefix(_WAY_OUT))
             for text in old["work"]["inhibits"]
             if text.startswith(_WAY_OUT)
         ]
         new.setdefault("times", {})
         new.setdefault("wrist_pitch", None)
-        if new.get("attached") is None:  # scenarios of that time had at most one payload of their own
+        if new.get("attached") is None:  # a scenario of Aftdeck 0.1 attaches at most one payload
             new["attached"] = int(position is not None and not any(cargo["held"] for cargo in work["cargo"]))
         return new
 
-    def _out_of_contact(self, text: str) -> Plain:
-        """Return the escape direction from a contact, which layout 1 has only as text."""
+    def _contact_escape(self, text: str) -> Plain:
+        """Return the escape direction from a contact, which layout 1 contains only as text."""
         *_, command, direction = text.removeprefix("ORB UNL, ").split(" ")
         sign = -1 if direction.startswith("−") or direction == "shorter" else 1
-        way = {"cause": "contact", "text": text, "sign": sign, "position": "", "axis": 0}
+        escape = {"cause": "contact", "text": text, "sign": sign, "position": "", "axis": 0}
         if command == "telescope":
-            return way | {"stick": "telescope"}
+            return escape | {"stick": "telescope"}
         if command in ("THC", "RHC"):
             stick = "translation" if command == "THC" else "rotation"
             axis = ("X", "Y", "Z", "roll", "pitch", "yaw").index(direction[1:]) % 3
         else:
             stick, axis = "joint", self._joints.index("_".join(text.split(" ")[1:-1]))
-        return way | {"stick": stick, "axis": axis, "position": _position(text, stick)}
+        return escape | {"stick": stick, "axis": axis, "position": _position(text, stick)}
 
     def _work(self, old: Plain) -> Plain:
         new = _renamed(old, _WORK)
@@ -120,9 +122,9 @@ class FramesOf1:
 
 
 def as_layout_1(frame: Frame, units: Units) -> Frame:
-    """Return a frame with only those values of its check and conditions that layout 1 records.
+    """Return a frame whose check and conditions have only the values that layout 1 records.
 
-    The `words` of a condition are then its text in the operator's units, as in the frames of `FramesOf1`.
+    The `words` of each condition become its text in the operator's units, as in the frames that `FramesOf1` returns.
     """
     check = frame.check and Check(frame.check.good, frame.check.text)
     conditions = tuple(

@@ -93,16 +93,17 @@ class Index:
 
         Args:
             scenario: return only recordings of this scenario; empty for all.
-            ended: return only recordings that ended this way; empty for all.
-            since: return only recordings begun at or after this time, ISO 8601 or the beginning of one; empty for all.
+            ended: return only recordings with this value of `Entry.ended`; empty for all.
+            since: return only recordings that began at this time or later: ISO 8601, or only its beginning such as the
+                date; empty for all.
             participant: return only recordings of this participant; empty for all.
         """
         with self._open() as database:
             rows = database.execute(f"select {_COLUMNS} from recordings order by began desc, path").fetchall()
-        found = [self._updated(Entry(*row)) for row in rows]
+        entries = [self._updated(Entry(*row)) for row in rows]
         return [
             entry
-            for entry in found
+            for entry in entries
             if (not scenario or entry.scenario == scenario)
             and (not ended or entry.ended == ended)
             and (not participant or entry.participant == participant)
@@ -136,7 +137,7 @@ class Index:
         """Delete the entries' files, and remove the entries from the list.
 
         Raises:
-            RecordingError: a file cannot be deleted or is being recorded; the files before it are deleted.
+            RecordingError: a file cannot be deleted or is being recorded; the entries before it are deleted already.
         """
         for entry in entries:
             if entry.state == "here" and entry.ended == "recording":

@@ -12,13 +12,13 @@ from aftdeck.recording.channels import Channels
 
 
 class Live:
-    """Server for viewers; its channels are used by one recorder after another.
+    """Server for viewers; the recorders of successive runs use its channels.
 
     Some topics are sent only at the start of a run. A viewer that attaches later receives them when it subscribes.
 
     Attributes:
-        channels: channels for viewers, the same for all runs. New channels for each run would lose messages, because
-            a viewer may subscribe to a channel before the server has registered it.
+        channels: channels for viewers, for all runs. With new channels for each run, messages would be lost, because
+            a viewer may subscribe to a channel before the server has registered the channel.
         address: address for viewers, such as ``ws://127.0.0.1:8765``.
     """
 
@@ -40,7 +40,7 @@ class Live:
             )
         except (RuntimeError, OverflowError) as error:
             why = str(error).removeprefix("FoxgloveError: ")
-            raise RecordingError(f"cannot listen for viewers on {host}:{port}: {why}; give another port") from None
+            raise RecordingError(f"cannot listen for viewers on {host}:{port}: {why}; choose another port") from None
         self.address = f"ws://{host}:{self._server.port}"
 
     def requested_topics(self) -> list[str]:
@@ -56,12 +56,12 @@ class Live:
 
 
 class _Listener(ServerListener):
-    """Collector of the topics that viewers subscribe to."""
+    """Collector of the topics to which viewers subscribe."""
 
     def __init__(self) -> None:
         self.topics: SimpleQueue[str] = SimpleQueue()
 
     def on_subscribe(self, client: Client, channel: ChannelView) -> None:
-        """Store a topic that a viewer subscribes to; called on the server's thread."""
+        """Store a topic to which a viewer subscribes; the server's thread calls this method."""
         del client
         self.topics.put(channel.topic)

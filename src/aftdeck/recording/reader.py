@@ -1,4 +1,4 @@
-"""Reader of recordings, also of those that are cut short or damaged."""
+"""Reader of recordings, whether complete, cut short or damaged."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ class Recording:
                 yield inputs, message
 
     def as_recorded(self, frame: Frame) -> FrameRecord:
-        """Return a frame as it is read from this file, but without wall time and latency."""
+        """Return a frame with the values that a reader of this file would get, without wall time and latency."""
         if self._old is not None:
             frame = as_layout_1(frame, self._scenario.arm.model.units)
         return as_read(frame_record(frame, 0.0, None))
@@ -126,7 +126,7 @@ class Recording:
 
     def _messages(self) -> Iterator[Message]:
         try:
-            if self.path.exists() and not self.path.is_file():  # a pipe or a device may never end
+            if self.path.exists() and not self.path.is_file():  # reading a pipe or a device may never end
                 kind = "a folder" if self.path.is_dir() else "not a regular file"
                 raise RecordingError(f"{self.path}: is {kind}, not a recording", "unreadable")
             with self.path.open("rb") as file:

@@ -1,8 +1,8 @@
 """Messages of a recording, defined once: schemas and docs/recording.md are generated from these types.
 
-Numbers are SI. The time of every message is the wall time at which the run began plus the simulated time. `wall_s` is
-the wall time since the run began. Inputs are exact. Frames are rounded to keep the file small: lengths and angles to
-nine decimals, sticks and twists to seven. A frame's digest is that of the exact state.
+Numbers are in SI units. The time of every message is the wall time at which the run began plus the simulated time.
+`wall_s` is the wall time since the run began. Inputs are exact. Frames are rounded to keep the file small: lengths and
+angles to nine decimals, sticks and twists to seven. A frame's digest is computed from the exact state.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 
 FORMAT = 2
-"""Number of the file's layout; a reader rejects a greater one."""
+"""Number of the file's layout; a reader rejects files with a greater number."""
 PROFILE = "aftdeck"
 """MCAP profile of the file's header."""
 
 
 class Opening(Message, frozen=True):
-    """Header: all data that the run starts from."""
+    """Header: all data from which the run starts."""
 
     format: Annotated[int, field_meta("number of the file's layout")]
     version: Annotated[str, field_meta("Aftdeck's version")]
-    laws: Annotated[str, field_meta("digest of the laws' source code; other laws may give other last digits")]
-    machine: Annotated[str, field_meta("processor, system and compilers; on an equal machine, re-simulation is exact")]
+    laws: Annotated[str, field_meta("digest of the laws' source code; changed laws may change the last digits")]
+    machine: Annotated[str, field_meta("processor, system and compilers; re-simulation is exact if they are equal")]
     began: Annotated[str, field_meta("wall time at which the run began, ISO 8601, UTC")]
     scenario: Annotated[str, field_meta("name of the scenario")]
     title: Annotated[str, field_meta("title of the scenario")]
@@ -44,12 +44,12 @@ class Opening(Message, frozen=True):
     participant: Annotated[str, field_meta("code of the participant; empty if not given")] = ""
     condition: Annotated[str, field_meta("condition of the trial; empty if not given")] = ""
     digests: Annotated[
-        str, field_meta("identifies the fields of the state; only digests with an equal value are comparable")
+        str, field_meta("hash of the state's declared fields; frame digests are comparable only if it is equal")
     ] = ""
 
 
 class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
-    """Exact inputs of one step: sticks and switches. An absent stick is centred, an absent switch unchanged."""
+    """Exact inputs of one step. A stick without a value is centred; a switch without a value is unchanged."""
 
     tick: Annotated[int, field_meta("number of the step in which the inputs acted")]
     script: Annotated[bool, field_meta("whether the scenario's script supplied the inputs")] = False
@@ -81,11 +81,11 @@ class ControllerRecord(Message, frozen=True):
         float, field_meta("weight of the cubic part: after the deadband, x becomes (1 - expo) x + expo x**3", "1")
     ]
     bindings: Annotated[tuple[str, ...], field_meta("key, button or axis, and its function: `KeyW +X`, `a1 -X`")]
-    centres: Annotated[Numbers, field_meta("rest position of each axis; 0 for axes beyond the last", "1")]
+    centres: Annotated[Numbers, field_meta("rest position of each axis; an axis without an entry rests at 0", "1")]
 
 
 class ControllersRecord(Message, frozen=True):
-    """Devices that move the hand controllers from a time on, with mappings; `Input` has the resulting inputs."""
+    """Devices that move the hand controllers from a time on, with their mappings; `Input` has the resulting inputs."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     controllers: Annotated[

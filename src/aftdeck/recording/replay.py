@@ -1,4 +1,4 @@
-"""Verification of a recording: re-simulation from its inputs, and comparison of every frame."""
+"""Verification of a recording: re-simulation of its inputs, and comparison of every frame."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ class Verdict(msgspec.Struct, frozen=True):
     first: Difference | None
     """Difference in the first frame that differs; None if all frames are equal."""
     whole: bool
-    """True if digests were compared: equal frames are then equal to the last digit.
+    """True if the digests were compared; equal frames are then equal in all digits.
 
-    False if the digests of the recording cover other fields than those of this version: then every recorded value
-    except the digests was compared.
+    False if a digest of the recording covers other fields of the state than a digest of this version. Then every
+    recorded value except the digests was compared.
     """
     cut: bool
     """True if the recording is cut short; all its frames were compared."""
@@ -49,9 +49,9 @@ class Verdict(msgspec.Struct, frozen=True):
     version: str
     """Version of Aftdeck that compared it."""
     same_laws: bool
-    """True if the laws have the same source code as at the recording."""
+    """True if the source code of the laws has not changed since the recording."""
     same_machine: bool
-    """True if processor, system and compilers are the same as at the recording."""
+    """True if this machine has the processor, system and compilers with which the recording was made."""
 
 
 def verify(
@@ -59,9 +59,9 @@ def verify(
 ) -> Verdict:
     """Re-simulate a recording's inputs and compare every frame's digest.
 
-    A recording of another version is re-simulated too; the verdict names that version. If its digests cover other
-    fields than those of this version, every recorded value is compared instead; of a log line of another version its
-    time, kind and level, but not its wording.
+    A recording of another version is re-simulated too; the verdict names that version. A digest of that version may
+    cover other fields of the state. In this case every recorded value is compared instead of the digest. Of a log line
+    of another version, only time, kind and level are compared, because the text may have changed.
 
     Args:
         path: the recording.
@@ -87,7 +87,7 @@ def verify(
 
 
 def _logged(record: FrameRecord, reworded: bool) -> list[tuple[float, str, str, str]]:
-    """Return the log lines of a frame, without their wording if another version may word them differently."""
+    """Return the log lines of a frame; without their texts if `reworded`, because another version wrote them."""
     return [(event.time_s, event.kind, event.level, "" if reworded else event.text) for event in record.events]
 
 
@@ -107,15 +107,15 @@ def _compared(
         frames.update(digest)
         count += 1
         if not digests or digest.hex()[:DIGITS] != record.sha256:
-            again = recording.as_recorded(sim.look())
-            if digests or not alike(record, again) or _logged(record, reworded) != _logged(again, reworded):
+            computed = recording.as_recorded(sim.look())
+            if digests or not alike(record, computed) or _logged(record, reworded) != _logged(computed, reworded):
                 different += 1
-                first = first or first_difference(record, again)
+                first = first or first_difference(record, computed)
         if progress is not None and count % 256 == 0:
             progress(recording.share)
-    closed = recording.cut or not digests or frames.hexdigest() == recording.frames_sha256
+    footer_agrees = recording.cut or not digests or frames.hexdigest() == recording.frames_sha256
     return Verdict(
-        equal=different == 0 and closed,
+        equal=different == 0 and footer_agrees,
         frames=count,
         time_s=recording.time_s,
         different=different,

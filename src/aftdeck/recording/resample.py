@@ -17,8 +17,8 @@ SAME_TIME = 1e-9
 def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input]:
     """Yield the inputs of each step at the new control period: the latest sticks, and every switch that was set.
 
-    A new step uses the inputs of the old steps that began before its end, except those of earlier new steps. All new
-    steps together last as long as all old steps.
+    A new step merges the inputs of all old steps that began before the end of the new step, except old steps that an
+    earlier new step has used. Together the new steps last at least as long as the old steps.
 
     Args:
         inputs: inputs of every step at the old control period.
@@ -40,7 +40,10 @@ def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input
 
 
 def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
-    """Return one step's inputs, merged from all inputs since the step before; without any, the sticks stay."""
+    """Return one step's inputs, merged from `since`, the inputs since the step before.
+
+    If `since` is empty, the sticks stay as in `before`, and no switch is set.
+    """
     if len(since) == 1:
         return msgspec.structs.replace(since[0], tick=tick)
     latest = since[-1] if since else before

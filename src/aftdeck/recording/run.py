@@ -17,7 +17,7 @@ from aftdeck.simulation.run import Run, Simulation, run
 
 
 class UnrecordedRunError(RecordingError):
-    """Failure of the recording of a run that reached its end.
+    """Error: the recording of a run failed, but the run itself reached its end.
 
     Attributes:
         run: the run that `record` would have returned.
@@ -41,17 +41,17 @@ def record(
     index: Index | None = None,
     unlisted: Callable[[str], None] | None = None,
 ) -> Run:
-    """Run a scenario with its script or given inputs to the end, and record the run.
+    """Run a scenario to its end, with its script or with manual inputs, and record the run.
 
     Args:
-        scenario: a scenario, a built-in name or a path.
+        scenario: a scenario, the name of a built-in scenario, or a path.
         out: file to create; its folder is created if it is missing.
-        seed: seed of the run; None: the scenario's.
+        seed: seed of the run; None selects the scenario's seed.
         trial: participant and condition.
-        inputs: called before every step, returns manual inputs, as in `simulation.run.run`.
+        inputs: function that is called before every step and returns manual inputs, as in `simulation.run.run`.
         changes: changes of the scenario, each as KEY=VALUE.
         progress: called repeatedly with the fraction of the maximum duration that has passed, 0 to 1.
-        stepped: called after every step with the simulation.
+        stepped: called with the simulation after every step.
         index: list of recordings to which the file is added.
         unlisted: called with the reason if the file could not be added to the list.
 
@@ -67,14 +67,14 @@ def record(
     own_seed = loaded.seed if seed is None else whole(seed, "seed")
     recorder = Recorder(Path(out), loaded, own_seed, changes=changes, trial=trial, index=index)
 
-    def keep(sim: Simulation) -> None:
+    def record_step(sim: Simulation) -> None:
         recorder.step(sim.given, sim.look())
         recorder.wait_for_room()
         if stepped is not None:
             stepped(sim)
 
     try:
-        done = run(loaded, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=keep)
+        done = run(loaded, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=record_step)
     except BaseException:
         recorder.close("stopped")
         raise

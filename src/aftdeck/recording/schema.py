@@ -1,7 +1,7 @@
 """JSON schemas of the channels, in the simple form that every viewer of MCAP files can read.
 
-Viewers plot JSON by its schema, and accept neither references nor alternatives. Therefore a schema contains the types
-of all inner fields, and a field that may be absent or null has the schema of its other values.
+A viewer plots JSON messages by their schema, and accepts neither references nor alternatives in a schema. Therefore
+each schema repeats the types of all inner fields. A field that may be absent or null has the schema of its values.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def _schema(kind: Any) -> dict[str, Any]:
 
 
 def rotation(field: FieldInfo) -> str:
-    """Return the form in which a field's rotation is written."""
+    """Return the form in which a recording contains a field's rotation."""
     return "quaternion w, x, y, z" if field.rounded else "matrix row by row"
 
 

@@ -19,7 +19,7 @@ from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 
 MAX_FILES_PER_SECOND = 999
-"""Upper limit of the number that distinguishes files of the same scenario and second."""
+"""Upper limit of the number in the file's name that distinguishes recordings of one scenario in the same second."""
 
 
 class SessionRecorder:
@@ -63,7 +63,7 @@ class SessionRecorder:
             return
         self._period = scenario.control_period
         writing = [recorder for recorder in self._ending if recorder.writing]
-        # read errors only after listing the active recorders, so that the errors of a finished one are read too
+        # Read errors only after listing the active recorders: a recorder that finishes in between is read too.
         self._collect_errors()
         self._ending = writing
         before = self._ending[-1] if self._ending else None
@@ -103,7 +103,7 @@ class SessionRecorder:
             self._recorder.light(time_s, lighting)
 
     def take_errors(self) -> list[str]:
-        """Return the errors since the last call, one sentence each."""
+        """Return the errors since the last call, each as a sentence."""
         self._collect_errors()
         errors, self._new_errors = self._new_errors, []
         return errors
@@ -137,7 +137,7 @@ class SessionRecorder:
 
 
 def _free_name(folder: Path, scenario: str) -> Path:
-    """Return a free path such as ``first-flight-20261121-143000.mcap`` (UTC); a number is added to a name in use."""
+    """Return a path that is not in use, such as ``first-flight-20261121-143000.mcap`` (UTC), or with ``-2`` added."""
     stem = f"{scenario}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
     for ending in ("", *(f"-{n}" for n in range(2, MAX_FILES_PER_SECOND))):
         path = folder / f"{stem}{ending}.mcap"

@@ -1,6 +1,7 @@
-"""File for the MCAP writer: unbuffered, so that a killed program loses no written bytes; once open, it never raises.
+"""File for the MCAP writer, unbuffered and without exceptions.
 
-The library of the writer logs errors and does not raise them. Therefore the file stores the first error.
+If the program is killed, no bytes are lost in a buffer. The writer's library logs an error instead of raising it.
+Therefore this file, once open, raises no error but stores the first one.
 """
 
 from __future__ import annotations
@@ -27,12 +28,12 @@ class Sink:
         except OSError as error:
             if os.path.lexists(path):
                 raise RecordingError(
-                    f"{path}: exists already and is not overwritten; give another name", "exists"
+                    f"{path}: exists already and is not overwritten; choose another name", "exists"
                 ) from None
             raise RecordingError(f"{path}: cannot be written: {error.strerror or error}", "unwritable") from None
 
     def write(self, data: bytes | bytearray) -> int:
-        """Write all of `data` at the present position, unless an error occurred before; always return its length."""
+        """Write `data` at the present position, or nothing after an error; always return the length of `data`."""
         view = memoryview(data)
         try:
             while view and not self.error:
@@ -44,7 +45,7 @@ class Sink:
         return len(data)
 
     def seek(self, offset: int, whence: int = 0) -> int:
-        """Move to an offset, and return the position of a file that took everything: the library fails on any other."""
+        """Move to an offset, and return the new position, after an error too: the library fails on any other value."""
         self._at = offset + (0, self._at, self._end)[whence]
         try:
             if not self.error:
@@ -57,7 +58,7 @@ class Sink:
         """Do nothing: no bytes are buffered."""
 
     def close(self) -> None:
-        """Write the file's content to the disk, and close the file."""
+        """Write the file's content to the disk (fsync), and close the file."""
         try:
             os.fsync(self._file.fileno())
             self._file.close()

@@ -1,4 +1,4 @@
-"""Participant and condition of a run: texts of a study, stored only in the recording."""
+"""Participant and condition of a run in a study: texts that recordings and the list of recordings store."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MAX_CONDITION_LENGTH = 120
 
 
 class Trial(NamedTuple):
-    """Participant and condition of a run in a study; empty if not given. No page receives them."""
+    """Participant and condition of a run in a study; empty if not given. No page of a live station receives them."""
 
     participant: str = ""
     condition: str = ""
@@ -23,7 +23,7 @@ NO_TRIAL = Trial()
 
 
 def trial(participant: str | None, condition: str | None) -> Trial:
-    """Return a trial with these texts; None leaves a text empty.
+    """Return a trial with these texts; None becomes an empty text.
 
     Raises:
         InputError: a text is empty or too long, is not one printable line, or begins or ends with a space.

@@ -1,6 +1,7 @@
 """Channels in Foxglove's schemas: joints, tip, log, and a scene of bodies in moving coordinate frames.
 
-The channels of `records` have every step. These channels are for viewing: ten times a second, with rounded numbers.
+The channels of `records` contain every step. The channels of this module are for viewing: they contain rounded numbers,
+ten times per simulated second.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from aftdeck.simulation.frame import Event, Frame
 PERIOD = 0.1
 """Simulated time between two messages of a moving quantity [s]."""
 GRAIN = 2.0**18
-"""Increments per metre, radian or unit to which moving values are rounded: short numbers compress well."""
+"""Number of increments per unit (metre, radian, 1). Moving values are rounded to them: short numbers compress well."""
 ROOT, LONGERON, TIP = "scene", "L", "tip"
 """Names of the coordinate frames that belong to no body."""
 _STILL: Seven = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
@@ -61,7 +62,7 @@ class Viewing:
             self._send_topic(topic, self._began_ns)
 
     def frame(self, frame: Frame) -> None:
-        """Send the events of a step, the topics of new subscriptions and, every `PERIOD`, the motion."""
+        """Send the events of a step, the topics of new subscriptions, and once in each `PERIOD` the motion."""
         now = self._began_ns + round(frame.time_s * 1e9)
         for event in frame.events:
             self.line(event, now)

@@ -46,11 +46,11 @@ from aftdeck.simulation.summary import Summary
 FLUSH_S = 0.5
 """Time after which a chunk of the file is closed [s]."""
 POLL_S = 0.05
-"""Interval at which the thread checks its queue [s]: waking it at each step would delay the simulation more."""
+"""Interval at which the thread checks its queue [s]; to wake the thread in each step would delay the simulation."""
 MAX_WAITING = 20_000
 """Maximum number of entries in the queue; beyond it, the recording ends."""
 BEGIN_S = 2.0
-"""Longest wait before a session's first run for the header in its file [s]."""
+"""Longest time for which a session's first run waits until its file has the header [s]."""
 MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run [s]."""
 
@@ -72,7 +72,7 @@ class _End(NamedTuple):
 _CHANNEL = {kind: topic for topic, (kind, _) in CHANNELS.items()}
 """Channel of each type of message."""
 _Ready = ControllersRecord | Shown | LightRecord
-"""Types that are queued as finished messages, and that `Viewing` does not use."""
+"""Types of the messages that are queued in their final form and that `Viewing` does not use."""
 
 
 class Recorder:
@@ -81,8 +81,8 @@ class Recorder:
     Attributes:
         path: the file; None if the run is only sent to viewers.
         failure: reason for the end of the recording, in a sentence; empty while it continues.
-        unlisted: reason why the file is not in the list of recordings, in a sentence; empty without an error.
-        steps: number of steps so far.
+        unlisted: reason why the file is not in the list of recordings, in a sentence; empty if no error occurred.
+        steps: number of steps recorded so far.
     """
 
     def __init__(
@@ -105,7 +105,7 @@ class Recorder:
             seed: the seed of the run.
             changes: changes of the scenario, each as KEY=VALUE.
             trial: participant and condition.
-            live: server for viewers; it continues after the run.
+            live: server for viewers, which continues after the run.
             index: list of recordings to which the file is added.
             after: recorder of the previous run; this recorder writes only after `after` has finished.
 
@@ -167,12 +167,12 @@ class Recorder:
             self._waiting.append(light_record(time_s, lighting))
 
     def wait_for_room(self) -> None:
-        """Wait while the queue is half full; for runs that are faster than real time."""
+        """Wait while the queue is more than half full; used in runs that are faster than real time."""
         while len(self._waiting) > MAX_WAITING // 2 and not self.failure:
             time.sleep(0.001)
 
     def finish(self, ended: Ended, summary: Summary | None = None) -> None:
-        """End the run, without waiting until the rest of the queue and the footer are written."""
+        """End the run; do not wait until the rest of the queue and the footer are written."""
         if not self._ended:
             self._ended = True
             self._waiting.append(_End(ended, summary))
@@ -189,7 +189,7 @@ class Recorder:
         return self._thread.is_alive()
 
     def wait(self) -> None:
-        """Wait until everything is written; the recording fails after `MAX_DISK_WAIT_S`."""
+        """Wait until everything is written; after `MAX_DISK_WAIT_S`, the recording has failed."""
         self._thread.join(MAX_DISK_WAIT_S)
         if self._thread.is_alive():
             self._fail(f"the disk was not ready within {MAX_DISK_WAIT_S:g} s")
@@ -211,7 +211,7 @@ class Recorder:
         listing.start()
         try:
             ended, time_s = self._write()
-        except BaseException as error:  # the operator must learn of any error, even of a panic in the library
+        except BaseException as error:  # report every error to the operator, even a panic in the library
             self._fail(f"{type(error).__name__}: {error}")
         finally:
             self._begun.set()
@@ -231,7 +231,7 @@ class Recorder:
             self.unlisted = str(error)
 
     def _write(self) -> tuple[str, float]:
-        """Write until the run ends; return the reason for its end, and its simulated time [s]."""
+        """Write until the run or the recording ends; return the reason for the end, and its simulated time [s]."""
         channels = self._live.channels if self._live else Channels()
         file = None
         if self._sink is not None:
@@ -283,4 +283,4 @@ def _options() -> MCAPWriteOptions:
 
 
 LEVEL = 1
-"""Compression level of zstd: on chunks of a second, higher levels are slower and the chunks hardly smaller."""
+"""Compression level of zstd: the chunks are short, so that higher levels are slower and save hardly any bytes."""

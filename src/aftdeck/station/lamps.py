@@ -1,4 +1,4 @@
-"""Lamps that a frame lights: for each its name and its condition, in one table."""
+"""Table of the lamps that a frame can light: the name and the condition of each lamp."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from aftdeck.worksite.report import Work
 
 
 class Lit(NamedTuple):
-    """State of a lit lamp: its level, and its cause for the operator."""
+    """State of a lit lamp: its level, and the cause that the operator reads."""
 
     level: Level
     text: str
@@ -46,7 +46,10 @@ def _clearance(_scenario: Scenario, frame: Frame) -> Lit | None:
 
 
 def _derigidize(_scenario: Scenario, frame: Frame) -> Lit | None:
-    """Return DERIGIDIZE: lit while the snares hold a payload that is not rigid, a caution unless they move."""
+    """Return the state of DERIGIDIZE, which is lit while the snares hold a payload that is not rigidized.
+
+    The level is info while the snares move or the switch is at open, otherwise caution.
+    """
     hand = frame.work.hand
     if not _held_loosely(frame.work):
         return None
@@ -70,7 +73,7 @@ LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
     "DERIGIDIZE": _derigidize,
     "RELEASE": _release,
 }
-"""The lamps that a frame lights, with their conditions; the page has other lamps of its own, and a place for each."""
+"""Condition of each lamp that a frame can light. The page adds lamps of its own, and arranges all of them."""
 
 if TYPE_CHECKING:
     FlightLamp = str
@@ -89,8 +92,8 @@ class Lamp(msgspec.Struct, frozen=True, gc=False):
 
 def lit_lamps(scenario: Scenario, frame: Frame) -> tuple[Lamp, ...]:
     """Return the lit lamps, each with its cause."""
-    found = ((name, condition(scenario, frame)) for name, condition in LAMPS.items())
-    return tuple(Lamp(name, *lit) for name, lit in found if lit is not None)
+    states = ((name, condition(scenario, frame)) for name, condition in LAMPS.items())
+    return tuple(Lamp(name, *lit) for name, lit in states if lit is not None)
 
 
 def _joints_beyond(scenario: Scenario, frame: Frame, zone: int) -> Lit | None:

@@ -145,7 +145,7 @@ export interface Section {
   readonly top: number;
   readonly middle: number;
   readonly bottom: number;
-  /** Exponents of the upper and of the lower half. */
+  /** Exponents of the upper and the lower half. */
   readonly exponents: Vec2;
 }
 
@@ -206,7 +206,7 @@ export interface Group {
  */
 export interface Sticks {
   readonly type: 'sticks';
-  /** Sequence number; the server rejects a message whose number is not greater than the last one. */
+  /** Sequence number; the server rejects a message whose number is not greater than that of the message before. */
   readonly seq: number;
   /** THC: +X, +Y, +Z of the present control frame. */
   readonly translation: Vec3;
@@ -234,7 +234,11 @@ export interface Shown {
   readonly monitors: readonly (readonly string[])[];
 }
 
-/** Report the devices in use, for the recording: when the page takes control, and when the devices change. */
+/**
+ * Report the devices in use, for the recording.
+ *
+ * The page sends this message when it takes control, and when the devices or their settings change.
+ */
 export interface Controllers {
   readonly type: 'controllers';
   readonly seq: number;
@@ -252,7 +256,7 @@ export interface ControllerInUse {
   readonly expo: number;
   /** Key, button or axis, and its function: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
   readonly bindings: readonly string[];
-  /** Rest position of each axis, as confirmed by the operator; 0 for axes beyond the last. */
+  /** Rest position of each axis, as the operator has confirmed it; an axis without an entry rests at 0. */
   readonly centres: readonly number[];
 }
 
@@ -282,12 +286,12 @@ export interface SetLight {
 export interface Lighting {
   /** Name of the condition, as in `LightCondition.name`. */
   readonly condition: string;
-  /** Switches that are on. */
+  /** Names of the switches that are on. */
   readonly lamps: readonly string[];
   readonly locked: readonly LockedExposure[];
 }
 
-/** A camera whose exposure does not follow the brightness of its picture. */
+/** Locked exposure of a camera: it does not follow the brightness of the camera's picture. */
 export interface LockedExposure {
   readonly camera: string;
   /** Exposure of the camera [stops above that of full sunlight]. */
@@ -373,14 +377,14 @@ export interface SetName {
 /**
  * Leave the control roles: the page has become too narrow to control the arm, and now only shows the run.
  *
- * If this page was in control, the next page takes control.
+ * If this page was in control, the page that connected first takes control.
  */
 export interface LeaveSeat {
   readonly type: 'leave_seat';
   readonly seq: number;
 }
 
-/** Join the control roles: the page is wide enough. It takes control if no page is in control; else it observes. */
+/** Join the control roles: the page is wide enough. If no page is in control, it takes control; else it observes. */
 export interface TakeSeat {
   readonly type: 'take_seat';
   readonly seq: number;
@@ -401,7 +405,7 @@ export interface HandsOff {
 export interface LookAhead {
   readonly type: 'look_ahead';
   readonly seq: number;
-  /** [s] */
+  /** Time span [s]. */
   readonly seconds: number;
 }
 
@@ -462,14 +466,14 @@ export interface SetEffector {
   readonly switch: EffectorSwitch;
 }
 
-/** Set END EFFECTOR MODE of the snares: the whole sequence (auto), or the snares alone (manual). */
+/** Set END EFFECTOR MODE of the snares: auto runs the whole sequence; manual moves the snares alone. */
 export interface SetEffectorMode {
   readonly type: 'effector_mode';
   readonly seq: number;
   readonly mode: 'auto' | 'manual';
 }
 
-/** Set END EFFECTOR MAN CONTR of the snares: in manual mode, it moves the carriage alone. */
+/** Set END EFFECTOR MAN CONTR of the snares: in manual mode, this switch moves the carriage alone. */
 export interface SetRigid {
   readonly type: 'rigid';
   readonly seq: number;
@@ -487,7 +491,7 @@ export interface PressLatch {
 export interface SetMaster {
   readonly type: 'master';
   readonly seq: number;
-  /** [rad] */
+  /** Joint angles of the master arm [rad]. */
   readonly angles: Six;
 }
 
@@ -542,7 +546,7 @@ export interface Welcome {
   /**
    * Names of the script's phases in order, as in `Frame.phase`.
    *
-   * Empty if the scenario has none, or if the session does not begin with the script.
+   * Empty if the scenario has no script, or if the session does not begin with the script.
    */
   readonly phases: readonly string[];
 }
@@ -580,7 +584,7 @@ export interface ModeInfo {
    * A mode that moves a payload also needs a captured payload.
    */
   readonly enabled: boolean;
-  /** Axes that the sticks act along: `orbiter axes`. */
+  /** Axes along which the sticks act: `orbiter axes`. */
   readonly axes: string;
   /** Meaning of + for the three axes of the THC: `+X fwd`, `+Y stbd`, `+Z down`. */
   readonly axis_names: readonly [string, string, string];
@@ -619,7 +623,7 @@ export interface Camera {
 export interface Drive {
   /** Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`. */
   readonly zero: Vec3;
-  /** Distance of the lens ahead of the point where the pan and tilt axes meet [m]. */
+  /** Distance of the lens ahead of the intersection of the pan and tilt axes [m]. */
   readonly lens: number;
   readonly pan: Travel | null;
   readonly tilt: Travel | null;
@@ -642,7 +646,7 @@ export interface Travel {
 /**
  * Opening of a window, perpendicular to the line of sight and centred on it.
  *
- * Anything beside the opening, or between the eye and the opening, is invisible.
+ * The picture shows only what is beyond the opening and seen through it.
  */
 export interface Pane {
   /** Distance from the eye [m]. */
@@ -673,16 +677,17 @@ export interface WorkInfo {
 
 /** Telescope under an arm: minimum and maximum length, and rate. */
 export interface StandInfo {
-  /** [m] */
+  /** Minimum length [m]. */
   readonly least: number;
+  /** Maximum length [m]. */
   readonly greatest: number;
-  /** [m/s] */
+  /** Rate of the length [m/s]. */
   readonly rate: number;
 }
 
 /** Berth: location where a payload can be fixed. */
 export interface SeatInfo {
-  /** Name in a frame: `Cargo.seat`. */
+  /** Name that frames use, in `Cargo.seat`. */
   readonly name: string;
   /** Name for display. */
   readonly title: string;
@@ -713,7 +718,7 @@ export interface Glow {
 /** Light from all sides. */
 export interface SkyGlow {
   readonly above: string;
-  /** Colour of the half sphere below the orbiter; `above` is the colour of the one above it. */
+  /** Colour of the half sphere below the orbiter; `above` is the colour of the half sphere above it. */
   readonly below: string;
   readonly strength: number;
 }
@@ -723,7 +728,7 @@ export interface PayloadInfo {
   /** PL ID; 0 is the row without a payload. */
   readonly id: number;
   readonly name: string;
-  /** [kg] */
+  /** Mass [kg]. */
   readonly mass: number;
   /** Speed limit of the point of resolution, coarse and vernier [m/s]. */
   readonly translation: Vec2;
@@ -736,7 +741,7 @@ export interface PayloadInfo {
 
 /** Points of one of AUTO 1-4 (SPEC 94 items 13-16). */
 export interface StoredSequence {
-  /** As `ModeInfo.position`. */
+  /** Position of the MODE rotary, as in `ModeInfo.position`. */
   readonly position: string;
   readonly points: readonly StoredPoint[];
 }
@@ -758,9 +763,9 @@ export interface Scenarios {
   /** Number of the scenario that is running. */
   readonly flown: number;
   /**
-   * Number of the scenario that is being prepared; null if none is.
+   * Number of the scenario that is being prepared; null if no scenario is being prepared.
    *
-   * The sticks are centred meanwhile. When the scenario starts, every page receives a new `Welcome`.
+   * During the preparation the sticks are centred. When the scenario starts, every page receives a new `Welcome`.
    */
   readonly coming: number | null;
 }
@@ -787,7 +792,7 @@ export interface Role {
   readonly flier: number;
   /** Number of the page that asks for the sticks; 0 if no page asks. */
   readonly asking: number;
-  /** Name as given at this page; empty if not given. */
+  /** Name that the person at this page has set; empty if no name is set. */
   readonly name: string;
   /** Names of all pages that have a name, including this page. */
   readonly names: readonly NamedPage[];
@@ -796,7 +801,7 @@ export interface Role {
 /** Page with the name of the person at it. */
 export interface NamedPage {
   readonly number: number;
-  /** Name as the other pages display it; the page's number is appended if two pages have the same name. */
+  /** Name for display on all pages; if two pages have the same name, the page's number is appended. */
   readonly name: string;
 }
 
@@ -1104,11 +1109,11 @@ export interface Event {
   readonly text: string;
 }
 
-/** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene. */
+/** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */
 export interface Display {
   /** `seq` of the last `Sticks` received before this step; the page computes its latency with it. */
   readonly stick_seq: number;
-  /** `seq` of the `Sticks` that moved the arm in this step, after the command delay; -1 if the script did or none. */
+  /** `seq` of the `Sticks` that acted in this step, after the command delay; -1 if no page's `Sticks` acted. */
   readonly flown_seq: number;
   /** Simulated time in the recording so far [s]; null if the run is not recorded. */
   readonly recording_s: number | null;
@@ -1121,12 +1126,12 @@ export interface Display {
   /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
   readonly por_offset: Vec3;
   /**
-   * Distance from the empty snares to their position at the nearest grapple fixture [m].
+   * Distance from the empty snares to the nearest grapple fixture [m]; 0 in the pose of a perfect grasp.
    *
    * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
    */
   readonly fixture: number | null;
-  /** Vector of this distance, in the control frame of the sticks [m]; null also in modes without sticks. */
+  /** Vector of the distance `fixture`, in the control frame of the sticks [m]; null also in modes without sticks. */
   readonly to_fixture: Vec3 | null;
   /** Displacement of the orbiter: forward, starboard, down [m]. */
   readonly orbiter: Vec3;
@@ -1139,9 +1144,9 @@ export interface Display {
   readonly contacts: readonly ClosestPoints[];
   /** Newest look-ahead; null before the first one. */
   readonly ahead: Ahead | null;
-  /** Axes of the control frame in the scene, for the axes that the page draws in the pictures. */
+  /** Orientation of the control frame in the scene frame; the page draws these axes in the pictures. */
   readonly axes: Quat;
-  /** Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene. */
+  /** Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene frame. */
   readonly poses: readonly number[];
   readonly lighting: Lighting;
 }
@@ -1172,7 +1177,7 @@ export interface Lamp {
   readonly text: string;
 }
 
-/** Closest points of two monitored parts, in the scene. */
+/** Closest points of two monitored parts, in the scene frame. */
 export interface ClosestPoints {
   readonly point_a: Vec3;
   readonly point_b: Vec3;
@@ -1204,7 +1209,7 @@ export interface Ahead {
   readonly b: string;
   /** Time to the first contact [s]; null if the look-ahead found no contact. */
   readonly contact_s: number | null;
-  /** Distance that the tip moves until it stops, if the sticks are centred now [m]. */
+  /** Distance that the tip still moves if the sticks are centred now [m]. */
   readonly stopping: number;
   /** Joint nearest to a reach limit at the end of the time span, 0 to 5. */
   readonly joint: number;
@@ -1214,7 +1219,7 @@ export interface Ahead {
   readonly poses: readonly number[];
 }
 
-/** New log lines, oldest first. The server skips none. */
+/** New log lines, oldest first. The server sends every line. */
 export interface Events {
   readonly type: 'events';
   readonly events: readonly Event[];
@@ -1230,7 +1235,11 @@ export interface Recent {
    */
   readonly strips: readonly Strip[];
   readonly samples: readonly Sample[];
-  /** Lanes of the last minutes if an interval has begun, otherwise empty; the last interval of each lane continues. */
+  /**
+   * All lanes of the last minutes, if an interval has begun in one of them since the last message.
+   *
+   * Otherwise empty: the last interval of each lane then continues.
+   */
   readonly lanes: readonly Lane[];
 }
 
@@ -1242,23 +1251,23 @@ export interface Strip {
   readonly low: number;
   /** `low` and `high`: least and greatest value; the range includes zero if `rests` is true. */
   readonly high: number;
-  /** Limit that the page draws as a line across the strip; None if the quantity has no limit. */
+  /** Limit that the page draws as a line across the strip; null if the quantity has no limit. */
   readonly limit: number | null;
-  /** Values below this one cause a caution; for a clearance, the scenario's threshold. None if not applicable. */
+  /** Threshold below which a value causes a caution, such as the scenario's for clearances; null if not applicable. */
   readonly caution: number | null;
-  /** Values below this one cause a warning; None if not applicable. */
+  /** Threshold below which a value causes a warning; null if not applicable. */
   readonly warning: number | null;
   /** True if the page draws the strip before the user selects strips. */
   readonly shown: boolean;
-  /** True if zero means rest; the drawn range then includes zero. */
+  /** True if zero is the value at rest; the drawn range then includes zero. */
   readonly rests: boolean;
 }
 
-/** Curve of a strip, thinned so that it keeps every peak. */
+/** Curve of a strip, with fewer points than steps; it keeps every peak. */
 export interface Curve {
   readonly role: 'actual' | 'commanded';
   readonly times_s: readonly number[];
-  /** None where the quantity had no value. */
+  /** Values at `times_s`; null where the quantity had no value. */
   readonly values: readonly (number | null)[];
 }
 
@@ -1267,7 +1276,7 @@ export interface Sample {
   readonly time_s: number;
   /** Values of all curves, in the order of the strips; null where a curve has no value. */
   readonly values: readonly (number | null)[];
-  /** Joint nearest to its rate limit; empty at rest. */
+  /** Name of the joint nearest to its rate limit; empty if no joint moves. */
   readonly worst: string;
 }
 
@@ -1289,17 +1298,17 @@ export interface Stretch {
 /** Rejection of a message or command, with the reason for the operator in one sentence. */
 export interface Refused {
   readonly type: 'refused';
-  /** `seq` of the rejected message; -1 if the message could not be decoded or the reason concerns no message. */
+  /** `seq` of the rejected message; -1 if it could not be decoded, or if this text is not about a message. */
   readonly seq: number;
   readonly text: string;
 }
 
-/** One recorded frame, with the exact value of each curve in it. */
+/** Recorded frame, with the value of each curve in this step. */
 export interface Moment {
   readonly frame: Frame;
   /** Values of all curves, in the order of the strips; null where a curve has no value. */
   readonly values: readonly (number | null)[];
-  /** Joint nearest to its rate limit; empty at rest. */
+  /** Name of the joint nearest to its rate limit; empty if no joint moves. */
   readonly worst: string;
 }
 
@@ -1316,7 +1325,7 @@ export interface Hello {
 /** Cameras that the monitors of the operator's page showed from `time_s` on. */
 export interface Pictured {
   readonly time_s: number;
-  /** Camera names of MON 1 and of MON 2: two names if the monitor was split, none if no page was in control. */
+  /** Names of the cameras on MON 1 and on MON 2: two if the monitor was split, none if no page was in control. */
   readonly monitors: readonly (readonly string[])[];
 }
 
@@ -1372,7 +1381,7 @@ export interface PlaybackIndex {
   readonly period_s: number;
   /** Number of steps in the recording. */
   readonly ticks: number;
-  /** Number of steps between two frames that the page draws; 1 if it draws every frame. */
+  /** Number of steps from one frame to the next: 1 if the blocks contain every frame. */
   readonly stride: number;
   /** Number of moments in each block except the last. */
   readonly block: number;

@@ -1,4 +1,4 @@
-"""Frames as a page receives them: each with the data that the page needs to display it, and the look-ahead."""
+"""Conversion of frames and look-aheads to the messages that a page receives."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Displays:
         self._scene_origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
     def ahead(self, ahead: look_ahead.Ahead, frame: sim.Frame) -> Ahead:
-        """Return a look-ahead that was computed from `frame`, as the page receives it."""
+        """Return the message about a look-ahead, which was computed from `frame`."""
         near = ahead.nearest
         return Ahead(
             seconds=ahead.seconds,
@@ -103,7 +103,7 @@ class Displays:
         return _vec3((point - tip.position) @ tip.rotation @ self._hand)
 
     def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
-        """Return the axes in L whose attitude the panel shows: of the payload in loaded modes, else of the tip."""
+        """Return the axes of the panel's attitude, in L: in loaded modes the payload's, else the end effector's."""
         if loaded and frame.payload is not None:
             return np.array(frame.payload[1])
         return tip.rotation @ self._hand
@@ -118,7 +118,7 @@ class Displays:
         return Pose(commanded_tip.position + from_tip @ (shown.position - tip.position), from_tip @ shown.rotation)
 
     def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
-        """Return the axes that the sticks act along, in panel components."""
+        """Return the axes along which the sticks act, in panel components."""
         along = MODES[frame.mode].axes
         if along == "end effector axes":
             hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand

@@ -1,4 +1,4 @@
-"""Data for SPEC 94 PDRS CONTROL: the payload table and the stored points."""
+"""Payload table and stored points, for the display SPEC 94 PDRS CONTROL."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from aftdeck.steering.rules import rules_of
 
 
 def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:
-    """Return the payload table by PL ID: first no payload, then the scenario's own payloads, then the worksite's."""
+    """Return the payload table, one row for each PL ID.
+
+    PL ID 0 is no payload. The payloads that the scenario attaches follow, then the worksite's payloads.
+    """
     own = [("payload" if k == 1 else f"payload {k}", load.mass) for k, load in enumerate(scenario.own_payloads, 1)]
     loads = (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
     return tuple(_row(scenario, number, name, mass) for number, (name, mass) in enumerate(loads))

@@ -16,7 +16,7 @@ from aftdeck.version import __version__
 
 
 def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
-    """Return the first message to a page; `demo` is True if the session begins with the scenario's script."""
+    """Return the welcome message; `demo` is True if the session begins with the scenario's script."""
     model = scenario.arm.model
     bodies = tuple(BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
     joints = tuple(

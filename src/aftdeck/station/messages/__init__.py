@@ -1,1 +1,1 @@
-"""Messages between server and page, and the data of a playback: every type once; the TypeScript follows."""
+"""Messages between server and page, and the data of a playback; the page's TypeScript is generated from them."""

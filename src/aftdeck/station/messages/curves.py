@@ -47,12 +47,12 @@ class Lane(msgspec.Struct, frozen=True):
 
 
 class Curve(msgspec.Struct, frozen=True):
-    """Curve of a strip, thinned so that it keeps every peak."""
+    """Curve of a strip, with fewer points than steps; it keeps every peak."""
 
     role: Literal["actual", "commanded"]
     times_s: tuple[float, ...]
     values: tuple[float | None, ...]
-    """None where the quantity had no value."""
+    """Values at `times_s`; null where the quantity had no value."""
 
 
 class Strip(msgspec.Struct, frozen=True):
@@ -65,12 +65,12 @@ class Strip(msgspec.Struct, frozen=True):
     high: float
     """`low` and `high`: least and greatest value; the range includes zero if `rests` is true."""
     limit: float | None
-    """Limit that the page draws as a line across the strip; None if the quantity has no limit."""
+    """Limit that the page draws as a line across the strip; null if the quantity has no limit."""
     caution: float | None
-    """Values below this one cause a caution; for a clearance, the scenario's threshold. None if not applicable."""
+    """Threshold below which a value causes a caution, such as the scenario's for clearances; null if not applicable."""
     warning: float | None
-    """Values below this one cause a warning; None if not applicable."""
+    """Threshold below which a value causes a warning; null if not applicable."""
     shown: bool
     """True if the page draws the strip before the user selects strips."""
     rests: bool
-    """True if zero means rest; the drawn range then includes zero."""
+    """True if zero is the value at rest; the drawn range then includes zero."""

@@ -1,4 +1,4 @@
-"""Frame as a page receives it: the simulation's frame, with the data that the page needs to display it."""
+"""Frame message to a page: the simulation's frame, and the data that the page needs to display it."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Aim(msgspec.Struct, frozen=True, gc=False):
 
 
 class ClosestPoints(msgspec.Struct, frozen=True, gc=False):
-    """Closest points of two monitored parts, in the scene."""
+    """Closest points of two monitored parts, in the scene frame."""
 
     point_a: Vec3
     point_b: Vec3
@@ -65,7 +65,7 @@ class Ahead(msgspec.Struct, frozen=True):
     contact_s: float | None
     """Time to the first contact [s]; null if the look-ahead found no contact."""
     stopping: float
-    """Distance that the tip moves until it stops, if the sticks are centred now [m]."""
+    """Distance that the tip still moves if the sticks are centred now [m]."""
     joint: int
     """Joint nearest to a reach limit at the end of the time span, 0 to 5."""
     room: float
@@ -75,12 +75,12 @@ class Ahead(msgspec.Struct, frozen=True):
 
 
 class Display(msgspec.Struct, frozen=True):
-    """Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene."""
+    """Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame."""
 
     stick_seq: int
     """`seq` of the last `Sticks` received before this step; the page computes its latency with it."""
     flown_seq: int
-    """`seq` of the `Sticks` that moved the arm in this step, after the command delay; -1 if the script did or none."""
+    """`seq` of the `Sticks` that acted in this step, after the command delay; -1 if no page's `Sticks` acted."""
     recording_s: float | None
     """Simulated time in the recording so far [s]; null if the run is not recorded."""
     actual: Resolution
@@ -92,12 +92,12 @@ class Display(msgspec.Struct, frozen=True):
     por_offset: Vec3
     """Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
     fixture: float | None
-    """Distance from the empty snares to their position at the nearest grapple fixture [m].
+    """Distance from the empty snares to the nearest grapple fixture [m]; 0 in the pose of a perfect grasp.
 
     Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
     """
     to_fixture: Vec3 | None
-    """Vector of this distance, in the control frame of the sticks [m]; null also in modes without sticks."""
+    """Vector of the distance `fixture`, in the control frame of the sticks [m]; null also in modes without sticks."""
     orbiter: Vec3
     """Displacement of the orbiter: forward, starboard, down [m]."""
     orbiter_velocity: Vec3
@@ -110,9 +110,9 @@ class Display(msgspec.Struct, frozen=True):
     ahead: Ahead | None
     """Newest look-ahead; null before the first one."""
     axes: Quat
-    """Axes of the control frame in the scene, for the axes that the page draws in the pictures."""
+    """Orientation of the control frame in the scene frame; the page draws these axes in the pictures."""
     poses: tuple[float, ...]
-    """Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene."""
+    """Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene frame."""
     lighting: Lighting
 
 

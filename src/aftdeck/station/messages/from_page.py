@@ -43,7 +43,7 @@ class Sticks(WireMessage, frozen=True, tag="sticks"):
     """
 
     seq: Seq
-    """Sequence number; the server rejects a message whose number is not greater than the last one."""
+    """Sequence number; the server rejects a message whose number is not greater than that of the message before."""
     translation: Vec3
     """THC: +X, +Y, +Z of the present control frame."""
     rotation: Vec3
@@ -145,14 +145,14 @@ class SetName(WireMessage, frozen=True, tag="set_name"):
 class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
     """Leave the control roles: the page has become too narrow to control the arm, and now only shows the run.
 
-    If this page was in control, the next page takes control.
+    If this page was in control, the page that connected first takes control.
     """
 
     seq: Seq
 
 
 class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
-    """Join the control roles: the page is wide enough. It takes control if no page is in control; else it observes."""
+    """Join the control roles: the page is wide enough. If no page is in control, it takes control; else it observes."""
 
     seq: Seq
 
@@ -186,7 +186,7 @@ class LookAhead(WireMessage, frozen=True, tag="look_ahead"):
 
     seq: Seq
     seconds: Annotated[float, msgspec.Meta(ge=2.0, le=20.0)]
-    """[s]"""
+    """Time span [s]."""
 
 
 class Proceed(WireMessage, frozen=True, tag="proceed"):
@@ -209,14 +209,14 @@ class SetEffector(WireMessage, frozen=True, tag="effector"):
 
 
 class SetEffectorMode(WireMessage, frozen=True, tag="effector_mode"):
-    """Set END EFFECTOR MODE of the snares: the whole sequence (auto), or the snares alone (manual)."""
+    """Set END EFFECTOR MODE of the snares: auto runs the whole sequence; manual moves the snares alone."""
 
     seq: Seq
     mode: Literal["auto", "manual"]
 
 
 class SetRigid(WireMessage, frozen=True, tag="rigid"):
-    """Set END EFFECTOR MAN CONTR of the snares: in manual mode, it moves the carriage alone."""
+    """Set END EFFECTOR MAN CONTR of the snares: in manual mode, this switch moves the carriage alone."""
 
     seq: Seq
     rigid: Literal["off", "rigid", "derigid"]
@@ -234,7 +234,7 @@ class SetMaster(WireMessage, frozen=True, tag="master"):
 
     seq: Seq
     angles: Six
-    """[rad]"""
+    """Joint angles of the master arm [rad]."""
 
 
 class Initialise(WireMessage, frozen=True, tag="initialise"):
@@ -306,11 +306,14 @@ class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
     """Key, button or axis, and its function: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
     centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
-    """Rest position of each axis, as confirmed by the operator; 0 for axes beyond the last."""
+    """Rest position of each axis, as the operator has confirmed it; an axis without an entry rests at 0."""
 
 
 class Controllers(WireMessage, frozen=True, tag="controllers"):
-    """Report the devices in use, for the recording: when the page takes control, and when the devices change."""
+    """Report the devices in use, for the recording.
+
+    The page sends this message when it takes control, and when the devices or their settings change.
+    """
 
     seq: Seq
     controllers: Annotated[tuple[ControllerInUse, ...], msgspec.Meta(max_length=5)]

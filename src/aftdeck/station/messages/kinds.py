@@ -16,7 +16,10 @@ PROTOCOL = 4
 """Version of this protocol; the server rejects a page of another version in the handshake."""
 
 MAX_MESSAGE_BYTES = 16_384
-"""Longest message accepted from a page [bytes]. A `Controllers` message may be so long; others have fewer than 400."""
+"""Longest message that the server accepts from a page [bytes].
+
+Only a `Controllers` message can be nearly as long; all other messages have fewer than 400 bytes.
+"""
 
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]

@@ -1,8 +1,8 @@
 """Recording in the form in which the page plays it: data of the whole run, and the frames in blocks.
 
-The playback server and the one-file page both deliver first a `PlaybackIndex`, and a `Block` whenever the playhead
-approaches it. The page's TypeScript is generated from these types. All quantities are SI and radians;
-times are simulated times since the beginning of the run.
+The page reads a `PlaybackIndex` first, and each `Block` when the playhead approaches it. It reads them from a server or
+from its own HTML file. The page's TypeScript is generated from these types. All quantities are SI and radians; times
+are simulated times since the beginning of the run.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class Pictured(msgspec.Struct, frozen=True):
 
     time_s: float
     monitors: tuple[tuple[str, ...], ...]
-    """Camera names of MON 1 and of MON 2: two names if the monitor was split, none if no page was in control."""
+    """Names of the cameras on MON 1 and on MON 2: two if the monitor was split, none if no page was in control."""
 
 
 class Measure(msgspec.Struct, frozen=True):
@@ -86,7 +86,7 @@ class PlaybackIndex(msgspec.Struct, frozen=True):
     ticks: int
     """Number of steps in the recording."""
     stride: int
-    """Number of steps between two frames that the page draws; 1 if it draws every frame."""
+    """Number of steps from one frame to the next: 1 if the blocks contain every frame."""
     block: int
     """Number of moments in each block except the last."""
     ended: str
@@ -100,13 +100,13 @@ class PlaybackIndex(msgspec.Struct, frozen=True):
 
 
 class Moment(msgspec.Struct, frozen=True):
-    """One recorded frame, with the exact value of each curve in it."""
+    """Recorded frame, with the value of each curve in this step."""
 
     frame: Frame
     values: tuple[float | None, ...]
     """Values of all curves, in the order of the strips; null where a curve has no value."""
     worst: str
-    """Joint nearest to its rate limit; empty at rest."""
+    """Name of the joint nearest to its rate limit; empty if no joint moves."""
 
 
 Block = tuple[Moment, ...]

@@ -29,9 +29,9 @@ class Scenarios(WireMessage, frozen=True, tag="scenarios"):
     flown: int
     """Number of the scenario that is running."""
     coming: int | None
-    """Number of the scenario that is being prepared; null if none is.
+    """Number of the scenario that is being prepared; null if no scenario is being prepared.
 
-    The sticks are centred meanwhile. When the scenario starts, every page receives a new `Welcome`.
+    During the preparation the sticks are centred. When the scenario starts, every page receives a new `Welcome`.
     """
 
 
@@ -40,7 +40,7 @@ class NamedPage(msgspec.Struct, frozen=True):
 
     number: int
     name: str
-    """Name as the other pages display it; the page's number is appended if two pages have the same name."""
+    """Name for display on all pages; if two pages have the same name, the page's number is appended."""
 
 
 class Role(WireMessage, frozen=True, tag="role"):
@@ -56,13 +56,13 @@ class Role(WireMessage, frozen=True, tag="role"):
     asking: int
     """Number of the page that asks for the sticks; 0 if no page asks."""
     name: str
-    """Name as given at this page; empty if not given."""
+    """Name that the person at this page has set; empty if no name is set."""
     names: tuple[NamedPage, ...]
     """Names of all pages that have a name, including this page."""
 
 
 class Events(WireMessage, frozen=True, tag="events"):
-    """New log lines, oldest first. The server skips none."""
+    """New log lines, oldest first. The server sends every line."""
 
     events: tuple[Event, ...]
 
@@ -77,7 +77,7 @@ class Refused(WireMessage, frozen=True, tag="refused"):
     """Rejection of a message or command, with the reason for the operator in one sentence."""
 
     seq: int
-    """`seq` of the rejected message; -1 if the message could not be decoded or the reason concerns no message."""
+    """`seq` of the rejected message; -1 if it could not be decoded, or if this text is not about a message."""
     text: str
 
 
@@ -88,7 +88,7 @@ class Sample(msgspec.Struct, frozen=True):
     values: tuple[float | None, ...]
     """Values of all curves, in the order of the strips; null where a curve has no value."""
     worst: str
-    """Joint nearest to its rate limit; empty at rest."""
+    """Name of the joint nearest to its rate limit; empty if no joint moves."""
 
 
 class Recent(WireMessage, frozen=True, tag="recent"):
@@ -101,7 +101,10 @@ class Recent(WireMessage, frozen=True, tag="recent"):
     """
     samples: tuple[Sample, ...]
     lanes: tuple[Lane, ...]
-    """Lanes of the last minutes if an interval has begun, otherwise empty; the last interval of each lane continues."""
+    """All lanes of the last minutes, if an interval has begun in one of them since the last message.
+
+    Otherwise empty: the last interval of each lane then continues.
+    """
 
 
 FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused

@@ -1,4 +1,4 @@
-"""Welcome message: all data that stays the same while a scenario runs, from joint limits to the shapes to draw."""
+"""Welcome message: all data that stays the same while a scenario runs, from joint limits to the drawn shapes."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class ModeInfo(msgspec.Struct, frozen=True):
     A mode that moves a payload also needs a captured payload.
     """
     axes: str
-    """Axes that the sticks act along: ``orbiter axes``."""
+    """Axes along which the sticks act: ``orbiter axes``."""
     axis_names: tuple[str, str, str]
     """Meaning of + for the three axes of the THC: ``+X fwd``, ``+Y stbd``, ``+Z down``."""
 
@@ -63,17 +63,18 @@ class StandInfo(msgspec.Struct, frozen=True):
     """Telescope under an arm: minimum and maximum length, and rate."""
 
     least: float
-    """[m]"""
+    """Minimum length [m]."""
     greatest: float
+    """Maximum length [m]."""
     rate: float
-    """[m/s]"""
+    """Rate of the length [m/s]."""
 
 
 class SeatInfo(msgspec.Struct, frozen=True):
     """Berth: location where a payload can be fixed."""
 
     name: str
-    """Name in a frame: `Cargo.seat`."""
+    """Name that frames use, in `Cargo.seat`."""
     title: str
     """Name for display."""
 
@@ -104,7 +105,7 @@ class PayloadInfo(msgspec.Struct, frozen=True):
     """PL ID; 0 is the row without a payload."""
     name: str
     mass: float
-    """[kg]"""
+    """Mass [kg]."""
     translation: tuple[float, float]
     """Speed limit of the point of resolution, coarse and vernier [m/s]."""
     rotation: tuple[float, float]
@@ -129,7 +130,7 @@ class StoredSequence(msgspec.Struct, frozen=True):
     """Points of one of AUTO 1-4 (SPEC 94 items 13-16)."""
 
     position: str
-    """As `ModeInfo.position`."""
+    """Position of the MODE rotary, as in `ModeInfo.position`."""
     points: tuple[StoredPoint, ...]
 
 
@@ -171,5 +172,5 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     phases: tuple[str, ...] = ()
     """Names of the script's phases in order, as in `Frame.phase`.
 
-    Empty if the scenario has none, or if the session does not begin with the script.
+    Empty if the scenario has no script, or if the session does not begin with the script.
     """

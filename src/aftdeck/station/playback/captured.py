@@ -9,15 +9,15 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Cargo
 
 _OFFSETS = ("pin off axis", "palm along bar")
-"""Names of the capture conditions that measure the end effector's distance off centre: snares, prong."""
+"""Capture conditions that measure how far the end effector is off centre, for the snares and for the prong."""
 
 
 class CaptureMisalignment(NamedTuple):
     """Misalignment and speed of the end effector relative to the payload at capture.
 
     Attributes:
-        offset: distance off centre [m]; None if this end effector has no condition for it.
-        angle: largest angle between end effector and payload [rad]; None if this end effector has no condition for it.
+        offset: distance off centre [m]; None if no capture condition of this end effector measures a distance.
+        angle: largest angle between end effector and payload [rad]; None if no capture condition measures an angle.
         rate: speed of the tip relative to the payload [m/s].
     """
 
@@ -27,7 +27,7 @@ class CaptureMisalignment(NamedTuple):
 
 
 def capture_misalignment(before: Frame, cargo: Cargo) -> CaptureMisalignment:
-    """Return the misalignment at a capture, from the frame before it and the payload's status in that frame."""
+    """Return the misalignment at a capture, from the last frame before the capture and the payload in that frame."""
     conditions = before.work.conditions
     return CaptureMisalignment(
         next((abs(c.value) for c in conditions if c.name in _OFFSETS), None),

@@ -17,7 +17,7 @@ class Lanes:
     """Phase, mode, monitors, alarms and limits of a run, collected frame by frame.
 
     Attributes:
-        begun: number of intervals that have begun.
+        begun: number of intervals that have begun, in all lanes together.
     """
 
     def __init__(self, period_s: float) -> None:
@@ -55,7 +55,7 @@ class Lanes:
             self.begun += 1
 
     def forget(self, before: int) -> None:
-        """Delete the intervals that ended before a step."""
+        """Delete the intervals that ended before the step with the number `before`."""
         for stretches in self._lanes.values():
             while len(stretches) > 1 and stretches[1][0] < before:
                 del stretches[0]
@@ -83,9 +83,9 @@ class Lanes:
 
 
 def phase_of(frame: Frame) -> str:
-    """Return the script's phase, or, with manual inputs and payloads, the task phase (``extraction``).
+    """Return the name of the script's phase; without one, of the task phase (``extraction``) if there are payloads.
 
     Returns:
-        Name of the phase or task phase; "" if neither applies.
+        The name; "" if the frame has neither a script phase nor payloads.
     """
     return frame.phase or (TASKS[frame.work.task] if frame.work.cargo else "")

@@ -78,7 +78,7 @@ class RunMetrics:
             self._nearest = near.clearance, f"{near.a} to {near.b}", frame.time_s
 
     def _capture(self, before: Frame, frame: Frame) -> None:
-        """Count captures, and keep the misalignment of the last one."""
+        """Count captures, and store the misalignment of the last capture."""
         for old, new in zip(before.work.cargo, frame.work.cargo, strict=True):
             if new.held and not old.held:
                 self._captures += 1
@@ -96,7 +96,9 @@ class RunMetrics:
                 self._signs[i] = sign
 
     def measures(self, ended: str) -> tuple[Measure, ...]:
-        """Return all figures for which the run has data; those of a target only if the last frame has one.
+        """Return all figures for which the run has data.
+
+        The distance to a target is one of them only if the last frame has a target.
 
         Args:
             ended: reason for the end of the run; empty for a recording that was cut short.
@@ -107,17 +109,17 @@ class RunMetrics:
         figures = [
             Measure("Run time", "time", duration, "", "Simulated time in the recording."),
             Measure("Ended", "words", None, ended or "cut short", "Reason for the end of the run."),
-            _figure("Manual share", "share", self._manual / self._ticks, "Part of the time with manual inputs."),
+            _figure("Manual share", "share", self._manual / self._ticks, "Share of the run's time with manual inputs."),
         ]
         if self._used:
             about = "; ".join(_controller_text(used) for used in self._used.values())
             figures.append(Measure("Controllers", "words", None, ", ".join(self._used), f"Last settings: {about}."))
         if frame.goal is not None:
-            about = "Distance of the tip from the target, and angle between their attitudes, at the end."
+            about = "Distance from the tip to the target, and angle between their attitudes, at the end of the run."
             figures.append(Measure("Distance to target", "length", frame.goal.distance, "", about, frame.goal.angle))
         if self._nearest is not None:
             least, pair, when = self._nearest
-            about = f"Least clearance of all monitored pairs, without essential contacts: {pair}, at {when:.1f} s."
+            about = f"Minimum clearance of the run, without essential contacts: {pair}, at {when:.1f} s."
             figures.append(Measure("Smallest clearance", "gap", least, "", about, level=self._worst_clearance))
         if self._captures:
             figures += self._capture_figures()
@@ -132,20 +134,20 @@ class RunMetrics:
                 "Worst joint rate",
                 "part of limit",
                 self._worst,
-                "Greatest commanded joint rate, as a part of its limit at that time.",
+                "Greatest commanded joint rate, as a fraction of the joint's limit at that time.",
             ),
             _figure("Time in vernier", "time", self._vernier * self._period_s, "Time with the rate setting vernier."),
             _figure(
                 "Two-handed share",
                 "share",
                 self._both_hands / moved,
-                "Part of the time with a deflected stick in which both THC and RHC were deflected.",
+                "Of the time with any stick deflected: share with both THC and RHC deflected.",
             ),
             _figure(
                 "Multi-axis share",
                 "share",
                 self._several_axes / moved,
-                "Part of the time with a deflected stick in which several axes were deflected.",
+                "Of the time with any stick deflected: share with several axes deflected.",
             ),
             _figure(
                 "Reversals a minute",
@@ -178,7 +180,7 @@ class RunMetrics:
         offset, angle, rate = self._captured
         figures = []
         if offset is not None:
-            about = f"Distance off centre and angle of the end effector, in the step before the capture.{number}"
+            about = f"Offset and angle of the end effector from the payload, in the step before the capture.{number}"
             figures.append(Measure("Capture misalignment", "gap", offset, "", about, angle))
         about = f"Speed of the tip relative to the payload, in the step before the capture.{number}"
         return [*figures, _figure("Rate at capture", "speed", rate, about)]
@@ -200,6 +202,6 @@ def _worse(*levels: Level) -> Level:
 
 
 def _controller_text(used: ControllerRecord) -> str:
-    """Return a device's name and settings: ``Test pad, deadband 8 %, expo 0.3``; of a keyboard only the name."""
+    """Return a device's name and settings: ``Test pad, deadband 8 %, expo 0.3``; for a keyboard only the name."""
     set_to = "" if used.kind == "keyboard" else f", deadband {used.deadband:.0%}, expo {used.expo:g}".replace("%", " %")
     return f"{used.name}{set_to}"

@@ -1,8 +1,8 @@
 """Recording as one HTML file, which any browser plays without a server.
 
-The file contains the station's page with its script, style and fonts, and the index and blocks of the recording,
-compressed and in base64. Numbers keep the decimals that a picture and a read-out need. Of a long run, the file contains
-only every second, third, ... frame, so that it stays below `LIMIT`.
+The file contains the station's page with its script, style and fonts. It also contains the index and the blocks of the
+recording, compressed and in base64. Numbers have only the decimals that pictures and read-outs need. For a long run,
+the file contains only every second, third, ... frame, so that its size stays below `LIMIT`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import verdict
 
 LIMIT = 4_950_000
-"""Longest file [bytes]; most mail servers accept five megabytes."""
+"""Largest size of the file [bytes]; most mail servers accept five megabytes."""
 DECIMALS = 4
 """Decimals of all numbers in index and blocks: 0.1 mm, 0.006 deg."""
 ROUND, ROUND_A_BLOCK = 1000, 60
@@ -51,7 +51,7 @@ def write_html(path: Path, out: Path) -> None:
     """
     page = _whole_page(built_page())
     if out.exists():
-        raise RecordingError(f"{out}: exists already and is not overwritten; give another name", "exists")
+        raise RecordingError(f"{out}: exists already and is not overwritten; choose another name", "exists")
     with PlaybackStore(path) as store:
         text = _fitting(page, store, path)
     try:
@@ -64,8 +64,8 @@ def write_html(path: Path, out: Path) -> None:
 
 def _fitting(page: str, store: PlaybackStore, path: Path) -> str:
     """Return the text of the file, with as many frames as fit into `LIMIT`."""
-    found = verdict(path)
-    index = _packed(msgspec.to_builtins(store.index(found)))
+    result = verdict(path)
+    index = _packed(msgspec.to_builtins(store.index(result)))
     room = LIMIT - len(page.encode()) - len(index) - ROUND
     middle = _packed(msgspec.to_builtins(store.block(store.blocks // 2)))
     stride = max(1, len(middle) * store.blocks // max(room, 1))  # a first guess
@@ -78,7 +78,7 @@ def _fitting(page: str, store: PlaybackStore, path: Path) -> str:
             if used > room:
                 break
         else:
-            return _filled(page, path, _packed(msgspec.to_builtins(store.index(found, stride))), blocks)
+            return _filled(page, path, _packed(msgspec.to_builtins(store.index(result, stride))), blocks)
         done = min(len(blocks) * BLOCK * stride / store.ticks, 1.0)
         stride = max(stride + 1, math.ceil(stride * used / done / max(room, 1)))
     raise RecordingError(f"{path}: does not fit into {LIMIT} bytes")
@@ -115,9 +115,9 @@ def _filled(page: str, path: Path, index: str, blocks: list[str]) -> str:
 
 
 def _whole_page(page: str) -> str:
-    """Return the built page with its script, style and fonts inside, so that it fetches no file."""
-    page = _STYLE.sub(lambda found: f"<style>{_style(found[1])}</style>", page)
-    return _SCRIPT.sub(lambda found: f'<script type="module">{_script(found[1])}</script>', page)
+    """Return the built page with its script, style and fonts included, so that a browser needs no other file."""
+    page = _STYLE.sub(lambda match: f"<style>{_style(match[1])}</style>", page)
+    return _SCRIPT.sub(lambda match: f'<script type="module">{_script(match[1])}</script>', page)
 
 
 def _script(name: str) -> str:
@@ -128,7 +128,7 @@ def _script(name: str) -> str:
 def _style(name: str) -> str:
     folder = (STATIC / name).parent
 
-    def inside(found: re.Match[str]) -> str:
-        return f"url(data:font/woff2;base64,{base64.b64encode((folder / found[1]).read_bytes()).decode()})"
+    def embedded(match: re.Match[str]) -> str:
+        return f"url(data:font/woff2;base64,{base64.b64encode((folder / match[1]).read_bytes()).decode()})"
 
-    return _FONT.sub(inside, _OLD_FONT.sub("", (STATIC / name).read_text(encoding="utf-8")))
+    return _FONT.sub(embedded, _OLD_FONT.sub("", (STATIC / name).read_text(encoding="utf-8")))

@@ -1,7 +1,8 @@
-"""Recording prepared for playback: read once from beginning to end, with its frames stored in blocks.
+"""Recording prepared for playback: its frames in blocks, and the data of the whole run.
 
-A recording can only be read forwards and may be hours long. Therefore its frames are stored in a temporary file,
-compressed block by block, until the page requests them. The data of the whole run is collected while reading.
+A recording can only be read forwards and may be hours long. Therefore the store reads it once. It writes the frames
+into a temporary file, compressed block by block, and collects the data of the whole run. The page requests the blocks
+later.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ class Source(NamedTuple):
     warning: float | None = None
     shown: bool = False
     rests: bool = True
-    """True if zero means rest; the drawn range then includes zero."""
+    """True if zero is the value at rest; the drawn range then includes zero."""
 
 
 def sources(scenario: Scenario) -> tuple[Source, ...]:
@@ -83,7 +83,7 @@ def sources(scenario: Scenario) -> tuple[Source, ...]:
 
 
 def readings(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
-    """Return a function that reads every curve's value, strip after strip, from a frame and its latency [ms]."""
+    """Return a function that returns the values of all curves, strip by strip, for a frame and its latency [ms]."""
     values = [value for source in sources(scenario) for _, value in source.curves]
     return lambda frame, latency_ms: tuple([value(frame, latency_ms) for value in values])
 
@@ -146,8 +146,8 @@ def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> St
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the indices of the values to draw.
 
-    These are both ends, both sides of each gap's edge, and the least and the greatest value of each part. Values
-    between two equal values are omitted.
+    These are the first and the last value, the values on both sides of each edge of a gap, and the least and the
+    greatest value of each part (`BUCKETS`). Of these, a value that equals both its neighbours is omitted.
 
     Args:
         values: one value for each step, not empty; NaN where there is no value.
@@ -163,7 +163,7 @@ def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     starts = np.arange(len(parts)) * width
     least = starts + np.where(missing, math.inf, parts).argmin(axis=1)
     greatest = starts + np.where(missing, -math.inf, parts).argmax(axis=1)
-    breaks = np.flatnonzero(np.diff(np.isnan(values)))  # on both sides of a gap's edge
+    breaks = np.flatnonzero(np.diff(np.isnan(values)))  # edges of gaps, each between `breaks` and `breaks` + 1
     kept = np.unique(np.concatenate([[0, last], least, greatest, breaks, breaks + 1]))
     kept = kept[kept <= last]
     shown = np.nan_to_num(values[kept], nan=math.inf)

@@ -12,16 +12,16 @@ CHECKING = Verdict("checking", "checking")
 
 
 def verdict(path: Path) -> Verdict:
-    """Re-simulate a recording and compare all frames. Slow. An `AftdeckError` is returned as ``impossible``."""
+    """Re-simulate a recording and compare all frames. Slow. After an `AftdeckError` the verdict is ``impossible``."""
     try:
-        found = verify(path)
+        result = verify(path)
     except AftdeckError as error:
         return Verdict("impossible", str(error))
-    if found.equal:
-        scope = "" if found.whole else " in every recorded value"
-        return Verdict("equal", f"all {found.frames} frames equal{scope}")
-    where = f", the first at {found.first.time_s:.2f} s" if found.first else ""
-    reason = "" if found.same_laws else "; the laws have changed since the recording"
-    if found.recorded_by != found.version:
-        reason = f"; recorded by Aftdeck {found.recorded_by}"
-    return Verdict("different", f"{found.different} of {found.frames} frames differ{where}{reason}")
+    if result.equal:
+        scope = "" if result.whole else " in every recorded value"
+        return Verdict("equal", f"all {result.frames} frames equal{scope}")
+    where = f", the first at {result.first.time_s:.2f} s" if result.first else ""
+    reason = "" if result.same_laws else "; the laws have changed since the recording"
+    if result.recorded_by != result.version:
+        reason = f"; recorded by Aftdeck {result.recorded_by}"
+    return Verdict("different", f"{result.different} of {result.frames} frames differ{where}{reason}")

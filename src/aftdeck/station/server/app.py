@@ -29,8 +29,8 @@ def make_app(
 ) -> Starlette:
     """Return the station's web app.
 
-    At startup the app starts the preparation, and then the session that it makes. At shutdown it closes the current
-    session.
+    At startup the app starts the preparation. When the preparation has made the first session, the app starts this
+    session. At shutdown the app closes the present session.
 
     Args:
         preparation: preparation of the first session.

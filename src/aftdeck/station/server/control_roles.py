@@ -66,18 +66,18 @@ class ControlRoles(Generic[P]):
         self._names[page] = one_line("a name", name, MAX_NAME_LENGTH) if name else ""
 
     def name(self, page: P) -> str:
-        """Return the name given at a page; empty if not given."""
+        """Return the name of the person at a page; empty if no name is set."""
         return self._names.get(page, "")
 
     def named(self) -> list[tuple[int, str]]:
-        """Return number and name of each page with a name; equal names have the page's number appended."""
+        """Return the number and the name of each page with a name; append the page's number to equal names."""
         names = {self._numbers[page]: name for page, name in self._names.items() if name}
         while equal := {name for name, pages in Counter(names.values()).items() if pages > 1}:
             names = {number: f"{name} {number}" if name in equal else name for number, name in names.items()}
         return list(names.items())
 
     def display_name(self, page: P) -> str:
-        """Return the name of a page for use in a sentence; ``page 1`` for a page without a name."""
+        """Return how to name a page in a sentence: by its person's name, or as ``page 1`` if no name is set."""
         number = self._numbers[page]
         return dict(self.named()).get(number, f"page {number}")
 
@@ -120,7 +120,7 @@ class ControlRoles(Generic[P]):
         self._request = ControlRequest(page, self._clock() + ANSWER_WITHIN)
 
     def answer(self, gives: bool) -> None:
-        """Give the sticks to the page that asks for them, or keep them.
+        """Answer the pending request: hand over control if `gives`, otherwise reject the request.
 
         Raises:
             CommandError: no page asks for the sticks, or the request has expired.

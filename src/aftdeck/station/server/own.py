@@ -44,7 +44,7 @@ def _host_name(url: str) -> str | None:
 
 def keep_to_own(app: Starlette, host: str) -> Starlette:
     """Add `OwnOriginOnly` to the app, and return the app; `host` is the address on which the app listens."""
-    everywhere = host in ("0.0.0.0", "::")  # with all interfaces, any host name may be this machine's
+    everywhere = host in ("0.0.0.0", "::")  # all interfaces: any host name may belong to this machine
     app.add_middleware(
         OwnOriginOnly, hosts=None if everywhere else frozenset({host.lower(), "127.0.0.1", "localhost", "::1"})
     )

@@ -59,7 +59,7 @@ async def goodbye(socket: WebSocket, text: str) -> None:
 
 
 async def receive_hello(socket: WebSocket) -> from_page.Hello | None:
-    """Return the first message of a page; None if it was not a valid `Hello`, and the connection was closed."""
+    """Return the first message of a page; if it is not a valid `Hello`, close the connection and return None."""
     try:
         hello = _hello.decode(await asyncio.wait_for(socket.receive_text(), HELLO_WITHIN))
     except TimeoutError:
@@ -175,7 +175,7 @@ class Page:
                 session.command(message)
 
     async def reject(self, seq: int, text: str, *, counts: bool = True) -> None:
-        """Report a rejected message to the page; `counts`: whether it counts for `MAX_REJECTIONS`."""
+        """Report a rejected message to the page; `counts`: whether the rejection counts towards `MAX_REJECTIONS`."""
         self.rejections += counts
         await self._send(to_page.Refused(seq, text))
 
@@ -184,7 +184,7 @@ class Page:
     async def _send_changes(self) -> None:
         """Send scenarios, role, log and newest frame whenever they change; skip older frames.
 
-        A page that draws strips receives only those frames that come with a new sample.
+        A page that draws strips receives a frame only together with a new sample of the strips.
         """
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""

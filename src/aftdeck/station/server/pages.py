@@ -19,11 +19,11 @@ from aftdeck.station.session.session import Session
 
 
 class Connected(Protocol):
-    """Attributes of a page that `Pages` uses.
+    """Interface that `Pages` needs of a page.
 
     Attributes:
         shows: True if the page only shows the run and cannot take control.
-        seq: number of its last message.
+        seq: number of the page's last message.
         answers: messages that `Pages` has queued for the page; the page's own sender task sends them.
     """
 
@@ -33,7 +33,16 @@ class Connected(Protocol):
 
 
 class Pages:
-    """Pages connected to one station, with their session and their control roles."""
+    """Pages connected to one station, with their session and their control roles.
+
+    Attributes:
+        driver: driver of the present session.
+        choice: scenarios from which the operator chooses.
+        roles: pages that can take control, and the page in control.
+        windows: pages that only show the run.
+        fresh: event on which the sender tasks wait; `wake` sets it and replaces it by a new event.
+        change: task that prepares another scenario; None before the first change.
+    """
 
     def __init__(self, session: Session, notify: Callable[[], None]) -> None:
         self.driver, self._notify = Driver(session), notify
@@ -57,8 +66,8 @@ class Pages:
         self.fresh.set()
         self.fresh = asyncio.Event()
 
-    def fly(self, number: int, asking: Connected) -> None:
-        """Prepare another scenario and then run it; meanwhile the sticks are centred.
+    def fly(self, number: int, page: Connected) -> None:
+        """Prepare another scenario, and run it when it is ready; until then the sticks of the present run are centred.
 
         Raises:
             CommandError: the scenario cannot be chosen.
@@ -66,9 +75,9 @@ class Pages:
         self.choice.choose(number)
         self.session.set_unattended("another scenario")
         self.wake()
-        self.change = asyncio.create_task(self._change(number, asking))
+        self.change = asyncio.create_task(self._change(number, page))
 
-    async def _change(self, number: int, asking: Connected) -> None:
+    async def _change(self, number: int, page: Connected) -> None:
         """Replace the present session by one of another scenario; on an error, the present session continues."""
         before, choice = self.driver, self.choice
         try:
@@ -78,7 +87,7 @@ class Pages:
             await asyncio.to_thread(before.close)  # the old recording must be finished before the new one begins
             self.start()
         except Exception as error:  # any error must reach the page that chose the scenario
-            asking.answers.append(to_page.Refused(-1, f"{choice.scenarios[number].title!r} cannot be run: {error}"))
+            page.answers.append(to_page.Refused(-1, f"{choice.scenarios[number].title!r} cannot be run: {error}"))
             if not isinstance(error, AftdeckError):
                 raise
         finally:
@@ -100,7 +109,12 @@ class Pages:
             self.roles.join(page)
 
     def leave(self, page: Connected, cause: str = "page gone") -> None:
-        """Remove a page; if it was in control, the controls are unattended. `cause` is one of `unattended.CAUSES`."""
+        """Remove a page; if it was in control, put the arm into its safe state.
+
+        Args:
+            page: page that leaves.
+            cause: why the page leaves; one of `unattended.CAUSES`.
+        """
         if page.shows:
             self.windows.remove(page)
             return
@@ -110,7 +124,7 @@ class Pages:
             self.session.set_unattended(cause if self.roles.operator is None else f"{cause}, another flies")
 
     def reseat(self, page: Connected, *, seated: bool) -> None:
-        """Let a page join the control roles when it is wide enough, or leave them when it is too narrow."""
+        """Give a page a control role (`seated`: the page is wide enough), or remove the role of a narrow page."""
         if seated is not page.shows:
             return  # nothing changes
         self.leave(page, "page narrow")
@@ -154,7 +168,7 @@ class Pages:
         asyncio.get_running_loop().call_later(ANSWER_WITHIN, self.wake)
 
     def answer(self, gives: bool) -> None:
-        """Give the sticks to the page that asks for them, or keep them.
+        """Answer the pending request: hand over control if `gives`, otherwise reject the request.
 
         Raises:
             CommandError: no request is pending, or a stick is not centred.
@@ -174,7 +188,7 @@ class Pages:
 async def _make_in_daemon_thread(make: Callable[[], Session]) -> Session:
     """Make a session in a daemon thread, and return it.
 
-    The process can end without waiting for the thread: compiling may take half a minute.
+    Compiling may take half a minute. The process can end meanwhile, because it does not wait for a daemon thread.
     """
     loop = asyncio.get_running_loop()
     made: asyncio.Future[Session] = loop.create_future()

@@ -20,16 +20,16 @@ from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.player import RECORDING_META, STATION_META, Player
 
 MAX_LISTED = 50
-"""Maximum number of recordings in the list: the newest ones."""
+"""Maximum number of recordings in the list; older ones are omitted."""
 MAX_OPEN = 3
-"""Maximum number of open recordings; beyond it, the recording that was opened first is closed."""
+"""Maximum number of open recordings. Before another one is opened, the one that was opened first is closed."""
 
 
 class Recordings:
     """Recordings in the folder of a station."""
 
     def __init__(self, folder: Path, present: Callable[[], Path | None]) -> None:
-        """Serve `folder`; `present` returns the file of the present run, or None if it is not recorded."""
+        """Serve `folder`; `present` returns the file of the present run, or None if this run is not recorded."""
         self._folder, self._present = folder, present
         self._open: dict[tuple[str, int], tuple[Player, Router]] = {}
         self._lock = Lock()
@@ -46,7 +46,7 @@ class Recordings:
             try:
                 files.append((path.stat().st_mtime, path))
             except OSError:
-                continue  # deleted since it was listed
+                continue  # the file was deleted after `glob` found it
         files.sort(reverse=True)
         return tuple(
             Recorded(path.name, datetime.fromtimestamp(changed, UTC).isoformat(), path == now)
@@ -66,15 +66,19 @@ class Recordings:
 
     async def _play(self, scope: Scope, receive: Receive, send: Send) -> None:
         file = str(scope["path_params"]["file"])
-        played: ASGIApp
+        app: ASGIApp
         try:
-            played = await run_in_threadpool(self._router, file, fresh=scope["path"].endswith("/recording/index.json"))
+            app = await run_in_threadpool(self._router, file, fresh=scope["path"].endswith("/recording/index.json"))
         except (OSError, RecordingError) as error:
-            played = PlainTextResponse(f"{file} cannot be played: {error}\n", 404)
-        await played(scope, receive, send)
+            app = PlainTextResponse(f"{file} cannot be played: {error}\n", 404)
+        await app(scope, receive, send)
 
     def _router(self, file: str, *, fresh: bool) -> Router:
-        """Return the router that plays a recording; if `fresh` (a page opens it), read a file of changed size again.
+        """Return the router that plays a recording.
+
+        Args:
+            file: name of the recording's file.
+            fresh: whether a page opens the recording now. If so, and the file's size has changed, read the file again.
 
         Raises:
             RecordingError: the recording cannot be played.

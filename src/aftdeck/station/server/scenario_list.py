@@ -1,4 +1,4 @@
-"""Scenarios that a station can run: the built-in scenarios, and the user's own file if given."""
+"""Scenarios that a station can run: the built-in scenarios, and the file with which the user started the station."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class ScenarioList:
     Attributes:
         scenarios: entries of the list.
         flown: number of the scenario that is running.
-        coming: number of the scenario that is being prepared; None if none is.
+        coming: number of the scenario that is being prepared; None if no scenario is being prepared.
     """
 
     def __init__(self, given: Scenario) -> None:
@@ -52,7 +52,7 @@ class ScenarioList:
         self.coming = number
 
     def load(self, number: int) -> Scenario:
-        """Return a scenario of the list, loaded.
+        """Load a scenario of the list, and return it.
 
         Raises:
             ScenarioError: the scenario cannot be read.

@@ -26,7 +26,7 @@ from aftdeck.station.session.session import Session
 LAST_PORT = 65535
 COMPILING = "Compiling the steering laws, on the first start only: about half a minute."
 FAREWELL = 3.0
-"""Time for which a station that cannot start still answers the page that it opened, to report the reason [s]."""
+"""Time for which a station that cannot start continues to run, so that the opened page can receive the reason [s]."""
 
 
 def serve(
@@ -47,19 +47,19 @@ def serve(
 
     Args:
         load: returns the scenario to run.
-        seed: random seed; None: the scenario's.
+        seed: random seed; None selects the scenario's seed.
         host: address to listen on.
         port: port to listen on; 0 selects any free port.
         open_browser: whether to open the page in a browser.
         demo: whether the script runs until the operator moves a stick or sends a command.
-        record: folder to record each run into; None: runs are not recorded.
-        trial: participant and condition, stored in each recording and nowhere else.
+        record: folder into which each run is recorded; None: runs are not recorded.
+        trial: participant and condition, stored in each recording and in the list of recordings.
         viewers: port to which Foxglove can attach; None: no port is opened.
 
     Raises:
         StationError: the page was not built, or the server cannot listen on the address.
         RecordingError: the viewers' port cannot be opened.
-        AftdeckError: raised by `load` or by the session, after a report to the waiting pages.
+        AftdeckError: `load` or the session failed; the waiting pages have received the reason.
     """
     built_page()
     listener = listen(host, port)
@@ -136,9 +136,8 @@ def listen(host: str, port: int) -> socket.socket:
         family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     except (OSError, UnicodeError) as error:
         raise StationError(f"the host {host!r} is not known: {error}") from None
-    listener = socket.socket(
-        family, kind, protocol
-    )  # asyncio disables Nagle's delay only if the protocol is TCP explicitly
+    # With an explicit protocol: asyncio disables Nagle's delay only on a socket whose protocol is TCP, not 0.
+    listener = socket.socket(family, kind, protocol)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind(address)
@@ -146,6 +145,6 @@ def listen(host: str, port: int) -> socket.socket:
     except OSError as error:
         listener.close()
         if error.errno == errno.EADDRINUSE:
-            raise StationError(f"port {port} on {host} is in use: give another with --port, or 0 for any") from None
+            raise StationError(f"port {port} on {host} is in use: choose another with --port, or 0 for any") from None
         raise StationError(f"cannot listen on {host}, port {port}: {error.strerror}") from None
     return listener

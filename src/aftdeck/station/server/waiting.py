@@ -15,10 +15,10 @@ from aftdeck.station.session.preparation import Preparation
 
 
 class Waiting:
-    """Waiting pages, until the session is made.
+    """Pages that wait until the station's first session is made.
 
     Attributes:
-        pages: pages of the session; None until it is made.
+        pages: pages of the session; None until the session is made.
     """
 
     def __init__(self, preparation: Preparation, failed: Callable[[], None]) -> None:
@@ -35,7 +35,7 @@ class Waiting:
         return "failed" if self._preparation.error else "preparing"
 
     def start(self) -> None:
-        """Start the preparation, or, if the session exists already, the session."""
+        """Start the preparation; if its session exists already, start this session instead."""
         loop = asyncio.get_running_loop()
 
         def notify() -> None:
@@ -48,7 +48,7 @@ class Waiting:
             self._changed()
 
     def _changed(self) -> None:
-        """Wake the waiting pages; start the session if it exists."""
+        """Start the session if it exists, and wake the waiting pages; report a failure of the preparation."""
         loop, session = asyncio.get_running_loop(), self._preparation.session
         if session is not None and self.pages is None:
 

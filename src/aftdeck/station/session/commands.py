@@ -40,7 +40,7 @@ _SWITCHES: dict[type, tuple[str, str]] = {
 
 
 def travel(sticks: from_page.Sticks) -> tuple[float, ...]:
-    """Return the deflections of all sticks and of all switches that spring back."""
+    """Return the deflections of all sticks, and of all switches that spring back to their centre."""
     return (*sticks.translation, *sticks.rotation, sticks.drive, sticks.telescope, *sticks.orbiter)
 
 

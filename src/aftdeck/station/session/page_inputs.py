@@ -1,4 +1,4 @@
-"""Inputs of the page in control, stored from their message until a control step uses them.
+"""Inputs of the page in control, stored from their arrival until a control step uses them.
 
 This is a state machine without a clock, a thread or a simulation: the caller passes the time.
 """
@@ -32,7 +32,7 @@ class Taken(NamedTuple):
 
     Attributes:
         sticks: stick deflections.
-        camera: command for the drives of a camera; `STILL` if none is moved.
+        camera: command for the drives of a camera; `STILL` if no camera is moved.
         command: switch command; None if no command was waiting.
         cause: one of `unattended.CAUSES` if the controls have become unattended; else empty.
         handed_over: text for the log if another page takes control; else empty.
@@ -49,7 +49,10 @@ class Taken(NamedTuple):
     delayed: deque[int]
 
     def flown(self) -> int:
-        """Put the newest sticks' sequence number into the delay queue; return the oldest, -1 if no page sent those."""
+        """Add the sequence number of `sticks` to the delay queue; remove and return the number at its other end.
+
+        This is the number of the sticks that act in this step; -1 if no page sent them.
+        """
         self.delayed.append(self.sticks.seq)
         return self.delayed.popleft()
 
@@ -86,7 +89,7 @@ class PageInputs:
         If no message was received for longer than `LOST`, deflected sticks act again only after they have been centred.
 
         Raises:
-            CommandError: a stick is deflected after such a time (raised once).
+            CommandError: a stick is deflected after such a silence; raised only for the first message.
         """
         if self._zeroed and now - self._heard > LOST:
             self._lost = "not reported"
@@ -108,7 +111,9 @@ class PageInputs:
         self._controllers = controllers
 
     def command(self, message: from_page.FromPage) -> None:
-        """Queue a switch command. STOP deletes all waiting commands, so that STOP is never rejected and never late.
+        """Queue a switch command; STOP first centres the sticks and deletes all waiting commands.
+
+        Therefore STOP is never rejected and never delayed by other commands.
 
         Raises:
             CommandError: too many commands are waiting.
@@ -121,12 +126,12 @@ class PageInputs:
         self._commands.append(message)
 
     def set_unattended(self, cause: str) -> None:
-        """Centre the sticks and delete all commands, because of `cause`, one of `unattended.CAUSES`."""
+        """Centre the sticks and delete all waiting commands; `cause` is one of `unattended.CAUSES`."""
         self._clear()
         self._cause = cause
 
     def hand_over(self, text: str) -> None:
-        """Centre the sticks and delete all commands, because another page takes control; log `text`.
+        """Centre the sticks and delete all waiting commands, because another page takes control; log `text`.
 
         Raises:
             CommandError: a stick is deflected.
@@ -141,7 +146,7 @@ class PageInputs:
 
         Args:
             now: time [s], on the clock of `steer` and `turn`.
-            rate_held: whether RATE HOLD keeps a rate; then messages are required even if the sticks are centred.
+            rate_held: whether RATE HOLD keeps a rate. If so, the page must send messages even with centred sticks.
         """
         if now - self._heard > SILENCE and (rate_held or any(travel(self._sticks))):
             self._zeroed = True

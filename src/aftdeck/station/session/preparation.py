@@ -1,4 +1,4 @@
-"""Preparation of a station's first session in its own thread, while the server already answers."""
+"""Preparation of a station's first session in a thread, while the server already answers requests."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ Make = Callable[[Callable[[str], None]], Session]
 
 
 class Preparation:
-    """Thread that makes a session: loading the laws takes seconds, compiling them half a minute.
+    """Thread that makes a session. Loading the laws takes seconds; compiling them takes half a minute.
 
     Attributes:
         text: line of progress for the waiting pages.
         session: the session; None until it is made.
-        error: error that ended the preparation; None if none occurred.
+        error: error that ended the preparation; None if no error occurred.
     """
 
     def __init__(self, make: Make) -> None:

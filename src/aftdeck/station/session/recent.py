@@ -16,7 +16,7 @@ from aftdeck.station.playback.lanes import Lanes
 from aftdeck.station.playback.strips import blank, readings, worst_joint
 
 KEPT_S = 300.0
-"""Length of the part of the run that is kept [s]."""
+"""Length of the stored part of the run [s]."""
 SPACING_S = 0.1
 """Time from one sample to the next [s]; the page updates its numbers at the same rate."""
 DECIMALS = 5
@@ -24,11 +24,11 @@ DECIMALS = 5
 
 
 class Mark(NamedTuple):
-    """Extent of the data that a page has received.
+    """Mark in the data of a run: everything before it was sent to a page.
 
     Attributes:
         run: the run.
-        samples: number of samples received.
+        samples: number of samples that the run had.
         begun: number of lane intervals that had begun.
     """
 
@@ -38,7 +38,7 @@ class Mark(NamedTuple):
 
 
 class RecentRun:
-    """Values of all strips, and the lanes, of the last `KEPT_S` seconds. One thread adds data, another reads it."""
+    """Strips and lanes of the last `KEPT_S` seconds of a run. One thread adds data, another thread reads it."""
 
     def __init__(self, scenario: Scenario) -> None:
         period = scenario.control_period
@@ -58,7 +58,7 @@ class RecentRun:
         latency_ms: float | None,
         monitors: Sequence[tuple[str, ...]],
     ) -> None:
-        """Add the next frame, with its lit lamps, the latency that the page measured, and the monitors' cameras."""
+        """Add the next frame: its lit lamps, the latency that the page measured, and the cameras on the monitors."""
         with self._lock:
             self._lanes.shown((*monitors, (), ())[:2])
             self._lanes.add(frame, lamps)

@@ -1,4 +1,4 @@
-"""Session: it steps the simulation with the inputs of the page in control, and encodes the frames for all pages.
+"""Session: steps the simulation with the inputs of the page in control, and encodes each frame for all pages.
 
 A session has no thread and no clock: `driver.Driver` steps it in real time. While one thread steps the session, other
 threads may call the methods for pages.
@@ -62,7 +62,7 @@ class Session:
         scenario: the scenario that is run.
         welcome: first message to a new page.
         recent: the last minutes of the present run.
-        log: events of all runs.
+        log: events of all runs of the session.
         newest: newest frame, encoded as JSON; empty before the first step.
     """
 
@@ -81,12 +81,12 @@ class Session:
 
         Args:
             scenario: the scenario to run.
-            seed: random seed; None: the scenario's.
+            seed: random seed; None selects the scenario's seed.
             demo: whether the script runs until the operator moves a stick or sends a command.
-            record: folder to record each run into; None: runs are not recorded.
+            record: folder into which each run is recorded; None: runs are not recorded.
             trial: participant and condition, stored in each recording.
             live: server for viewers of the run; None: viewers cannot attach.
-            clock: returns the time [s] by which the age of the last message is measured.
+            clock: returns the time [s] with which the session measures the age of the last message.
         """
         self.scenario, self._seed = scenario, seed
         self._start_demo, self._record, self._trial, self._live = demo, record, trial, live
@@ -106,7 +106,7 @@ class Session:
         self._reset()
 
     def _reset(self) -> None:
-        """Create the simulation of a new run, and reset all data of the run before."""
+        """Create the simulation of a new run, and delete all data of the previous run."""
         self._sim = Simulation(self.scenario, self._seed)
         self.recent = RecentRun(self.scenario)
         self._demo = self._start_demo
@@ -201,15 +201,15 @@ class Session:
         self._reported.lighting = message.lighting
 
     def set_unattended(self, cause: str = "page gone") -> None:
-        """Centre the sticks and delete all commands, because of `cause`, one of `unattended.CAUSES`."""
+        """Centre the sticks and delete all waiting commands; `cause` is one of `unattended.CAUSES`."""
         with self._lock:
             self._inputs.set_unattended(cause)
         self._reported.latency_ms, self._reported.monitors = None, ()
 
     def hand_over(self, text: str) -> None:
-        """Centre the sticks and delete all commands, because another page takes control; log `text`.
+        """Centre the sticks and delete all waiting commands, because another page takes control; log `text`.
 
-        The controls then count as unattended for one step, so that nothing moves in between.
+        For one step the controls then count as unattended: RATE HOLD is cancelled and POSITION HOLD is set.
 
         Raises:
             CommandError: a stick is deflected.
@@ -275,8 +275,8 @@ class Session:
     def _rate_held(self, now: float) -> bool:
         """Return whether RATE HOLD keeps a rate.
 
-        After the station has cancelled RATE HOLD, frames still show it as on during the command delay. That does not
-        count.
+        After the station has cancelled RATE HOLD, frames still show RATE HOLD as on during the command delay. In this
+        time the result is False.
         """
         frame = self._sim.frame
         return not self._demo and frame is not None and frame.rate_hold and now >= self._cancelled_until

@@ -24,13 +24,16 @@ CAUSES = {
 def safe_inputs(inputs: Inputs, frame: Frame | None, cause: str, *, cancelling: bool) -> tuple[Inputs, str]:
     """Return inputs that cancel RATE HOLD and set POSITION HOLD, and the text for the log.
 
-    The inputs also stop a sequence if no page is in control that could stop it. The text is empty if nothing changes.
+    The inputs also stop a sequence if no page is in control, or if another scenario is being prepared.
 
     Args:
         inputs: inputs of this step.
         frame: frame of the step before; None before the first step.
         cause: one of `CAUSES`.
-        cancelling: whether a command that cancels RATE HOLD is in the command delay.
+        cancelling: whether RATE HOLD was cancelled already, and the command delay has not passed yet.
+
+    Returns:
+        The inputs, and the text; the text is empty if the panel is in the safe state already.
     """
     if frame is None:
         return inputs, ""
