@@ -2,9 +2,9 @@
 
 A pin joins two booms. The plane through the pin that bisects the bend separates the booms only if both booms begin far
 enough from the pin. Let w be half the width of a boom and theta the angle of the bend. For a bend about an axis
-perpendicular to a face, the boom has to begin at least w tan(theta/2) from the pin. For a bend about any axis, it has to
-begin at least sqrt(2) times as far. The housing of a joint has to be inside the sphere around the pin that touches the
-end planes of both booms. These planes then separate the booms from the housing. Both conditions are needed for
+perpendicular to a face, the boom has to begin at least w tan(theta/2) from the pin. For a bend about any axis, it has
+to begin at least sqrt(2) times as far. The housing of a joint has to be inside the sphere around the pin that touches
+the end planes of both booms. These planes then separate the booms from the housing. Both conditions are needed for
 separating planes SP 11 and SP 12 of the Remote Manipulator Simulation.
 """
 
@@ -27,7 +27,7 @@ def body_problems(file: HeadingArmFile) -> list[Problem]:
 
 
 def _bends(file: HeadingArmFile) -> tuple[float, float]:
-    """Return the greatest bend of the elbow and of the wrist inside the hard stops [rad]; in DIRECT they are possible."""
+    """Return the greatest bend of the elbow, and of the wrist, inside the hard stops [rad]; DIRECT can reach both."""
     hard = file.limits.hard.value
     elbow = max(abs(angle) for angle in hard[2])
     heading, pitch = (min(max(abs(angle) for angle in hard[joint]), math.pi) for joint in (3, 4))

@@ -51,7 +51,7 @@ class Equipment(NamedTuple):
         master: for each joint of the master arm, the axis of the hand controllers that moves the joint. It is used if
             no other device gives the master arm's angles. Each RHC axis moves the wrist joint that rotates about the
             same axis.
-        covered: whether the arm's solids cover round parts from outside. Neighbouring solids then overlap at the joints.
+        covered: whether the arm's solids cover round parts from outside. If so, neighbouring solids overlap at joints.
     """
 
     telescope: Telescope | None

@@ -15,8 +15,8 @@ Names = tuple[str, str, str, str, str, str, str]
 
 STAND, PRONG = "arm.stand", "arm.prong"
 """Names of two additional frames of an arm with a telescope and a prong. The frame of the telescope's moving tube has
-L's axes; its origin is on L's axis 3 at the shoulder's height. The prong's frame has the axes of the last joint's frame;
-its origin is moved along Y2 to the prong's inner face."""
+L's axes; its origin is on L's axis 3 at the shoulder's height. The prong's frame has the axes of the last joint's
+frame; its origin is moved along Y2 to the prong's inner face."""
 
 
 class Linkage(NamedTuple):

@@ -86,7 +86,7 @@ class ArmModel:
 
     @property
     def frames(self) -> tuple[str, ...]:
-        """Names of all frames that carry a body: the linkage's frames, then those of telescope and prong, if present."""
+        """Names of all frames that carry a body: the linkage's frames, then telescope and prong if the arm has them."""
         equipment = self.equipment
         besides = ((STAND, equipment.telescope), (PRONG, equipment.prong))
         return (*self.linkage.frames, *(name for name, item in besides if item is not None))

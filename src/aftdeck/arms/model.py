@@ -101,7 +101,7 @@ class RatesFile(_Part, frozen=True):
 
 
 class PorRow(_Part, frozen=True):
-    """Limits of the point of resolution for one payload mass. `reached_in` is the time from rest to the coarse limits."""
+    """Limits of the point of resolution for one payload mass."""
 
     mass: Mass
     translation: Speed
@@ -109,6 +109,7 @@ class PorRow(_Part, frozen=True):
     rotation: AngularRate
     vernier_rotation: AngularRate
     reached_in: Time
+    """Time from rest to the coarse limits."""
     source: Text
     confidence: Confidence
 
@@ -157,7 +158,7 @@ class StandFile(_Part, frozen=True):
 
 
 class BoomsFile(_Part, frozen=True):
-    """Dimensions of upper arm, lower arm and stub, which have square sections, and of the cubes that house the joints."""
+    """Dimensions of upper arm, lower arm and stub (with square sections), and of the cubes that house the joints."""
 
     side: Constant[Length]
     """Side of upper and lower arm."""

@@ -30,10 +30,10 @@ _FLOAT = np.dtype(np.float64)
 class Arm:
     """Arm of one of two families: the family of the Shuttle's arm, or the family of the concept arm of 1972.
 
-    Joint angles are those of the panel. All angles of the Shuttle's arm are zero at the cradle; all angles of the concept
-    arm are zero when it is stretched out aft. Poses and twists are in L, the arm's base frame (for the concept arm the
-    report's R), unless another frame is named. For the concept arm, frame 7 means system 2. Every method accepts arrays
-    with any number of leading dimensions, unless its description states otherwise.
+    Joint angles are those of the panel. All angles of the Shuttle's arm are zero at the cradle; all angles of the
+    concept arm are zero when it is stretched out aft. Poses and twists are in L, the arm's base frame (for the concept
+    arm the report's R), unless another frame is named. For the concept arm, frame 7 means system 2. Every method
+    accepts arrays with any number of leading dimensions, unless its description states otherwise.
 
     Attributes:
         model: every constant, with its source.
@@ -111,8 +111,8 @@ class Arm:
         Args:
             angles: (..., 6) joint angles [rad].
             twist: (..., 6) angular velocity [rad/s], then translational velocity [m/s] of the tip, in L.
-            singular: ``raise`` to raise an error if a pose is singular; ``mask`` to return finite rates at singular poses
-                too, and a mask.
+            singular: ``raise`` to raise an error if a pose is singular; ``mask`` to return finite rates for singular
+                poses too, and a mask.
 
         Returns:
             (..., 6) rates [rad/s]; with ``mask`` also a mask (...), true where the pose is singular.
@@ -208,7 +208,7 @@ class Arm:
         return first
 
     def end_effector(self, rotation: Array) -> Array:
-        """Return the end effector's own axes E (..., 3, 3), R_E = R_7 Rx(end_effector_roll), from frame 7's axes R_7."""
+        """Return the end effector's axes E (..., 3, 3) from the axes of frame 7: R_E = R_7 Rx(end_effector_roll)."""
         return rotation @ rotation_x(self.model.end_effector_roll)
 
     def panel(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:

@@ -1,4 +1,4 @@
-"""Compiled check for finite numbers. NumPy's check, called from Python, takes as long as a whole law of the kinematics."""
+"""Compiled check for finite numbers. Called from Python, NumPy's own check takes as long as a law of the kinematics."""
 
 from __future__ import annotations
 

@@ -1,9 +1,10 @@
 """RMANGS: closed-form inverse kinematics, with all branches.
 
 Source: JSC-12628, subroutine RMANGS. The source returns one branch. It computes the shoulder pitch by an arc cosine,
-which loses the sign. Here arc tangents give all eight branches, from two choices for each of shoulder (theta1 or
-theta1 + pi), wrist (theta5 or pi - theta5) and elbow (up or down). A pitch-yaw-roll wrist is solved before the elbow, as
-in the source. A heading-pitch-roll wrist, whose axes intersect in one point, is solved after the elbow.
+which loses the sign. Here arc tangents give all eight branches: two for the shoulder (theta1 and theta1 + pi), times
+two for the wrist (theta5 and pi - theta5), times two for the elbow (up and down). A pitch-yaw-roll wrist is solved
+before the elbow, as in the source. A heading-pitch-roll wrist, whose axes intersect in one point, is solved after the
+elbow.
 """
 
 from __future__ import annotations

@@ -18,8 +18,8 @@ from aftdeck.law import law
 class Jacobian(NamedTuple):
     """Elements of the matrix a in b = a * rates, without the elements that are equal constants for both families.
 
-    The elements without a field are a22 = a23 = 1, and zeros. s and c are the sine and cosine of the slope of the link in
-    whose frame the matrix is given.
+    The elements without a field are a22 = a23 = 1, and zeros. s and c are the sine and cosine of the slope of the link
+    in whose frame the matrix is given.
     """
 
     s: float

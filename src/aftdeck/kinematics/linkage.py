@@ -26,8 +26,8 @@ Nine: TypeAlias = tuple[float, float, float, float, float, float, float, float, 
 
 L1, L2, L3, L4, L5 = 0, 1, 2, 3, 4
 """Indices of the lengths in an arm's array [m]. L1: height of the shoulder pitch joint above L's origin. L2: upper arm.
-L3: lower arm. L4: from wrist pitch to wrist yaw; 0 if the wrist's axes intersect in one point. L5: from wrist yaw to the
-tip; if the wrist's axes intersect in one point, from this point to the tip."""
+L3: lower arm. L4: from wrist pitch to wrist yaw; 0 if the wrist's axes intersect in one point. L5: from wrist yaw to
+the tip; if the wrist's axes intersect in one point, from this point to the tip."""
 UPPER, LOWER = 5, 6
 """Indices of the angles of upper and lower arm above their boom lines at zero joint angles [rad]."""
 WRIST = 7
@@ -42,8 +42,9 @@ HEADING_PITCH_ROLL, PITCH_YAW_ROLL = 0.0, 1.0
 class Sines(NamedTuple):
     """Sines and cosines of the angles that `link_angles` returns.
 
-    In the names, 2 stands for the slope of the upper arm and 23 for the slope of the lower arm. w stands for the wrist's
-    first angle: for a pitch-yaw-roll wrist the slope of the wrist, for a heading-pitch-roll wrist the wrist heading.
+    In the names, 2 stands for the slope of the upper arm and 23 for the slope of the lower arm. w stands for the
+    wrist's first angle: for a pitch-yaw-roll wrist the slope of the wrist, for a heading-pitch-roll wrist the wrist
+    heading.
     """
 
     s1: float
@@ -106,8 +107,8 @@ def sines(arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6
 def spin(a: Sines, s: float, c: float, x: float, y: float, z: float) -> Three:
     """Return in L a vector that has the components x, y, z in the frame of a link of the arm's plane.
 
-    x is along the link, y along the normal of the arm's plane, and z across the link. s and c are the sine and cosine of
-    the link's slope.
+    x is along the link, y along the normal of the arm's plane, and z across the link. s and c are the sine and cosine
+    of the link's slope.
     """
     out = c * x + s * z
     return a.c1 * out - a.s1 * y, a.s1 * out + a.c1 * y, -s * x + c * z

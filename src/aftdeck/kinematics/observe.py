@@ -9,7 +9,7 @@ from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
 OBSERVED = 21
-"""Number of observed values: tip position (3), rotation (9, row by row), twist (6), distances from singularities (3)."""
+"""Number of values: tip position (3), tip rotation (9, row by row), twist (6), distances from singularities (3)."""
 
 
 @law

@@ -25,7 +25,7 @@ from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
 FLOOR = 1e-7
-"""Normalised distance [1] below which a pose counts as singular. Rates would be more than 1e7 times their usual values."""
+"""Normalised distance [1] below which a pose counts as singular: rates are then over 1e7 times their usual values."""
 
 
 @law
@@ -77,7 +77,10 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
 
 @law
 def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> tuple[float, float]:
-    """Return the angular rates of upper and lower arm [rad/s] that move the lower arm's end at `out` and `down` [m/s]."""
+    """Return the angular rates of upper and lower arm [rad/s].
+
+    With these rates, the lower arm's end has the velocities `out` and `down` [m/s].
+    """
     return (
         (down * a.s23 - out * a.c23) * (per_elbow * (1.0 / arm[L2])),
         (out * a.c2 - down * a.s2) * (per_elbow * (1.0 / arm[L3])),
@@ -100,7 +103,7 @@ def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[flo
     out, down = a.c23 * ahead + a.s23 * across, a.c23 * across - a.s23 * ahead
     r1 = (v2 - t.wz * out + w1 * down) * per_shoulder
     r2, r23 = _booms(arm, a, v1 - w2 * down + t.wz * side, t.vz - w1 * side + w2 * out, per_elbow)
-    # the angular velocity that the wrist has to produce: along the lower arm, about the pitch axis, across the lower arm
+    # angular velocity that the wrist has to produce: along the lower arm, about the pitch axis, across the lower arm
     d1, d2, d3 = a.c23 * w1 - a.s23 * (t.wz - r1), w2 - r23, a.s23 * w1 + a.c23 * (t.wz - r1)
     r6 = (a.cw * d1 + a.sw * d2) * per_wrist
     return Rates(r1, r2, r23 - r2, d3 + a.s5 * r6, a.cw * d2 - a.sw * d1, r6)

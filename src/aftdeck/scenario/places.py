@@ -39,7 +39,7 @@ def is_relative(spec: PoseSpec) -> bool:
 def goal(
     problems: Problems, arm: Arm, spec: PoseSpec, references: TargetReferences, where: Where
 ) -> Target | RelativeTarget | None:
-    """Return a target as a pose, or as a relative target that is computed when the phase begins; None if it is wrong."""
+    """Return a target as a pose, or as a relative target that is computed as the phase begins; None if it is wrong."""
     return place(problems, arm, spec, references, where) if is_relative(spec) else target(problems, arm, spec, where)
 
 

@@ -34,9 +34,9 @@ class PoseSpec(_Part, frozen=True):
 
     `joints` are joint angles; the pose is the one that they give. Without `joints`, `position` is given in the
     coordinate frame `frame`, and the orientation by `roll`, `pitch`, `yaw` or by a `matrix` whose columns are the axes
-    (the report's S1 = 0). In the orbiter frame and in L, the three angles are ENDORI's roll, elevation, azimuth of frame
-    7. In the panel frame, they are the attitude of the end effector, applied in the order pitch, yaw, roll; and X = -Xo,
-    Y = Yo, Z = -Zo.
+    (the report's S1 = 0). In the orbiter frame and in L, the three angles are ENDORI's roll, elevation, azimuth of
+    frame 7. In the panel frame, they are the end effector's attitude, applied in the order pitch, yaw, roll. The panel
+    frame has X = -Xo, Y = Yo, Z = -Zo.
 
     A phase's target, and the pose at which a run starts, may also be given relative to the present poses of objects:
 
@@ -77,9 +77,9 @@ class GraspSpec(_Part, frozen=True):
 class Initial(_Part, frozen=True):
     """Initial state of the arm (RMSIST).
 
-    `joints` or a `pose` gives the joint angles. Of several sets of joint angles for a pose, the set nearest to `near` is
-    used. `rates` are the joint rates. `stand` is the length of the telescope. `grasped` describes a payload that the end
-    effector holds.
+    `joints` or a `pose` gives the joint angles. Of several sets of joint angles for a pose, the set nearest to `near`
+    is used. `rates` are the joint rates. `stand` is the length of the telescope. `grasped` describes a payload that the
+    end effector holds.
     """
 
     joints: SixAngles | None = None
@@ -198,20 +198,21 @@ class Phase(_Part, frozen=True):
     The mode is a position of the MODE rotary, or the report's number, 1 to 8. `law` selects one of the report's modes 1
     to 3 in OPR CMD and AUTO 1-4. `payload_axes` selects mode 7 instead of mode 4 in ORB LD.
 
-    OPR CMD needs a `target`. AUTO 1-4 use their stored points; the script gives PROCEED at every pause point. A phase in
-    these modes ends when the arm arrives at the target, or at the last point. `duration` is the longest time allowed.
+    OPR CMD needs a `target`. AUTO 1-4 use their stored points; the script gives PROCEED at every pause point. A phase
+    in these modes ends when the arm arrives at the target, or at the last point. `duration` is the longest time
+    allowed.
 
     Manual modes take stick positions; the phase ends after `duration`. SINGLE and DIRECT take a `joint` and either
-    `drive` with a `duration`, or `joint_at`, the angle to which the joint moves. MASTER takes the angles of the `master`
-    arm; the phase ends when the arm has reached these angles.
+    `drive` with a `duration`, or `joint_at`, the angle to which the joint moves. MASTER takes the angles of the
+    `master` arm; the phase ends when the arm has reached these angles.
 
     Instead of stick positions, manual modes take `velocity` (V_C') along, and `angular_velocity` (omega_C') about, the
     axes in which the sticks act. Instead of `drive`, SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value beyond
     the present limits is reduced to the limit, in the same direction.
 
     `limits` are the limits during the phase (V_L, omega_L, their accelerations, theta_dot_L). With inputs from an
-    operator instead of the script, the scenario's limits apply. A `payload` is attached from the beginning of this phase
-    (PA, T_78, r_87) until a later phase gives another `payload` or `detached`.
+    operator instead of the script, the scenario's limits apply. A `payload` is attached from the beginning of this
+    phase (PA, T_78, r_87) until a later phase gives another `payload` or `detached`.
 
     In every mode a phase may set the `effector` switch, press `latch`, move the telescope to `stand_at`, translate the
     `orbiter`, and wait `until` an event has occurred. With `stand_at` or `until`, `duration` is the longest time

@@ -1,4 +1,4 @@
-"""Initial states of the arm (RMSIST): for the full problem, and for each part of it at which a run can re-initialise."""
+"""Initial states of the arm (RMSIST): for the full problem, and for its parts at which a run can re-initialise."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def _angles(
 def _joint_angles_for(
     problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, where: Where
 ) -> np.ndarray | None:
-    """Return the joint angles for a tip pose in L, by the branch nearest to `near`; None if the pose is out of reach."""
+    """Return the joint angles for a tip pose in L, in the branch nearest to `near`; None if the pose is unreachable."""
     try:
         return frozen(arm.inverse(pose, near=near)[0])
     except AftdeckError as error:

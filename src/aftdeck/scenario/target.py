@@ -19,8 +19,8 @@ class Target(msgspec.Struct, frozen=True):
     rotation: Rows
     """Rows of the matrix whose columns are frame 7's axes."""
     joints: Six | None = None
-    """Final joint angles [rad] for mode 1, if the target was given by joint angles. If None, mode 1 uses the set of joint
-    angles that is nearest to the present angles.
+    """Final joint angles [rad] for mode 1, if the target was given by joint angles. If None, mode 1 uses the set of
+    joint angles that is nearest to the present angles.
 
     The angles put the tip at `position` and `rotation`; a keyed-in target whose angles give another pose is rejected.
     """

@@ -60,7 +60,7 @@ def checked(bodies: Array, part: str) -> Array:
 
 
 def moved(bodies: Array, pose: Pose) -> Array:
-    """Convert hexahedra (n, 8, 3) [m] from their own frame to the frame in which `pose` is the pose of their own frame."""
+    """Convert hexahedra (n, 8, 3) [m] from their own frame to the frame in which `pose`, their own pose, is given."""
     return np.asarray(bodies @ pose.rotation.T + pose.position)
 
 
