@@ -108,7 +108,7 @@ def at_the_start(
         return composed(scene, composed(payload.start.pose, at_cargo(arm.model, payload, found)))
     if isinstance(found, AtSeat):
         if held is None:
-            problems.add(where, "a pose with seat is the pose of the held payload: give grasped")
+            problems.add(where, "a pose at a berth (seat) is the pose of the held payload: give grasped")
             return None
         index, pose_at_tip = held
         seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)
