@@ -207,7 +207,7 @@ class BoxCover(_Cover, frozen=True, kw_only=True, tag="box"):
 
 
 class PrismCover(_Cover, frozen=True, kw_only=True, tag="prism"):
-    """A regular prism round a cylinder."""
+    """A regular prism that encloses a cylinder."""
 
     axis: Axis = "x"
     radius: Length

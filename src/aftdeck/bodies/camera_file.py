@@ -30,7 +30,7 @@ class TravelFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class DriveFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Pan and tilt unit with its lens; several cameras may use the same entry."""
+    """Pan and tilt unit with its lens; several cameras may name the same drive."""
 
     name: str
     source: str

@@ -97,8 +97,8 @@ def _right_handed(points: Array, name: str) -> None:
 def _flat(points: Array, name: str) -> None:
     """Reject a body with bent faces.
 
-    The error names the vertex that is on the most bent faces. If there are several such vertices, it names the one that
-    is farthest from the plane of a face.
+    The error names the vertex that is on the greatest number of bent faces. If there are several such vertices, the
+    error names the vertex that is farthest from the plane of a face.
     """
     rims = points[_RIMS]
     before, after, across = (np.roll(rims, k, axis=1) for k in (1, -1, 2))

@@ -21,7 +21,8 @@ class Singularities(NamedTuple):
 
     Attributes:
         shoulder: distance of the fifth joint from the first joint's axis, divided by the greatest possible distance.
-            The fifth joint is wrist yaw, or wrist pitch in a heading-pitch-roll wrist, whose axes intersect there.
+            The fifth joint is wrist yaw. In a heading-pitch-roll wrist it is wrist pitch, and its centre is the point
+            in which the wrist's axes intersect.
         elbow: minus the sine of the elbow's geometric angle; positive if the elbow is bent as usual.
         wrist: cosine of the fifth joint's angle.
     """

@@ -13,7 +13,7 @@ from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.law import law, nearest
 
 ROTATION_TOLERANCE = 1e-6
-"""Largest allowed deviation of a given rotation from orthonormal [1]."""
+"""Greatest allowed deviation of the pose's rotation from an orthonormal matrix [1]."""
 SAME = 1e-9
 """Greatest difference of the angles of two solutions that count as equal; also the tolerance at the limits [rad]."""
 EPSILON = 1e-9

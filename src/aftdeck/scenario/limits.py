@@ -84,7 +84,11 @@ def phase_limits(
 
 
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
-    """Return the limits of the point of resolution for a payload's `mass` [kg]: those in `over`, else the arm's."""
+    """Return the limits of the point of resolution for a payload's `mass` [kg].
+
+    A speed or angular rate that is not in `over` is the arm's limit. An acceleration that is not in `over` is the speed
+    or angular rate divided by `reached_in`, or by the arm's own time if `over` has no `reached_in`.
+    """
     arm_limits = arm.por_limits(mass)
 
     def pick(given: float | None, own: float) -> float:
@@ -106,7 +110,7 @@ def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
 
 
 def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Where = ("limits", "por")) -> None:
-    """Report limits that are not above 0, vernier limits above the coarse ones, and an acceleration given twice."""
+    """Report limits that are not above 0, vernier limits above the coarse limits, and an acceleration given twice."""
     for name in PorOverride.__struct_fields__:
         given = getattr(over, name)
         if given is not None and given <= 0.0:

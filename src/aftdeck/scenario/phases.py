@@ -1,4 +1,4 @@
-"""Phases of the script, with checks of the fields that each kind of mode allows and of those that it needs."""
+"""Phases of the script, with checks of the fields that each kind of mode allows and of the fields that it needs."""
 
 from __future__ import annotations
 

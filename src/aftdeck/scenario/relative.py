@@ -28,7 +28,7 @@ def composed(outer: Pose, inner: Pose) -> Pose:
 
 
 def inverted(pose: Pose) -> Pose:
-    """Return the inverse pose: if `pose` is the pose of one frame in another, the pose of the other in the first."""
+    """Return the inverse pose: if `pose` is the pose of frame a in frame b, return the pose of frame b in frame a."""
     return Pose(-(pose.rotation.T @ pose.position), pose.rotation.T)
 
 

@@ -32,7 +32,7 @@ class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PoseSpec(_Part, frozen=True):
     """A pose of the tip, by joint angles or by position and orientation.
 
-    `joints` are joint angles; the pose is the one that they give. Without `joints`, `position` is given in the
+    With `joints`, the pose is the tip's pose at these joint angles. Without `joints`, `position` is given in the
     coordinate frame `frame`, and the orientation by `roll`, `pitch`, `yaw` or by a `matrix` whose columns are the axes
     (the report's S1 = 0). In the orbiter frame and in L, the three angles are ENDORI's roll, elevation, azimuth of
     frame 7. In the panel frame, they are the end effector's attitude, applied in the order pitch, yaw, roll. The panel

@@ -142,7 +142,7 @@ def _fixture(grapple: GrappleFile) -> _Piece:
 
 
 def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
-    """Yield the boxes (1, 8, 3) of the target beside the fixture's axis.
+    """Yield boxes (1, 8, 3) that enclose the target, which is beside the fixture's axis.
 
     One box encloses the flat shapes (plate and ring), and a second box encloses the rod. A single box around all of
     them would obstruct the end effector as far outwards as the end of the rod.

@@ -49,7 +49,7 @@ _SLACK = 1e-9
 
 
 class Measured(NamedTuple):
-    """Arrays of a `ClearanceMonitor` that the laws update; the names are those of its attributes."""
+    """Arrays of a `ClearanceMonitor` that the laws update; they have the names of the monitor's attributes."""
 
     at: Array
     placed: Array

@@ -33,7 +33,7 @@ _ROOM = 1e-9
 
 
 class PackedLayout(NamedTuple):
-    """Arrays of a `Layout` that the laws read; the names are those of its fields."""
+    """Arrays of a `Layout` that the laws read; they have the names of the layout's fields."""
 
     solids: Array
     frame: Indices

@@ -1,4 +1,4 @@
-"""Monitored pairs of parts, and the selection of those that count at present."""
+"""Monitored pairs of parts, and the selection of the pairs that are measured at present."""
 
 from __future__ import annotations
 
