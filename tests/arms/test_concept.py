@@ -88,7 +88,7 @@ def test_bisecting_plane_separates_the_booms_at_the_elbow_limit(file: HeadingArm
     ("old", "new", "pattern"),
     [
         (
-            '[booms.set_back] # of both ends of both booms from their pins\nvalue = "1 ft"',
+            '[booms.set_back] # distance of both ends of ARM 0 and ARM 1 from the pins\nvalue = "1 ft"',
             '[booms.set_back]\nvalue = "0.95 ft"',
             r"booms .*0\.28956 m.*elbow.* 126 deg",
         ),

@@ -163,7 +163,7 @@ def test_end_effector_is_blocked_while_phase_attaches_a_payload(place: str, join
         ('mode = "ORB UNL"\nduration = 1\njoint_rate = "1 deg/s"', "joint_rate"),
         ('mode = "SINGLE"\njoint = "wrist_yaw"\njoint_rate = "1 deg/s"\njoint_at = "3 deg"', "joint_rate"),
         ('mode = "PL"\nduration = 1', "payload"),
-        ('mode = "ORB UNL"\nduration = 1\ndetached = true', "grasp"),
+        ('mode = "ORB UNL"\nduration = 1\ndetached = true', "attached"),
         ('mode = "ORB UNL"\nduration = 1\npayload = { mass = "0 lb" }', "mass"),
         ('mode = "ORB UNL"\nduration = 1\nlimits = { por = { translation = "-1 ft/s" } }', "translation"),
         ('mode = "ORB UNL"\nduration = 1\nlimits = { hard = [] }', "hard"),

@@ -1,7 +1,7 @@
-"""Boxes of the concept arm, computed from the dimensions in its file; the same boxes collide and are drawn.
+"""Boxes of the concept arm, computed from the dimensions in its file. The same boxes collide and are drawn.
 
-Sources: the Remote Manipulator Simulation's three hexahedra of the end effector, its ARM 0 to ARM 2 and STAND. The
-joint housings, and the tube that slides in the stand's sleeve, are our additions.
+The three hexahedra of the end effector, ARM 0 to ARM 2, and STAND are those of the Remote Manipulator Simulation. The
+housings of the joints, and the tube that slides in the telescope's sleeve, are our additions.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Axes = tuple[int, int, int]
 
 OWN: Axes = (1, 2, 3)
 EFFECTOR: Axes = (-3, 2, 1)
-"""(x, y, z) = (-Z2, Y2, X2), so that face c faces the wrist and d the bar (restored from the report's MO2SET)."""
+"""(x, y, z) = (-Z2, Y2, X2): face c then faces the wrist, and face d the bar (restored from the report's MO2SET)."""
 
 
 class Block(NamedTuple):
@@ -27,10 +27,10 @@ class Block(NamedTuple):
         part: name that the operator reads.
         frame: name of the frame that carries the box.
         low: least x, y, z in that frame [m].
-        high: greatest x, y, z [m].
+        high: greatest x, y, z in that frame [m].
         material: material with which the box is drawn.
-        axes: axes of the frame, 1 to 3, along the box's own x, y, z; negative for the opposite direction. The box's
-            own axes define the numbers of its vertices.
+        axes: number, 1 to 3, of the frame's axis that is along the box's own x, y and z; negative if the directions are
+            opposite. The box's own axes define the numbers of its vertices.
     """
 
     part: str
@@ -52,10 +52,10 @@ def blocks_of(file: HeadingArmFile, frames: tuple[str, ...]) -> tuple[Block, ...
 
 
 def _stand(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
-    """Yield the telescope's sleeve, which ends where the retracted telescope ends, and the tube that slides in it.
+    """Yield the telescope's sleeve and the tube that slides in the sleeve.
 
-    The tube is as long as the telescope's travel. When retracted, the tube reaches below the foot if the travel is
-    more than the sleeve's length.
+    The sleeve's upper end is at the upper end of the retracted tube. The tube is as long as the telescope's travel. If
+    the travel is more than the sleeve's length, the retracted tube extends below the foot.
     """
     s = file.stand
     below = s.top_below_shoulder.value
@@ -65,7 +65,7 @@ def _stand(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
 
 
 def _booms(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
-    """Yield upper and lower arm between their pins, the stub, and the cubes round the pins."""
+    """Yield upper arm, lower arm, the stub, and the cubes around the pins."""
     b, upper, lower = file.booms, file.geometry.upper_arm.value, file.geometry.lower_arm.value
     back, side = b.set_back.value, b.side.value
     yield Block("shoulder", frames[2], *_cube(b.shoulder_housing.value), "housing")

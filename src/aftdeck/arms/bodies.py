@@ -1,11 +1,11 @@
 """Checks that a concept arm's telescope, booms and end effector fit together.
 
-A pin joins two booms. The plane through the pin that bisects their bend separates the booms only if both begin far
-enough from the pin. With half width w and a bend of theta about a face's axis, a boom has to be set back by at least w
-tan(theta/2). For a bend about any axis, it has to be set back by sqrt(2) times this distance. The end planes of both
-booms separate them from a joint's housing if the housing lies inside the sphere round the pin that touches these
-planes. Both conditions are needed wherever planes order or separate bodies (Remote Manipulator Simulation, separating
-planes SP 11 and SP 12).
+A pin joins two booms. The plane through the pin that bisects the bend separates the booms only if both booms begin far
+enough from the pin. Let w be half the width of a boom and theta the angle of the bend. For a bend about an axis
+perpendicular to a face, the boom has to begin at least w tan(theta/2) from the pin. For a bend about any axis, it has
+to begin at least sqrt(2) times as far. The housing of a joint has to be inside the sphere around the pin that touches
+the end planes of both booms. These planes then separate the booms from the housing. Both conditions are needed for
+separating planes SP 11 and SP 12 of the Remote Manipulator Simulation.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from aftdeck.files import Problem
 
 
 def body_problems(file: HeadingArmFile) -> list[Problem]:
-    """Return all dimensions that do not fit, each with its place in the file."""
+    """Return a problem, with its place in the file, for each dimension that does not fit."""
     return [
         *_stand_problems(file.stand),
         *_effector_problems(file.effector),
@@ -27,11 +27,11 @@ def body_problems(file: HeadingArmFile) -> list[Problem]:
 
 
 def _bends(file: HeadingArmFile) -> tuple[float, float]:
-    """Return the greatest bend of elbow and wrist inside the hard stops, which DIRECT can reach [rad]."""
+    """Return the greatest bend of the elbow, and of the wrist, inside the hard stops [rad]; DIRECT can reach both."""
     hard = file.limits.hard.value
     elbow = max(abs(angle) for angle in hard[2])
     heading, pitch = (min(max(abs(angle) for angle in hard[joint]), math.pi) for joint in (3, 4))
-    # the end effector's direction has the component cos(heading) cos(pitch) along the lower arm
+    # the component of the end effector's direction along the lower arm is cos(heading) cos(pitch)
     cosines = [math.cos(h) * math.cos(p) for h in (0.0, heading) for p in (0.0, pitch)]
     return elbow, math.acos(min(cosines))
 
@@ -54,7 +54,7 @@ def _stand_problems(stand: StandFile) -> Iterator[Problem]:
 def _effector_problems(e: EffectorFile) -> Iterator[Problem]:
     for name, (near, far) in (("palm", e.palm.value), ("fingers", e.fingers.value)):
         if not 0.0 <= near < far:
-            what = f"has to end farther along the end effector than it begins, got {near:g} to {far:g} m"
+            what = f"expected 0 <= begin < end along the end effector, got {near:g} to {far:g} m"
             yield Problem(("effector", name), what)
     yield from _above_zero(
         "effector",
@@ -76,7 +76,7 @@ def _effector_problems(e: EffectorFile) -> Iterator[Problem]:
 def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[Problem]:
     begin, end = b.stub.value
     if not begin < end:
-        what = f"has to end farther along the end effector than it begins, got {begin:g} to {end:g} m"
+        what = f"expected begin < end along the end effector, got {begin:g} to {end:g} m"
         yield Problem(("booms", "stub"), what)
     diagonal = math.sqrt(2.0)
     for pin, boom, set_back, half_width, bend in (

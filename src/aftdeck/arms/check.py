@@ -1,6 +1,6 @@
-"""Checks of an arm file that its types cannot make: lengths above zero, nested limits, masses that add up.
+"""Checks of an arm file that its types cannot make: lengths, limits inside each other, and the sum of the masses.
 
-`arms.bodies` checks the tables that only a concept arm has: stand, booms and effector.
+`arms.bodies` checks the tables that only a concept arm has: `stand`, `booms` and `effector`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from aftdeck.arms.model import ArmFile, HeadingArmFile, HeadingGeometry, PorRow,
 from aftdeck.files import Problem
 
 MASS_TOLERANCE = 1e-3
-"""Largest allowed difference between the sum of the parts' masses and the total, as a fraction of the sum [1]."""
+"""Greatest allowed difference between the sum of the parts' masses and the total mass, as a fraction of the sum [1]."""
 
 
 def arm_problems(file: ArmFile) -> list[Problem]:

@@ -1,4 +1,4 @@
-"""Hexahedra of the covers that a file lists, each in the frame of the covered body."""
+"""Hexahedra of the covers that a file lists, each in the frame of the body that it covers."""
 
 from __future__ import annotations
 
@@ -44,8 +44,8 @@ def corners(
     Args:
         low: least x, y, z [m].
         high: greatest x, y, z [m].
-        axes: coordinate axes, 1 to 3, along the box's own x, y, z; negative for the opposite direction. The box's own
-            axes define the numbers of its vertices.
+        axes: number, 1 to 3, of the coordinate axis that is along the box's own x, y and z; negative if the directions
+            are opposite. The box's own axes define the numbers of its vertices.
     """
     ends = (low, high)
     vertices = np.empty((8, 3))

@@ -1,6 +1,6 @@
 """Equipment of an arm besides its six joints: telescope, prong of the end effector, and axes of the master arm.
 
-Simulation, drawing and checks use this equipment and do not depend on the family of the arm.
+Simulation, drawing and checks use this description of the equipment. They need not know the family of the arm.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ Axis = Literal["RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z"]
 
 
 class Telescope(NamedTuple):
-    """Telescope under an arm; its length is the height of the shoulder above L's origin.
+    """Telescope under an arm. Its length is the height of the shoulder above L's origin.
 
     Attributes:
         least: least length [m].
@@ -27,7 +27,7 @@ class Telescope(NamedTuple):
 
 
 class Prong(NamedTuple):
-    """Prong that closes towards a fixed finger; positions are y2 of inner faces, 0 at the palm's centre line.
+    """Prong that closes towards a fixed finger. Positions are y2 of the inner faces; y2 is 0 at the palm's centre line.
 
     Attributes:
         opened: position of the open prong [m].
@@ -48,9 +48,10 @@ class Equipment(NamedTuple):
     Attributes:
         telescope: telescope under the arm; None if the arm has no telescope.
         prong: prong of the end effector; None if the end effector has snares.
-        master: for each joint of the master arm, the axis of the hand controllers that moves the joint if no device
-            gives the master arm's angles. Each RHC axis moves the wrist joint that rotates about the same axis.
-        covered: whether the arm's solids cover round parts from outside, so that neighbouring solids overlap at joints.
+        master: for each joint of the master arm, the axis of the hand controllers that moves the joint. It is used if
+            no other device gives the master arm's angles. Each RHC axis moves the wrist joint that rotates about the
+            same axis.
+        covered: whether the arm's solids cover round parts from outside. If so, neighbouring solids overlap at joints.
     """
 
     telescope: Telescope | None

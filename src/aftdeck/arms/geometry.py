@@ -1,4 +1,4 @@
-"""Linkage of an arm: the values that laws and pictures use, computed from the lengths in the arm's file."""
+"""Linkage of an arm: the values that laws and pictures use. They are computed from the lengths in the arm's file."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ Names = tuple[str, str, str, str, str, str, str]
 
 STAND, PRONG = "arm.stand", "arm.prong"
 """Names of two additional frames of an arm with a telescope and a prong. The frame of the telescope's moving tube has
-L's axes, with its origin at the shoulder's height. The prong's frame has the last frame's axes, with its origin moved
-along Y2 to the prong's inner face."""
+L's axes; its origin is on L's axis 3 at the shoulder's height. The prong's frame has the axes of the last joint's
+frame; its origin is moved along Y2 to the prong's inner face."""
 
 
 class Linkage(NamedTuple):
@@ -25,11 +25,12 @@ class Linkage(NamedTuple):
     Attributes:
         links: (8,) in the order of `kinematics.linkage`: L1 to L5 [m], the angles of upper and lower arm above
             their boom lines at zero angles [rad], and the kind of wrist.
-        steps: (6, 3) from each joint's centre to the next at zero angles, in L [m]; the first from L's origin.
-        axes: the axis of L, 1 to 3, about which each joint turns at zero angles.
-        frames: names of the frames that carry the arm's bodies: the foot (fixed in L), then one frame per joint. Each
-            has L's axes, turned by the joints up to and including its own. Its origin is its own joint's centre; the
-            last frame's origin is the centre of the joint before it.
+        steps: (6, 3) vectors to each joint's centre at zero angles, in L [m]: the first vector from L's origin, each
+            other vector from the joint before.
+        axes: for each joint, the axis of L, 1 to 3, about which the joint rotates at zero angles.
+        frames: names of the frames that carry the arm's bodies: the foot (fixed in L), then one frame for each joint.
+            The axes of a joint's frame are those of L, rotated by all joints up to this joint. The origin is the
+            joint's centre; for the last joint it is the centre of the joint before.
         end_effector_roll: the angle r in R_E = R_7 Rx(r) [rad].
     """
 
@@ -46,7 +47,7 @@ def linkage_of(file: ArmFile) -> Linkage:
 
 
 def raised(linkage: Linkage, height: float) -> Linkage:
-    """Return the linkage with the shoulder pitch joint at another height above L's origin [m]."""
+    """Return the linkage with the shoulder pitch joint at the given height above L's origin [m]."""
     links, steps = linkage.links.copy(), linkage.steps.copy()
     links[0], steps[1, 2] = height, -height
     return linkage._replace(links=frozen(links), steps=frozen(steps))
@@ -60,7 +61,10 @@ def frozen(values: object) -> Array:
 
 
 def _of_yaw_arm(file: YawArmFile) -> Linkage:
-    """Return the linkage yaw, pitch, pitch, pitch, yaw, roll; the elbow may be off the boom line."""
+    """Return the linkage of an arm with the joints yaw, pitch, pitch, pitch, yaw, roll.
+
+    The elbow may be above or below the boom line.
+    """
     g = file.geometry
     height, wrist = g.shoulder_yaw_to_pitch.value, g.wrist_pitch_to_yaw.value
     (along2, drop2), (along3, drop3) = g.upper_arm.value, g.lower_arm.value
@@ -76,7 +80,7 @@ def _of_yaw_arm(file: YawArmFile) -> Linkage:
 
 
 def _of_heading_arm(file: HeadingArmFile) -> Linkage:
-    """Return the linkage heading, pitch, pitch, heading, pitch, roll.
+    """Return the linkage of an arm with the joints heading, pitch, pitch, heading, pitch, roll.
 
     The wrist's axes intersect in one point; the tip is on the palm's outer face.
     """
@@ -96,6 +100,6 @@ def _frames(a: str, b: str, c: str, d: str, e: str, f: str) -> Names:
 
 
 def _steps(height: float, upper: tuple[float, float], lower: tuple[float, float], wrist: float) -> Array:
-    """Return the steps (6, 3) from joint to joint in the arm's plane [m]: along, 0, down."""
+    """Return `Linkage.steps` (6, 3), the vectors from joint to joint in the arm's plane [m]: along, 0, down."""
     vectors = [(0.0, 0.0), (0.0, -height), upper, lower, (wrist, 0.0), (0.0, 0.0)]
     return frozen([[along, 0.0, down] for along, down in vectors])

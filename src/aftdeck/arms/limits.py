@@ -1,4 +1,4 @@
-"""Joint limits and rate limits of an arm as arrays, and checks that they fit together."""
+"""Joint limits and rate limits of an arm as arrays, and checks that these limits agree with each other."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Limits(NamedTuple):
 
     Attributes:
         hard: mechanical stops.
-        soft: limits beyond which computed modes and MASTER drive no joint further.
+        soft: soft stops; beyond them, computed modes and MASTER move no joint further outwards.
         reach: limits at which the REACH LIM lamp lights; they do not stop a joint.
     """
 
@@ -27,12 +27,12 @@ class Limits(NamedTuple):
 
 
 class JointRates(NamedTuple):
-    """Joint rate limits, each (6,) [rad/s], and the joints' greatest accelerations.
+    """Joint rate limits and the greatest joint accelerations.
 
     Attributes:
-        servo: maxima of the servos; RATLMT uses them in modes 2 to 7.
-        coarse: limits in modes 1 and 8, DIRECT and MASTER, with COARSE.
-        vernier: limits in the same modes, with VERNIER.
+        servo: (6,) greatest rates of the servos [rad/s]; RATLMT uses them in modes 2 to 7.
+        coarse: (6,) limits in modes 1 and 8, DIRECT and MASTER with the rate setting coarse [rad/s].
+        vernier: (6,) limits in these modes with the rate setting vernier [rad/s].
         acceleration: (6,) greatest joint accelerations, applied in modes 1 to 7 [rad/s2].
     """
 
@@ -43,7 +43,7 @@ class JointRates(NamedTuple):
 
 
 def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[Problem]:
-    """Return each joint whose limits, rates or acceleration are inconsistent, with its place in an arm's file."""
+    """Return a problem, with its place in the arm's file, for each joint with inconsistent limits or rates."""
     found = []
     for i, joint in enumerate(joints):
         chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]
@@ -53,7 +53,8 @@ def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> 
                 for name, (low, high) in zip(Limits._fields, (np.degrees(s[i]) for s in limits), strict=True)
             )
             what = (
-                f"{joint}: reach limits have to be inside the soft stops, and these inside the hard stops; got {ranges}"
+                f"{joint}: reach limits have to be inside the soft stops, and soft stops inside the hard stops; "
+                f"got {ranges}"
             )
             found.append(Problem(("limits",), what))
         vernier, coarse, servo = rates.vernier[i], rates.coarse[i], rates.servo[i]

@@ -1,4 +1,4 @@
-"""Loader of an arm file into arrays; `arms.check` makes the checks that types cannot."""
+"""Loader of an arm file into arrays; `arms.check` makes the checks that types cannot make."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from aftdeck.frames import Mount, rotation_x
 HERE = Path(__file__).parent
 
 _LENGTH_TOLERANCE = 1e-9
-"""Distance by which a telescope's length may exceed its limits, to allow for rounding of units [m]."""
+"""Distance by which a telescope's length may be outside its limits, to allow for rounding in unit conversions [m]."""
 
 
 class PorLimits(NamedTuple):
     """Limits of the point of resolution for one payload mass.
 
     Attributes:
-        translation: V_L, greatest speed [m/s], coarse and vernier.
-        rotation: omega_L, greatest angular rate [rad/s], coarse and vernier.
-        acceleration: greatest acceleration [m/s2], with either setting.
-        angular_acceleration: greatest angular acceleration [rad/s2], with either setting.
+        translation: V_L, greatest speed, for coarse and for vernier [m/s].
+        rotation: omega_L, greatest angular rate, for coarse and for vernier [rad/s].
+        acceleration: greatest acceleration, for both rate settings [m/s2].
+        angular_acceleration: greatest angular acceleration, for both rate settings [rad/s2].
     """
 
     translation: tuple[float, float]
@@ -49,11 +49,11 @@ class ArmModel:
         name: name in the file.
         title: full name for display.
         units: units that the panel shows by default.
-        joints: names, base to tip.
-        labels: short joint names for the page.
+        joints: names of the joints, from base to tip.
+        labels: short names of the joints for the page.
         linkage: the joints, as the laws and the pictures use them.
         equipment: equipment besides the joints.
-        mount: the arm's base frame L in the orbiter.
+        mount: position and orientation of the arm's base frame L on the orbiter.
         limits: joint limits.
         singular: normalised distance below which the SINGULAR lamp lights [1].
         rates: joint rate limits.
@@ -86,7 +86,7 @@ class ArmModel:
 
     @property
     def frames(self) -> tuple[str, ...]:
-        """Names of all frames that carry a body: the linkage's frames, then telescope and prong, if present."""
+        """Names of all frames that carry a body: the linkage's frames, then telescope and prong if the arm has them."""
         equipment = self.equipment
         besides = ((STAND, equipment.telescope), (PRONG, equipment.prong))
         return (*self.linkage.frames, *(name for name, item in besides if item is not None))
@@ -98,7 +98,7 @@ class ArmModel:
 
     @property
     def stand(self) -> float | None:
-        """Length of the telescope [m], the height of the shoulder; None if the arm has no telescope."""
+        """Length of the telescope, which is the height of the shoulder [m]; None if the arm has no telescope."""
         return None if self.equipment.telescope is None else float(self.links[0])
 
     def at(self, stand: float) -> ArmModel:
@@ -117,10 +117,11 @@ class ArmModel:
         return replace(self, linkage=raised(self.linkage, stand))
 
     def por_limits(self, payload_mass: float) -> PorLimits:
-        """Return the limits of the point of resolution for a payload's mass [kg], interpolated in its logarithm.
+        """Return the limits of the point of resolution for a payload's mass [kg].
 
-        Below the lightest payload's row, the limits are interpolated in the mass itself. Above the heaviest row, the
-        limits of that row apply (assumed).
+        Between two rows for payloads, the limits are interpolated in the logarithm of the mass. Between the row without
+        a payload and the row of the lightest payload, they are interpolated in the mass. Above the row of the heaviest
+        payload, the limits of that row apply (assumed).
 
         Raises:
             InputError: the mass is negative.
@@ -160,7 +161,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
 
     Raises:
         ArmError: no built-in arm has that name.
-        ScenarioError: the file has errors, all listed in the message, or the arm's shape file cannot be read.
+        ScenarioError: the file has errors (the message lists all of them), or the arm's shape file cannot be read.
     """
     path = Path(name_or_path)
     if path.suffix != ".toml":

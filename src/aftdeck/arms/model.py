@@ -1,8 +1,8 @@
 """Contents of an arm file: geometry, limits, rates and masses, each constant with its source.
 
-The field `family` selects one of two families: the Shuttle's, of JSC-12628 (yaw, pitch, pitch, pitch, yaw, roll), or
-the concept's, of the *Remote Manipulator Simulation* (heading, pitch, pitch, heading, pitch, roll). A table that only
-one family has is a separate struct.
+The field `family` selects one of two families of arms. The Shuttle's family is that of JSC-12628 (yaw, pitch, pitch,
+pitch, yaw, roll). The concept's family is that of the *Remote Manipulator Simulation* (heading, pitch, pitch, heading,
+pitch, roll). Tables that differ between the families, or that only one family has, have their own structs.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ class Constant(_Part, Generic[_T], frozen=True):
 
 
 Offset = tuple[Length, Length]
-"""Offset along the arm at zero angles, and down from the boom line [m]."""
+"""Offset of a joint from the joint before it, at zero angles: along the arm, then down [m]."""
 Span = tuple[Length, Length]
-"""Begin and end along a line [m]."""
+"""Begin and end of a body along a line [m]."""
 SixRanges = tuple[
     tuple[Angle, Angle],
     tuple[Angle, Angle],
@@ -75,7 +75,7 @@ class HeadingGeometry(_Part, frozen=True):
 
 
 class MountFile(_Part, frozen=True):
-    """Position and lean of the arm's base on the orbiter, in structural Xo, Yo, Zo."""
+    """Position and lean of the arm's base on the orbiter. Positions are structural Xo, Yo, Zo."""
 
     origin: Constant[tuple[Length, Length, Length]]
     lean: Constant[Angle]
@@ -83,7 +83,7 @@ class MountFile(_Part, frozen=True):
 
 
 class LimitsFile(_Part, frozen=True):
-    """Three nested sets of joint limits, and the SINGULAR lamp's threshold."""
+    """Three sets of joint limits, each inside the one before, and the threshold of the SINGULAR lamp."""
 
     hard: Constant[SixRanges]
     soft: Constant[SixRanges]
@@ -92,7 +92,7 @@ class LimitsFile(_Part, frozen=True):
 
 
 class RatesFile(_Part, frozen=True):
-    """Joint rate limits: servo maxima (modes 2 to 7), coarse and vernier (modes 1 and 8); joint accelerations."""
+    """Joint rate limits: servo maxima (modes 2 to 7), coarse and vernier (modes 1 and 8); limits of acceleration."""
 
     servo: Constant[SixRates]
     coarse: Constant[SixRates]
@@ -109,6 +109,7 @@ class PorRow(_Part, frozen=True):
     rotation: AngularRate
     vernier_rotation: AngularRate
     reached_in: Time
+    """Time from rest to the coarse limits."""
     source: Text
     confidence: Confidence
 
@@ -143,7 +144,7 @@ class MassesFile(_Part, Generic[_T], frozen=True):
 
 
 class StandFile(_Part, frozen=True):
-    """Telescope under the arm; its length is the height of the shoulder above the telescope's foot."""
+    """Telescope under the arm. Its length is the height of the shoulder above the telescope's foot."""
 
     least: Constant[Length]
     greatest: Constant[Length]
@@ -157,12 +158,12 @@ class StandFile(_Part, frozen=True):
 
 
 class BoomsFile(_Part, frozen=True):
-    """Dimensions of upper arm, lower arm and stub, square in section, and of the cubes that house the joints."""
+    """Dimensions of upper arm, lower arm and stub (with square sections), and of the cubes that house the joints."""
 
     side: Constant[Length]
     """Side of upper and lower arm."""
     set_back: Constant[Length]
-    """Distance from the pins at both ends of a boom to the boom's body."""
+    """Distance from the pin at each end of a boom to the end of the boom's body."""
     stub_side: Constant[Length]
     stub: Constant[Span]
     shoulder_housing: Constant[Length]
@@ -174,26 +175,27 @@ class EffectorFile(_Part, frozen=True):
     """Palm (HEX 1), fixed finger (HEX 2) and prong (HEX 3), in system 2: X2 outwards, Y2 to the fixed finger."""
 
     palm: Constant[Span]
-    """Along X2; the outer face is the one that contacts the payload's bar."""
+    """Extent of the palm along X2; its outer face contacts the payload's bar."""
     palm_half_width: Constant[Length]
     palm_half_height: Constant[Length]
     fingers: Constant[Span]
-    """Along X2, for fixed finger and prong."""
+    """Extent of fixed finger and prong along X2."""
     finger_thickness: Constant[Length]
     finger_half_height: Constant[Length]
     fixed_finger: Constant[Length]
     """y2 of the fixed finger's inner face."""
     prong_open: Constant[Length]
-    """y2 of the prong's inner face."""
+    """y2 of the open prong's inner face."""
     prong_closed: Constant[Length]
+    """y2 of the closed prong's inner face."""
     prong_rate: Constant[Speed]
 
 
 class _Cover(_Part, frozen=True, tag_field="kind", kw_only=True):
-    """Convex body that encloses a covered body, so that the covered body's clearance is never overstated."""
+    """Convex body that encloses another body. The clearance of the enclosed body is therefore never overstated."""
 
     position: tuple[Length, Length, Length] = (Length(0.0), Length(0.0), Length(0.0))
-    """Position of the cover's centre in the frame of the covered body."""
+    """Position of the cover's centre in the frame of the enclosed body."""
     rotation: tuple[Angle, Angle, Angle] = (Angle(0.0), Angle(0.0), Angle(0.0))
     """Roll, pitch, yaw about fixed x, y, z, applied in that order."""
 
@@ -205,7 +207,7 @@ class BoxCover(_Cover, frozen=True, kw_only=True, tag="box"):
 
 
 class PrismCover(_Cover, frozen=True, kw_only=True, tag="prism"):
-    """A regular prism round a cylinder."""
+    """A regular prism that encloses a cylinder."""
 
     axis: Axis = "x"
     radius: Length
@@ -221,9 +223,9 @@ class BoxBody(BoxCover, frozen=True, kw_only=True, tag="box"):
     """A box that covers a part of the arm."""
 
     part: Text
-    """Name that the operator reads; several bodies may share a part."""
+    """Name of the part, which the operator reads; several bodies may belong to one part."""
     frame: Text
-    """Moving frame that carries the body."""
+    """Name of the moving frame that carries the body."""
     source: Text
     confidence: Confidence
 
@@ -238,7 +240,7 @@ class PrismBody(PrismCover, frozen=True, kw_only=True, tag="prism"):
 
 
 class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
-    """Fields of every arm file; `arms.check` makes the checks that types cannot."""
+    """Fields of every arm file; `arms.check` makes the checks that types cannot make."""
 
     name: Text
     title: Text

@@ -1,4 +1,4 @@
-"""Appearance of an arm: the shapes that each of its moving frames carries, and its cameras."""
+"""Appearance of an arm: the shapes in each of its moving frames, and its cameras."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class ArmShapes(NamedTuple):
     """Drawn shapes and cameras of an arm."""
 
     bodies: dict[str, tuple[Shape, ...]]
-    """Shapes by frame, from the foot on."""
+    """Shapes by the name of their frame, in the order from the foot to the tip."""
     cameras: tuple[Camera, ...]
 
 

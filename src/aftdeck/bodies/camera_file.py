@@ -1,4 +1,4 @@
-"""Cameras and their drives as listed in a worksite file or an arm file, as quantities with units."""
+"""Types of the cameras and drives in a worksite file or in an arm's shape file, with values that have units."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class TravelFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class DriveFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Type of pan and tilt unit with its lens; several cameras may have the same type."""
+    """Pan and tilt unit with its lens; several cameras may name the same drive."""
 
     name: str
     source: str
@@ -60,7 +60,7 @@ class PaneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Camera with its initial setting; fields without a description are as in `Camera`."""
+    """Camera with its initial setting. Fields without a description are described in `Camera`."""
 
     name: str
     title: str
@@ -72,15 +72,15 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     source: str
     """Source of the values, or ``assumed``."""
     drive: str | None = None
-    """Name of the drive that turns the camera; None if the camera is fixed."""
+    """Name of the drive that moves the camera; None if the camera is fixed."""
     zero: Vec3 | None = None
-    """Direction of zero pan and tilt, made perpendicular to `up`; None for the boresight."""
+    """Direction of zero pan and tilt, which is made perpendicular to `up`; None to use the boresight."""
     kind: Kind = "camera"
     pane: PaneFile | None = None
     """Opening of a window; None for any other kind."""
 
     def __post_init__(self) -> None:
-        """Raise ValueError if `Camera` rejects the values, or `zero` has no length or is parallel to `up`."""
+        """Raise ValueError if `Camera` rejects the values, or if `zero` has zero length or is parallel to `up`."""
         self._camera(None)
         if along(self.zero or self.boresight, self.up):
             raise ValueError(f"camera {self.name}: zero and up have to be different directions")
@@ -97,8 +97,8 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """Return the camera with its drive.
 
         Raises:
-            ValueError: no drive has that name, the initial setting is outside the drive's ranges, or this kind of
-                camera cannot have a drive.
+            ValueError: no drive has the name in `drive`, the initial setting is outside the drive's ranges, or a camera
+                of this kind cannot have a drive.
         """
         if self.drive is None:
             return self._camera(None)

@@ -1,8 +1,8 @@
 """Cameras: position, boresight, field of view, and the ranges of the drives.
 
-Pan turns a camera about its `up` direction, positive to the right in its picture. Tilt then raises the boresight,
-positive upwards. Pan and tilt are the report's heading and pitch: heading turns about Z, which points down, and
-positive pitch raises the boresight.
+Pan rotates a camera about its `up` direction; positive pan is to the right in the picture. Tilt then raises the
+boresight; positive tilt is upwards. Pan and tilt are the report's heading and pitch: heading rotates about Z, which
+points down, and positive pitch raises the boresight.
 """
 
 from __future__ import annotations
@@ -15,18 +15,19 @@ import msgspec
 Vec3 = tuple[float, float, float]
 Kind = Literal["camera", "window", "engineering"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
-"""Kinds of picture source: a television camera, an eye behind a window, or a view for engineers, without hardware."""
+"""Kinds of sources of pictures: a television camera, an eye behind a window, or a view for engineers, which does not
+represent any hardware."""
 
 
 class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Range and rates of one of a camera's drives."""
 
     least: float
-    """[rad]"""
+    """Least position [rad]."""
     greatest: float
-    """[rad]"""
+    """Greatest position [rad]."""
     rate: float
-    """[rad/s]"""
+    """Rate, or the high rate of a drive with two rates [rad/s]."""
     slow: float | None = None
     """Low rate of a drive with two rates [rad/s]; None if the drive has one rate."""
 
@@ -42,7 +43,7 @@ class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Drive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Pan and tilt unit with its lens; an axis that is None keeps the camera's initial setting."""
+    """Pan and tilt unit with its lens. An axis that is None does not move: it has the camera's initial setting."""
 
     zero: Vec3
     """Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`."""
@@ -51,21 +52,21 @@ class Drive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     pan: Travel | None
     tilt: Travel | None
     zoom: Travel | None
-    """Travel of the horizontal field of view."""
+    """Range and rates of the horizontal field of view."""
 
 
 class Pane(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Opening of a window, perpendicular to the line of sight and centred on it.
 
-    The picture shows only what is beyond the opening and seen through it.
+    The picture shows only objects that are beyond the opening and visible through it.
     """
 
     distance: float
     """Distance from the eye [m]."""
     width: float
-    """[m]"""
+    """Width of the opening [m]."""
     height: float
-    """[m]"""
+    """Height of the opening [m]."""
 
     def __post_init__(self) -> None:
         """Raise ValueError if a dimension is not above zero."""
@@ -88,7 +89,8 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     boresight: Vec3
     """Direction of view in the body's frame (any length above zero)."""
     up: Vec3
-    """Direction in the body's frame that is up in the picture, not parallel to the boresight; the pan axis."""
+    """Direction in the body's frame that is up in the picture. It is the pan axis, and it is not parallel to the
+    boresight."""
     field_of_view: float
     """Horizontal field of view [rad]."""
     drive: Drive | None = None
@@ -117,8 +119,8 @@ class Setting(NamedTuple):
     """Setting of a camera's drives.
 
     Attributes:
-        pan: [rad], positive to the right in the picture.
-        tilt: [rad], positive upwards.
+        pan: pan angle, positive to the right in the picture [rad].
+        tilt: tilt angle, positive upwards [rad].
         zoom: horizontal field of view [rad].
     """
 
@@ -131,10 +133,10 @@ class View(NamedTuple):
     """View of a camera: the fields of `Camera` that its drives change.
 
     Attributes:
-        position: lens, in the body's frame [m].
-        boresight: unit direction of view.
-        up: unit direction that is up in the picture.
-        field_of_view: horizontal [rad].
+        position: position of the lens, in the body's frame [m].
+        boresight: unit direction of view, in the body's frame.
+        up: unit direction that is up in the picture, in the body's frame.
+        field_of_view: horizontal field of view [rad].
     """
 
     position: Vec3
@@ -150,7 +152,10 @@ def setting(camera: Camera) -> Setting:
 
 
 def view(camera: Camera, at: Setting) -> View:
-    """Return the view with the drives at a setting; beyond 90 deg of tilt the camera looks backwards, upside down."""
+    """Return the view with the drives at a setting.
+
+    If the tilt is beyond 90 deg, the camera looks backwards, and the picture is upside down.
+    """
     ahead, right, up = _axes(camera)
     (cp, sp), (ct, st) = ((cos(angle), sin(angle)) for angle in (at.pan, at.tilt))
     level = _sum((cp, ahead), (sp, right))
@@ -161,12 +166,15 @@ def view(camera: Camera, at: Setting) -> View:
 
 
 def along(a: Vec3, b: Vec3) -> bool:
-    """Return whether two directions are parallel or opposite, or one of them has no length."""
+    """Return whether two directions are parallel or opposite, or one of them has zero length."""
     return not hypot(*_cross(a, b)) > 1e-9 * hypot(*a) * hypot(*b)
 
 
 def square(direction: Vec3, up: Vec3) -> Vec3:
-    """Return the unit direction perpendicular to `up` that is nearest to `direction`, which is not parallel to `up`."""
+    """Return the unit direction perpendicular to `up` that is nearest to `direction`.
+
+    `direction` must not be parallel to `up`.
+    """
     upward = _unit(up)
     return _unit(_cross(upward, _cross(direction, upward)))
 

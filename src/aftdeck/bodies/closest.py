@@ -1,8 +1,8 @@
 """Closest points of two hexahedra: the point of their Minkowski difference nearest to the origin, by GJK.
 
 Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
-three-dimensional space", 1988. The sub-simplices are enumerated exactly. The search ends when the distance agrees with
-the gap between the bodies along its direction, so each answer includes its own proof.
+three-dimensional space", 1988. All sub-simplices are enumerated. The search ends when the distance of the point agrees
+with the gap between the bodies along the point's direction. The gap proves that no other point is nearer.
 """
 
 from __future__ import annotations
@@ -19,17 +19,23 @@ from aftdeck.bodies.vector import ZERO, Vector, cross, dot, minus, moved_along, 
 from aftdeck.law import law
 
 AGREED = 1e-13
-"""Largest difference between distance and gap at which the search ends [m]."""
+"""Greatest difference between distance and gap at which the search ends [m]."""
 NOTHING = 1e-14
-"""Distance at or below which a direction is lost in rounding [m]."""
+"""Greatest distance that counts as zero [m]: rounding errors then make its direction meaningless."""
 ENCLOSED = 4
 """Size of a simplex that contains the origin."""
 MOST_STEPS = 64
-"""Largest number of search steps, more than any observed pair needed; the distance decreases with every step."""
+"""Greatest number of search steps; no observed pair needed as many. The distance decreases with every step."""
 
 
 class Corner(NamedTuple):
-    """Corner of the Minkowski difference: vertex a of a body minus vertex b of another [m], both numbered from zero."""
+    """Corner of the Minkowski difference of two bodies.
+
+    Attributes:
+        at: vertex a of the first body minus vertex b of the second body [m].
+        a: number of the first body's vertex, from zero.
+        b: number of the second body's vertex, from zero.
+    """
 
     at: Vector
     a: int
@@ -37,9 +43,10 @@ class Corner(NamedTuple):
 
 
 class Simplex(NamedTuple):
-    """Corners (the first `size`) that span the point nearest to the origin, and that point [m].
+    """Simplex in the Minkowski difference.
 
-    A size of ENCLOSED means a tetrahedron that contains the origin.
+    The first `size` of the corners p, q, r span `point`, the point of the simplex that is nearest to the origin [m]. If
+    `size` is ENCLOSED, the simplex is a tetrahedron that contains the origin.
     """
 
     size: int
@@ -50,7 +57,13 @@ class Simplex(NamedTuple):
 
 
 class Nearest(NamedTuple):
-    """Final simplex of a search, the distance of its point from the origin, and the gap along that direction [m]."""
+    """Result of a search.
+
+    Attributes:
+        simplex: the final simplex.
+        distance: distance of the simplex's point from the origin [m].
+        gap: gap between the bodies along the direction of that point [m].
+    """
 
     simplex: Simplex
     distance: float
@@ -66,7 +79,7 @@ def corner(a: Array, b: Array, i: int, j: int, moved: Vector) -> Corner:
 
 @law
 def on_segment(p: Corner, q: Corner) -> Simplex:
-    """Return the simplex of the point of a segment that is nearest to the origin."""
+    """Return the simplex with the point of a segment that is nearest to the origin."""
     e = minus(q.at, p.at)
     along = -dot(p.at, e)
     square = dot(e, e)
@@ -75,13 +88,13 @@ def on_segment(p: Corner, q: Corner) -> Simplex:
     if along >= square:
         return Simplex(1, q, q, q, q.at)
     point = moved_along(p.at, along / square, e)
-    # Remove the component that rounding left along the segment: near contact this is the larger component.
+    # Remove the component along the segment, which is due to rounding; near contact it is the larger component.
     return Simplex(2, p, q, q, moved_along(point, -(dot(point, e) / square), e))
 
 
 @law
 def nearer(s: Simplex, t: Simplex) -> Simplex:
-    """Return the simplex whose point is nearer to the origin; s if both are equally near."""
+    """Return the simplex whose point is nearer to the origin; return s if both points are equally near."""
     if dot(s.point, s.point) <= dot(t.point, t.point):
         return s
     return t
@@ -89,7 +102,7 @@ def nearer(s: Simplex, t: Simplex) -> Simplex:
 
 @law
 def on_triangle(p: Corner, q: Corner, r: Corner) -> Simplex:
-    """Return the simplex of the point of a triangle that is nearest to the origin."""
+    """Return the simplex with the point of a triangle that is nearest to the origin."""
     n = cross(minus(q.at, p.at), minus(r.at, p.at))
     pq, qr, rp = dot(n, cross(p.at, q.at)), dot(n, cross(q.at, r.at)), dot(n, cross(r.at, p.at))
     if pq > 0.0 and qr > 0.0 and rp > 0.0:
@@ -99,7 +112,7 @@ def on_triangle(p: Corner, q: Corner, r: Corner) -> Simplex:
 
 @law
 def outside(p: Corner, q: Corner, r: Corner, s: Corner) -> bool:
-    """Return whether the origin is not strictly on the same side of the plane of p, q, r as s."""
+    """Return whether the plane of p, q, r separates the origin from s, or contains the origin or s."""
     n = cross(minus(q.at, p.at), minus(r.at, p.at))
     origin = -dot(n, p.at)
     other = dot(n, minus(s.at, p.at))
@@ -108,9 +121,9 @@ def outside(p: Corner, q: Corner, r: Corner, s: Corner) -> bool:
 
 @law
 def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
-    """Return the simplex of the point of a tetrahedron that is nearest to the origin.
+    """Return the simplex with the point of a tetrahedron that is nearest to the origin.
 
-    The face p, q, r is not tested: the nearest point is on a face with corner s, unless the origin is inside.
+    The face p, q, r is not tested: if the origin is not inside, the nearest point is on a face with the corner s.
     """
     best, found = Simplex(ENCLOSED, p, q, r, ZERO), False
     for _ in range(3):
@@ -123,7 +136,7 @@ def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
 
 @law
 def shortest(s: Simplex, w: Corner) -> Simplex:
-    """Return the simplex of the point nearest to the origin, for a simplex and one more corner."""
+    """Return the simplex with the point nearest to the origin, for the corners of a simplex and one more corner."""
     if s.size == 1:
         return on_segment(s.p, w)
     if s.size == 2:
@@ -133,7 +146,7 @@ def shortest(s: Simplex, w: Corner) -> Simplex:
 
 @law
 def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
-    """Return the simplex of the point nearest to the origin, for one to three corners."""
+    """Return the simplex with the point nearest to the origin, for one to three corners."""
     if size == 1:
         return Simplex(1, p, p, p, p.at)
     if size == 2:
@@ -173,7 +186,7 @@ def nearest(a: Array, b: Array, moved: Vector, start: Simplex, enough: float) ->
 
 @law
 def weights(s: Simplex) -> tuple[float, float, float]:
-    """Return the weights of a simplex's corners in its point; they add up to 1."""
+    """Return the weights of a simplex's corners in the simplex's point; the sum of the weights is 1."""
     if s.size == 1:
         return 1.0, 0.0, 0.0
     e, h = minus(s.q.at, s.p.at), minus(s.point, s.p.at)

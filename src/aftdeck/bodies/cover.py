@@ -1,8 +1,9 @@
-"""Curved bodies covered from outside by hexahedra, so that no clearance is ever overstated.
+"""Hexahedra that cover curved bodies from outside. No clearance of a covered body is therefore overstated.
 
-The docstring of each function states how far its hexahedra extend beyond the body at most. A clearance from the body is
+The docstring of each function states how far its hexahedra extend beyond the body at most. The clearance of the body is
 understated by at most that distance. The clearance of several hexahedra is the least of their clearances. A negative
-clearance is minus the shortest move out of one hexahedron, which can be less than the shortest move out of all of them.
+clearance is minus the shortest move out of one hexahedron. That move can be shorter than the shortest move out of all
+hexahedra.
 """
 
 from __future__ import annotations
@@ -18,9 +19,11 @@ from aftdeck.errors import InputError
 Axis = Literal["x", "y", "z"]
 
 FEWEST_WALLS = 8
-"""Minimum number of hexahedra of a tube's wall; in the bay's half tube of radius 2.31 m they intrude by 0.044 m."""
+"""Least number of hexahedra of a tube's wall. Eight hexahedra for the bay's half tube, with a radius of 2.31 m, extend
+into the tube by 0.044 m."""
 SIDES = 12
-"""Default number of sides of a prism round a circle; its edges extend beyond the circle by 3.5 % of the radius."""
+"""Default number of sides of a prism around a circle. The prism's edges are then outside the circle by 3.5 % of the
+radius."""
 FEWEST_SIDES = 4
 
 
@@ -38,16 +41,16 @@ def tube_wall(
     """Return hexahedra that cover the wall of a tube or truncated cone about its centre, placed as a `shapes.Shell`.
 
     With h = sweep / (2 count), they extend into the tube by at most (radius - thickness) (1 - cos h), and out of it by
-    at most radius (1 / cos h - 1). The own axes of each hexahedron are x along the tube's axis, y against the sweep
-    and z outwards, so that face c faces inwards.
+    at most radius (1 / cos h - 1). Each hexahedron has its own axes: x along the tube's axis, y against the sweep, z
+    outwards. Face c therefore faces inwards.
 
     Args:
-        radius: outer radius at the end of smaller axis coordinate [m].
+        radius: outer radius at the end with the lesser coordinate along the axis [m].
         thickness: thickness of the wall, less than both radii [m].
         length: length along the axis [m].
         radius_end: outer radius at the other end [m]; None if it equals `radius`.
         axis: axis of the tube.
-        start: angle at which the wall begins [rad]; from y to z about x, from z to x about y, from x to y about z.
+        start: angle at which the wall begins [rad]: from y to z about x, from z to x about y, from x to y about z.
         sweep: angle that the wall spans [rad].
         count: number of hexahedra, at least 8.
 
@@ -87,12 +90,14 @@ def prism(
     sides: int = SIDES,
     turn: float = 0.0,
 ) -> Array:
-    """Return a regular prism round a cylinder or truncated cone about its centre, cut into sides/2 - 1 hexahedra.
+    """Return a regular prism that encloses a cylinder or truncated cone, cut into sides/2 - 1 hexahedra.
 
-    Its edges extend beyond the circle by radius (1 / cos(pi / sides) - 1). The cuts are parallel.
+    The prism's centre is the origin. Its edges are outside the circle by radius (1 / cos(pi / sides) - 1). The cuts are
+    parallel.
 
     Args:
-        radius: radius of the circle, the distance of a side from the axis, at the end of smaller axis coordinate [m].
+        radius: radius of the circle at the end with the lesser coordinate along the axis [m]. It is the distance of a
+            side from the axis.
         length: length along the axis [m].
         radius_end: radius of the circle at the other end [m]; None if it equals `radius`.
         axis: axis of the prism.
@@ -122,7 +127,7 @@ def prism(
 
 
 def _along(bodies: Array, axis: Axis) -> Array:
-    """Return bodies along x, rotated so that they are along `axis`."""
+    """Rotate bodies that are along x so that they are along `axis`."""
     if axis not in ("x", "y", "z"):
         raise InputError(f"the axis is {axis!r}; it has to be x, y or z")
     return np.roll(bodies, "xyz".index(axis), axis=-1)

@@ -1,8 +1,9 @@
-"""Penetration depth of two hexahedra: the length of the shortest move that takes one out of the other.
+"""Penetration depth of two hexahedra: the length of the shortest move that separates the two.
 
-Minus the depth is the greatest separation along all normals in which the bodies can touch last. These are the normals
-of the faces of both bodies, and the normals perpendicular to one edge of each body, if the two edges' arcs of normals
-cross (Gauss map; S. Gottschalk's theorem of separating axes).
+The separation along a direction is the gap between the two bodies along it; it is negative if they overlap. The depth
+is minus the greatest separation along all normals along which the bodies can touch last. There are two kinds of such
+normals: the normals of the faces of both bodies, and the normals that are perpendicular to one edge of each body, if
+the arcs of normals of the two edges cross (Gauss map; S. Gottschalk's theorem of separating axes).
 """
 
 from __future__ import annotations
@@ -17,11 +18,16 @@ from aftdeck.bodies.vector import Vector, cross, dot, minus, opposite, times
 from aftdeck.law import law
 
 PARALLEL = 1e-24
-"""Squared sine of the angle up to which two edges count as parallel [1]; the faces then give the answer."""
+"""Squared sine of the greatest angle at which two edges count as parallel [1]. Then the faces give the answer."""
 
 
 class Separation(NamedTuple):
-    """Unit normal from a to b, and the separation of the bodies along it, negative if they overlap [m]."""
+    """Separation of two bodies along a unit normal.
+
+    Attributes:
+        apart: the separation [m]; negative if the bodies overlap along the normal.
+        normal: the unit normal, from body a to body b [1].
+    """
 
     apart: float
     normal: Vector
@@ -29,7 +35,7 @@ class Separation(NamedTuple):
 
 @law
 def along(a: Array, b: Array, normal: Vector) -> Separation:
-    """Return the separation along a unit normal, from all vertices of both bodies."""
+    """Return the separation along a unit normal, computed from all vertices of both bodies."""
     found = sides(a, b, normal)
     return Separation(found.b - found.a, normal)
 
@@ -65,7 +71,7 @@ def greatest(a: Array, b: Array, above_b: Array, above_a: Array) -> Separation:
         for g in range(len(ENDS)):
             k, m = ENDS[g, 0], ENDS[g, 1]
             b1, b2 = BESIDE[g, 0], BESIDE[g, 1]
-            # Products of a's two normals with b's edge, and of b's two normals with a's edge.
+            # dot products: normals of the two faces at a's edge with b's edge, normals at b's edge with a's edge
             p1, p2 = above_a[a1, m] - above_a[a1, k], above_a[a2, m] - above_a[a2, k]
             q1, q2 = above_b[b1, j] - above_b[b1, i], above_b[b2, j] - above_b[b2, i]
             if p1 * p2 >= 0.0 or q1 * q2 >= 0.0 or p1 * q1 <= 0.0:

@@ -1,8 +1,8 @@
-"""Edge test: search for an edge of one hexahedron that pierces a face of another.
+"""Edge test: search for an edge of one hexahedron that pierces a face of another hexahedron.
 
-Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV.B.1), with three corrections. The test
-is made for the edges of both bodies. The edge is a segment instead of a ray. The edge is clipped by the faces that its
-location words name; the source uses scalar triple products with a table of bounding edges, which fails for tapered
+Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV.B.1), with three corrections. The edges
+of both bodies are tested. An edge is a segment instead of a ray. An edge is clipped by the faces that the location
+words of its ends name; the source uses scalar triple products with a table of bounding edges, which fails for tapered
 bodies.
 """
 
@@ -17,7 +17,7 @@ from aftdeck.law import law
 
 
 class Pierced(NamedTuple):
-    """Piercing edge, and the face through which it enters, numbered from zero; edge is -1 if no edge pierces."""
+    """Piercing edge, and the face through which it enters, both numbered from zero; `edge` is -1 if no edge pierces."""
 
     edge: int
     face: int
@@ -25,15 +25,15 @@ class Pierced(NamedTuple):
 
 @law
 def piercing_edge(above: Array, words: Words) -> Pierced:
-    """Return the first edge that passes through the other body with both ends outside.
+    """Return the first edge of a body that passes through another body and has both ends outside.
 
     Args:
-        above: (6, 8) heights of this body's vertices over the other's faces [m].
+        above: (6, 8) heights of the body's vertices over the other body's faces [m].
         words: (8,) location words of these vertices.
     """
     for e in range(len(ENDS)):
         i, j = ENDS[e, 0], ENDS[e, 1]
-        # A piercing edge enters through one plane and leaves through another, so at least two bits change. If both
+        # A piercing edge enters through one plane and leaves through another plane: at least two bits change. If both
         # ends are on the TRUE side of the same face, the whole edge is outside.
         changed = words[i] ^ words[j]
         if words[i] & words[j] != 0 or changed & (changed - 1) == 0:

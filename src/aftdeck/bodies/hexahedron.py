@@ -1,11 +1,11 @@
-"""Convex hexahedron with eight vertices and six flat faces, for every collision test.
+"""Convex hexahedron with eight vertices and six flat faces, for all collision tests.
 
 Vertices are numbered 1 to 8: v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in the body's own
-axes. Face c is its top (-z), d its bottom, b and e its sides (-y, +y), a and f its ends (-x, +x). A face's TRUE side
-is outside. Source: the final report of the Remote Manipulator Simulation, Figure 2 (restored).
+axes. Face c is the top (-z), d the bottom (+z), b and e are the sides (-y, +y), a and f are the ends (-x, +x). The TRUE
+side of a face is its outside. Source: the final report of the Remote Manipulator Simulation, Figure 2 (restored).
 
-The laws take a *packed* body of (48,) floats: all x, all y, then all z of the vertices; the same for the outward unit
-normals of faces a to f; then the distances of the faces' planes from the origin.
+The laws take a *packed* body of (48,) floats. These are: all x, all y, then all z of the vertices; all x, all y, then
+all z of the outward unit normals of faces a to f; the distances of the faces' planes from the origin.
 """
 
 from __future__ import annotations
@@ -34,13 +34,13 @@ FACES = {
     "e": (5, 6, 7, 8),
     "f": (3, 4, 7, 8),
 }
-"""The vertices of each face. A face of vertices p, q, r, s has the diagonals p-s and q-r."""
+"""The four vertices p, q, r, s of each face. The diagonals of a face are p-s and q-r."""
 EDGES = tuple(
     (p, q) for p, q in combinations(range(1, 9), 2) if sum({p, q} <= set(face) for face in FACES.values()) == 2
 )
 """The twelve edges, each by its two vertices."""
 
-# The same tables for the laws, numbered from zero.
+# The same tables for the laws, with vertices, edges and faces numbered from zero.
 CORNERS = np.array([[v - 1 for v in face] for face in FACES.values()])
 """(6, 4) vertices of each face."""
 ENDS = np.array([[p - 1, q - 1] for p, q in EDGES])
@@ -56,18 +56,18 @@ def _beside(p: int, q: int) -> tuple[int, int]:
 
 
 BESIDE = np.array([_beside(p, q) for p, q in EDGES])
-"""(12, 2) faces of each edge, ordered so that the cross product of their normals points along the edge."""
+"""(12, 2) faces of each edge. Their order is such that the cross product of their normals points along the edge."""
 
 
 def pack(vertices: Array) -> Array:
-    """Pack vertices (8, 3) [m], in their order, with the planes of their faces, without checks.
+    """Return a packed body from vertices (8, 3) [m] in their order; the vertices are not checked.
 
-    A face's normal is perpendicular to its diagonals. Its plane contains its outermost vertex.
+    A face's normal is perpendicular to the face's diagonals. A face's plane contains the face's outermost vertex.
     """
     p, q, r, s = vertices[CORNERS].transpose(1, 0, 2)
     normals = np.cross(s - p, r - q)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]  # as listed, b, c and f would point inwards
+    normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]  # without the signs, b, c and f would point inwards
     distances = np.einsum("fvk,fk->fv", vertices[CORNERS], normals).max(axis=1)
     return np.concatenate([vertices.T.ravel(), normals.T.ravel(), distances])
 

@@ -1,4 +1,4 @@
-"""Validation of eight vertices as a hexahedron, with errors that name the vertex at fault."""
+"""Check that eight vertices are a hexahedron, with errors that name the wrong vertex."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ from aftdeck.bodies.hexahedron import CORNERS, ENDS, FACES, VERTICES, pack
 from aftdeck.errors import InputError
 
 FLAT = 1e-9
-"""Largest allowed distance of a face's vertices from its plane [m]: the clearance that counts as contact."""
+"""Greatest allowed distance of a face's vertices from the face's plane [m]: the clearance that counts as contact."""
 FARTHEST = 1e4
-"""Largest allowed coordinate [m]; beyond it, rounding is no longer small compared with FLAT (assumed)."""
+"""Greatest allowed coordinate [m] (assumed). For greater coordinates, rounding errors are not small against FLAT."""
 SHORTEST = 1e-6
 """Smallest allowed distance between two vertices [m] (assumed)."""
 THINNEST = 1e-6
-"""Smallest allowed depth of a vertex inside a face without that vertex, over the longest edge [1] (assumed)."""
+"""Least allowed depth of a vertex inside the plane of a face that does not contain the vertex, divided by the longest
+edge [1] (assumed)."""
 
 _RIMS = CORNERS[:, [0, 1, 3, 2]]
 """(6, 4) vertices of each face in order along its rim, numbered from zero."""
@@ -38,7 +39,7 @@ def hexahedron(vertices: ArrayLike, name: str = "the hexahedron") -> Array:
 
     Raises:
         InputError: the vertices are not a convex hexahedron with flat faces in this numbering; the message names
-            the vertex at fault.
+            the wrong vertex.
     """
     try:
         points = np.array(vertices, dtype=np.float64)
@@ -75,7 +76,7 @@ def _distinct(points: Array, name: str) -> None:
 
 
 def _right_handed(points: Array, name: str) -> None:
-    """Reject a body that is inside out, or that is flat or dented at a vertex."""
+    """Reject a body that is a mirror image, or that is flat or dented at a vertex."""
     arms = (points[_BESIDE] - points[:, None]) * _UPWARD
     turns = np.linalg.det(arms) / np.linalg.norm(arms, axis=2).prod(axis=1)
     if (turns < -(THINNEST**2)).all():
@@ -94,7 +95,11 @@ def _right_handed(points: Array, name: str) -> None:
 
 
 def _flat(points: Array, name: str) -> None:
-    """Reject bent faces; the error names the vertex on most bent faces or, among equals, the farthest off its plane."""
+    """Reject a body with bent faces.
+
+    The error names the vertex that is on the greatest number of bent faces. If there are several such vertices, the
+    error names the vertex that is farthest from the plane of a face.
+    """
     rims = points[_RIMS]
     before, after, across = (np.roll(rims, k, axis=1) for k in (1, -1, 2))
     normals = np.cross(after - across, before - across)
@@ -106,8 +111,8 @@ def _flat(points: Array, name: str) -> None:
         v = int(np.lexsort((off, bent))[-1])
         faces = ", ".join(letter for letter, face in FACES.items() if v + 1 in face)
         raise InputError(
-            f"{name}: vertex {v + 1} at {_at(points[v])} is {off[v]:.3g} m off the plane of the other three of a "
-            f"face (it is on {faces}); at most {FLAT:g} m is allowed"
+            f"{name}: vertex {v + 1} at {_at(points[v])} is {off[v]:.3g} m off the plane of the other three vertices "
+            f"of a face (it is on {faces}); at most {FLAT:g} m is allowed"
         )
 
 
@@ -126,7 +131,7 @@ def _round(points: Array, name: str) -> None:
 
 
 def _convex(points: Array, body: Array, name: str) -> None:
-    """Reject a vertex that is not inside the plane of every face that it is not on."""
+    """Reject a vertex that is not inside the planes of all faces that do not contain the vertex."""
     longest = np.linalg.norm(points[ENDS[:, 1]] - points[ENDS[:, 0]], axis=1).max()
     normals, distances = body[24:42].reshape(3, 6).T, body[42:]
     inside = distances[:, None] - normals @ points.T

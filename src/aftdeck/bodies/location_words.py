@@ -1,8 +1,9 @@
-"""Location words: for each vertex of one hexahedron, the faces of another on whose TRUE side the vertex is.
+"""Location words: for each vertex of one hexahedron, the faces of another hexahedron on whose TRUE side the vertex is.
 
-Source: vertex-face test of the final report of the Remote Manipulator Simulation (IV.B.1): subroutine EFFTST for a's
-vertices against b's faces, NORMS for the reverse. A word of zeros means that the vertex is inside: a collision. A bit
-that is set in all eight words names a face whose plane separates the two bodies.
+Source: vertex-face test in the final report of the Remote Manipulator Simulation (IV.B.1). Subroutine EFFTST tests a's
+vertices against b's faces, and NORMS tests b's vertices against a's faces. A word of zeros means that the vertex is
+inside the other body, which is a collision. A bit that is set in all eight words names a face whose plane separates the
+two bodies.
 """
 
 from __future__ import annotations
@@ -20,7 +21,12 @@ Words = NDArray[np.int64]
 
 
 class Deepest(NamedTuple):
-    """Vertex that is deepest inside, numbered from zero, and its greatest height over a face, negative inside [m]."""
+    """Vertex that is deepest inside the other body.
+
+    Attributes:
+        vertex: number of the vertex, from zero.
+        height: greatest height of the vertex over a face of the other body [m]; negative if the vertex is inside.
+    """
 
     vertex: int
     height: float
@@ -37,7 +43,7 @@ def heights(a: Array, b: Array, above: Array) -> None:
 
 @law
 def location_words(above: Array, words: Words) -> None:
-    """Write the location words: bit 0 for face a, to bit 5 for face f, set if the vertex is on the face's TRUE side."""
+    """Write the location words. Bits 0 to 5 stand for faces a to f; a bit is set if the vertex is on the TRUE side."""
     for v in range(VERTICES):
         word = 0
         for f in range(SIDES):
@@ -47,7 +53,10 @@ def location_words(above: Array, words: Words) -> None:
 
 @law
 def deepest(above: Array) -> Deepest:
-    """Return the vertex deepest inside all faces; if no vertex is inside, the vertex least far outside a face."""
+    """Return the vertex that is deepest inside the other body.
+
+    If no vertex is inside, return the vertex whose greatest height over a face is least.
+    """
     vertex, best = 0, np.inf
     for v in range(VERTICES):
         height = above[0, v]

@@ -1,4 +1,4 @@
-"""Penetration depth of convex hexahedra in plain NumPy, for checks at load, which must not wait for compilation.
+"""Penetration depth of convex hexahedra in plain NumPy, for checks of files, which must not wait for compilation.
 
 Method: the theorem of separating axes over all face normals and all pairs of edges. Compiled code uses
 `bodies.repeated_test`.
@@ -14,11 +14,11 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import CORNERS, ENDS
 
 _SHORT = 1e-12
-"""Squared length up to which the cross product of two unit edges gives no direction [1]: they are parallel."""
+"""Greatest squared length of the cross product of two unit edges at which the edges count as parallel [1]."""
 
 
 def overlap(a: Array, b: Array) -> float:
-    """Return the length of the shortest move that takes two hexahedra (8, 3) apart [m]; 0 where they do not overlap."""
+    """Return the length of the shortest move that separates two hexahedra (8, 3) [m]; 0 if they do not overlap."""
     normals = np.concatenate([_normals(a), _normals(b)])
     if (depth := _least_overlap(normals, a, b)) <= 0.0:
         return 0.0
@@ -29,7 +29,7 @@ def overlap(a: Array, b: Array) -> float:
 
 
 def deepest(some: Sequence[Array], others: Sequence[Array]) -> float:
-    """Return the greatest penetration depth of a hexahedron of `some` in one of `others` [m]; 0 if none overlap."""
+    """Return the greatest penetration depth of one hexahedron in `some` and one in `others` [m]; 0 if none overlap."""
     return max((overlap(a, b) for a, b in _pairs_with_overlapping_boxes(some, others)), default=0.0)
 
 
@@ -56,7 +56,7 @@ def _least_overlap(directions: Array, a: Array, b: Array) -> float:
 
 
 def _normals(body: Array) -> Array:
-    """Return the (6, 3) unit normals of the faces; those of b, c and f point inwards."""
+    """Return the (6, 3) unit normals of the faces; the normals of faces b, c and f point inwards."""
     corners = body[CORNERS]
     normals = np.cross(corners[:, 3] - corners[:, 0], corners[:, 2] - corners[:, 1])
     return np.asarray(normals / np.linalg.norm(normals, axis=1)[:, None])

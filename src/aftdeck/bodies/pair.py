@@ -1,26 +1,28 @@
 """Packed record of a pair of hexahedra: its last measurement, from which the next search starts.
 
-A record of all zeros is a pair that was never measured. A record may be old or belong to other bodies: this may
-change the speed of the next measurement and the last digits of its clearance, but no verdict.
+A record of zeros is that of a pair that was never measured. A record that is old, or that belongs to other bodies, may
+change the speed of the next measurement and the last digits of the clearance. It never changes a verdict.
 """
 
 from __future__ import annotations
 
 CONTACT = 1e-9
-"""Greatest clearance of bodies in contact [m] (assumed); in exact face contact, rounding decides the sign."""
+"""Greatest clearance at which bodies count as in contact [m] (assumed). When two faces exactly touch, rounding decides
+the sign of the clearance."""
 
 CLEARANCE = 0
-"""Distance of the bodies, or minus their penetration depth [m]."""
+"""Distance of the bodies [m]; minus the penetration depth if they overlap."""
 POINT_A, POINT_B = 1, 4
-"""Closest points, one of each body [m]."""
+"""Closest point of body a, and of body b [m]."""
 NORMAL, DISTANCE = 7, 10
-"""Separating plane: its unit normal from a to b [1], and its distance [m]. The normal is zero if the bodies collide or
-no plane is known."""
+"""Separating plane: its unit normal from a to b [1], and its distance from the origin [m]. The normal is zero if the
+bodies collide or no plane is known."""
 FEATURE_A, FEATURE_B = 11, 12
-"""Features that touch, pierce or are closest, each stored as the sum of 2**(v - 1) over its vertices v."""
+"""Features of a and of b that touch, pierce or are closest. A feature is stored as the sum of 2**(v - 1) over its
+vertices v."""
 SIZE, SIMPLEX = 13, 14
-"""Number of corners of the Minkowski difference that span the closest point, at most 3, and these corners, each
-stored as 8 a + b, with the vertices a and b numbered from zero."""
+"""Number, at most 3, of the corners of the Minkowski difference that span the closest point; and these corners. A
+corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered from zero."""
 PAIR = 17
 """Length of a packed pair."""
 

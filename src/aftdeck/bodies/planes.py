@@ -1,7 +1,7 @@
-"""Dynamic separating planes: a plane is valid only after a test of every vertex of both bodies.
+"""Dynamic separating planes. A plane counts as valid only after a test of all vertices of both bodies.
 
-The laws index the coordinates of a packed body directly: 0 to 7 are x, 8 to 15 y, 16 to 23 z. They process vertices in
-pairs, so that a processor can compute the products of a pair in parallel.
+The laws index the coordinates of a packed body directly: 0 to 7 are x, 8 to 15 are y, 16 to 23 are z. They process
+vertices in pairs; a processor can then compute the products of a pair in parallel.
 """
 
 from __future__ import annotations
@@ -14,7 +14,10 @@ from aftdeck.law import law
 
 
 class Sides(NamedTuple):
-    """Greatest coordinate of a and least of b along a normal [m]; the bodies are apart if the first is less."""
+    """Greatest coordinate of body a, and least coordinate of body b, along a normal [m].
+
+    If the first is less than the second, a plane with this normal separates the bodies.
+    """
 
     a: float
     b: float

@@ -21,7 +21,7 @@ def row_of(pose: Pose) -> Array:
 
 
 def inverse(row: Array) -> Array:
-    """Return the inverse (12,) of a body's pose in a frame: the frame's pose in the body's frame."""
+    """Return the inverse (12,) of a body's pose in a frame; it is the pose of that frame in the body's own frame."""
     found = np.empty(POSE)
     relative(row, np.array(HERE), found)
     return found
@@ -34,7 +34,7 @@ def pose_of(row: Array) -> Pose:
 
 @law
 def compose(outer: Array, inner: Array, out: Array) -> None:
-    """Write into `out` the composed pose: `inner` is given in a frame, and that frame has the pose `outer`.
+    """Write the composed pose into `out`: `inner` is given in a frame, and that frame has the pose `outer`.
 
     All three are rows (12,). `out` must not be `outer` or `inner`.
     """
@@ -47,7 +47,7 @@ def compose(outer: Array, inner: Array, out: Array) -> None:
 
 @law
 def relative(frame: Array, body: Array, out: Array) -> None:
-    """Write into `out` the pose of a body in a frame, with both given in a third frame.
+    """Write the pose of a body in a frame into `out`; `body` and `frame` are their poses in a third frame.
 
     All three are rows (12,). `out` must not be `frame` or `body`.
     """
@@ -61,7 +61,7 @@ def relative(frame: Array, body: Array, out: Array) -> None:
 
 @law
 def turned(pose: Array, v: Vector) -> Vector:
-    """Return a vector, given in the frame that a pose (12,) describes, in the frame in which the pose is given."""
+    """Convert a vector from the frame whose pose is `pose` (12,) to the frame in which that pose is given."""
     return Vector(
         pose[3] * v.x + pose[4] * v.y + pose[5] * v.z,
         pose[6] * v.x + pose[7] * v.y + pose[8] * v.z,
@@ -71,7 +71,7 @@ def turned(pose: Array, v: Vector) -> Vector:
 
 @law
 def turned_back(pose: Array, v: Vector) -> Vector:
-    """Return a vector in the frame that a pose (12,) describes; vector and pose are given in the same frame."""
+    """Convert a vector from the frame in which `pose` (12,) is given to the frame whose pose is `pose`."""
     return Vector(
         pose[3] * v.x + pose[6] * v.y + pose[9] * v.z,
         pose[4] * v.x + pose[7] * v.y + pose[10] * v.z,
@@ -81,7 +81,7 @@ def turned_back(pose: Array, v: Vector) -> Vector:
 
 @law
 def moved(pose: Array, p: Vector) -> Vector:
-    """Return a point [m], given in the frame that a pose (12,) describes, in the frame in which the pose is given."""
+    """Convert a point [m] from the frame whose pose is `pose` (12,) to the frame in which that pose is given."""
     return Vector(
         pose[0] + pose[3] * p.x + pose[4] * p.y + pose[5] * p.z,
         pose[1] + pose[6] * p.x + pose[7] * p.y + pose[8] * p.z,

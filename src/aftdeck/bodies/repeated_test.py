@@ -1,7 +1,7 @@
-"""Repeated test of a pair of hexahedra: validity of the last plane, collision, and clearance.
+"""Repeated test of a pair of hexahedra: whether the last plane is still valid, collision, and clearance.
 
 For use inside compiled code. The result is written into the packed pair (`pair.py`). A plane is stored only after a
-test of all sixteen vertices, and a collision only with the features that prove it.
+test of all sixteen vertices. A collision is stored only with the features that prove it.
 """
 
 from __future__ import annotations
@@ -37,13 +37,16 @@ EDGE_BITS = (1 << ENDS).sum(axis=1)
 FACE_BITS = (1 << CORNERS).sum(axis=1)
 """Features of the edges (12,) and of the faces (6,), as written in a packed pair."""
 ASIDE = 1e-9
-"""Gap that is left between bodies after the shortest move apart, to find the points that touch last [m]. The gap is
-small, so that a point beside the closest point is measurably farther away."""
+"""Gap between two bodies after the shortest move that separates them [m]. The points that touch last are searched with
+this gap. The gap is so small that a point beside the closest point is measurably farther away."""
 
 
 @law
 def verified(a: Array, b: Array, pair: Array) -> bool:
-    """Return whether the pair's last normal still separates packed bodies a and b; if so, centre its plane."""
+    """Return whether the pair's last normal still separates packed bodies a and b.
+
+    If so, move the pair's plane halfway between the bodies.
+    """
     found = sides(a, b, vector_at(pair, NORMAL))
     if found.b - found.a <= CONTACT:
         return False
@@ -53,10 +56,10 @@ def verified(a: Array, b: Array, pair: Array) -> bool:
 
 @law
 def verdict(a: Array, b: Array, pair: Array) -> bool:
-    """Return whether packed bodies a and b collide, with a witness but mostly without the closest points.
+    """Return whether packed bodies a and b collide, and store the plane or the features that prove the verdict.
 
-    Fills NORMAL and DISTANCE or, if the bodies collide, the features. CLEARANCE and the closest points are NaN unless
-    the verdict needed them.
+    If the bodies collide, fill the features; otherwise fill NORMAL and DISTANCE. CLEARANCE and the closest points are
+    NaN, unless they were needed for the verdict.
     """
     pair[CLEARANCE : POINT_B + 3] = np.nan
     if verified(a, b, pair):
@@ -93,10 +96,10 @@ def measure_all(bodies: Array, watched: Indices, pairs: Array) -> None:
 
 @law
 def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
-    """Return the clearance of bodies that overlap or are within rounding and CONTACT of an overlap, and fill the pair.
+    """Return the clearance of bodies that overlap, or almost overlap (within CONTACT and rounding), and fill the pair.
 
-    The closest points of overlapping bodies are the points that touch last on the shortest move apart: the closest
-    points after a has made that move and moved by ASIDE more.
+    The closest points of overlapping bodies are the points that touch last on the shortest move that separates the
+    bodies. They are found as the closest points after body a has made this move and has moved by ASIDE more.
     """
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
@@ -120,9 +123,9 @@ def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
 
 @law
 def _penetrates(a: Array, b: Array, pair: Array) -> bool:
-    """Return whether a vertex is inside the other body or an edge pierces a face; if so, store these features.
+    """Return whether a vertex of one body is inside the other body, or an edge of one body pierces a face of the other.
 
-    Clears the pair's plane (subroutine COLLIDE).
+    If so, store these features. Always clear the pair's plane (subroutine COLLIDE).
     """
     pair[NORMAL : NORMAL + 4] = 0.0
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
@@ -151,10 +154,10 @@ def _penetrates(a: Array, b: Array, pair: Array) -> bool:
 
 @law
 def _start(a: Array, b: Array, pair: Array) -> Simplex:
-    """Return the last simplex at the bodies' present poses.
+    """Return the simplex of the last measurement, at the bodies' present poses.
 
-    For a pair that was never measured, return the corner of two vertices: of each body, the vertex farthest towards
-    the other body's middle.
+    For a pair that was never measured, return a simplex of one corner, from two vertices: for each body, the vertex
+    that is farthest in the direction of the other body's centre.
     """
     size = int(pair[SIZE])
     if size == 0:
@@ -173,7 +176,7 @@ def _start(a: Array, b: Array, pair: Array) -> Simplex:
 
 @law
 def _remember(pair: Array, s: Simplex) -> None:
-    """Store the simplex as the start of the next search; of a tetrahedron, store a face."""
+    """Store the simplex as the start of the next search. If the simplex is a tetrahedron, store one of its faces."""
     pair[SIZE] = min(s.size, 3)
     pair[SIMPLEX] = 8 * s.p.a + s.p.b
     pair[SIMPLEX + 1] = 8 * s.q.a + s.q.b
@@ -182,14 +185,14 @@ def _remember(pair: Array, s: Simplex) -> None:
 
 @law
 def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
-    """Store the plane perpendicular to the shortest line from a to b, halfway along it (subroutine SPTSG)."""
+    """Store the plane that bisects the shortest line from a to b and is perpendicular to it (subroutine SPTSG)."""
     put_vector(pair, NORMAL, times(-1.0 / sqrt(dot(s.point, s.point)), s.point))
     verified(a, b, pair)
 
 
 @law
 def _put_points(a: Array, b: Array, pair: Array, s: Simplex) -> None:
-    """Store the points of a and b whose difference is the simplex's point, and the features that contain them."""
+    """Store the points of a and b whose difference is the simplex's point, and the features that contain the points."""
     p, q, r = weights(s)
     i, j, k = s.p.a, s.q.a, s.r.a
     point = moved_along(moved_along(times(p, vertex(a, i)), q, vertex(a, j)), r, vertex(a, k))

@@ -17,8 +17,8 @@ from aftdeck.bodies.repeated_test import measure
 class Feature(NamedTuple):
     """Features that collide or are closest, one of each body: ``vertex 3``, ``edge 34``, ``face b``, or ``body``.
 
-    In a collision, a vertex and ``body`` mean that the vertex is inside the other body; an edge and a face mean that
-    the edge pierces the face.
+    If the bodies collide, a vertex of one body and ``body`` for the other mean that the vertex is inside the other
+    body. An edge of one body and a face of the other mean that the edge pierces the face.
 
     Attributes:
         a: feature of the first body.
@@ -30,7 +30,7 @@ class Feature(NamedTuple):
 
 
 class Plane(NamedTuple):
-    """Plane between two bodies: n·a < distance < n·b for every point a of the first and b of the second.
+    """Plane between two bodies: n·a < distance < n·b for every point a of the first body and b of the second body.
 
     Attributes:
         normal: (3,) unit normal, from the first body to the second [1].
@@ -42,7 +42,7 @@ class Plane(NamedTuple):
 
 
 class Closest(NamedTuple):
-    """Closest points, or, if the bodies overlap, the points that touch last on the shortest move apart.
+    """Closest points of two bodies. If the bodies overlap: the points that touch last on the shortest separating move.
 
     Attributes:
         a: (3,) point of the first body [m].
@@ -58,11 +58,11 @@ class Separation(NamedTuple):
 
     Attributes:
         collides: whether the clearance is at most 1e-9 m.
-        clearance: distance of the two bodies [m]; if they overlap, minus the length of the shortest move that takes
-            them apart.
-        closest: the closest points; their distance is the absolute clearance.
+        clearance: distance of the two bodies [m]; if they overlap, minus the length of the shortest move that separates
+            them.
+        closest: the closest points; the distance between them is the magnitude of the clearance.
         plane: a plane between the bodies, checked with all sixteen vertices; None if the bodies collide.
-        feature: the features that penetrate or touch if the bodies collide, else those that contain the
+        feature: if the bodies collide, the features that penetrate or touch; if not, the features that contain the
             closest points.
     """
 
@@ -74,19 +74,19 @@ class Separation(NamedTuple):
 
 
 def separation(a: ArrayLike, b: ArrayLike) -> Separation:
-    """Return clearance, closest points and separating plane or penetrating feature of two convex hexahedra.
+    """Return the clearance of two convex hexahedra, the closest points, and the separating plane or the features.
 
     Vertices are numbered v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in each body's own
-    axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. For two bodies measured in
-    every step inside compiled code, `aftdeck.bodies.repeated_test` is faster.
+    axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. Compiled code that measures
+    the same two bodies in every step uses `aftdeck.bodies.repeated_test`, which is faster.
 
     Args:
         a: (8, 3) vertices of the first body [m].
-        b: (8, 3) vertices of the second, in the same frame [m].
+        b: (8, 3) vertices of the second body, in the same frame [m].
 
     Raises:
-        InputError: a body is not convex, has a bent face or no volume, or its vertices are in another order; the
-            message names the vertex.
+        InputError: a body is not convex, has a bent face or no volume, or its vertices are in a different order; the
+            message names the wrong vertex.
 
     Examples:
         >>> import numpy as np
@@ -103,7 +103,7 @@ def separation(a: ArrayLike, b: ArrayLike) -> Separation:
 
 
 def read(pair: Array) -> Separation:
-    """Return the contents of a pair that `measure` has filled."""
+    """Return the contents of a packed pair that `measure` has filled."""
     collides = bool(pair[CLEARANCE] <= CONTACT)
     return Separation(
         collides,
@@ -115,7 +115,7 @@ def read(pair: Array) -> Separation:
 
 
 def named(bits: int) -> str:
-    """Return the name of the smallest feature that contains all vertices v whose bits 2**(v - 1) are set."""
+    """Return the name of the smallest feature that contains every vertex v whose bit 2**(v - 1) is set."""
     vertices = {v for v in range(1, 9) if bits >> (v - 1) & 1}
     if len(vertices) == 1:
         return f"vertex {min(vertices)}"

@@ -11,9 +11,10 @@ class Solid(NamedTuple):
     """Convex hexahedron for collision.
 
     Attributes:
-        part: name that the operator reads: "upper boom", "palm", "bay wall port"; several solids may share a part.
+        part: name of the part, which the operator reads: "upper boom", "palm", "bay wall port". Several solids may
+            belong to one part.
         frame: name of the frame that carries the solid.
-        vertices: (8, 3) in that frame [m], numbered as in `bodies.hexahedron`.
+        vertices: (8, 3) vertices in that frame [m], numbered as in `bodies.hexahedron`.
     """
 
     part: str

@@ -1,7 +1,6 @@
-"""Vectors of three numbers by name, for use inside the laws.
+"""Vectors of three named numbers, for use inside the laws.
 
-A law creates these tuples in compiled code, where they take almost no time. Passed from Python, each would take
-microseconds.
+Compiled code creates these tuples in almost no time. To pass such a tuple from Python would take microseconds.
 """
 
 from __future__ import annotations

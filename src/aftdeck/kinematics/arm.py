@@ -28,17 +28,17 @@ _FLOAT = np.dtype(np.float64)
 
 
 class Arm:
-    """Arm of one of the two families: the Shuttle's, or the concept's of 1972.
+    """Arm of one of two families: the family of the Shuttle's arm, or the family of the concept arm of 1972.
 
-    Joint angles are those of the panel: all are zero at the cradle for the Shuttle's arm, and with the arm stretched
-    out aft for the concept arm. Poses and twists are in L, the arm's base frame (for the concept arm the report's R),
-    unless another frame is named. For the concept arm, frame 7 means system 2. Every method accepts arrays with any
-    number of leading dimensions unless its description says otherwise.
+    Joint angles are those of the panel. All angles of the Shuttle's arm are zero at the cradle; all angles of the
+    concept arm are zero when it is stretched out aft. Poses and twists are in L, the arm's base frame (for the concept
+    arm the report's R), unless another frame is named. For the concept arm, frame 7 means system 2. Every method
+    accepts arrays with any number of leading dimensions, unless its description states otherwise.
 
     Attributes:
         model: every constant, with its source.
         name: name in the arm file.
-        joints: names, base to tip.
+        joints: names of the joints, from base to tip.
         limits: `hard`, `soft` and `reach`, each (6, 2) [rad].
         rates: `servo`, `coarse` and `vernier`, each (6,) [rad/s].
         rate_limits: (6,) servo maxima [rad/s].
@@ -62,7 +62,7 @@ class Arm:
         """Return the same arm with its telescope at another length.
 
         Args:
-            stand: length, the shoulder's height above the telescope's foot [m].
+            stand: length of the telescope, which is the shoulder's height above the telescope's foot [m].
 
         Raises:
             InputError: the arm has no telescope, or the length is outside the telescope's limits.
@@ -94,7 +94,8 @@ class Arm:
             angles: (..., 6) joint angles [rad].
 
         Returns:
-            (..., 6, 6): rows angular [1], then translational [m]; columns joints.
+            (..., 6, 6): three rows for the angular velocity [1], then three rows for the translational velocity [m];
+            one column for each joint.
         """
         rows, shape = _rows(angles, "joint angles")
         matrix = np.empty((len(rows), 6, 6))
@@ -109,14 +110,15 @@ class Arm:
 
         Args:
             angles: (..., 6) joint angles [rad].
-            twist: (..., 6) angular [rad/s], then translational velocity [m/s] of the tip, in L.
-            singular: ``raise`` raises an error at a singular pose; ``mask`` returns finite rates there, and a mask.
+            twist: (..., 6) angular velocity [rad/s], then translational velocity [m/s] of the tip, in L.
+            singular: ``raise`` to raise an error if a pose is singular; ``mask`` to return finite rates for singular
+                poses too, and a mask.
 
         Returns:
             (..., 6) rates [rad/s]; with ``mask`` also a mask (...), true where the pose is singular.
 
         Raises:
-            SingularityError: a pose is singular; the error names the singularity. Only with ``raise``.
+            SingularityError: a pose is singular and `singular` is ``raise``; the error names the singularity.
         """
         if singular not in ("raise", "mask"):
             raise InputError(f"singular: expected 'raise' or 'mask', got {singular!r}")
@@ -157,11 +159,11 @@ class Arm:
 
         Args:
             pose: position (3,) [m] and rotation (3, 3) of frame 7, in L.
-            near: (6,) angles [rad]; solutions are sorted by their distance from `near` (root of the sum of squared
-                differences), nearest first, each angle in the revolution nearest to `near`. None: sorted by their
-                distance from all angles zero, each angle within +-180 deg.
-            limits: move angles by whole revolutions to inside the hard stops where possible, and leave out solutions
-                outside the stops.
+            near: (6,) angles [rad]. Solutions are sorted by their distance from `near` (root of the sum of squared
+                differences), nearest first. Each angle is in the revolution nearest to `near`. If None, solutions are
+                sorted by their distance from all angles zero, and each angle is within +-180 deg.
+            limits: True to move angles by whole revolutions inside the hard stops where this is possible, and to leave
+                out solutions outside the hard stops.
 
         Returns:
             (n, 6) joint angles [rad], 1 <= n <= 8.
@@ -169,8 +171,8 @@ class Arm:
         Raises:
             SingularityError: the pose does not determine the angles (shoulder or wrist singularity), or one of the
                 solutions is singular.
-            UnreachableError: the pose is out of reach, or every solution is outside the hard stops; `excess` is that
-                of the nearest branch.
+            UnreachableError: the pose is out of reach, or every solution is outside the hard stops. The error's
+                `excess` is the excess of the nearest branch.
         """
         packed = _packed(pose)
         # a copy, so that the law gets the same array type in every call
@@ -195,7 +197,7 @@ class Arm:
             (6,) joint angles in [-pi, pi] [rad]; joint limits are ignored.
 
         Raises:
-            SingularityError, UnreachableError: as `inverse`.
+            SingularityError, UnreachableError: in the cases in which `inverse` raises them.
         """
         self.inverse(pose, limits=False)  # raises an error if the pose is invalid
         branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
@@ -206,7 +208,7 @@ class Arm:
         return first
 
     def end_effector(self, rotation: Array) -> Array:
-        """Return the end effector's own axes E (..., 3, 3) from those of frame 7: R_E = R_7 Rx(end_effector_roll)."""
+        """Return the end effector's axes E (..., 3, 3) from the axes of frame 7: R_E = R_7 Rx(end_effector_roll)."""
         return rotation @ rotation_x(self.model.end_effector_roll)
 
     def panel(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:

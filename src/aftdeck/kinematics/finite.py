@@ -1,4 +1,4 @@
-"""Compiled check for finite numbers: called from Python, NumPy's check takes as long as a law of the kinematics."""
+"""Compiled check for finite numbers. Called from Python, NumPy's own check takes as long as a law of the kinematics."""
 
 from __future__ import annotations
 

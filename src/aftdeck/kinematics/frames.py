@@ -1,4 +1,4 @@
-"""Poses of all frames of an arm, in L; each solid, drawn shape and camera of the arm belongs to one of them."""
+"""Poses of all frames of an arm, in L. Each solid, drawn shape and camera of the arm belongs to one of these frames."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from aftdeck.kinematics.linkage import Three
 from aftdeck.law import law, sincos
 
 POSE = 12
-"""Length of a frame's row: position [m], then the rotation row by row; its columns are the frame's axes in L."""
+"""Length of a frame's row: position [m], then the rotation matrix row by row. Its columns are the frame's axes in L."""
 _CHAINED = 7
-"""Number of frames in the chain of joints, including the foot's."""
+"""Number of frames in the chain of joints, including the frame of the foot."""
 
 
 class Frames(NamedTuple):
     """Frames of an arm, in the form that `place_frames` uses.
 
     Attributes:
-        names: names from the foot on: `ArmModel.frames`.
-        joints: (6, 4) for each joint, the vector from the joint before it at zero angles [m], and the axis of rotation,
-            1 to 3.
+        names: names of the frames, `ArmModel.frames`.
+        joints: (6, 4) for each joint, the vector from the joint before it at zero angles [m], then the number of the
+            axis of rotation, 1 to 3. The vector of the first joint is from L's origin.
     """
 
     names: tuple[str, ...]
     joints: Array
 
     def rows(self) -> Array:
-        """Return a row for each frame, to be filled by `place_frames`."""
+        """Return an array with a row of zeros for each frame, as output for `place_frames`."""
         return np.zeros((len(self.names), POSE))
 
 
@@ -48,7 +48,7 @@ def place_frames(joints: Array, angles: Array, stand: float, prong: float, rows:
     Args:
         joints: (6, 4) as `Frames.joints`.
         angles: (6,) joint angles [rad].
-        stand: height of the shoulder above L's origin [m]: the telescope's length, or L1 for an arm without one.
+        stand: height of the shoulder above L's origin [m]: the telescope's length, or L1 for an arm without telescope.
         prong: y2 of the prong's inner face [m]; unused if there are seven rows.
         rows: (7 or 9, 12) out, in L.
     """
@@ -83,7 +83,7 @@ def _moved(at: Three, axis: Three, by: float) -> Three:
 
 @law
 def _turned(p: Three, q: Three, s: float, c: float) -> tuple[Three, Three]:
-    """Return two axes turned about the third, from p towards q, by the angle with sine s and cosine c."""
+    """Return two axes p and q, rotated in their plane from p towards q; the angle has the sine s and the cosine c."""
     return (
         (c * p[0] + s * q[0], c * p[1] + s * q[1], c * p[2] + s * q[2]),
         (c * q[0] - s * p[0], c * q[1] - s * p[1], c * q[2] - s * p[2]),

@@ -1,9 +1,10 @@
 """RMANGS: closed-form inverse kinematics, with all branches.
 
-Source: JSC-12628, subroutine RMANGS. The source returns one branch and computes the shoulder pitch by an arc cosine,
-which loses the sign. Here arc tangents give all eight branches: shoulder (theta1, or theta1 + pi), wrist (theta5 or pi
-- theta5), elbow (up or down). A pitch-yaw-roll wrist is solved before the elbow, as in the source. A heading-pitch-roll
-wrist, whose axes intersect in one point, is solved after the elbow.
+Source: JSC-12628, subroutine RMANGS. The source returns one branch. It computes the shoulder pitch by an arc cosine,
+which loses the sign. Here arc tangents give all eight branches: two for the shoulder (theta1 and theta1 + pi), times
+two for the wrist (theta5 and pi - theta5), times two for the elbow (up and down). A pitch-yaw-roll wrist is solved
+before the elbow, as in the source. A heading-pitch-roll wrist, whose axes intersect in one point, is solved after the
+elbow.
 """
 
 from __future__ import annotations
@@ -25,12 +26,18 @@ def _within_pi(angle: float) -> float:
 
 @law
 def _triangle(upper: float, lower: float, out: float, up: float) -> tuple[float, float, float, float]:
-    """Solve the triangle of the two booms; their end is at `out` and `up` from the shoulder pitch joint [m].
+    """Solve the triangle of upper arm, lower arm, and the line from the shoulder pitch joint to the lower arm's end.
+
+    Args:
+        upper: length of the upper arm [m].
+        lower: length of the lower arm [m].
+        out: distance of the lower arm's end outwards from the shoulder pitch joint [m].
+        up: distance of the lower arm's end upwards from the shoulder pitch joint [m].
 
     Returns:
-        Slope of the line to that end, angle between that line and the upper arm, and angle between the booms' lines
-        [rad]; and the distance by which the end is out of reach [m]: positive beyond the stretched arm, negative
-        inside the folded one, 0 within reach.
+        Slope of the line to the lower arm's end [rad]; angle between this line and the upper arm [rad]; angle between
+        upper and lower arm [rad]; and the distance by which the end is out of reach [m]. This distance is positive
+        beyond the reach of the stretched arm, negative inside the reach of the folded arm, and 0 within reach.
     """
     square = out * out + up * up
     ck = (square - upper * upper - lower * lower) / (2.0 * upper * lower)
@@ -51,15 +58,17 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
     Args:
         arm: the arm's array.
         pose: (12,) tip position in L [m], then the rotation row by row.
-        angles: (8, 6) out, panel angles in [-pi, pi] [rad]; each shoulder and wrist branch has two rows, first
-            with the usual elbow (lower arm bent below the upper arm's line), then with the elbow bent the other way.
-        excess: (8,) out, distance by which the row's wrist is out of reach [m]: positive beyond the stretched arm,
-            negative inside the folded one, 0 if the row is a solution.
+        angles: (8, 6) out, panel angles in [-pi, pi] [rad]. Each pair of a shoulder branch and a wrist branch has two
+            rows. In the first row the elbow is bent as usual, with the lower arm below the upper arm's line; in the
+            second row it is bent in the opposite direction.
+        excess: (8,) out, distance by which the row's wrist is out of reach [m]: positive beyond the reach of the
+            stretched arm, negative inside the reach of the folded arm, 0 if the row is a solution.
 
     Returns:
-        Distance of the fifth joint from the first joint's axis [m], and the greatest cosine of the fifth angle on
-        any row. If either is about zero, the pose is singular on every row, and its angles are not unique. With a
-        heading-pitch-roll wrist, some rows may be singular, with angles that are not unique, while others are not.
+        Distance of the fifth joint from the first joint's axis [m], and the greatest cosine of the fifth angle on any
+        row. If one of these values is about zero, the pose is singular on every row, and the angles are not unique.
+        With a heading-pitch-roll wrist, it is possible that only some rows are singular and have angles that are not
+        unique.
     """
     r1 = pose[0] - pose[3] * arm[L5]
     r2 = pose[1] - pose[6] * arm[L5]
@@ -116,7 +125,9 @@ def _heading_rows(
     excess: Array,
     first: int,
 ) -> float:
-    """Write the four rows of one shoulder heading; the wrist is at `out` and `up` from the shoulder pitch joint [m].
+    """Write the four rows of one branch of the shoulder heading, from row `first` on.
+
+    The wrist is at the distances `out` and `up` from the shoulder pitch joint [m].
 
     Returns:
         Greatest cosine of the wrist pitch on any of these rows.
@@ -136,8 +147,8 @@ def _heading_rows(
         cosine = math.sqrt(d11 * d11 + b21 * b21)
         greatest = max(greatest, cosine)
         for turned in (0, 1):
-            # theta5, or pi - theta5; the roll is computed from the pitch axis, so that it agrees with the heading
-            # even where the heading is ill-defined
+            # theta5, or pi - theta5; the roll is computed from the pitch axis: it then agrees with the heading even
+            # where the heading is ill-defined
             sign = 1.0 - 2.0 * turned
             q4 = math.atan2(sign * b21, sign * d11)
             sh, ch = math.sin(q4), math.cos(q4)

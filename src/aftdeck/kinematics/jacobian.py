@@ -16,10 +16,10 @@ from aftdeck.law import law
 
 
 class Jacobian(NamedTuple):
-    """Elements of the matrix a in b = a * rates that are not the same constant for both families.
+    """Elements of the matrix a in b = a * rates, without the elements that are equal constants for both families.
 
-    a22 = a23 = 1; all other elements that are not listed are zero. s and c are the sine and cosine of the slope of
-    the link in whose frame the matrix is given.
+    The elements without a field are a22 = a23 = 1, and zeros. s and c are the sine and cosine of the slope of the link
+    in whose frame the matrix is given.
     """
 
     s: float
@@ -73,7 +73,7 @@ class Rates(NamedTuple):
 
 @law
 def jacobi(arm: Floats, a: Sines) -> Jacobian:
-    """Return the Jacobian in a link's frame (JACOBI); rows angular, then translational."""
+    """Return the Jacobian in a link's frame (JACOBI): three angular rows, then three translational rows."""
     if arm[WRIST] == HEADING_PITCH_ROLL:
         return _jacobi_heading_pitch_roll(arm, a)
     s34, c34 = a.sw * a.c2 - a.cw * a.s2, a.cw * a.c2 + a.sw * a.s2
@@ -111,7 +111,7 @@ def jacobi(arm: Floats, a: Sines) -> Jacobian:
 
 @law
 def _jacobi_heading_pitch_roll(arm: Floats, a: Sines) -> Jacobian:
-    """Return the Jacobian in system 1, from the joints' axes and their moments about the tip."""
+    """Return the Jacobian in system 1, from the axes of the joints and the moments of these axes about the tip."""
     s3, c3 = a.s23 * a.c2 - a.c23 * a.s2, a.c23 * a.c2 + a.s23 * a.s2
     x, y, z = a.cw * a.c5, a.sw * a.c5, -a.s5  # the end effector's direction
     hx, hy, hz = arm[L5] * x, arm[L5] * y, arm[L5] * z
@@ -168,10 +168,10 @@ def erates(a: Sines, j: Jacobian, r: Rates) -> Twist:
 
 @law
 def jacobian_many(arm: Array, angles: Array, matrix: Array) -> bool:
-    """Compute JACOBI for each row, in L: angles (n, 6) [rad] -> matrix (n, 6, 6).
+    """Compute JACOBI for each row of angles (n, 6) [rad], and write it, in L, into `matrix` (n, 6, 6).
 
     Returns:
-        Whether the angles are finite.
+        Whether all angles are finite.
     """
     whole = True
     for i in range(angles.shape[0]):

@@ -1,12 +1,14 @@
 """LNKAGE: pose of the tip, for arms of two families, which differ in their wrists.
 
-The first three joints of both families are a rotation about the vertical (yaw or heading) and two pitches. Their booms
-define the *arm's plane*. The wrist of JSC-12628 has pitch, yaw and roll. The wrist of the *Remote Manipulator
-Simulation* has heading, pitch and roll, whose axes intersect in one point. All vectors are in L. An arm is a packed
-array; the constants below are indices into it. Joint angles are those of the panel: for the Shuttle's arm they are zero
-at the cradle. An elbow beneath the boom line causes constant offsets of shoulder and elbow pitch, which are added here.
-Source: JSC-12628, subroutine LNKAGE; Remote Manipulator Simulation, final report, "R(-HO) R(-PO) R(-P1) R(-H2) R(-P2)
-R(-R2)", with its heading about Z (restored) and pitch + up.
+In both families, the first three joints are a rotation about the vertical (yaw or heading) and two pitches. Upper and
+lower arm define the *arm's plane*. The wrist of JSC-12628 has pitch, yaw and roll. The wrist of the *Remote Manipulator
+Simulation* has heading, pitch and roll; its axes intersect in one point. All vectors are in L. An arm is a packed
+array; the constants below are indices into this array. Joint angles are those of the panel: for the Shuttle's arm they
+are zero at the cradle. If the elbow is below the boom line, shoulder pitch and elbow pitch have constant offsets, which
+this module adds.
+
+Sources: JSC-12628, subroutine LNKAGE; Remote Manipulator Simulation, final report, "R(-HO) R(-PO) R(-P1) R(-H2) R(-P2)
+R(-R2)", with heading about Z (restored) and with pitch positive upwards.
 """
 
 from __future__ import annotations
@@ -18,13 +20,14 @@ from aftdeck.kinematics.finite import finite
 from aftdeck.law import law, sincos
 
 Floats: TypeAlias = Array | tuple[float, ...]
-"""Constants passed to a law: an array, or a tuple inside loops over many arms."""
+"""Constants of an arm that are passed to a law: an array, or a tuple in loops over many arms."""
 Three: TypeAlias = tuple[float, float, float]
 Nine: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
 
 L1, L2, L3, L4, L5 = 0, 1, 2, 3, 4
-"""Indices of the lengths in an arm's array [m]: height of the shoulder pitch joint above L's origin, upper arm, lower
-arm, wrist pitch to yaw (0 if the wrist's axes intersect in one point), and wrist yaw to tip."""
+"""Indices of the lengths in an arm's array [m]. L1: height of the shoulder pitch joint above L's origin. L2: upper arm.
+L3: lower arm. L4: from wrist pitch to wrist yaw; 0 if the wrist's axes intersect in one point. L5: from wrist yaw to
+the tip; if the wrist's axes intersect in one point, from this point to the tip."""
 UPPER, LOWER = 5, 6
 """Indices of the angles of upper and lower arm above their boom lines at zero joint angles [rad]."""
 WRIST = 7
@@ -39,8 +42,9 @@ HEADING_PITCH_ROLL, PITCH_YAW_ROLL = 0.0, 1.0
 class Sines(NamedTuple):
     """Sines and cosines of the angles that `link_angles` returns.
 
-    2 and 23 are the slopes of upper and lower arm. w is the wrist's first angle: the slope of the wrist (234) in a
-    pitch-yaw-roll wrist, the wrist heading in a heading-pitch-roll wrist.
+    In the names, 2 stands for the slope of the upper arm and 23 for the slope of the lower arm. w stands for the
+    wrist's first angle: for a pitch-yaw-roll wrist the slope of the wrist, for a heading-pitch-roll wrist the wrist
+    heading.
     """
 
     s1: float
@@ -78,7 +82,10 @@ class Tip(NamedTuple):
 def link_angles(
     arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6: float
 ) -> tuple[float, float, float, float, float, float]:
-    """Return the angles whose sines LNKAGE uses [rad]: yaw, slopes of upper and lower arm, the wrist's three angles."""
+    """Return the angles whose sines and cosines LNKAGE uses [rad].
+
+    They are yaw, the slope of the upper arm, the slope of the lower arm, and the wrist's three angles.
+    """
     slope = q2 + q3 if arm[WRIST] == PITCH_YAW_ROLL else 0.0
     return q1, q2 + arm[UPPER], q2 + q3 + arm[LOWER], slope + q4, q5, q6
 
@@ -98,10 +105,10 @@ def sines(arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6
 
 @law
 def spin(a: Sines, s: float, c: float, x: float, y: float, z: float) -> Three:
-    """Return in L a vector with components x, y, z relative to a link of the arm's plane.
+    """Return in L a vector that has the components x, y, z in the frame of a link of the arm's plane.
 
-    x is along the link, y along the plane's normal, and z across the link. s and c are the sine and cosine of the
-    link's slope.
+    x is along the link, y along the normal of the arm's plane, and z across the link. s and c are the sine and cosine
+    of the link's slope.
     """
     out = c * x + s * z
     return a.c1 * out - a.s1 * y, a.s1 * out + a.c1 * y, -s * x + c * z
@@ -180,10 +187,12 @@ def lifted(t: Tip, by: float) -> Tip:
 
 @law
 def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> bool:
-    """Compute LNKAGE for each row: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L.
+    """Compute LNKAGE for each row of angles (n, 6) [rad].
+
+    Write the results, in L, into `position` (n, 3) [m] and `rotation` (n, 3, 3).
 
     Returns:
-        Whether the angles are finite.
+        Whether all angles are finite.
     """
     whole = True
     for i in range(angles.shape[0]):

@@ -1,4 +1,4 @@
-"""Observed values of the arm in one step, in one compiled call: tip, twist, singularities."""
+"""Values of the arm that are observed in each step, computed in one compiled call: tip, twist, singularities."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
 OBSERVED = 21
-"""Number of values: tip position (3) and rotation (9, row by row), twist (6), distances from the singularities (3)."""
+"""Number of values: tip position (3), tip rotation (9, row by row), twist (6), distances from singularities (3)."""
 
 
 @law
@@ -30,15 +30,15 @@ def observe(arm: Array, angles: Array, rates: Array, seen: Array) -> None:
 
 @law
 def observe_link(arm: Array, angles: Array, mount: Array, axes: Array) -> None:
-    """Write LNKAGE's T_B5: the axes of the frame of JACOBI's matrix, as columns in the orbiter's body axes.
+    """Write LNKAGE's T_B5: the axes of the frame in which JACOBI gives its matrix.
 
     For the Shuttle's arm this is the wrist-pitch frame; for the concept arm it is the lower arm's frame.
 
     Args:
         arm: packed links.
         angles: (6,) joint angles [rad].
-        mount: (3, 3) from L to the orbiter's body axes.
-        axes: (3, 3) out.
+        mount: (3, 3) rotation that converts components in L to components in the orbiter's body axes.
+        axes: (3, 3) out; the columns are the frame's axes in the orbiter's body axes.
     """
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
     j = jacobi(arm, a)
@@ -59,7 +59,7 @@ def observe_near(
         arm: packed links.
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
-        rising: rate at which the telescope extends, opposite to axis 3 [m/s].
+        rising: rate at which the telescope extends, in the direction opposite to axis 3 of L [m/s].
         reach: (6, 2) reach limits [rad].
         threshold: distance below which a singularity is near [1].
         seen: (21,) out.
@@ -75,15 +75,15 @@ def observe_near(
 
 
 CARRIED = 18
-"""Number of values: payload's centre (3) and axes (9, row by row), point of resolution (3) and its velocity (3)."""
+"""Number of values: payload's centre (3), payload's axes (9, row by row), point of resolution (3), its velocity (3)."""
 
 
 @law
 def observe_payload(seen: Array, payload: Array, carried: Array) -> None:
-    """Write the payload's values in L, for an observed tip, into `carried` (18,) (LNKAGE for PA = 1).
+    """Write the values of a held payload in L (LNKAGE for PA = 1).
 
     Args:
-        seen: (21,) from `observe`.
+        seen: (21,) observed values of the arm, from `observe`.
         payload: (15,) from `Payload.packed`.
         carried: (18,) out.
     """

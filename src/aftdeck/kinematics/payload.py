@@ -1,4 +1,4 @@
-"""LNKAGE with a payload attached: the payload's centre and axes from the tip's pose.
+"""LNKAGE with a payload attached: computes the payload's centre and axes from the tip's pose.
 
 Source: JSC-12628, subroutine LNKAGE, the part for PA = 1.
 """
@@ -23,12 +23,12 @@ class Payload:
     """Payload that the end effector holds.
 
     Attributes:
-        mass: mass [kg]; selects the limits of the point of resolution.
+        mass: mass [kg]; the limits of the point of resolution depend on it.
         rotation: (3, 3) T_78: payload axes as columns, in frame 7.
         centre: (3,) r_87: vector from the tip to the payload's centre, in payload axes [m].
         por: (3,) vector from the payload's centre to its point of resolution, in payload axes [m].
-        shapes: drawn shapes, about the payload's centre in payload axes.
-        solids: collision solids, each (8, 3) vertices about the payload's centre in payload axes [m].
+        shapes: drawn shapes, in payload axes about the payload's centre.
+        solids: solids, each with (8, 3) vertices in payload axes about the payload's centre [m].
     """
 
     mass: float

@@ -6,8 +6,8 @@ With a heading-pitch-roll wrist, whose three axes intersect in one point, the fi
 last three produce the remaining rotation.
 
 The three denominators are zero at the arm's singularities. If a denominator is nearer to zero than `floor`, the law
-divides by the floor, so that rates stay finite. The rates then have the direction of the arm's free motion out of the
-singularity. `kinematics.arm` rejects such poses; steering slows the arm before it reaches them.
+divides by the floor instead. The rates then remain finite, and their direction is that of the arm's free motion out of
+the singularity. `kinematics.arm` rejects such poses; the steering slows the arm before it reaches them.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
 FLOOR = 1e-7
-"""Normalised distance [1] below which a pose counts as singular: rates would exceed 1e7 times their usual values."""
+"""Normalised distance [1] below which a pose counts as singular: rates are then over 1e7 times their usual values."""
 
 
 @law
@@ -36,7 +36,7 @@ def _away_from_zero(value: float, floor: float) -> float:
 
 @law
 def per_distance(arm: Floats, a: Sines, floor: float) -> tuple[float, float, float]:
-    """Return the reciprocals of RMSRAT's denominators, with the floor applied: shoulder [1/m], elbow and wrist [1]."""
+    """Return the reciprocals of RMSRAT's denominators, limited by the floor: shoulder [1/m], elbow [1], wrist [1]."""
     shoulder, elbow, wrist = distances(arm, a)
     return (
         1.0 / (_away_from_zero(shoulder, floor) * (arm[L2] + arm[L3] + abs(arm[L4]))),
@@ -67,7 +67,7 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
     r5 = b3 - a.cw * r1
     roll = a.sw * r1
     r6 = (b1 + roll) * per_wrist
-    # the three pitches: their sum, and the wrist's velocity that upper and lower arm have to produce
+    # the three pitches: the sum of their rates, and the velocity of the wrist that upper and lower arm have to produce
     c1 = b2 - a.s5 * r6
     c2, c3 = side * b3, side * roll + (arm[L4] + ahead) * c1
     out, down = v1 + (a.cw * c2 + a.sw * c3), t.vz + (a.cw * c3 - a.sw * c2)
@@ -77,7 +77,10 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
 
 @law
 def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> tuple[float, float]:
-    """Return the angular rates of upper and lower arm [rad/s] that move their end at `out` and `down` [m/s]."""
+    """Return the angular rates of upper and lower arm [rad/s].
+
+    With these rates, the lower arm's end has the velocities `out` and `down` [m/s].
+    """
     return (
         (down * a.s23 - out * a.c23) * (per_elbow * (1.0 / arm[L2])),
         (out * a.c2 - down * a.s2) * (per_elbow * (1.0 / arm[L3])),
@@ -88,18 +91,19 @@ def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> 
 def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
     """Return joint rates [rad/s] of an arm with a heading-pitch-roll wrist (RMSRAT after its divisions).
 
-    Heading and two pitches move the point in which the wrist's axes intersect; the wrist makes the remaining rotation.
+    Shoulder heading, shoulder pitch and elbow pitch move the point in which the wrist's axes intersect. The wrist
+    produces the remaining rotation.
     """
     per_shoulder, per_elbow, per_wrist = per
     # in the arm's plane: outwards, to the side, and down as in L
     w1, w2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
     v1, v2 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
-    # the vector from the wrist's point to the tip, first along and across the lower arm
+    # the vector from the point in which the wrist's axes intersect to the tip, first along and across the lower arm
     ahead, across, side = arm[L5] * (a.cw * a.c5), -arm[L5] * a.s5, arm[L5] * (a.sw * a.c5)
     out, down = a.c23 * ahead + a.s23 * across, a.c23 * across - a.s23 * ahead
     r1 = (v2 - t.wz * out + w1 * down) * per_shoulder
     r2, r23 = _booms(arm, a, v1 - w2 * down + t.wz * side, t.vz - w1 * side + w2 * out, per_elbow)
-    # the wrist's remaining angular velocity: along the lower arm, about the pitches' axis, across the lower arm
+    # angular velocity that the wrist has to produce: along the lower arm, about the pitch axis, across the lower arm
     d1, d2, d3 = a.c23 * w1 - a.s23 * (t.wz - r1), w2 - r23, a.s23 * w1 + a.c23 * (t.wz - r1)
     r6 = (a.cw * d1 + a.sw * d2) * per_wrist
     return Rates(r1, r2, r23 - r2, d3 + a.s5 * r6, a.cw * d2 - a.sw * d1, r6)
@@ -107,10 +111,17 @@ def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[flo
 
 @law
 def rates_many(arm: Array, angles: Array, twists: Array, rates: Array, singular: NDArray[np.bool_]) -> bool:
-    """Compute RMSRAT for each row: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,).
+    """Compute RMSRAT for each row.
+
+    Args:
+        arm: the arm's array.
+        angles: (n, 6) joint angles [rad].
+        twists: (n, 6) twists of the tip, in L.
+        rates: (n, 6) out, joint rates [rad/s].
+        singular: (n,) out, whether the pose is singular.
 
     Returns:
-        Whether angles and twists are finite.
+        Whether all angles and twists are finite.
     """
     whole = True
     for i in range(angles.shape[0]):

@@ -1,7 +1,7 @@
 """Distances from the three singularities: the normalised denominators of the closed-form rate law.
 
-Each distance is signed and is zero at its singularity; its magnitude is in [0, 1]. JSC-12628 names two of them in
-RMANGS; the third is the denominator D of RMSRAT. The same formulas hold for both families of arms.
+Each distance is signed and is zero at its singularity; its magnitude is in [0, 1]. JSC-12628 names two of these
+distances in RMANGS; the third is the denominator D of RMSRAT. The same formulas hold for both families of arms.
 """
 
 from __future__ import annotations
@@ -20,10 +20,11 @@ class Singularities(NamedTuple):
     """Distances from the three singularities, each (...) in [-1, 1].
 
     Attributes:
-        shoulder: distance of the fifth joint (wrist yaw; in a heading-pitch-roll wrist the point in which its axes
-            intersect) from the first joint's axis, divided by the greatest possible distance.
-        elbow: minus the sine of the elbow's geometric angle, positive with the elbow bent as usual.
-        wrist: cosine of the fifth angle: wrist yaw, or wrist pitch.
+        shoulder: distance of the fifth joint from the first joint's axis, divided by the greatest possible distance.
+            The fifth joint is wrist yaw. In a heading-pitch-roll wrist it is wrist pitch, and its centre is the point
+            in which the wrist's axes intersect.
+        elbow: minus the sine of the elbow's geometric angle; positive if the elbow is bent as usual.
+        wrist: cosine of the fifth joint's angle.
     """
 
     shoulder: Array
@@ -52,10 +53,10 @@ def nearest_singularity(arm: Array, angles: Array) -> tuple[float, int]:
 
 @law
 def distances_many(arm: Array, angles: Array, result: Array) -> bool:
-    """Compute the distances for each row: angles (n, 6) [rad] -> result (3, n).
+    """Compute the distances for each row of angles (n, 6) [rad], and write them into `result` (3, n).
 
     Returns:
-        Whether the angles are finite.
+        Whether all angles are finite.
     """
     whole = True
     for i in range(angles.shape[0]):

@@ -1,4 +1,4 @@
-"""All solutions of RMANGS for a pose: checked, in the requested revolutions, inside the limits, nearest first."""
+"""All solutions of RMANGS for a pose: checked, in the requested revolutions, inside the limits, and sorted."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.law import law, nearest
 
 ROTATION_TOLERANCE = 1e-6
-"""Largest allowed deviation of a given rotation from orthonormal [1]."""
+"""Greatest allowed deviation of the pose's rotation from an orthonormal matrix [1]."""
 SAME = 1e-9
-"""Largest difference of angles up to which two solutions count as equal; also the tolerance at the limits [rad]."""
+"""Greatest difference of the angles of two solutions that count as equal; also the tolerance at the limits [rad]."""
 EPSILON = 1e-9
 """Distance [m] or cosine [1] below which a pose counts as singular."""
 FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = range(8)
@@ -28,12 +28,12 @@ class Solved(NamedTuple):
     Attributes:
         outcome: `FOUND`, or the reason why there is no solution.
         number: number of solutions.
-        value: amount, by outcome. SKEW: deviation of R R^T from the unit matrix [1]. SHOULDER: distance of the fifth
-            joint from the first joint's axis [m]. WRIST: cosine of the fifth angle [1]. OUT_OF_REACH: distance of the
-            wrist beyond reach [m], negative if the arm cannot fold so far. OUTSIDE: angle of the joint beyond its
-            limit [rad]. Else 0.
-        joint: OUTSIDE: the joint beyond its limit, 0 to 5. Else -1.
-        angle: OUTSIDE: angle of that joint [rad]. Else 0.
+        value: a measure that depends on the outcome; 0 for outcomes that are not listed here. SKEW: deviation of R R^T
+            from the unit matrix [1]. SHOULDER: distance of the fifth joint from the first joint's axis [m]. WRIST:
+            cosine of the fifth angle [1]. OUT_OF_REACH: distance by which the wrist is out of reach [m], negative if
+            the arm cannot fold so far. OUTSIDE: angle by which `joint` is beyond its limit [rad].
+        joint: for OUTSIDE, the joint beyond its limit, 0 to 5; -1 for any other outcome.
+        angle: for OUTSIDE, the angle of that joint [rad]; 0 for any other outcome.
     """
 
     outcome: int
@@ -51,10 +51,10 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
         arm: the arm's array.
         hard: (6, 2) hard stops [rad].
         pose: (12,) tip position in L [m], then the rotation row by row.
-        near: (6,) angles; the solutions are sorted by distance from these, nearest first [rad].
-        turned: bring each angle to the revolution nearest to `near`; else each angle is within +-pi.
-        limited: bring the angles inside the hard stops by whole revolutions where possible, and leave out solutions
-            outside the stops.
+        near: (6,) angles [rad]; the solutions are sorted by their distance from `near`, nearest first.
+        turned: True to move each angle to the revolution nearest to `near`; False to keep each angle within +-pi.
+        limited: True to move angles by whole revolutions inside the hard stops where this is possible, and to leave out
+            solutions outside the hard stops.
         solutions: (8, 6) out [rad]; the first `number` rows are filled.
     """
     if not finite(pose) or not finite(near):
@@ -132,9 +132,9 @@ def _determinant(p: Array) -> float:
 
 @law
 def _choose_revolutions(angles: Array, hard: Array, near: Array, turned: bool, limited: bool) -> None:
-    """Bring six angles to the revolution nearest to `near` if `turned`, and inside the limits if `limited`.
+    """Move each of six angles by whole revolutions: nearest to `near` if `turned`, inside the limits if `limited`.
 
-    An angle with no revolution inside the limits is brought to the revolution nearest to the limits.
+    If an angle is outside its limits in every revolution, use the revolution nearest to the limits.
     """
     for k in range(6):
         angle = angles[k]
@@ -144,7 +144,7 @@ def _choose_revolutions(angles: Array, hard: Array, near: Array, turned: bool, l
             low, high = hard[k, 0], hard[k, 1]
             angle = angle - math.tau * max(math.ceil((angle - high - SAME) / math.tau), 0.0)
             angle = angle + math.tau * max(math.ceil((low - SAME - angle) / math.tau), 0.0)
-            below = angle - math.tau  # if the angle is outside in every revolution, take the nearer one
+            below = angle - math.tau  # if the angle is outside in every revolution, use the nearer of two revolutions
             if angle > high + SAME and low - below < angle - high:
                 angle = below
         angles[k] = angle
@@ -152,7 +152,10 @@ def _choose_revolutions(angles: Array, hard: Array, near: Array, turned: bool, l
 
 @law
 def _greatest_excess(angles: Array, hard: Array) -> tuple[float, int]:
-    """Return the greatest excess of a joint beyond its limits [rad], negative inside them, and that joint, 0 to 5."""
+    """Return the greatest excess of a joint beyond its limits [rad], and that joint, 0 to 5.
+
+    The excess is negative if all joints are inside their limits.
+    """
     worst, joint = -np.inf, -1
     for k in range(6):
         beyond = max(hard[k, 0] - angles[k], angles[k] - hard[k, 1])
@@ -163,7 +166,10 @@ def _greatest_excess(angles: Array, hard: Array) -> tuple[float, int]:
 
 @law
 def _distinct(rows: Array, count: int, solutions: Array) -> int:
-    """Copy rows without repetitions (a stretched arm has two equal elbow branches); return the number of rows."""
+    """Copy the rows to `solutions`, without repetitions, and return the number of copied rows.
+
+    Rows repeat if the arm is stretched out: the two elbow branches are then equal.
+    """
     kept = 0
     for row in range(count):
         new = True

@@ -139,7 +139,7 @@ class SessionRecorder:
 def _free_name(folder: Path, scenario: str) -> Path:
     """Return a path that is not in use, such as ``first-flight-20261121-143000.mcap`` (UTC), or with ``-2`` added."""
     stem = f"{scenario}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
-    for ending in ("", *(f"-{n}" for n in range(2, MAX_FILES_PER_SECOND))):
+    for ending in ("", *(f"-{n}" for n in range(2, MAX_FILES_PER_SECOND + 1))):
         path = folder / f"{stem}{ending}.mcap"
         if not os.path.lexists(path):  # unlike Path.exists, does not raise if the folder cannot be read
             return path

@@ -30,5 +30,8 @@ def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
 
 @lru_cache(maxsize=8)
 def _on_the_arm(model: ArmModel) -> tuple[Camera, ...]:
-    """Return the arm's cameras; cached, since every re-initialisation builds a state and reading shapes is slow."""
+    """Return the arm's cameras.
+
+    The result is cached: every re-initialisation needs the cameras, and it is slow to read the arm's shapes.
+    """
     return shapes_of(model).cameras

@@ -10,11 +10,11 @@ from aftdeck.scenario.schema import Phase
 
 
 class Grasp:
-    """The scenario's own payloads, collected phase by phase.
+    """The payloads that the scenario itself attaches to the end effector, collected phase by phase.
 
     Attributes:
-        payloads: payloads so far, in the order of the file.
-        held: number, from 1, of the payload in the grasp; 0 for none.
+        payloads: payloads collected so far, in the order of the file.
+        held: number, from 1, of the payload that is attached at present; 0 for none.
     """
 
     def __init__(self, payload: Payload | None, *, cargo: bool) -> None:
@@ -29,11 +29,13 @@ class Grasp:
 
     @property
     def mass(self) -> float:
-        """Mass of the held payload [kg]; 0 for none. The worksite's payloads do not count."""
+        """Mass of the attached payload [kg]; 0 for none. The worksite's payloads do not count."""
         return self.payloads[self.held - 1].mass if self.held else 0.0
 
     def attach(self, problems: Problems, phase: Phase, where: Where) -> int | None:
-        """Put a phase's payload into the grasp; return its number from 1, 0 if detached, None if nothing changes.
+        """Attach or detach a payload as a phase demands.
+
+        Return the number of the attached payload, from 1; 0 if the payload was detached; None if nothing changes.
 
         Args:
             problems: collects the problems found.
@@ -57,7 +59,7 @@ class Grasp:
                 "cannot replace a payload that has a shape or a body; only payloads of the worksite can be released",
             )
         elif phase.detached and current is None:
-            problems.add(field, "no payload is in the grasp")
+            problems.add(field, "no payload is attached")
         elif phase.payload is None:
             self.held = 0
             return self.held

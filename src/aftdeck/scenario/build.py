@@ -32,7 +32,7 @@ LONGEST_PERIOD = 0.2
 SHORTEST_PERIOD = 0.001
 """Shortest control period accepted [s]."""
 WHOLE = 1e-6
-"""Maximum deviation of a duration from a whole number of control periods [1]."""
+"""Greatest deviation of a duration from a whole number of control periods [1]."""
 LONGEST_DELAY = 30.0
 """Longest delay accepted [s]: about ten times the delay of a signal to the Moon and back."""
 LONGEST_RUN = 86_400.0
@@ -47,7 +47,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         spec: the decoded file.
         name: name of the scenario.
         text: text of the file.
-        folder: folder in which arm and worksite files are sought.
+        folder: folder for relative paths of the arm's file and the worksite's file.
     """
     _check_times(problems, spec)
     _check_arrival(problems, spec)
@@ -150,7 +150,10 @@ def _check_fit(
 
 
 def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite | None:
-    """Load the worksite, a built-in name or a file sought from `folder`, with the scenario's dimensions."""
+    """Return the worksite, with the scenario's dimensions; None if it cannot be loaded.
+
+    The worksite is given by a built-in name, or by a path that is absolute or relative to `folder`.
+    """
     try:
         return load_worksite(beside(spec.worksite, folder), spec.dimensions)
     except ScenarioError as error:
@@ -160,7 +163,10 @@ def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite 
 
 
 def _check_times(problems: Problems, spec: ScenarioFile) -> None:
-    """Check the control period, the duration and the delays; some must be a whole number of control periods."""
+    """Check the control period, the duration and the delays.
+
+    The duration and the delay of commands have to be whole numbers of control periods.
+    """
     period, duration = spec.control_period, spec.duration
     period_is_valid = SHORTEST_PERIOD <= period <= LONGEST_PERIOD
     if not period_is_valid:

@@ -1,4 +1,4 @@
-"""Selection of the payloads of a worksite that are present in a scenario, with the start of each."""
+"""Selection of the worksite's payloads that are present in a scenario, with the start of each payload."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from aftdeck.worksite.model import Cargo, Worksite
 
 
 def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Cargo, ...]:
-    """Return the worksite's payloads that a scenario lists, with mass and start from the scenario where given."""
+    """Return the worksite's payloads that a scenario lists.
+
+    A mass or a start that the scenario gives replaces that in the worksite's file.
+    """
     if worksite is None:
         return ()
     available = {payload.name: payload for payload in worksite.cargoes}

@@ -1,10 +1,10 @@
 """Checks that a scenario's payloads, berths, end effector and telescope fit together.
 
-The checks run at load, on the solids that are present, and without compiled code. A misfit that makes every run
-meaningless is an error: a payload that starts inside another body; a bar that the end effector can never acquire; a
-berth that a payload does not fit, if the payload starts in the berth or the script uses the berth. A payload that does
-not fit any other berth is a caution, which ``aftdeck check`` prints. `simulation.survey` makes the checks that depend
-on the arm's joint angles.
+The checks run when a scenario is loaded. They use only the solids that are present, and no compiled code. A misfit is
+an error if it makes every run meaningless: a payload starts inside another body; the end effector can never acquire a
+bar; a payload does not fit a berth in which it starts or which the script uses. If a payload does not fit one of the
+other berths, this is a caution, which ``aftdeck check`` prints. `simulation.survey` makes the checks that depend on the
+arm's joint angles.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Misfit(NamedTuple):
 
     Attributes:
         problem: description, and place in the scenario's file.
-        senseless: whether the misfit makes every run of the scenario meaningless, and so is an error.
+        senseless: True if the misfit makes every run of the scenario meaningless and is therefore an error.
     """
 
     problem: Problem
@@ -59,7 +59,8 @@ def misfits(
         worksite: the worksite.
         cargo: payloads that are present, in the order of the scenario's file.
         used: names of the berths to which the script brings payloads.
-        held: indices of the payloads that the end effector holds at every start; their own start poses are not used.
+        held: indices of the payloads that the end effector holds in every initial state; the start poses of these
+            payloads are not used.
     """
     around = parts_at(worksite.solids, _IDENTITY)
     yield from _telescope_misfits(model, worksite, around)
@@ -90,7 +91,10 @@ def _berth_misfits(
     used: frozenset[str],
     graspable: bool,
 ) -> Iterator[Misfit]:
-    """Yield the overlaps of a payload, and of the end effector at its bar, in each berth that can fix the payload."""
+    """Yield the overlaps of a payload with its surroundings in each berth that can fix the payload.
+
+    If the end effector can hold the payload's bar (`graspable`), also yield the overlaps of the end effector there.
+    """
     hands_at_bar = hands(model, worksite, payload) if graspable else {}
     for seat in worksite.seats:
         if seat.lacks(payload.probe, payload.trunnions):
@@ -106,7 +110,7 @@ def _berth_misfits(
 
 
 def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
-    """Yield the overlaps of the telescope at either end of its travel."""
+    """Yield the overlaps of the telescope's tube with the worksite at both ends of its travel."""
     telescope = model.equipment.telescope
     if telescope is None:
         return
@@ -136,12 +140,12 @@ def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator
     if rule.prong_spacing >= opened:
         yield (
             f"prong_spacing (PRGSPC) is {spacing}, and the open prong is {length_text(opened)} from the palm's centre "
-            f"line: it has to be less, or the end effector never releases {payload.name}"
+            f"line: prong_spacing has to be less, or the end effector never releases {payload.name}"
         )
     if rule.prong_spacing < closed:
         yield (
             f"prong_spacing (PRGSPC) is {spacing}, and the closed prong is {length_text(closed)} from the palm's "
-            f"centre line: it has to be at least that, or the end effector never acquires {payload.name}"
+            f"centre line: prong_spacing has to be at least as much, or the end effector never acquires {payload.name}"
         )
     span = min(fixed_finger + min(opened, rule.prong_spacing), 2.0 * fixed_finger)  # with the palm centred over the bar
     if width > span:
@@ -158,9 +162,9 @@ def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator
 
 
 def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
-    """Yield the overlaps of the end effector, at a payload's bar, with that payload.
+    """Yield the overlaps of the end effector with a payload when the end effector is at the payload's bar.
 
-    The bar itself is not checked: the end effector may acquire the bar away from the palm's middle.
+    Overlaps with the bar itself are not checked, because the bar need not be at the palm's centre when it is acquired.
     """
     bar = part_of(payload.name, "receptacle")
     own = {part: bodies for part, bodies in parts_at(payload.solids, _IDENTITY).items() if part != bar}
@@ -170,7 +174,11 @@ def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Itera
 
 
 def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, Parts]:
-    """Return the concept's end effector at a payload's bar, in payload axes: prong open, and closed on the bar."""
+    """Return the parts of the concept arm's end effector at a payload's bar, in the payload's axes.
+
+    The keys of the result are "open", for the open prong, and "closed", for the prong closed on the bar. The result is
+    empty for an end effector without a prong and for a payload without a bar.
+    """
     rule, hand = worksite.acquisition, model.equipment.prong
     if hand is None or not isinstance(rule, BarAcquisition) or payload.receptacle is None:
         return {}
@@ -188,7 +196,7 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
 
 
 def parts_at(solids: Sequence[Solid], pose: Pose) -> Parts:
-    """Return the vertices of solids by part, in the frame in which `pose` gives the pose of the solids' own frame."""
+    """Return the vertices of solids by part, in the frame in which the solids' own frame has the pose `pose`."""
     by_part: Parts = {}
     for solid in solids:
         by_part.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)

@@ -1,7 +1,7 @@
 """Light in a run: directions to the sun and the Earth, lamps that are lit, exposures that are locked.
 
-Light affects pictures only, so it is not part of a simulation's state. The station keeps the present light, sends it
-to the pages and records it. A scenario gives the light at the start.
+Light affects only pictures and is therefore not part of a simulation's state. The station stores the present light,
+sends it to the pages and records it. A scenario gives the light at the start.
 """
 
 from __future__ import annotations
@@ -61,16 +61,16 @@ class LightCondition(_Part, frozen=True):
     earthshine: Glow
     sky: SkyGlow
     exposure: float
-    """Initial exposure of the cameras [stops above that of full sunlight]."""
+    """Initial exposure of the cameras [stops above the exposure for full sunlight]."""
     source: Annotated[str, msgspec.Meta(min_length=1)]
 
 
 class LockedExposure(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Locked exposure of a camera: it does not follow the brightness of the camera's picture."""
+    """Locked exposure of a camera. A locked exposure does not follow the brightness of the picture."""
 
     camera: Name
     stops: Annotated[float, msgspec.Meta(ge=-20.0, le=20.0)]
-    """Exposure of the camera [stops above that of full sunlight]."""
+    """Exposure of the camera [stops above the exposure for full sunlight]."""
 
 
 class Lighting(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -103,7 +103,7 @@ def lamps_of(worksite: Worksite, arm: ArmModel, payload: Payload | None, cargo: 
 
 
 def lighting(problems: Problems, spec: LightSpec, lamps: tuple[str, ...]) -> Lighting:
-    """Return a scenario's light; add conditions and lamps that do not exist to `problems`."""
+    """Return a scenario's light; report a condition or lamps that do not exist."""
     names = [condition.name for condition in conditions()]
     condition = names[0] if spec.condition is None else spec.condition
     if condition not in names:

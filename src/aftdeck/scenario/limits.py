@@ -1,4 +1,4 @@
-"""Limits of a scenario that replace the arm's own: of joints, rates and the point of resolution."""
+"""Limits in a scenario that replace the arm's limits: joint limits, rate limits, limits of the point of resolution."""
 
 from __future__ import annotations
 
@@ -20,7 +20,14 @@ from aftdeck.scenario.schema import LimitsOverride, PorOverride, RatesOverride
 
 
 def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, folder: Path) -> Arm | None:
-    """Load the arm, a built-in name or a file sought from `folder`, with the scenario's limits; None if that fails."""
+    """Load the arm, with the scenario's limits in place of its own; None if the arm cannot be loaded.
+
+    Args:
+        problems: collects the problems found.
+        name_or_path: name of a built-in arm, or path of a file, absolute or relative to `folder`.
+        over: the scenario's limits.
+        folder: folder for relative paths.
+    """
     try:
         arm = load_arm(beside(name_or_path, folder))
     except ScenarioError as error:
@@ -60,7 +67,7 @@ def phase_limits(
         model: the arm with the scenario's limits.
         mass: mass of the payload that the arm carries in the phase [kg].
         own: the scenario's limits of the point of resolution.
-        over: limits that the phase gives in place of the scenario's.
+        over: limits of the phase, which replace those of the scenario.
         where: place of the phase's limits in the file.
     """
     if over == RatesOverride():
@@ -77,7 +84,11 @@ def phase_limits(
 
 
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
-    """Return the limits of the point of resolution for a payload's `mass` [kg]: those in `over`, else the arm's."""
+    """Return the limits of the point of resolution for a payload's `mass` [kg].
+
+    A speed or angular rate that is not in `over` is the arm's limit. An acceleration that is not in `over` is the speed
+    or angular rate divided by `reached_in`, or by the arm's own time if `over` has no `reached_in`.
+    """
     arm_limits = arm.por_limits(mass)
 
     def pick(given: float | None, own: float) -> float:
@@ -99,7 +110,7 @@ def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
 
 
 def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Where = ("limits", "por")) -> None:
-    """Report limits that are not above 0, vernier limits above the coarse ones, and an acceleration given twice."""
+    """Report limits that are not above 0, vernier limits above the coarse limits, and an acceleration given twice."""
     for name in PorOverride.__struct_fields__:
         given = getattr(over, name)
         if given is not None and given <= 0.0:

@@ -1,4 +1,4 @@
-"""Loader of scenarios: turns a file or a built-in name into a `Scenario`, checked once and frozen."""
+"""Loader of scenarios: reads a file, or the scenario of a built-in name, into a checked and frozen `Scenario`."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class About(NamedTuple):
 
 
 def about(name: str) -> About:
-    """Read a built-in scenario's title and text without building the scenario, which takes about a second."""
+    """Return a built-in scenario's title, text and file. The scenario is not built, which would take about a second."""
     file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(file)
     return About(table["title"], table["text"], file)
@@ -78,10 +78,12 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
 
 
 def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
-    """Replace expressions that use the worksite's dimensions by their values; return the problems found.
+    """Replace expressions of the worksite's dimensions in a scenario's raw contents by their values.
+
+    Return the problems found.
 
     Raises:
-        ScenarioError: the worksite that defines the dimensions cannot be read.
+        ScenarioError: the worksite, which defines the dimensions, cannot be read.
     """
     name, own_dimensions = raw.get("worksite", "orbiter"), raw.get(KEY, {})
     if not has_formulas(raw) or not isinstance(name, str) or not isinstance(own_dimensions, dict):
@@ -96,8 +98,15 @@ def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
 def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Changes | None = None) -> Scenario:
     """Build a scenario from text, as `load_scenario` does from a file.
 
-    `file` is the file's name in messages. Arm and worksite files are sought from `folder`. `changes` replace values of
-    the text.
+    Args:
+        text: text of the scenario file.
+        name: name of the scenario.
+        file: name of the file in messages.
+        folder: folder for relative paths of the arm's file and the worksite's file.
+        changes: values that replace values in the text.
+
+    Raises:
+        ScenarioError: the text has errors; the message lists all of them, with their places in the text.
     """
     source = Text(file, text)
     spec, found = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, folder, source))

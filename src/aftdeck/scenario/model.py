@@ -24,7 +24,7 @@ class RateLimits:
 
     Attributes:
         joints: limits of the joints.
-        por: limits of the point of resolution, in place of the arm's.
+        por: limits of the point of resolution that replace those of the arm.
     """
 
     joints: JointRates
@@ -33,21 +33,21 @@ class RateLimits:
 
 @dataclass(frozen=True, eq=False)
 class PhasePlan:
-    """A phase of the script, checked and converted to SI.
+    """A phase of the script, checked and converted to SI units.
 
     Attributes:
         name: name for the summary and the page.
-        mode: panel position.
-        rate: coarse or vernier.
+        mode: position of the MODE rotary.
+        rate: rate setting, coarse or vernier.
         translation: THC deflections, each in [-1, 1].
         rotation: RHC deflections (roll, pitch, yaw), each in [-1, 1].
-        velocity: V_C' in place of the THC [m/s]; None to use the THC.
-        angular_velocity: omega_C' in place of the RHC [rad/s]; None to use the RHC.
+        velocity: V_C', which replaces the THC [m/s]; None to use the THC.
+        angular_velocity: omega_C', which replaces the RHC [rad/s]; None to use the RHC.
         joint: selected joint, 0 to 5.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
-        joint_rate: theta_dot_C' in place of the drive [rad/s]; None to use the drive.
-        joint_at: angle to which the joint moves [rad], or None.
-        target: final tip pose, or a relative target, which gives the pose as the phase begins; None for no target.
+        joint_rate: theta_dot_C', which replaces the drive [rad/s]; None to use the drive.
+        joint_at: angle to which the joint moves [rad]; None to use the drive or the rate.
+        target: final tip pose, or a relative target, whose pose is computed as the phase begins; None for no target.
         law: steering law of the automatic modes, one of the report's modes 1 to 3; None for no change.
         payload_axes: whether ORB LD rotates in payload axes; None for no change.
         master: angles of the master arm [rad]; None for no change.
@@ -56,10 +56,10 @@ class PhasePlan:
         stand_at: length to which the telescope moves [m]; None for no change.
         orbiter: translation command of the orbiter, each in [-1, 1].
         limits: limits during the phase; None for the scenario's.
-        attaches: number, from 1, of the payload in `Scenario.own_payloads` that is in the grasp from the phase on; 0
-            for none; None for no change.
-        until: event for which the phase waits; None for its mode's own end.
-        duration: length, or maximum length in automatic modes [s]; None for no limit.
+        attaches: number, from 1, of the payload in `Scenario.own_payloads` that is attached to the end effector from
+            the beginning of the phase; 0 if none is attached from then on; None for no change.
+        until: event for which the phase waits; None if the phase ends as its mode determines.
+        duration: duration, or in automatic modes the longest duration [s]; None for no limit.
     """
 
     name: str
@@ -88,7 +88,7 @@ class PhasePlan:
 
     @property
     def timed(self) -> bool:
-        """Whether only its duration ends the phase."""
+        """Whether the phase ends only when its duration has passed."""
         driven = MODES[self.mode].kind == "single" and self.joint_at is None
         waits = self.until is not None or self.stand_at is not None
         return (driven or MODES[self.mode].kind in ("manual", "test")) and not waits
@@ -100,7 +100,7 @@ class Point:
 
     Attributes:
         target: pose of the point.
-        pause: whether it is a pause point, at which the arm waits for PROCEED; if not, it is a fly-by point.
+        pause: True for a pause point, at which the arm waits for PROCEED; False for a fly-by point.
     """
 
     target: Target
@@ -108,7 +108,7 @@ class Point:
 
 
 Part = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
-"""Parts of the report's problem."""
+"""The report's problem, as a whole or in part."""
 
 Sequences = dict[str, tuple[Point, ...]]
 """Points of AUTO 1-4, by panel position."""
@@ -120,7 +120,8 @@ class Grasped:
 
     Attributes:
         cargo: index of the payload in the scenario's `cargo`.
-        angles: (6,) joint angles at which the arm captured the payload, at the payload's own start pose [rad].
+        angles: (6,) joint angles at which the arm captured the payload [rad]. The payload was then at the start pose
+            that its own table gives.
         stand: length of the telescope at the capture [m].
     """
 
@@ -166,15 +167,15 @@ class Scenario:
         start: initial state of the arm.
         parts: initial states for the parts of the problem; "full problem" is `start`.
         cargo: payloads of the worksite that are present.
-        docking_axes: axes that docking compares: all, or y alone as the report does.
+        docking_axes: axes of payload and port that docking compares: all, or only y as in the report.
         free_contact: effect of a contact on a floating payload.
         caution: clearance below which the page shows a caution [m].
         warning: clearance below which the page shows a warning [m].
         lamps: switches of the lamps that are present.
         lighting: light at the start.
         mode: mode at the start.
-        rate: coarse or vernier at the start.
-        as_flown: whether a joint past its soft stop stops every joint in computed modes.
+        rate: rate setting at the start, coarse or vernier.
+        as_flown: whether, in computed modes, one joint past its soft stop stops every joint.
         strict: whether the steering is as published, without the corrections.
         guarded: whether computed modes slow the arm before its stops and singularities.
         near: radius of the end sphere of the automatic modes [m].
@@ -185,13 +186,13 @@ class Scenario:
         payload_axes: whether ORB LD rotates in payload axes at the start.
         position_hold: whether POSITION HOLD is on at the start.
         sequences: points of AUTO 1-4, by panel position.
-        por: limits of the point of resolution in place of the arm's.
-        own_payloads: payloads that the scenario itself attaches to the end effector: that of `[payload]`, then those of
-            its phases. The end effector neither captures nor releases them.
-        payload: the first of `own_payloads` if it is in the grasp at the start; else None.
+        por: limits of the point of resolution that replace those of the arm.
+        own_payloads: payloads that the scenario itself attaches to the end effector: the payload of `[payload]`, then
+            the payloads of the phases. The end effector neither captures nor releases these payloads.
+        payload: the payload of `[payload]`, which is attached at the start; None if there is none.
         phases: the script; empty if there is none.
         text: text of the file.
-        cautions: misfits that do not make every run meaningless.
+        cautions: misfits (`scenario.fit`) that do not make every run meaningless.
     """
 
     name: str

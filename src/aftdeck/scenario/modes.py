@@ -1,4 +1,7 @@
-"""Modes of a scenario, by panel position or by the report's number, with checks of the payload and points they need."""
+"""Modes in a scenario, given by panel position or by the report's number; checks of what a mode needs.
+
+Some modes need a payload, others need the points of a sequence.
+"""
 
 from __future__ import annotations
 
@@ -16,12 +19,12 @@ _LAWS: dict[int, LawChoice] = {number: law for law, number in AUTOMATIC_LAWS.ite
 
 @dataclass(frozen=True)
 class Chosen:
-    """A mode, and the settings of the switches beside it if the mode's number implies them.
+    """A mode, and the settings of the switches beside the MODE rotary if the report's number determines them.
 
     Attributes:
-        position: panel position.
-        law: steering law, one of the report's modes 1 to 3; None if not given.
-        payload_axes: whether ORB LD rotates in payload axes; None if not given.
+        position: position of the MODE rotary.
+        law: steering law, one of the report's modes 1 to 3; None if the number does not determine it.
+        payload_axes: whether ORB LD rotates in payload axes; None if the number does not determine it.
     """
 
     position: str
@@ -36,7 +39,7 @@ def chosen_mode(problems: Problems, given: int | str, where: Where) -> Chosen | 
     if isinstance(given, int) and (found := position_of(given)):
         position, number = found
         return Chosen(position, _LAWS.get(number), True if number == MIXED else None)
-    problems.add(where, f"no mode {given!r}: there are 1 to 8 and the panel's {', '.join(MODES)}")
+    problems.add(where, f"no mode {given!r}: modes are 1 to 8, or a position of the panel: {', '.join(MODES)}")
     return None
 
 

@@ -1,4 +1,4 @@
-"""The payload in the grasp at the start."""
+"""Payloads that a scenario attaches to the end effector, built from their tables."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PART = "payload"
 
 
 def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None:
-    """Return the payload that the file describes; None if the file describes none, or if its table is wrong."""
+    """Return the payload of the table `[payload]`; None if the file has no such table, or if the table is wrong."""
     held = None if spec is None else attached_payload(problems, spec, ("payload",))
     if spec is None or held is None:
         return None
@@ -31,7 +31,7 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
 
 
 def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Payload | None:
-    """Return the payload of a table at a place in the file, without shape; None if the table is wrong."""
+    """Return the payload of the table at `where` in the file, without shapes and solids; None if the table is wrong."""
     if spec.mass <= 0.0:
         problems.add((*where, "mass"), f"has to be above 0, got {spec.mass:g} kg")
         return None

@@ -1,4 +1,4 @@
-"""Phases of the script, with checks of the fields that each kind of mode allows and needs."""
+"""Phases of the script, with checks of the fields that each kind of mode allows and of the fields that it needs."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def script(
         problems: collects the problems found.
         arm: the arm, with the scenario's limits.
         phases: the decoded phases.
-        grasp: the grasp at the start; collects the payloads of the phases.
+        grasp: the payload that is attached at the start; collects the payloads of the phases.
         por: the scenario's limits of the point of resolution.
         sequences: points of AUTO 1-4.
         references: objects relative to which targets may be given.
@@ -131,7 +131,7 @@ def _stand(problems: Problems, arm: Arm, phase: Phase, where: Where) -> float | 
 
 
 def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joint: int, where: Where) -> None:
-    """Report fields that a phase's mode needs but lacks, and fields for which the mode has no use."""
+    """Report fields that a phase's mode needs but the phase lacks, and fields that the mode does not use."""
     mode = MODES[chosen.position]
     _check_use(problems, phase, mode, where)
     if phase.law is not None and chosen.law not in (None, phase.law):
@@ -151,7 +151,7 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
 
 
 def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> None:
-    """Report fields that the mode does not use, and a stick given both as a deflection and as a velocity or rate."""
+    """Report fields that the mode does not use, and inputs given both as a deflection and as a velocity or rate."""
     given = {
         "target": phase.target is not None,
         "law": phase.law is not None,
@@ -178,7 +178,10 @@ def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> No
 
 
 def _check_single(problems: Problems, arm: Arm, phase: Phase, mode: Mode, joint: int, where: Where) -> None:
-    """Check that SINGLE or DIRECT has a joint, and either its drive for a time or the angle to which it moves."""
+    """Check a phase in SINGLE or DIRECT.
+
+    It has to give a joint. For that joint, it has to give either a drive or rate with a duration, or the final angle.
+    """
     if phase.joint is None:
         problems.add(where, f"mode {mode.position} needs a joint")
     if phase.joint_at is None and phase.duration is None:

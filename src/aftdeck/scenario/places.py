@@ -1,4 +1,4 @@
-"""Targets relative to objects: a payload to capture, a berth for the held payload, a pose in the axes of a body."""
+"""Targets relative to objects: to a payload to capture, to a berth for the held payload, or in the axes of a body."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class TargetReferences(NamedTuple):
     Attributes:
         cargo: the scenario's payloads.
         worksite: the worksite, for its bodies and berths; None if the named worksite could not be read.
-        strict: whether a pose is converted to joint angles by RMANGS's own branch, as published.
+        strict: whether RMANGS as published, which returns only one branch, converts a pose to joint angles.
     """
 
     cargo: tuple[Cargo, ...]
@@ -39,7 +39,7 @@ def is_relative(spec: PoseSpec) -> bool:
 def goal(
     problems: Problems, arm: Arm, spec: PoseSpec, references: TargetReferences, where: Where
 ) -> Target | RelativeTarget | None:
-    """Return a target as a pose, or as a relative target for evaluation as the phase begins; None if it is wrong."""
+    """Return a target as a pose, or as a relative target that is computed as the phase begins; None if it is wrong."""
     return place(problems, arm, spec, references, where) if is_relative(spec) else target(problems, arm, spec, where)
 
 
@@ -61,17 +61,17 @@ def place(
         seats = [seat.name for seat in references.worksite.seats]
         if spec.seat in seats:
             return AtSeat(spec.seat, above, offset)
-        problems.add((*where, "seat"), f"no seat {spec.seat!r}: there is {', '.join(seats) or 'none'}")
+        problems.add((*where, "seat"), f"no seat {spec.seat!r}: seats are {', '.join(seats) or 'none'}")
         return None
     index = cargo_index(problems, arm, references.cargo, spec.cargo or "", (*where, "cargo"))
     return None if index is None else AtCargo(index, above, offset)
 
 
 def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: str, where: Where) -> int | None:
-    """Return the index of the scenario's payload of a given name; None if the end effector cannot capture it."""
+    """Return the index of the scenario's payload named `name`; None if there is none or the arm cannot capture it."""
     names = [payload.name for payload in cargo]
     if name not in names:
-        choices = f"there is {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
+        choices = f"cargoes are {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
         problems.add(where, f"no cargo {name!r}: {choices}")
         return None
     if not takes(arm.model, cargo[names.index(name)]):
@@ -86,17 +86,17 @@ def at_the_start(
     arm: Arm,
     spec: PoseSpec,
     references: TargetReferences,
-    in_hand: tuple[int, Pose] | None,
+    held: tuple[int, Pose] | None,
     where: Where,
 ) -> Pose | None:
     """Return the tip's pose in L for a pose relative to objects at their start poses; None if the pose is wrong.
 
     Args:
         problems: collects the problems found.
-        arm: arm with its telescope at the given length.
+        arm: the arm, with its telescope at the length that it has at the start.
         spec: the decoded pose.
         references: the objects.
-        in_hand: index of the held payload, and its pose at the tip; None if no payload is held.
+        held: index of the held payload, and its pose in the tip's frame; None if no payload is held.
         where: the pose's place in the file.
     """
     found = place(problems, arm, spec, references, where)
@@ -107,10 +107,10 @@ def at_the_start(
         payload = references.cargo[found.cargo]
         return composed(scene, composed(payload.start.pose, at_cargo(arm.model, payload, found)))
     if isinstance(found, AtSeat):
-        if in_hand is None:
-            problems.add(where, "a pose at a berth is the pose of the held payload: give grasped")
+        if held is None:
+            problems.add(where, "a pose at a berth (seat) is the pose of the held payload: give grasped")
             return None
-        index, held = in_hand
+        index, pose_at_tip = held
         seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)
         if lacking := seat.lacks(references.cargo[index].probe, references.cargo[index].trunnions):
             problems.add(
@@ -118,7 +118,7 @@ def at_the_start(
                 f"{references.cargo[index].name!r} has no {lacking}, by which the berth {seat.name!r} holds a payload",
             )
             return None
-        return composed(scene, composed(at_seat(seat, references.cargo[index], found), inverted(held)))
+        return composed(scene, composed(at_seat(seat, references.cargo[index], found), inverted(pose_at_tip)))
     frame_pose = next((payload.start.pose for payload in references.cargo if payload.name == found.frame), None)
     return composed(scene, found.pose if frame_pose is None else composed(frame_pose, found.pose))
 

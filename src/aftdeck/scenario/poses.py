@@ -16,9 +16,9 @@ from aftdeck.scenario.schema import PoseSpec, Row, SixAngles
 from aftdeck.scenario.target import Target, target_at
 
 FRAMES: tuple[FrameName, ...] = get_args(FrameName)
-"""Coordinate frames in which any pose may be given."""
+"""Coordinate frames in which every pose may be given."""
 ORTHONORMAL = 1e-6
-"""Maximum deviation of a given matrix from an orthonormal one [1]."""
+"""Greatest deviation of a matrix in the file from an orthonormal matrix [1]."""
 
 
 def joint_angles(problems: Problems, arm: Arm, given: SixAngles, where: Where) -> np.ndarray | None:
@@ -41,7 +41,7 @@ def check_angle(problems: Problems, arm: Arm, joint: int, angle: float, where: W
 
 
 def rotation_matrix(problems: Problems, rows: tuple[Row, Row, Row], where: Where) -> np.ndarray | None:
-    """Return the given matrix as an array; None if it is not right-handed and orthonormal."""
+    """Return a matrix as an array; None if the matrix is not right-handed and orthonormal."""
     matrix = np.array(rows, dtype=np.float64)
     if not np.isfinite(matrix).all():
         problems.add(where, "expected finite numbers")
@@ -57,7 +57,7 @@ def rotation_matrix(problems: Problems, rows: tuple[Row, Row, Row], where: Where
 
 
 def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target | None:
-    """Return the target for a pose given in one of three ways; None if the pose is wrong."""
+    """Return the target for a pose, given by joint angles or by position and orientation; None if the pose is wrong."""
     pose = pose_in_l(problems, arm, spec, where)
     if pose is None:
         return None
@@ -68,7 +68,10 @@ def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target
 
 
 def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pose | None:
-    """Return the pose of frame 7 in L for a pose given in one of three ways; None if the pose is wrong."""
+    """Return the pose of frame 7 in L that a table gives; None if the table is wrong.
+
+    The table gives joint angles, or a position with an orientation.
+    """
     if (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None):
         what = "cargo, seat, above and offset are allowed only in the target of a phase and in the pose at the start"
         problems.add(where, what)
@@ -94,7 +97,7 @@ def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pos
 
 
 def position_and_rotation(problems: Problems, spec: PoseSpec, where: Where) -> Pose | None:
-    """Return a pose given by position and orientation, in the frame that it names; None if the pose is wrong."""
+    """Return a pose given by position and orientation, in the frame that `spec` names; None if the pose is wrong."""
     euler = (spec.roll, spec.pitch, spec.yaw)
     if spec.position is None or spec.joints is not None:
         problems.add(where, "give joints (six angles), or a position with an orientation")

@@ -10,8 +10,9 @@ from aftdeck.files import Problem, Where, sentences
 class Problems:
     """Problems found so far, in the order found; true if there are any.
 
-    The problems given at construction are fields that could not be decoded and were left out. `add` ignores a problem
-    at, inside or around the place of such a field, since it may be only a consequence.
+    The problems given at construction belong to fields that could not be decoded and were left out. `add` ignores a
+    problem at, inside or around the place of such a field, because the problem may be a consequence of the missing
+    field.
     """
 
     def __init__(self, found: Sequence[Problem] = ()) -> None:

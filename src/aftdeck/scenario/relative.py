@@ -1,6 +1,6 @@
-"""Tip poses relative to objects: over a payload, with a held payload at a berth, in a body's frame.
+"""Tip poses relative to objects: over a payload, with a held payload at a berth, or in the frame of a body.
 
-The functions are used for the start of a run, with all objects at their start poses, and as a phase begins.
+The functions are used at the start of a run, when all objects are at their start poses, and when a phase begins.
 """
 
 from __future__ import annotations
@@ -28,21 +28,24 @@ def composed(outer: Pose, inner: Pose) -> Pose:
 
 
 def inverted(pose: Pose) -> Pose:
-    """Return the inverse pose: that of the outer frame in the inner frame."""
+    """Return the inverse pose: if `pose` is the pose of frame a in frame b, return the pose of frame b in frame a."""
     return Pose(-(pose.rotation.T @ pose.position), pose.rotation.T)
 
 
 def takes(model: ArmModel, cargo: Cargo) -> bool:
-    """Return whether a payload has what this arm's end effector captures: a bar, or a grapple fixture."""
+    """Return whether this arm's end effector can capture a payload: whether the payload has the fitting for it.
+
+    An end effector with a prong needs a bar; an end effector with snares needs a grapple fixture.
+    """
     return (cargo.grapple if model.equipment.prong is None else cargo.receptacle) is not None
 
 
 def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
-    """Return the tip's pose, in a payload's axes, at the capture of the payload, displaced by `place`."""
+    """Return the tip's pose at the capture of a payload, displaced by `place`, in the payload's axes."""
     if cargo.grapple is not None:
         capture_pose = Pose(cargo.grapple.position, cargo.grapple.rotation @ rotation_x(-model.end_effector_roll))
     else:
-        assert cargo.receptacle is not None, "the caller has checked that the payload has one or the other"
+        assert cargo.receptacle is not None, "the caller has checked that the payload has a fixture or a bar"
         low, high = cargo.receptacle.min(axis=0), cargo.receptacle.max(axis=0)
         capture_pose = Pose(np.array([*(low + high)[:2] / 2.0, high[2]]), _OVER_A_BAR)
     return Pose(

@@ -1,4 +1,4 @@
-"""Types of a scenario file. Bare numbers are SI; strings carry units."""
+"""Types of a scenario file. A bare number is in SI units; a string contains its unit."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ AngularVelocity = tuple[AngularRate, AngularRate, AngularRate]
 Row = tuple[float, float, float]
 Rate = Literal["coarse", "vernier"]
 Until = Literal["captured", "released", "latched", "unlatched"]
-"""Events for which a phase may wait: a payload is captured, released, latched in a berth, or unlatched."""
+"""Events for which a phase may wait: a payload is captured, released, latched in its berth, or unlatched."""
 FreeContact = Literal["stop", "reflect"]
 """Effect of a contact on a floating payload."""
 
@@ -32,16 +32,19 @@ class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PoseSpec(_Part, frozen=True):
     """A pose of the tip, by joint angles or by position and orientation.
 
-    `joints` gives the pose that those angles reach. Otherwise `position` is given in a `frame`, with an orientation by
-    `roll`, `pitch`, `yaw` or by a `matrix` whose columns are the axes (the report's S1 = 0). In the orbiter frame and
-    in L the angles are ENDORI's roll, elevation, azimuth of frame 7. In the panel frame they are the end effector's
-    attitude, pitch, yaw, roll in that order, and X = -Xo, Y = Yo, Z = -Zo.
+    With `joints`, the pose is the tip's pose at these joint angles. Without `joints`, `position` is given in the
+    coordinate frame `frame`, and the orientation by `roll`, `pitch`, `yaw` or by a `matrix` whose columns are the axes
+    (the report's S1 = 0). In the orbiter frame and in L, the three angles are ENDORI's roll, elevation, azimuth of
+    frame 7. In the panel frame, they are the end effector's attitude, applied in the order pitch, yaw, roll. The panel
+    frame has X = -Xo, Y = Yo, Z = -Zo.
 
-    A phase's target, and the pose in which a run starts, may also be given relative to the present poses of objects.
-    `cargo` is the pose at which the end effector captures that payload. `seat` is the pose at which the held payload is
-    in that berth. `above` is a distance short of that pose: back along the end effector, up out of the bay, or out from
-    the port. `offset` is a displacement along the axes of the payload or berth. Or `frame` names a body, a berth or a
-    payload; position and orientation (as in L) are then given in its axes.
+    A phase's target, and the pose at which a run starts, may also be given relative to the present poses of objects:
+
+    - `cargo` names a payload. The pose is the one at which the end effector captures this payload.
+    - `seat` names a berth. The pose is the one at which the held payload is in this berth.
+    - `above` moves such a pose back by a distance: along the end effector, up out of the bay, or out from the port.
+    - `offset` displaces such a pose along the axes of the payload or of the berth.
+    - `frame` may name a body, a berth or a payload. Position and orientation, given as in L, are then in its axes.
     """
 
     joints: SixAngles | None = None
@@ -58,10 +61,11 @@ class PoseSpec(_Part, frozen=True):
 
 
 class GraspSpec(_Part, frozen=True):
-    """A payload of the worksite held at the start, and the arm's angles at the capture of the payload at its own start.
+    """A payload of the worksite that the end effector holds at the start, and the joint angles at its capture.
 
-    The angles are `joints`, or those that bring the end effector `above` the payload as in `PoseSpec`, by the branch
-    nearest to the start's `near`. `stand` is the length of the telescope at the capture.
+    At the capture, the payload was at its own start pose. The joint angles at the capture are `joints`. Without
+    `joints`, they are the angles that bring the end effector to the distance `above` from the payload, as in
+    `PoseSpec`, by the branch nearest to `near` in `Initial`. `stand` is the length of the telescope at the capture.
     """
 
     cargo: Text
@@ -71,9 +75,11 @@ class GraspSpec(_Part, frozen=True):
 
 
 class Initial(_Part, frozen=True):
-    """Initial arm state (RMSIST): joint angles and rates, or a pose; `near` selects the nearest set of joint angles.
+    """Initial state of the arm (RMSIST).
 
-    `stand` is the length of the telescope; a payload that is `grasped` is attached to the end effector.
+    `joints` or a `pose` gives the joint angles. Of several sets of joint angles for a pose, the set nearest to `near`
+    is used. `rates` are the joint rates. `stand` is the length of the telescope. `grasped` describes a payload that the
+    end effector holds.
     """
 
     joints: SixAngles | None = None
@@ -85,7 +91,7 @@ class Initial(_Part, frozen=True):
 
 
 class CargoSpec(_Part, frozen=True):
-    """A payload of the worksite that is present; `start` and `mass`, if given, replace those of the payload's table."""
+    """A payload of the worksite that is present. `start` and `mass` replace the values in the worksite's file."""
 
     name: Text
     start: StartFile | None = None
@@ -103,8 +109,8 @@ class InitialiseSpec(_Part, frozen=True):
 class ClearanceSpec(_Part, frozen=True):
     """Clearances below which the page shows a caution and a warning.
 
-    The default caution is a little less than the clearance of the Shuttle's upper boom over the sill's fittings while
-    the arm is not stretched out: a caution that is always lit carries no information.
+    The default caution is a little less than the usual clearance of the Shuttle's upper boom over the sill's fittings,
+    that is, while the arm is not stretched out. With a greater value, the caution would always be lit.
     """
 
     caution: Length = Length(0.5)
@@ -112,7 +118,7 @@ class ClearanceSpec(_Part, frozen=True):
 
 
 class LightSpec(_Part, frozen=True):
-    """Light at the worksite: a condition by name, and the lamps that are lit at the start.
+    """Light at the worksite at the start: a condition by name, and the lamps that are lit.
 
     `condition` is `high sun` (the default), `low sun`, `night` or `terminator`, as defined in `scenario/light.toml`.
     `lamps` names the switches that are on, by default all; the orbiter has `fwd floods`, `mid floods`, `aft floods`
@@ -124,10 +130,11 @@ class LightSpec(_Part, frozen=True):
 
 
 class PorOverride(_Part, frozen=True):
-    """Limits of the point of resolution that replace the arm's, with any payload.
+    """Limits of the point of resolution that replace the arm's limits, for every payload.
 
-    `reached_in` gives both accelerations as the time in which the coarse limits are reached; `acceleration` and
-    `angular_acceleration` give the report's accelerations of V_L and omega_L separately.
+    The limits of acceleration are given in one of two forms. `reached_in` is the time from rest to the coarse limits,
+    for translation and rotation. `acceleration` and `angular_acceleration` are the report's limits for the changes of
+    V_L and omega_L.
     """
 
     translation: Speed | None = None
@@ -140,7 +147,7 @@ class PorOverride(_Part, frozen=True):
 
 
 class RatesOverride(_Part, frozen=True):
-    """Limits of rates and accelerations that replace others: of the joints, and of the point of resolution (`por`)."""
+    """Limits of rates and accelerations, of the joints and of the point of resolution (`por`), that replace others."""
 
     servo: SixRates | None = None
     coarse: SixRates | None = None
@@ -150,7 +157,7 @@ class RatesOverride(_Part, frozen=True):
 
 
 class LimitsOverride(RatesOverride, frozen=True):
-    """Limits that replace the arm's."""
+    """Limits of a scenario that replace the limits in the arm's file."""
 
     hard: SixRanges | None = None
     soft: SixRanges | None = None
@@ -175,9 +182,10 @@ class AttachedSpec(_Part, frozen=True):
 
 
 class PayloadSpec(AttachedSpec, frozen=True):
-    """A payload that the end effector holds.
+    """A payload that is attached to the end effector from the start and is never released.
 
-    The `shape` entries are drawn, about the payload's centre. The `body` entries collide and enclose the drawn shapes.
+    The `shape` entries are drawn. The `body` entries collide; they enclose the drawn shapes. Both kinds of entries are
+    about the payload's centre.
     """
 
     shape: tuple[Shape, ...] = ()
@@ -185,27 +193,30 @@ class PayloadSpec(AttachedSpec, frozen=True):
 
 
 class Phase(_Part, frozen=True):
-    """One phase of the script: a mode, what the operator does in it, and how it ends.
+    """One phase of the script: a mode, the operator's inputs in the phase, and the end of the phase.
 
-    The mode is a panel position or the report's number, 1 to 8; `law` chooses among modes 1 to 3 in OPR CMD and
-    AUTO 1-4, `payload_axes` between 4 and 7 in ORB LD. Automatic modes take a `target`; AUTO 1-4 use their stored
-    points. They end on arrival, a sequence at its last point. The script gives PROCEED at every pause point.
-    `duration` is then the longest time allowed.
+    The mode is a position of the MODE rotary, or the report's number, 1 to 8. `law` selects one of the report's modes 1
+    to 3 in OPR CMD and AUTO 1-4. `payload_axes` selects mode 7 instead of mode 4 in ORB LD.
 
-    Manual modes take stick positions and end after `duration`. SINGLE takes a `joint` and either `drive` with
-    a `duration`, or `joint_at`, the angle to which the joint moves. MASTER takes the `master` arm's angles and ends
-    when the arm has reached them.
+    OPR CMD needs a `target`. AUTO 1-4 use their stored points; the script gives PROCEED at every pause point. A phase
+    in these modes ends when the arm arrives at the target, or at the last point. `duration` is the longest time
+    allowed.
 
-    In place of stick positions, manual modes take `velocity` (V_C') and `angular_velocity` (omega_C') along and about
-    the axes in which the sticks act, and SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value beyond the limits
-    in force is reduced to the limit, in the same direction.
+    Manual modes take stick positions; the phase ends after `duration`. SINGLE and DIRECT take a `joint` and either
+    `drive` with a `duration`, or `joint_at`, the angle to which the joint moves. MASTER takes the angles of the
+    `master` arm; the phase ends when the arm has reached these angles.
 
-    `limits` apply during the phase (V_L, omega_L, their accelerations, theta_dot_L); with manual inputs the scenario's
-    limits apply. A `payload` is attached from this phase on (PA, T_78, r_87), until a later phase gives another
-    `payload` or `detached`.
+    Instead of stick positions, manual modes take `velocity` (V_C') along, and `angular_velocity` (omega_C') about, the
+    axes in which the sticks act. Instead of `drive`, SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value beyond
+    the present limits is reduced to the limit, in the same direction.
+
+    `limits` are the limits during the phase (V_L, omega_L, their accelerations, theta_dot_L). With inputs from an
+    operator instead of the script, the scenario's limits apply. A `payload` is attached from the beginning of this
+    phase (PA, T_78, r_87) until a later phase gives another `payload` or `detached`.
 
     In every mode a phase may set the `effector` switch, press `latch`, move the telescope to `stand_at`, translate the
-    `orbiter`, and wait `until` an event has occurred; `duration` is then the longest time allowed.
+    `orbiter`, and wait `until` an event has occurred. With `stand_at` or `until`, `duration` is the longest time
+    allowed.
     """
 
     mode: int | Text
@@ -249,7 +260,7 @@ class SequenceSpec(_Part, frozen=True):
 
 
 class ScenarioFile(_Part, frozen=True):
-    """A scenario file, decoded; `scenario.build` checks what types cannot express."""
+    """A scenario file, decoded; `scenario.build` makes the checks that types cannot make."""
 
     title: Text
     initial: Initial

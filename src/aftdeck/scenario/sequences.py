@@ -10,7 +10,7 @@ from aftdeck.scenario.schema import SequenceSpec
 
 
 def stored_points(problems: Problems, arm: Arm, specs: tuple[SequenceSpec, ...]) -> Sequences:
-    """Return the points of each slot, by panel position; invalid points are left out."""
+    """Return the points of each sequence, by panel position (AUTO 1 to AUTO 4); invalid points are left out."""
     found: Sequences = {}
     for i, sequence in enumerate(specs):
         position = f"AUTO {sequence.slot}"

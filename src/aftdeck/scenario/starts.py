@@ -1,4 +1,4 @@
-"""Initial states of the arm (RMSIST), for the full problem and for each part at which a run can re-initialise."""
+"""Initial states of the arm (RMSIST): for the full problem, and for its parts at which a run can re-initialise."""
 
 from __future__ import annotations
 
@@ -21,15 +21,18 @@ from aftdeck.units import Length
 def parts(
     problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None, references: TargetReferences
 ) -> dict[Part, Start]:
-    """Return the initial states for the parts of the problem; empty if the scenario gives none."""
-    given: dict[Part, Initial | None] = {
+    """Return the initial state of each part of the problem that the scenario describes, and of the full problem.
+
+    The result is empty if the scenario describes no part, or if `full`, the state of the full problem, is None.
+    """
+    tables: dict[Part, Initial | None] = {
         "acquisition": spec.acquisition,
         "extraction": spec.extraction,
         "manoeuvring": spec.manoeuvring,
     }
     found = {
         part: start(problems, arm, initial, references, ("initialise", part))
-        for part, initial in given.items()
+        for part, initial in tables.items()
         if initial is not None
     }
     complete: dict[Part, Start] = {part: state for part, state in found.items() if state is not None}
@@ -37,7 +40,7 @@ def parts(
 
 
 def start(problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where) -> Start | None:
-    """Return the initial state of the arm (RMSIST); None if it is wrong."""
+    """Return the initial state of the arm (RMSIST); None if its table is wrong."""
     raised = _with_telescope_at(problems, arm, initial.stand, (*where, "stand"))
     rates = frozen(initial.rates or [0.0] * 6)
     for joint, rate, limit in zip(arm.joints, rates, arm.rates.servo, strict=True):
@@ -53,7 +56,7 @@ def start(problems: Problems, arm: Arm, initial: Initial, references: TargetRefe
 
 
 def _with_telescope_at(problems: Problems, arm: Arm, stand: Length | None, where: Where) -> Arm:
-    """Return the arm with its telescope at a given length; if `stand` is None, at the arm's own length."""
+    """Return the arm with its telescope at the length `stand`; if `stand` is None, at the length in the arm's file."""
     try:
         return arm if stand is None else Arm(arm.model.at(float(stand)))
     except InputError as error:
@@ -64,7 +67,11 @@ def _with_telescope_at(problems: Problems, arm: Arm, stand: Length | None, where
 def _angles(
     problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, grasped: Grasped | None, where: Where
 ) -> np.ndarray | None:
-    """Return the given joint angles, or those for a given pose, by RMANGS if strict; None if they are wrong."""
+    """Return the joint angles of an initial state (6,) [rad]; None if its table is wrong.
+
+    The table gives the angles or a pose of the tip. For a pose, RMANGS as published gives the angles if the scenario is
+    strict and the table has no `near`.
+    """
     if initial.joints is not None and initial.pose is None:
         return joint_angles(problems, arm, initial.joints, (*where, "joints"))
     if initial.pose is None or initial.joints is not None:
@@ -72,8 +79,8 @@ def _angles(
         return None
     where = (*where, "pose")
     if is_relative(initial.pose):
-        in_hand = None if grasped is None else _in_hand(arm, references, grasped)
-        pose = at_the_start(problems, arm, initial.pose, references, in_hand, where)
+        held = None if grasped is None else _held_from_start(arm, references, grasped)
+        pose = at_the_start(problems, arm, initial.pose, references, held, where)
     else:
         pose = pose_in_l(problems, arm, initial.pose, where)
     if pose is None or not references.strict or initial.near is not None:
@@ -88,7 +95,7 @@ def _angles(
 def _joint_angles_for(
     problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, where: Where
 ) -> np.ndarray | None:
-    """Return the joint angles for a tip pose in L, by the branch nearest to `near`; None if it cannot be reached."""
+    """Return the joint angles for a tip pose in L, in the branch nearest to `near`; None if the pose is unreachable."""
     try:
         return frozen(arm.inverse(pose, near=near)[0])
     except AftdeckError as error:
@@ -100,7 +107,7 @@ def _grasped(
     problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where
 ) -> Grasped | None:
     spec, where = initial.grasped, (*where, "grasped")
-    assert spec is not None, "the caller has checked that it is given"
+    assert spec is not None, "the caller has checked that the table has `grasped`"
     raised = _with_telescope_at(problems, arm, spec.stand, (*where, "stand"))
     if references.worksite is None:
         return None  # the worksite's error is already reported; do not report a missing payload too
@@ -117,8 +124,8 @@ def _grasped(
     return None if index is None or angles is None else Grasped(index, angles, float(raised.model.links[0]))
 
 
-def _in_hand(arm: Arm, references: TargetReferences, grasped: Grasped) -> tuple[int, Pose]:
-    """Return the index of the payload that is held from the start, and its pose at the tip."""
+def _held_from_start(arm: Arm, references: TargetReferences, grasped: Grasped) -> tuple[int, Pose]:
+    """Return the index of the payload that is held from the start, and the payload's pose in the tip's frame."""
     assert references.worksite is not None, "only a payload of a worksite can be grasped"
     scene = scene_in_l(arm.model.mount, references.worksite.origin)
     payload = composed(scene, references.cargo[grasped.cargo].start.pose)

@@ -19,9 +19,10 @@ class Target(msgspec.Struct, frozen=True):
     rotation: Rows
     """Rows of the matrix whose columns are frame 7's axes."""
     joints: Six | None = None
-    """Final joint angles [rad] for mode 1 if the target was given by joint angles; if None, mode 1 uses the nearest.
+    """Final joint angles [rad] for mode 1, if the target was given by joint angles. If None, mode 1 uses the set of
+    joint angles that is nearest to the present angles.
 
-    These angles put the tip at `position` and `rotation`; a keyed-in target whose angles give another pose is rejected.
+    The angles put the tip at `position` and `rotation`; a keyed-in target whose angles give another pose is rejected.
     """
 
     @property
@@ -31,28 +32,29 @@ class Target(msgspec.Struct, frozen=True):
 
 
 class AtCargo(msgspec.Struct, frozen=True, tag=True):
-    """A target evaluated as its phase begins: the pose at which the end effector captures a payload."""
+    """A target that is computed when its phase begins: the pose at which the end effector captures a payload."""
 
     cargo: int
     """Index of the payload in the scenario's `cargo`."""
     above: float = 0.0
-    """Distance short of that pose, back along the end effector [m]."""
+    """Distance by which the target is before that pose, back along the end effector's axis [m]."""
     offset: Vec3 = (0.0, 0.0, 0.0)
     """Further displacement along the payload's axes [m]."""
 
 
 class AtSeat(msgspec.Struct, frozen=True, tag=True):
-    """A target evaluated as its phase begins: the pose at which the held payload is in a berth."""
+    """A target that is computed when its phase begins: the pose at which the held payload is in a berth."""
 
     seat: str
+    """Name of the berth."""
     above: float = 0.0
-    """Distance short of that pose: up out of the bay, or out from the port [m]."""
+    """Distance by which the target is before that pose: up out of the bay, or out from the port [m]."""
     offset: Vec3 = (0.0, 0.0, 0.0)
     """Further displacement along the berth's axes [m]."""
 
 
 class InFrame(msgspec.Struct, frozen=True, tag=True):
-    """A target evaluated as its phase begins: a tip pose in the frame of a body, a berth or a payload."""
+    """A target that is computed when its phase begins: a tip pose in the frame of a body, a berth or a payload."""
 
     frame: str
     """``orbiter``, ``space``, or a payload's name."""
@@ -68,7 +70,7 @@ class InFrame(msgspec.Struct, frozen=True, tag=True):
 
 
 RelativeTarget = AtCargo | AtSeat | InFrame
-"""A target that depends on the pose of an object as a phase begins."""
+"""A target that depends on the pose of an object at the time when a phase begins."""
 
 
 def target_at(pose: Pose, joints: Six | None = None) -> Target:

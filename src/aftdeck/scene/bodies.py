@@ -1,4 +1,4 @@
-"""Bodies that are drawn: those of the worksite, those of the arm, the scenario's payload, the worksite's payloads."""
+"""Bodies that are drawn: worksite, arm, the scenario's own payload, and the payloads of the worksite."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ PAYLOAD = "payload"
 
 
 def draws_payload(scenario: Scenario) -> bool:
-    """Return whether the scenario's own payload is drawn: it is, if it has a shape."""
+    """Return whether the scenario has its own payload and that payload has shapes to draw."""
     return scenario.payload is not None and scenario.payload.shapes != ()
 
 
 def bodies_of(scenario: Scenario) -> tuple[Body, ...]:
-    """Return a scenario's bodies in this order: worksite, arm from its base on, own payload, worksite's payloads."""
+    """Return a scenario's drawn bodies: worksite, arm from base to tip, own payload, payloads of the worksite."""
     bodies = list(scenario.worksite.bodies)
     bodies += [Body(name, shapes) for name, shapes in shapes_of(scenario.arm.model).bodies.items()]
     if draws_payload(scenario) and scenario.payload is not None:

@@ -22,7 +22,7 @@ COLOURS: dict[Material, str] = {
     "structure": "#9a978e",
     "glow": "#fff4de",
 }
-"""sRGB colours, equal to those of the page (web/src/scene/materials.ts), which adds gloss and patterns."""
+"""sRGB colours. They equal those of the page (web/src/scene/materials.ts); the page adds gloss and patterns."""
 
 
 def material_of(shape: Leaf) -> Material:
@@ -31,6 +31,6 @@ def material_of(shape: Leaf) -> Material:
 
 
 def rgb(material: Material) -> tuple[float, float, float]:
-    """Return red, green and blue of a material, sRGB, 0 to 1."""
+    """Return the sRGB components red, green and blue of a material, each from 0 to 1."""
     number = int(COLOURS[material][1:], 16)
     return (number >> 16) / 255.0, (number >> 8 & 255) / 255.0, (number & 255) / 255.0

@@ -39,14 +39,17 @@ class ScenePoses:
         return poses
 
     def then(self, ahead: Ahead, prong: float | None) -> list[float]:
-        """Return seven numbers per body from a look-ahead: the arm's bodies, then the worksite's payloads."""
+        """Return seven numbers per body for a look-ahead: for the arm's bodies, then for the worksite's payloads."""
         poses = self.arm.at(np.array(ahead.angles), ahead.stand, prong)
         for position, orientation in ahead.cargo:
             poses += self.pose(position, orientation)
         return poses
 
     def worksite(self, frame: Frame) -> list[float]:
-        """Return seven numbers per worksite body; bodies fixed to space move against the orbiter's translation."""
+        """Return seven numbers per body of the worksite.
+
+        Bodies that are fixed to ``space`` move opposite to the orbiter's translation, because the scene moves with it.
+        """
         orbiter_travel = self._turn @ np.array(frame.work.orbiter)
         poses: list[float] = []
         for position, attitude, in_space in self._bodies:
@@ -59,6 +62,6 @@ class ScenePoses:
         return None if spacing is None else self._finger - spacing
 
     def pose(self, position: Vec3, orientation: Rows) -> list[float]:
-        """Return the seven numbers, in the scene, of a pose given in L."""
+        """Convert a pose in L to seven numbers in the scene."""
         position_in_scene = self._turn @ np.array(position) + self._origin
         return [*position_in_scene.tolist(), *quaternion(self._turn @ np.array(orientation))]

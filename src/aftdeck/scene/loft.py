@@ -10,7 +10,7 @@ from aftdeck.shapes import Loft, Section
 
 
 def loft(shape: Loft, points: int) -> Mesh:
-    """Return a loft in its own frame, with `points` round each section."""
+    """Return the mesh of a loft in the loft's own frame, with `points` points around each section."""
     vertices = np.concatenate([ring(section, points) for section in shape.sections])
     last = len(vertices) - points
     faces: list[tuple[int, int, int]] = []
@@ -24,7 +24,7 @@ def loft(shape: Loft, points: int) -> Mesh:
 
 
 def ring(section: Section, points: int) -> Array:
-    """Return the points (points, 3) of a section, from its lowest point round by starboard, top and port."""
+    """Return the points (points, 3) of a section, in this order: lowest point, starboard side, top, port side."""
     angles = 2.0 * np.pi * np.arange(points) / points - np.pi / 2.0
     c, s = (np.where(np.abs(x) < 1e-12, 0.0, x) for x in (np.cos(angles), np.sin(angles)))
     upper, lower = section.exponents

@@ -26,7 +26,7 @@ class Mesh(NamedTuple):
 
 
 def mesh(vertices: Array, faces: Iterable[tuple[int, int, int]]) -> Mesh:
-    """Return a mesh of vertices (n, 3) and faces, without the faces that use a vertex twice."""
+    """Return a mesh of vertices (n, 3) and faces; faces that contain a vertex twice are left out."""
     kept = [face for face in faces if len(set(face)) == 3]
     return Mesh(np.asarray(vertices, dtype=np.float64), np.array(kept, dtype=np.int64).reshape(-1, 3))
 

@@ -1,4 +1,4 @@
-"""Expansion of groups into single shapes with poses, one for each time that a shape is drawn."""
+"""Expansion of groups into single shapes, with one pose for each copy of a shape that is drawn."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ _MIRROR = Pose(np.zeros(3), np.diag([1.0, -1.0, 1.0]))
 
 
 def placed(shapes: Iterable[Shape], frame: Pose = _IDENTITY) -> Iterator[tuple[Leaf, Pose]]:
-    """Yield all shapes of all groups, each with its pose. `frame` is the pose of the frame in which the list is given.
+    """Yield all single shapes, including those in groups, each with its pose.
 
-    A pose's matrix includes a reflection if the shape is a mirrored copy.
+    The shapes are given in a frame that has the pose `frame`. If a shape is a mirrored copy, the matrix of its pose
+    includes a reflection.
     """
     for shape in shapes:
         own = _pose(shape.position, shape.rotation)

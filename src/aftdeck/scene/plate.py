@@ -11,13 +11,13 @@ from aftdeck.scene.polygon import inwards, signed_area, triangles
 from aftdeck.shapes import Axis, Plate, Vec2
 
 RIM_STEPS = 2
-"""Number of steps that approximate a rim's quarter circle, as on the page."""
+"""Number of straight steps that approximate the quarter circle of a rim, as on the page."""
 _AXIS_ORDER: dict[Axis, tuple[tuple[int, int, int], bool]] = {
     "x": ((2, 0, 1), False),
     "y": ((0, 2, 1), True),
     "z": ((0, 1, 2), False),
 }
-"""Indices of x, y and z in (first, second, across), and whether that order is a reflection."""
+"""For each normal: the indices of x, y and z in (first, second, across), and whether that order is a reflection."""
 
 
 def plate(shape: Plate) -> Mesh:

@@ -10,7 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.shapes import Vec2
 
 SHARPEST = 2.0**0.5
-"""Maximum ratio of a corner's inward displacement to that of its edges, as on the page."""
+"""Greatest ratio of the inward displacement of a corner to the inward displacement of its edges, as on the page."""
 
 
 def signed_area(outline: Sequence[Vec2]) -> float:
@@ -34,8 +34,8 @@ def inwards(outline: Sequence[Vec2]) -> Array:
 def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
     """Return the n - 2 counter-clockwise triangles that fill a counter-clockwise outline, by cutting off ears.
 
-    Every edge of the outline is an edge of one triangle, even if corners are on one line or the outline crosses
-    itself; then some triangles have no area, or overlap.
+    Every edge of the outline is an edge of one triangle. If corners are on one line, some triangles have no area. If
+    the outline crosses itself, some triangles overlap.
     """
     left = list(range(len(outline)))
     found = []
@@ -48,7 +48,7 @@ def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
 
 
 def _is_ear(outline: Sequence[Vec2], left: list[int], i: int) -> bool:
-    """Return whether the corner is convex and no other corner is in its triangle."""
+    """Return whether corner i is convex and no other corner is in the triangle of it and its two neighbours."""
     a, b, c = (outline[left[k % len(left)]] for k in (i - 1, i, i + 1))
     if _turn(a, b, c) <= 0.0:
         return False

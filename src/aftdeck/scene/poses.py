@@ -22,9 +22,9 @@ Seven = tuple[float, float, float, float, float, float, float]
 class ArmPoses:
     """Poses of all frames of an arm in the scene, in the order of `ArmModel.frames`.
 
-    At zero angles every frame is parallel to L. The origin of each frame is its own joint's centre, except that of the
-    wrist roll, which is the centre of the joint before. The origin of the telescope's frame is at the shoulder's
-    height. The origin of the prong's frame is at the prong's inner face.
+    At zero angles every frame is parallel to L. The origin of a joint's frame is the centre of the joint; for the wrist
+    roll, it is the centre of the joint before. The origin of the telescope's frame is at the shoulder's height. The
+    origin of the prong's frame is at the prong's inner face.
 
     Args:
         model: the arm.
@@ -57,7 +57,11 @@ class ArmPoses:
     def links(
         self, angles: Sequence[float], stand: float | None = None, prong: float | None = None
     ) -> list[tuple[str, str, Seven]]:
-        """Return the links that `at` composes: parent frame's name, moving frame's name, pose in the parent frame."""
+        """Return the links between the frames whose poses `at` returns.
+
+        Each link gives the name of the parent frame, the name of the moving frame, and the pose of the moving frame in
+        the parent frame. The arguments are those of `at`.
+        """
         height, opening = self._telescope_and_prong(stand, prong)
         names, links = self._frames.names, []
         for k, ((x, y, z, _), axis, angle) in enumerate(
@@ -73,21 +77,21 @@ class ArmPoses:
         return links
 
     def _telescope_and_prong(self, stand: float | None, prong: float | None) -> tuple[float, float]:
-        """Return the telescope's length and the prong's position [m], with defaults for None."""
+        """Return the height of the shoulder and the position of the prong [m]; defaults replace None."""
         return self._stand if stand is None else stand, self._prong if prong is None else prong
 
 
 def point_in_scene(panel: Array, origin: Array = SCENE_ORIGIN) -> Array:
-    """Return a point (3,), given in panel coordinates, in the scene whose structural origin is `origin` [m]."""
+    """Convert a point (3,) from the panel frame to the scene [m]; `origin` is the scene's origin in Xo, Yo, Zo."""
     return np.asarray(SCENE_FROM_PANEL_AXES @ panel - origin)
 
 
 @law
 def sevens(base: Array, rows: Array, poses: Array) -> None:
-    """Convert rows (n, 12), poses of frames in L, to poses (n, 7) in the scene.
+    """Convert poses of frames in L, rows (n, 12), to poses in the scene, rows (n, 7).
 
-    `base` (12,) is the row of L's pose in the scene. The quaternions have unit length and w >= 0; the largest component
-    is computed first, as in `frames.quaternion`.
+    `base` (12,) is the row of L's pose in the scene. The quaternions have unit length and w >= 0. The component of
+    greatest magnitude is computed first, as in `frames.quaternion`.
     """
     m = np.empty((3, 3))
     for n in range(rows.shape[0]):

@@ -11,11 +11,12 @@ from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.shapes import Axis, Vec2
 
 ON_AXIS = 1e-9
-"""Distance from the axis [m] below which a profile's point counts as on the axis."""
+"""Distance from the axis below which a point of a profile counts as on the axis [m]."""
 FULL = math.tau - 1e-3
-"""Sweep [rad] from which the surface is closed to a full turn."""
+"""Least sweep at which the surface is closed to a full turn [rad]."""
 _ORDER: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (2, 0, 1), "z": (1, 2, 0)}
-"""Indices of x, y and z in (along, first, second): angles run from y to z about x, from z to x about y, and so on."""
+"""For each axis, the indices of x, y and z in (along, first, second). Angles run from the first to the second
+direction: from y to z about x, from z to x about y, from x to y about z."""
 
 
 def revolve(
@@ -32,8 +33,8 @@ def revolve(
     A closed profile, or one that begins and ends on the axis, gives a closed surface.
 
     Args:
-        profile: points (coordinate along the axis, distance from the axis) [m]; the outside is to the left of its
-            direction.
+        profile: points (coordinate along the axis, distance from the axis) [m]. As seen in the direction from point to
+            point, the outside is to the left.
         axis: axis of revolution.
         segments: number of segments of the sweep.
         start: angle at which the sweep begins [rad].

@@ -1,4 +1,7 @@
-"""Triangle meshes of shapes, each about its own origin, with the numbers of sides of the page's low profile."""
+"""Triangle meshes of shapes, each in the shape's own frame.
+
+The numbers of sides are those that the page uses with its low graphics profile.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +22,9 @@ from aftdeck.shapes import Box, Cylinder, Hexahedron, Light, Loft, Plate, Ring, 
 SIDES = 16
 """Default number of sides of a round body."""
 LARGE = 1.0
-"""Radius [m] from which a round body has twice as many sides."""
+"""Least radius of a round body that has twice as many sides [m]."""
 FEWEST_PIECES = 4
-"""Minimum number of sides of a partial turn."""
+"""Least number of sides of a partial turn."""
 _RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))
 """Vertices of a hexahedron's faces a to f, numbered from zero, counter-clockwise as seen from outside."""
 
@@ -31,7 +34,7 @@ def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
 
     Args:
         shape: shape to draw; `placed` applies its position and rotation.
-        sides: number of sides of a small round body, 8 or more; with more sides the surface is closer to the true one.
+        sides: number of sides of a small round body, 8 or more. With more sides, the surface is closer to the shape.
     """
     match shape:
         case Box():

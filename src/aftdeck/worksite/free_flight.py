@@ -1,9 +1,10 @@
 """Free flight: motion of bodies that are not fixed to another body, and the orbiter's own translation.
 
-A free flyer either turns at a constant rate about an axis of its own, or is *limit cycling*: its attitude control lets
-each axis drift from one side of a deadband to the other and back, in a triangle wave. Both motions are exact in time:
-except for rounding, the pose at an instant does not depend on the step sizes before it. Not modelled: gravity gradient,
-orbital motion, torque-free tumbling of bodies with three different moments of inertia.
+A free flyer either rotates at a constant rate about an axis that is fixed in the body, or it is *limit cycling*: its
+attitude control lets each of three angles drift from one side of a deadband to the other and back, as a triangle wave.
+Both motions are exact in time: except for rounding, the pose at a time does not depend on the lengths of the control
+steps before that time. Not modelled: gravity gradient, orbital motion, and torque-free tumbling of bodies with three
+different moments of inertia.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from aftdeck.law import law, sincos
 Vec3 = tuple[float, float, float]
 
 _SMALL = 1e-4
-"""Angle below which the first terms of the series of the sines are used, exact to rounding [rad]."""
+"""Angle below which the first terms of a series replace the sines [rad]; the result is then exact to rounding."""
 
 
 class LimitCycle(msgspec.Struct, frozen=True):
@@ -30,7 +31,7 @@ class LimitCycle(msgspec.Struct, frozen=True):
     deadband: Vec3
     """Greatest angle to either side [rad]; a free flyer has 1 deg (assumed)."""
     rate: Vec3
-    """Rate of each angle [rad/s]; the sign is the initial direction; 0.02 deg/s (assumed)."""
+    """Rate of each angle [rad/s]; its sign gives the initial direction; a free flyer has 0.02 deg/s (assumed)."""
     start: Vec3
     """Angles at time 0 [rad], each within its deadband."""
 
@@ -58,11 +59,11 @@ class _Wave(NamedTuple):
 
 @law
 def _wave(band: float, rate: float, start: float, time: float) -> _Wave:
-    """Return a triangle wave between -band and band. At a turning point the slope is the one after it."""
+    """Return a triangle wave between -band and band. At a turning point the returned slope is the slope after it."""
     if band == 0.0 or rate == 0.0:
         return _Wave(start, 0.0)
     sense = 1.0 if rate > 0.0 else -1.0
-    # Path along the wave, from the side where it begins, across the band and back.
+    # Path along the wave from one side of the band: the first 2 band lead to the other side, the next 2 band back.
     path = (sense * start + band + abs(rate) * time) % (4.0 * band)
     if path < 2.0 * band:
         return _Wave(sense * (path - band), rate)
@@ -71,13 +72,13 @@ def _wave(band: float, rate: float, start: float, time: float) -> _Wave:
 
 @law
 def limit_cycle(cycle: Array, reference: Array, time: float, pose: Array, motion: Array) -> None:
-    """Compute the attitude and angular velocity of a limit-cycling body at a time since its cycle began.
+    """Compute the attitude and angular velocity of a limit-cycling body.
 
-    The attitude is the reference turned by yaw, then pitch, then roll (as ENDORI).
+    The attitude is the reference attitude, rotated by yaw, then pitch, then roll (as ENDORI).
 
     Args:
         cycle: (9,) packed limit cycle.
-        reference: (3, 3) attitude about which the body cycles, its axes as columns.
+        reference: (3, 3) attitude at which all three angles are zero; its columns are the body's axes.
         time: time since the cycle began [s].
         pose: (12,) position, then rotation row by row; only the rotation is written.
         motion: (6,) angular velocity in the body's axes [rad/s], then velocity; only the angular velocity is written.
@@ -119,7 +120,7 @@ def coast(pose: Array, motion: Array, dt: float) -> None:
     else:
         s, c = sincos(0.5 * angle)
         a, b = 2.0 * s * c / angle, 2.0 * s * s / square
-    for k in range(3):  # each row r becomes r + a r×v + b (r×v)×v: the row times the exponential of the turn v
+    for k in range(3):  # each row r becomes r + a r×v + b (r×v)×v: the row times the exponential of the rotation v
         p, q, r = pose[3 + 3 * k], pose[4 + 3 * k], pose[5 + 3 * k]
         u, v, w = q * z - r * y, r * x - p * z, p * y - q * x
         pose[3 + 3 * k] = p + a * u + b * (v * z - w * y)
@@ -146,15 +147,17 @@ def _square_up(pose: Array) -> None:
 
 @law
 def translate(position: Array, velocity: Array, command: Array, speed: float, reached_in: float, dt: float) -> None:
-    """Translate the orbiter by one step: each axis accelerates constantly to the commanded speed, then keeps it.
+    """Translate the orbiter by one step.
 
-    The position is integrated exactly, even if the speed is reached within the step. Without a command the orbiter
-    slows to rest at the same acceleration. Section VII.2 of the report; 0.2 ft/s reached in 2 s (assumed).
+    Along each axis the velocity changes at a constant acceleration until it equals the commanded velocity. It is then
+    constant. Without a command the orbiter slows to rest at the same acceleration. The position is integrated exactly,
+    even if the commanded velocity is reached within the step. Source: section VII.2 of the report; 0.2 ft/s, reached
+    in 2 s (assumed).
 
     Args:
         position: (3,) displacement of the orbiter [m]; updated.
         velocity: (3,) velocity of the orbiter [m/s]; updated.
-        command: (3,) -1, 0 or 1 for each axis.
+        command: (3,) direction of the command along each axis: -1, 0 or 1.
         speed: commanded speed of each axis [m/s].
         reached_in: time to reach the speed from rest [s].
         dt: the step [s].

@@ -9,7 +9,7 @@ class LogLine(NamedTuple):
     """A line for the log.
 
     Attributes:
-        kind: ``captured``, ``missed``, ``released``, ``rigid``, ``latched``, ``unlatched``, ``rejection``.
+        kind: ``captured``, ``missed``, ``released``, ``rigid``, ``latched``, ``unlatched``, ``refused``.
         level: level of the log line.
         text: sentence for the operator.
     """

@@ -1,7 +1,8 @@
 """Data model of the worksite: the bodies around the arm, their solids, the berths of payloads, and the cameras.
 
-The coordinate frames of solids and berths are ``orbiter`` (that of the scene, fixed to the orbiter), ``space`` and one
-named after each payload. ``space`` coincides with ``orbiter`` at the start, but does not move with the orbiter.
+Solids and berths are given in one of these coordinate frames: ``orbiter``, ``space``, or the own frame of a payload,
+which has the payload's name. ``orbiter`` is the scene's frame and is fixed to the orbiter. ``space`` coincides with
+``orbiter`` at the start, but does not move with the orbiter.
 """
 
 from __future__ import annotations
@@ -24,10 +25,11 @@ class Body(msgspec.Struct, frozen=True):
     """A rigid body of the worksite."""
 
     name: str
-    """Name used by cameras and the scene, for example ``orbiter``."""
+    """Name by which cameras and the scene refer to the body, for example ``orbiter``."""
     shapes: tuple[Shape, ...]
     """Shapes that draw the body, in its own frame."""
     fixed_to: Frame = "orbiter"
+    """Coordinate frame to which the body is fixed."""
     position: Vec3 = (0.0, 0.0, 0.0)
     """Position of the body's own frame in the scene at the start [m]."""
     rotation: Vec3 = (0.0, 0.0, 0.0)
@@ -45,15 +47,18 @@ class Guides(msgspec.Struct, frozen=True):
     height: float
     """Height of the guides' upper ends above the stowed trunnion [m]."""
     half_angle: float
-    """Half angle of the V's opening, from the vertical [rad]."""
+    """Angle between the vertical and each side of the V [rad]."""
     throat: float
-    """Half the width of the V at the stowed trunnion, less the trunnion's radius [m]."""
+    """Half the width of the V at the height of the stowed trunnion, minus the trunnion's radius [m]."""
     play: float
     """Greatest offset of a trunnion along its own axis, in either direction [m]."""
 
 
 class Seat(msgspec.Struct, frozen=True, eq=False):
-    """A berth, where a payload can be fixed: a docking port, or a berth in the bay."""
+    """A berth, where a payload can be fixed: a docking port, or a berth in the bay.
+
+    A payload is *seated* when it has the pose in which the berth fixes it.
+    """
 
     name: str
     title: str
@@ -61,29 +66,40 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
     body: str
     frame: Frame
     pose: Pose
-    """Pose of the port's centre, or of a seated payload, in `frame`."""
+    """Pose in `frame`: for a port, that of the port's centre; for a bay berth, that of a seated payload."""
     latch: Literal["auto", "command"]
     time: float
     """Time that the latches take [s]."""
     distance: float
-    """Greatest distance of a payload from its seated position for latching [m]."""
+    """Greatest distance of a payload from its seated position at which it can be latched [m]."""
     angle: float
-    """Greatest rotation of a payload from its seated attitude for latching [rad]."""
+    """Greatest rotation of a payload from its seated attitude at which it can be latched [rad]."""
     envelope: Array
-    """Docking envelope of a port: (5, 4) planes in the port's axes about its centre. Each has a unit normal n [1] and a
-    distance d [m]. The planes are those of the port's face and of the four adjacent faces, extended. A point p is in
-    the envelope if n.p <= d for all planes."""
+    """Docking envelope of a port: (5, 4) planes in the port's axes about its centre; (0, 4) for a bay berth.
+
+    Each plane has a unit normal n [1] and a distance d [m]. The planes are those of the port's face and of the four
+    adjacent faces, extended. A point p is in the envelope if n.p <= d for all planes.
+    """
     guides: Guides | None
-    """Guides of a bay berth; a berth with guides holds only payloads that have trunnions."""
+    """V-shaped guides of a bay berth; None if there are no guides. A berth with guides holds only payloads that have
+    trunnions."""
 
     def lacks(self, probe: Pose | None, trunnions: Array) -> str:
-        """Return the fitting that a payload with this probe and these trunnions lacks for this berth; empty if none."""
+        """Return the name of the fitting that this berth needs and a payload lacks; empty if the payload fits.
+
+        Args:
+            probe: probe of the payload, as `Cargo.probe`.
+            trunnions: trunnions of the payload, as `Cargo.trunnions`.
+        """
         if self.kind == "port":
             return "" if probe else "probe"
         return "trunnions" if self.guides and not len(trunnions) else ""
 
     def seated(self, probe: Pose | None) -> Pose:
-        """Return the pose of a seated payload's frame in the berth's frame; in a port, the probe is at the port."""
+        """Return the pose of a seated payload's own frame in the berth's frame.
+
+        In a port, the centre of the probe's forward face is then at the port's centre.
+        """
         if self.kind == "retention" or probe is None:
             return self.pose
         rotation = self.pose.rotation @ probe.rotation.T
@@ -96,7 +112,7 @@ class Start(msgspec.Struct, frozen=True, eq=False):
     seat: str
     """Name of the berth that holds the payload; empty if the payload is free."""
     pose: Pose
-    """Pose in the scene at the start, given for a seated payload as well."""
+    """Pose in the scene at the start, also if the payload starts in a berth."""
     velocity: Array
     """(3,) velocity of the payload's centre relative to the orbiter, in the scene [m/s]."""
     rates: Array
@@ -109,13 +125,16 @@ class LimitCycle(msgspec.Struct, frozen=True, eq=False):
     deadband: Array
     """(3,) greatest angles to either side, about the payload's own axes [rad]."""
     rate: Array
-    """(3,) rate of each angle; the sign is the initial direction [rad/s]."""
+    """(3,) rate of each angle [rad/s]; its sign gives the initial direction."""
     start: Array
     """(3,) angles at time 0, each within its deadband [rad]."""
 
 
 class Cargo(msgspec.Struct, frozen=True, eq=False):
-    """A payload. The origin of its own frame is at its body's centre: x along the body, to aft in the bay, z up."""
+    """A payload. The origin of its own frame is at its body's centre.
+
+    The x axis is along the body. In the bay berth it points aft, and the z axis points up.
+    """
 
     name: str
     """Name of the payload and of its frame."""
@@ -125,17 +144,22 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     shapes: tuple[Shape, ...]
     """Shapes that draw the payload."""
     solids: tuple[Solid, ...]
-    """Solids in the payload's own frame; parts are named after payload and fitting: ``payload``, ``payload probe``."""
+    """Solids in the payload's own frame. The part of the body has the payload's name (``payload``). The part of a
+    fitting has the payload's name and the fitting's name (``payload probe``)."""
     probe: Pose | None
-    """Pose of the centre of the probe's forward face; its axes are the payload's."""
+    """Pose of the centre of the probe's forward face, with the payload's axes; None if there is no probe."""
     receptacle: Array | None
-    """(8, 3) the bar [m], numbered as the report's RECPT in axes x aft, y port, z down: c on top, b and e its sides."""
+    """(8, 3) vertices of the bar [m]; None if there is no bar. They are numbered as the report's RECPT in axes x aft,
+    y port, z down: face c is on top, faces b and e are the sides."""
     grapple: Pose | None
-    """Pose of the end effector's own axes E, about the tip, at a perfect grasp of the fixture."""
+    """Pose of the end effector's own axes E, with the tip as their origin, when the grapple fixture is captured without
+    misalignment; None if there is no grapple fixture."""
     trunnions: Array
-    """(n, 3) the points that the bay's latches hold, port and starboard of each pair, then the keel pin's [m]."""
+    """(n, 3) points that the bay's latches hold [m]: the port and the starboard point of each pair of trunnions, then
+    the point of the keel pin."""
     trunnion_names: tuple[str, ...]
-    """``forward port``, ``forward starboard`` … ``keel``; unless there are two pairs, numbers such as ``2 port``."""
+    """Names of these points. For two pairs: ``forward port``, ``forward starboard``, ``aft port``, ``aft starboard``,
+    ``keel``. For any other number of pairs, a number replaces forward and aft: ``2 port``."""
     start: Start
     limit_cycle: LimitCycle | None
 
@@ -144,32 +168,33 @@ class BarAcquisition(msgspec.Struct, frozen=True):
     """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
 
     prong_spacing: float
-    """Greatest distance of the prong's inner face from the palm's centre line for a closed prong (PRGSPC) [m]."""
+    """Greatest distance of the prong's inner face from the palm's centre line at which the prong counts as closed
+    (PRGSPC) [m]."""
     window: float
     """Greatest height of the palm above the bar's top (TOPB) [m]."""
     front: float
-    """Least distance of the palm's centre inward from the bar's forward end (FRONT) [m]."""
+    """Least distance of the palm's centre from the bar's forward end, inwards along the bar (FRONT) [m]."""
     rear: float
-    """Least distance of the palm's centre inward from the bar's aft end (REAR) [m]."""
+    """Least distance of the palm's centre from the bar's aft end, inwards along the bar (REAR) [m]."""
     fingers_within: float
-    """Distance of palm and bar beyond which the fingers are not tested [m]."""
+    """Greatest distance between palm and bar at which the fingers are tested [m]."""
 
 
 class SnareCapture(msgspec.Struct, frozen=True):
-    """Capture envelope of the Shuttle's end effector, and the durations of its motions."""
+    """Capture envelope of the Shuttle's end effector for a grapple fixture, and the durations of its motions."""
 
     radial: float
-    """Greatest distance from the end effector's axis [m]."""
+    """Greatest distance of the fixture from the end effector's axis [m]."""
     nearest: float
-    """Least position of the fixture along the axis, outwards from its rigid position [m]."""
+    """Least position of the fixture along that axis [m]: 0 in the rigid position, positive outwards."""
     farthest: float
-    """Greatest position of the fixture along the axis, as `nearest` [m]."""
+    """Greatest position of the fixture along that axis, measured as `nearest` [m]."""
     pitch: float
-    """Limit about axis 2 of E, to either side [rad]."""
+    """Greatest rotation of the fixture about axis 2 of E, in either direction [rad]."""
     yaw: float
-    """Limit about axis 3 of E, to either side [rad]."""
+    """Greatest rotation of the fixture about axis 3 of E, in either direction [rad]."""
     roll: float
-    """Limit about axis 1 of E, to either side [rad]."""
+    """Greatest rotation of the fixture about axis 1 of E, in either direction [rad]."""
     ring: float
     """Time to close or open the snares [s]."""
     carriage: float
@@ -179,22 +204,24 @@ class SnareCapture(msgspec.Struct, frozen=True):
 
 
 Relation = Literal["acquisition", "docking", "guides", "capture"]
-"""Conditions under which two parts may touch: those of the bar, the port, the V-guides or the grapple fixture."""
+"""Name of the conditions under which a contact of two parts is essential: those for the bar, for the port, for the
+V-guides, and for the grapple fixture."""
 
 
 class Essential(msgspec.Struct, frozen=True):
-    """Two parts that the task brings into contact, with the relation and depth within which they may touch."""
+    """Two parts whose contact is essential while certain conditions hold."""
 
     parts: tuple[str, str]
     """Names of a payload's part and of a part of the arm or of a body."""
     relation: Relation
-    """Relation of the two parts; if it does not hold, the contact is detrimental."""
+    """Name of the conditions; while they do not hold, the contact is detrimental."""
     depth: float
-    """Greatest penetration of the two parts, and greatest distance past the relation's planes [m]."""
+    """Greatest penetration depth at which the contact is essential [m]. By the same distance, a part may be beyond the
+    planes that bound its positions in the conditions."""
 
 
 class Bay(msgspec.Struct, frozen=True):
-    """The inside of the payload bay, in the frame ``orbiter``; a payload completely above it has been extracted."""
+    """The inside of the payload bay, in the frame ``orbiter``. A payload that is completely above it is extracted."""
 
     low: Vec3
     """Least coordinates [m]."""
@@ -221,14 +248,14 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     text: str
     """Text of the file, unparsed."""
     dimensions: dict[str, str | float]
-    """Derived dimensions; a scenario may replace their values."""
+    """Named dimensions of the file, with expressions replaced by their values. A scenario may give other values."""
     origin: Vec3
     """Structural Xo, Yo, Zo of the scene's origin [m]."""
     solids: tuple[Solid, ...]
     """Solids of the bodies, in the frames ``orbiter`` and ``space``."""
     seats: tuple[Seat, ...]
     cargoes: tuple[Cargo, ...]
-    """Available payloads; a scenario names those that are present."""
+    """Available payloads; a scenario names the payloads that are present."""
     essential: tuple[Essential, ...]
     """Pairs of parts that the task brings into contact; some are parts of the arm."""
     acquisition: BarAcquisition | SnareCapture | None

@@ -291,10 +291,10 @@ export interface Lighting {
   readonly locked: readonly LockedExposure[];
 }
 
-/** Locked exposure of a camera: it does not follow the brightness of the camera's picture. */
+/** Locked exposure of a camera. A locked exposure does not follow the brightness of the picture. */
 export interface LockedExposure {
   readonly camera: string;
-  /** Exposure of the camera [stops above that of full sunlight]. */
+  /** Exposure of the camera [stops above the exposure for full sunlight]. */
   readonly stops: number;
 }
 
@@ -608,7 +608,10 @@ export interface Camera {
   readonly position: Vec3;
   /** Direction of view in the body's frame (any length above zero). */
   readonly boresight: Vec3;
-  /** Direction in the body's frame that is up in the picture, not parallel to the boresight; the pan axis. */
+  /**
+   * Direction in the body's frame that is up in the picture. It is the pan axis, and it is not parallel to the
+   * boresight.
+   */
   readonly up: Vec3;
   /** Horizontal field of view [rad]. */
   readonly field_of_view: number;
@@ -619,7 +622,7 @@ export interface Camera {
   readonly pane: Pane | null;
 }
 
-/** Pan and tilt unit with its lens; an axis that is None keeps the camera's initial setting. */
+/** Pan and tilt unit with its lens. An axis that is None does not move: it has the camera's initial setting. */
 export interface Drive {
   /** Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`. */
   readonly zero: Vec3;
@@ -627,17 +630,17 @@ export interface Drive {
   readonly lens: number;
   readonly pan: Travel | null;
   readonly tilt: Travel | null;
-  /** Travel of the horizontal field of view. */
+  /** Range and rates of the horizontal field of view. */
   readonly zoom: Travel | null;
 }
 
 /** Range and rates of one of a camera's drives. */
 export interface Travel {
-  /** [rad] */
+  /** Least position [rad]. */
   readonly least: number;
-  /** [rad] */
+  /** Greatest position [rad]. */
   readonly greatest: number;
-  /** [rad/s] */
+  /** Rate, or the high rate of a drive with two rates [rad/s]. */
   readonly rate: number;
   /** Low rate of a drive with two rates [rad/s]; None if the drive has one rate. */
   readonly slow: number | null;
@@ -646,14 +649,14 @@ export interface Travel {
 /**
  * Opening of a window, perpendicular to the line of sight and centred on it.
  *
- * The picture shows only what is beyond the opening and seen through it.
+ * The picture shows only objects that are beyond the opening and visible through it.
  */
 export interface Pane {
   /** Distance from the eye [m]. */
   readonly distance: number;
-  /** [m] */
+  /** Width of the opening [m]. */
   readonly width: number;
-  /** [m] */
+  /** Height of the opening [m]. */
   readonly height: number;
 }
 
@@ -703,7 +706,7 @@ export interface LightCondition {
   readonly sun: Glow;
   readonly earthshine: Glow;
   readonly sky: SkyGlow;
-  /** Initial exposure of the cameras [stops above that of full sunlight]. */
+  /** Initial exposure of the cameras [stops above the exposure for full sunlight]. */
   readonly exposure: number;
   readonly source: string;
 }
@@ -979,9 +982,9 @@ export interface Times {
 export interface Work {
   /** task phase, the report's MODE: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked */
   readonly task: number;
-  /** monitored pair with the minimum clearance, without pairs that the task brings together (the conditions report those); null if no pair is monitored */
+  /** monitored pair with the minimum clearance; null if no pair is monitored. A pair that the task brings into contact is left out, because the conditions report its distance */
   readonly nearest: Near | null;
-  /** alarm level of that clearance, by the scenario's thresholds */
+  /** alarm level of that clearance, from the scenario's thresholds */
   readonly clearance_level: Level;
   /** pairs that touch or overlap */
   readonly contacts: readonly Near[];
@@ -991,7 +994,7 @@ export interface Work {
   readonly finger_inhibit: boolean;
   /** reasons for which the arm or the finger is inhibited */
   readonly inhibits: readonly string[];
-  /** action that becomes possible once the conditions hold; null if nothing is near enough */
+  /** action that becomes possible once the conditions hold; null if no action is near */
   readonly objective: Objective | null;
   /** conditions of capture, docking or latching */
   readonly conditions: readonly Condition[];
@@ -999,7 +1002,7 @@ export interface Work {
   readonly hand: Hand;
   /** length of the telescope; null on an arm without a telescope [m] */
   readonly stand: number | null;
-  /** distance that the orbiter has moved [m], along the axes of L */
+  /** displacement of the orbiter since the start [m], along the axes of L */
   readonly orbiter: Vec3;
   /** velocity of the orbiter [m/s], along the axes of L */
   readonly orbiter_velocity: Vec3;
@@ -1017,29 +1020,29 @@ export interface Near {
   readonly b: string;
   /** distance of the two parts; negative if they overlap [m] */
   readonly clearance: number;
-  /** speed at which the two closest points approach each other [m/s] */
+  /** speed at which the two closest points approach each other; negative if they separate [m/s] */
   readonly closing: number;
   /** closest point of the first part [m], along the axes of L */
   readonly point_a: Vec3;
   /** closest point of the second part [m], along the axes of L */
   readonly point_b: Vec3;
-  /** unit normal of a plane between the two, from a to b; zero if they touch, along the axes of L */
+  /** unit normal of a plane between the two parts, from a to b; zero if the parts are in contact, along the axes of L */
   readonly normal: Vec3;
-  /** distance of that plane from the origin [m], along the axes of L */
+  /** distance of that plane from the origin; 0 if the parts are in contact [m], along the axes of L */
   readonly distance: number;
-  /** whether the contact belongs to the task, so that it inhibits nothing */
+  /** whether a contact of the two parts belongs to the task and therefore inhibits nothing */
   readonly essential: boolean;
-  /** feature of a that touches b: `vertex 3`; empty if they are apart */
+  /** feature of a that touches b: `vertex 3`; empty if the parts are not in contact */
   readonly feature_a: string;
-  /** feature of b that touches a */
+  /** feature of b that touches a; empty if the parts are not in contact */
   readonly feature_b: string;
 }
 
-/** Action of the end effector that its present position makes possible. */
+/** Action that becomes possible at the present position of the end effector once the conditions hold. */
 export interface Objective {
-  /** action that becomes possible */
+  /** kind of action that becomes possible */
   readonly action: 'acquire' | 'capture' | 'dock' | 'insert' | 'berth';
-  /** text for the operator: `acquire payload`, `berth in the Cargo bay` */
+  /** the action as a text for the operator: `acquire payload`, `berth in the Cargo bay` */
   readonly text: string;
 }
 
@@ -1065,13 +1068,13 @@ export interface Condition {
 
 /** The end effector. */
 export interface Hand {
-  /** position of its switch */
+  /** position of the end effector's switch */
   readonly switch: EffectorSwitch;
   /** opening of the prong or the snares, from 0 (closed) to 1 (open) */
   readonly opening: number;
   /** distance from the prong to the fixed finger; null on an arm without a prong [m] */
   readonly spacing: number | null;
-  /** position of the carriage, from 0 (extended) to 1 (rigid); null on an arm without a carriage */
+  /** position of the carriage, from 0 (extended) to 1 (retracted); null on an arm without a carriage */
   readonly carriage: number | null;
   /** flags that are lit on the panel: `CAPTURE`, `RIGID` */
   readonly flags: readonly string[];
@@ -1085,15 +1088,15 @@ export interface Hand {
 export interface Cargo {
   /** name of the payload */
   readonly name: string;
-  /** position of its centre [m], along the axes of L */
+  /** position of the payload's centre [m], along the axes of L */
   readonly position: Vec3;
-  /** orientation of its axes, along the axes of L */
+  /** orientation of the payload's axes, along the axes of L */
   readonly orientation: Rows;
-  /** velocity of its centre [m/s], along the axes of L */
+  /** velocity of the payload's centre [m/s], along the axes of L */
   readonly velocity: Vec3;
-  /** whether the end effector holds it */
+  /** whether the end effector holds the payload */
   readonly held: boolean;
-  /** berth that it is fixed to; empty if it is not fixed */
+  /** berth to which the payload is fixed; empty if it is not fixed to a berth */
   readonly seat: string;
 }
 

@@ -1,1 +1,1 @@
-"""Worksite files: their types, their checks, and what is built from them."""
+"""Worksite files: types, checks, and construction of the bodies, berths, payloads and cameras that a file describes."""

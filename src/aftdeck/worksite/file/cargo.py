@@ -19,13 +19,14 @@ from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, mov
 from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
 
 FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
-"""Fittings that a payload may have besides its body; such a part is named after the payload and the fitting."""
+"""Fittings that a payload may have besides its body. The part of a fitting has the payload's name and the fitting's
+name."""
 _UPWARDS = pi / 2
-"""Angle of the middle of a prism's first side, from y to z [rad]: one side is on top, one below."""
+"""Angle of the middle of a prism's first side, from y towards z [rad]: one side is then on top and one below."""
 _ROUNDING = 1e-9
 """Allowance for rounding in the check that a bar does not extend beyond its payload's top [m]."""
 _REPORT = np.diag([1.0, -1.0, -1.0])
-"""The report's axes (x aft, y port, z down) as columns, in a payload's axes."""
+"""Columns: the report's axes (x aft, y port, z down) in a payload's axes."""
 
 
 class _Piece(NamedTuple):
@@ -37,12 +38,12 @@ class _Piece(NamedTuple):
 
 
 def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
-    """Return the payload that a file describes, at its start.
+    """Return the payload that a file describes, with its start.
 
     Raises:
-        InputError: the given sizes do not make convex bodies.
-        ValueError: the berth to start in is not listed or needs a fitting that the payload lacks, or the bar extends
-            beyond the payload's top.
+        InputError: the sizes in the file do not make convex bodies.
+        ValueError: the berth in which the payload starts is not listed or needs a fitting that the payload lacks, or
+            the bar extends beyond the payload's top.
     """
     pieces = tuple(_pieces(file))
     bar = next((frozen(piece.bodies[0]) for piece in pieces if piece.fitting == "receptacle"), None)
@@ -97,7 +98,7 @@ def _pieces(file: CargoFile) -> Iterator[_Piece]:
 
 
 def _across_flats(across: float, sides: int) -> float:
-    """Return half the distance between opposite sides of a regular polygon, given that between opposite corners."""
+    """Return half the distance between opposite sides of a regular polygon; `across` is that of opposite corners."""
     return across / 2.0 * cos(pi / sides)
 
 
@@ -114,7 +115,10 @@ def _bar(bar: ReceptacleFile, top: float) -> Array:
 
 
 def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
-    """Reject a bar that extends beyond the top of its payload (ValueError); a cylinder's top has its full diameter."""
+    """Reject a bar that extends beyond the top of its payload (ValueError).
+
+    The top of a prism is its upper side. The top of a cylinder counts as wide as the cylinder.
+    """
     wide = file.body.across * sin(pi / file.body.sides) if isinstance(file.body, PrismBody) else 2.0 * file.body.radius
     for axis, middle, size, room in (("x", bar.at[0], bar.length, file.body.length), ("y", bar.at[1], bar.width, wide)):
         beyond = abs(middle) + 0.5 * size - 0.5 * room
@@ -131,17 +135,17 @@ def _fixture(grapple: GrappleFile) -> _Piece:
     The pin and the ramps around it enter the end effector and are therefore not solid.
     """
     base = prism(grapple.radius, grapple.depth) + np.array([grapple.depth / 2.0, 0.0, 0.0])
-    place, turn = _plain(grapple.position), _plain(grapple.rotation)
-    look = (Group(position=place, rotation=turn, shapes=grapple.shapes),) if grapple.shapes else ()
+    position, rotation = _plain(grapple.position), _plain(grapple.rotation)
+    shapes = (Group(position=position, rotation=rotation, shapes=grapple.shapes),) if grapple.shapes else ()
     bodies = np.concatenate([base, *_target(grapple.shapes)])
-    return _Piece("grapple fixture", moved(bodies, _pose(grapple)), look)
+    return _Piece("grapple fixture", moved(bodies, _pose(grapple)), shapes)
 
 
 def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
-    """Yield the boxes (1, 8, 3) of the target beside the fixture's axis.
+    """Yield boxes (1, 8, 3) that enclose the target, which is beside the fixture's axis.
 
-    One box encloses the flat shapes (plate and ring), another one the rod. A single box around both would obstruct the
-    end effector as far outwards as the end of the rod.
+    One box encloses the flat shapes (plate and ring), and a second box encloses the rod. A single box around all of
+    them would obstruct the end effector as far outwards as the end of the rod.
     """
     halves = [(shape.position, half) for shape in shapes if any(shape.position[1:]) and (half := _half(shape))]
     boxes = np.array(halves, dtype=np.float64).reshape(-1, 2, 3)
@@ -152,10 +156,10 @@ def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
 
 
 def _half(shape: Shape) -> Vec3 | None:
-    """Return half the size of the box around a shape along x; None for a group of marks on other shapes.
+    """Return half the size of the box that encloses a shape; None for a group, which only marks other shapes.
 
     Raises:
-        InputError: the shape is of another kind, or has another orientation.
+        InputError: the shape is of a kind that a target cannot have, or it is rotated or not along x.
     """
     match shape:
         case Group():
@@ -177,7 +181,10 @@ def _half(shape: Shape) -> Vec3 | None:
 
 
 def _pins(trunnions: TrunnionsFile) -> _Piece:
-    """Return the trunnions: round pins, each covered by a square prism, which needs the fewest hexahedra."""
+    """Return the trunnions: each is drawn as a round pin and covered by a square prism.
+
+    Of all prisms, a square one needs the fewest hexahedra.
+    """
     (inner, outer), (low, high) = trunnions.span, trunnions.keel_span
     radius, material = float(trunnions.radius), trunnions.material
     across = prism(radius, outer - inner, axis="y", sides=4)
@@ -203,7 +210,7 @@ def _pin(middle: Vec3, radius: float, length: float, material: Material, axis: s
 
 
 def _latched(trunnions: TrunnionsFile | None) -> Array:
-    """Return the points (n, 3) that latches hold: port and starboard of each pair, then the keel pin's."""
+    """Return the points (n, 3) that latches hold [m]: port and starboard of each pair, then that of the keel pin."""
     if trunnions is None:
         return frozen(np.empty((0, 3)))
     pairs = [(x, side * trunnions.y, trunnions.z) for x in sorted(trunnions.x) for side in (-1.0, 1.0)]
@@ -214,7 +221,7 @@ def _names(pairs: int) -> tuple[str, ...]:
     """Return the names of the points of `_latched`, pair by pair."""
     numbers = tuple(str(k + 1) for k in range(pairs))
     where = ("forward", "aft") if numbers == ("1", "2") else numbers
-    return (*(f"{place} {side}" for place in where for side in ("port", "starboard")), "keel")
+    return (*(f"{pair} {side}" for pair in where for side in ("port", "starboard")), "keel")
 
 
 def _probe_tip(file: CargoFile) -> Pose | None:
@@ -225,7 +232,13 @@ def _probe_tip(file: CargoFile) -> Pose | None:
 
 
 def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, trunnions: Array) -> Start:
-    """Return the start of a payload with this probe and these trunnions.
+    """Return the start of a payload.
+
+    Args:
+        file: the table of the start.
+        seats: the worksite's berths by name.
+        probe: probe of the payload, as `Cargo.probe`.
+        trunnions: trunnions of the payload, as `Cargo.trunnions`.
 
     Raises:
         ValueError: the berth does not exist, or needs a fitting that the payload does not have.

@@ -8,7 +8,7 @@ from aftdeck.worksite.file.tables import Placed, Range, Table, Text, Turn, order
 
 
 class PrismBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="prism"):
-    """A regular prism along x with one side on top and one below; its solids cover it exactly."""
+    """A regular prism along x with one side on top and one side below; its solids have exactly its shape."""
 
     sides: int = 6
     across: Length
@@ -48,7 +48,7 @@ class ProbeFile(Table, frozen=True, kw_only=True):
 
 
 class ReceptacleFile(Table, frozen=True, kw_only=True):
-    """The bar on the payload's top that the concept's end effector acquires."""
+    """The bar on the payload's top, which the concept arm's end effector acquires."""
 
     length: Length
     """Size along x."""
@@ -66,15 +66,18 @@ class ReceptacleFile(Table, frozen=True, kw_only=True):
 
 
 class GrappleFile(Placed, frozen=True, kw_only=True):
-    """A grapple fixture: its pose is that of the end effector's own axes E (x outwards) at a perfect grasp."""
+    """A grapple fixture.
+
+    Its pose is that of the end effector's own axes E (x outwards) when the fixture is captured without misalignment.
+    """
 
     radius: Length
-    """Radius of the fixture's base, which begins where the end effector's rim ends."""
+    """Radius of the fixture's base. The base begins at x = 0, at the rim of an end effector that has captured it."""
     depth: Length
     """Depth of the fixture's base."""
     shapes: tuple[Shape, ...] = ()
-    """Shapes that draw the fixture, in its axes. Boxes, cylinders, rings and spheres beside its axis form the target
-    and collide; groups of marks on them do not collide."""
+    """Shapes that draw the fixture, in the fixture's axes. Boxes, cylinders, rings and spheres beside the x axis form
+    the target and collide. Groups draw marks on these shapes and do not collide."""
 
     def __post_init__(self) -> None:
         """Reject sizes that are not above zero (ValueError)."""
@@ -82,20 +85,21 @@ class GrappleFile(Placed, frozen=True, kw_only=True):
 
 
 class TrunnionsFile(Table, frozen=True, kw_only=True):
-    """Pins on both sides, and one down to the keel, that the bay's latches hold."""
+    """Pins that the bay's latches hold: pairs of pins on the two sides, and one pin down to the keel."""
 
     x: tuple[Length, ...]
     """Position of each pair of pins along the payload."""
     y: Length
-    """Distance to either side of the points on the pins that the latches hold."""
+    """Distance from the plane y = 0 to the points on the pins that the latches hold, on either side."""
     z: Length
+    """z of these points."""
     keel: tuple[Length, Length]
     """x and z of the point on the keel pin that its latch holds."""
     radius: Length
     span: Range
     """Range of |y| over which the pins extend."""
     keel_span: Range
-    """Range of z over which the keel pin extends, upwards."""
+    """Range of z over which the keel pin extends."""
     material: Material
 
     def __post_init__(self) -> None:
@@ -107,7 +111,7 @@ class TrunnionsFile(Table, frozen=True, kw_only=True):
 
 
 class StartFile(Placed, frozen=True, kw_only=True):
-    """Start of a payload: in a berth, or free at a pose in the scene."""
+    """Start of a payload: in a berth (`seat`), or free at a pose in the scene."""
 
     seat: Text | None = None
     velocity: tuple[Speed, Speed, Speed] = (Speed(0.0), Speed(0.0), Speed(0.0))
@@ -119,7 +123,7 @@ class StartFile(Placed, frozen=True, kw_only=True):
         """Reject a pose or a motion if a berth is given (ValueError)."""
         if self.seat is not None and any(map(any, (self.position, self.rotation, self.velocity, self.rates))):
             raise ValueError(
-                f"the cargo is in the seat {self.seat!r}; position, rotation and motion are for a free cargo"
+                f"the cargo starts in the seat {self.seat!r}; only a free cargo can have a position, rotation or motion"
             )
 
 
@@ -129,7 +133,7 @@ class LimitCycleFile(Table, frozen=True, kw_only=True):
     deadband: Turn
     """Greatest angle to either side."""
     rate: tuple[AngularRate, AngularRate, AngularRate]
-    """Rate of each angle; the sign is the initial direction."""
+    """Rate of each angle; its sign gives the initial direction."""
     start: Turn = (Angle(0.0), Angle(0.0), Angle(0.0))
     """Angles at the start."""
 
@@ -144,7 +148,10 @@ class LimitCycleFile(Table, frozen=True, kw_only=True):
 
 
 class CargoFile(Table, frozen=True, kw_only=True):
-    """A payload; the origin of its own frame is at its body's centre, x along the body. A scenario names it."""
+    """A payload. The origin of its own frame is at its body's centre; the x axis is along the body.
+
+    A scenario refers to the payload by its name.
+    """
 
     name: Text
     title: Text
@@ -164,5 +171,5 @@ class CargoFile(Table, frozen=True, kw_only=True):
         """Reject a mass that is not above zero, and neither or both of receptacle and grapple (ValueError)."""
         positive(mass=self.mass)
         if (self.receptacle is None) == (self.grapple is None):
-            given = "neither" if self.receptacle is None else "both"
-            raise ValueError(f"a cargo needs a receptacle or a grapple fixture, not both; {given} is given")
+            given = "neither is" if self.receptacle is None else "both are"
+            raise ValueError(f"a cargo needs a receptacle or a grapple fixture, not both; {given} given")

@@ -20,16 +20,17 @@ ARM = "arm."
 """Prefix of the names of an arm's frames. Only a scenario can check whether the arm has the frame of a camera."""
 FRAMES = ("orbiter", "space")
 _WALL = 0.05
-"""Greatest distance of a wall from the end of the bay's inside [m]: hexahedra cover a tube's wall from outside."""
+"""Greatest distance of a wall from the end of the bay's inside [m]. There may be a distance, because the hexahedra that
+cover a tube's wall extend beyond the wall."""
 _HAIR = 1e-6
-"""Allowance for rounding between a solid's distance and that of its bounding box [m]."""
+"""Allowance for rounding in the comparison of a solid's distance with the distance of its bounding box [m]."""
 
 
 def misnamed(file: WorksiteFile) -> Iterator[Problem]:
     """Yield problems with names and with the first body.
 
-    These are: no body, a first body that is not the scene, names used twice or reserved for the arm's frames, and names
-    of items that do not exist.
+    The problems are: there is no body; the first body cannot give the scene frame; a name is used twice or is reserved
+    for the arm's frames; a table refers to an item that does not exist.
     """
     if not file.body:
         yield Problem(("body",), "no body is listed; the first body gives the scene frame")
@@ -51,21 +52,22 @@ def misnamed(file: WorksiteFile) -> Iterator[Problem]:
             yield Problem(("seat", i, "body"), f"{seat.body!r} is not a body; bodies are: {', '.join(bodies)}")
     for i, camera in enumerate(file.camera):
         if camera.body not in (*bodies, *cargoes) and not camera.body.startswith(ARM):
-            there = ", ".join((*bodies, *cargoes))
-            yield Problem(("camera", i, "body"), f"{camera.body!r} is not a body; bodies are: {there}")
-    yield from _homeless(file, bodies)
+            choices = ", ".join((*bodies, *cargoes))
+            yield Problem(("camera", i, "body"), f"{camera.body!r} is not a body; bodies are: {choices}")
+    yield from _housing_problems(file, bodies)
 
 
-def _homeless(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
+def _housing_problems(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
     """Yield problems with housings.
 
-    These are: drives that are not listed or have two housings, and cameras with a housing that no body carries.
+    The problems are: a housing is for a drive that is not listed, or for a drive that already has a housing; a camera
+    has a housing but is not mounted on a body of the worksite.
     """
     drives, housed = [drive.name for drive in file.drive], [housing.drive for housing in file.housing]
     for i, drive in enumerate(housed):
         if drive not in drives:
-            there = ", ".join(drives) or "none"
-            yield Problem(("housing", i, "drive"), f"{drive!r} is not a drive; drives are: {there}")
+            choices = ", ".join(drives) or "none"
+            yield Problem(("housing", i, "drive"), f"{drive!r} is not a drive; drives are: {choices}")
         if drive in housed[:i]:
             yield Problem(("housing", i, "drive"), f"the drive {drive!r} already has a housing")
     for i, camera in enumerate(file.camera):
@@ -75,14 +77,17 @@ def _homeless(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
 
 
 def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator[Problem]:
-    """Yield a problem for each name that occurs earlier in the list or is taken."""
+    """Yield a problem for each name that occurs earlier in `names`, or that occurs in `taken`."""
     for i, name in enumerate(names):
         if name in (*names[:i], *taken):
             yield Problem((kind, i), f"the name {name!r} is taken; names have to differ")
 
 
 def parts_in_two_frames(listed: Sequence[tuple[Where, Sequence[Solid]]]) -> Iterator[Problem]:
-    """Yield a problem for each part with solids in two frames, at its location in the file: a part moves as one."""
+    """Yield a problem for each part with solids in two frames, at its location in the file.
+
+    All solids of a part have to move together.
+    """
     homes: dict[str, str] = {}
     for where, solids in listed:
         for part, frame in dict.fromkeys((solid.part, solid.frame) for solid in solids):
@@ -99,12 +104,12 @@ def blind_cameras(
     cargoes: Sequence[Cargo],
     clearance: float,
 ) -> Iterator[Problem]:
-    """Yield a problem for each camera in a solid, or nearer to one than a clearance [m].
+    """Yield a problem for each camera that is inside a solid, or nearer to a solid than `clearance` [m].
 
     `cameras` is keyed by the index in the file. A camera on a body is checked against the solids of all bodies, at
     their poses at the start. A camera on a payload is checked against the payload's own solids. The camera's own
-    housing is named after the camera (``camera A``) and is left out. Not checked are cameras on the arm, eyes behind
-    windows, and solids that come near a camera during a run.
+    housing, the part ``camera A`` of camera A, is left out. The function does not check cameras on the arm, eyes
+    behind windows, or solids that come near a camera during a run.
     """
     still = {body.name: body.pose for body in bodies}
     own = {cargo.name: cargo.solids for cargo in cargoes}
@@ -123,7 +128,7 @@ def blind_cameras(
 
 
 def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
-    """Return the solids whose bounding boxes, along the axes, are nearer to a point than `reach` [m] and `_HAIR`."""
+    """Return the solids whose bounding boxes along the axes are at most `reach` + `_HAIR` [m] from a point."""
     if not solids:
         return []
     vertices = np.array([solid.vertices for solid in solids])
@@ -133,7 +138,7 @@ def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
 
 
 def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
-    """Yield a problem for each side of the bay's inside, except the top, that does not end at a wall of the orbiter."""
+    """Yield a problem for each side of the bay's inside, except the top, at which there is no wall of the orbiter."""
     bodies = [pack(solid.vertices) for solid in solids if solid.frame == "orbiter"]
     low, high = np.array(bay.low), np.array(bay.high)
     across = np.linspace(low + (high - low) / 10.0, high - (high - low) / 10.0, 5)
@@ -153,7 +158,7 @@ def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
 
 
 def _in_any(points: Array, bodies: Sequence[Array]) -> NDArray[np.bool_]:
-    """Return whether each of the points (n, 3) is in one of the bodies, (n,)."""
+    """Return for each of the points (n, 3) whether it is inside at least one of the bodies, as an array (n,)."""
     found = np.zeros(len(points), bool)
     for body in bodies:
         found |= (points @ body[NX:D].reshape(3, 6) <= body[D:]).all(axis=1)
@@ -188,14 +193,14 @@ def _from_face(foot: Array, height: float, rim: Array) -> float:
     """Return the distance of a point from a face [m].
 
     Args:
-        foot: (3,) foot of the point's perpendicular on the face's plane [m].
+        foot: (3,) foot of the perpendicular from the point to the face's plane [m].
         height: height of the point above the plane [m].
         rim: (4, 3) the face's vertices, in order around it [m].
     """
-    ways = np.roll(rim, -1, axis=0) - rim
-    sides = np.cross(ways, foot - rim)
+    edges = np.roll(rim, -1, axis=0) - rim
+    sides = np.cross(edges, foot - rim)
     if (sides @ sides.sum(axis=0) >= 0.0).all():
         return height
-    share = np.clip(((foot - rim) * ways).sum(axis=1) / (ways**2).sum(axis=1), 0.0, 1.0)
-    beside = np.linalg.norm(rim + share[:, None] * ways - foot, axis=1).min()
-    return float(np.hypot(beside, height))
+    share = np.clip(((foot - rim) * edges).sum(axis=1) / (edges**2).sum(axis=1), 0.0, 1.0)
+    from_rim = np.linalg.norm(rim + share[:, None] * edges - foot, axis=1).min()
+    return float(np.hypot(from_rim, height))

@@ -1,4 +1,4 @@
-"""Housings of cameras: their shapes and solids, placed at the position in the camera's own table."""
+"""Housings of cameras: their shapes and solids, placed at the position of each camera."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from aftdeck.worksite.file.solids import CORNERS
 
 
 class Housed(NamedTuple):
-    """The housings on a body, in its axes.
+    """The housings on a body, in the body's axes.
 
     Attributes:
         shapes: shapes that draw the housings.
-        solids: vertices (1, 8, 3) by name of the part (``camera A``) [m].
+        solids: vertices (1, 8, 3) of each housing [m], by the name of its part (``camera A``).
     """
 
     shapes: list[Shape]
@@ -40,7 +40,7 @@ def housed(cameras: Sequence[Camera], file: WorksiteFile, body: str) -> Housed:
 
 
 def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
-    """Add a camera's housing at the point where its pan and tilt axes meet, `drive.lens` behind the lens."""
+    """Add a camera's housing at the point where the pan and tilt axes meet; that is `drive.lens` behind the lens."""
     lens = camera.drive.lens if camera.drive is not None else 0.0
     ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
     x, y, z = (np.array(camera.position) - lens * ahead).tolist()

@@ -1,4 +1,4 @@
-"""Loading of worksite files: a built-in one by name, or any other by path."""
+"""Loading of worksite files: a built-in file by its name, or any other file by its path."""
 
 from __future__ import annotations
 
@@ -89,14 +89,14 @@ def _file(name_or_path: str | Path) -> Text:
 
 @functools.lru_cache(maxsize=8)
 def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> Worksite:
-    """Return the worksite of a file's text. It is immutable, and therefore cached."""
+    """Return the worksite of a file's text. The result is cached; this is safe because it is immutable."""
     name, text = source
     file, problems = examine(WorksiteFile, source, {(KEY, key): value for key, value in dimensions}, derive)
     if file is None or problems:
         raise ScenarioError(sentences(problems, name, text))
     if unknown := [key for key, _ in dimensions if line_of((KEY, key), text) in (None, line_of((KEY,), text))]:
-        there = ", ".join(key for key in file.dimensions if key not in unknown) or "none"
-        raise ScenarioError([f"{name} has no dimension {', '.join(map(repr, unknown))}; dimensions are: {there}"])
+        choices = ", ".join(key for key in file.dimensions if key not in unknown) or "none"
+        raise ScenarioError([f"{name} has no dimension {', '.join(map(repr, unknown))}; dimensions are: {choices}"])
     problems = list(misnamed(file))
     worksite = None if problems else _made(file, text, problems)
     if worksite is None or problems:
@@ -105,7 +105,7 @@ def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> W
 
 
 def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
-    """Return the worksite without its invalid items, and add a problem for each of them to `problems`."""
+    """Return the worksite without its invalid items, and add a problem for each invalid item to `problems`."""
     cameras = _cameras(file, problems)
     made = [
         _body(body, i, _discs(file, body.name), housed(tuple(cameras.values()), file, body.name), problems)
@@ -160,7 +160,7 @@ def _discs(file: WorksiteFile, body: str) -> list[Shape]:
 def _body(
     file: BodyFile, i: int, ports: list[Shape], cameras: Housed, problems: list[Problem]
 ) -> tuple[Body, tuple[Solid, ...]]:
-    """Return a body, and its solids in its frame of motion."""
+    """Return a body, and its solids in the coordinate frame to which the body is fixed."""
     shapes = [*file.shapes, *ports, *cameras.shapes]
     body = Body(file.name, (), file.fixed_to, _plain(file.position), _plain(file.rotation))
     solids: list[Solid] = []
@@ -193,7 +193,7 @@ def _seats(
 
 
 def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem]) -> dict[int, Cargo]:
-    """Return the valid payloads by their index in the file, and add a problem for each other one."""
+    """Return the valid payloads by their index in the file, and add a problem for each invalid payload."""
     by_name = {seat.name: seat for seat in seats}
     cargoes = {}
     for i, cargo in enumerate(file.cargo):
@@ -205,7 +205,7 @@ def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem])
 
 
 def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
-    """Return the valid cameras by their index in the file, and add a problem for each other one."""
+    """Return the valid cameras by their index in the file, and add a problem for each invalid camera."""
     cameras = {}
     for i, camera in enumerate(file.camera):
         try:
@@ -216,7 +216,11 @@ def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
 
 
 def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
-    """Return the parts of a name: that fitting of every payload, a part and its mirror image, or one part."""
+    """Return the parts for which a name in the file stands.
+
+    The name of a fitting stands for that fitting of every payload. The name of a mirrored solid stands for its port and
+    starboard parts. Any other name stands for one part.
+    """
     if name in FITTINGS:
         return tuple(part for part in parts if part.endswith(f" {name}"))
     sides = tuple(part for part in (f"{name} port", f"{name} starboard") if part in parts)

@@ -1,8 +1,8 @@
 """Schema of a worksite's file: every dimension of the worksite, each table with the source of its numbers.
 
-Positions are in the axes of the body that a table belongs to. The first body's axes are those of the scene: x aft,
-y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. Rules that types cannot express are
-checked where the parts are made (`solids`, `seats`, `cargo`) and in `check`.
+Positions are in the axes of the body to which a table belongs. The first body's axes are those of the scene: x aft,
+y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. The modules `solids`, `seats`,
+`cargo` and `check` check the rules that types cannot express.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FITTING_OF: dict[Relation, str] = {
     "guides": "trunnions",
     "capture": "grapple fixture",
 }
-"""Fitting of a payload to which each relation applies."""
+"""For each `Relation`, the fitting of a payload to which its conditions apply."""
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
@@ -46,13 +46,13 @@ class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
     title: Text
     body: Text
     latch: Literal["auto", "command"]
-    """``auto`` to hold a payload as soon as possible, ``command`` to wait for a command."""
+    """``auto``: the berth fixes a payload as soon as the conditions hold. ``command``: it waits for a command."""
     time: Time = Time(0.0)
     """Time that the latches take."""
     distance: Length
-    """Greatest distance of a payload from its seated position for latching."""
+    """Greatest distance of a payload from its seated position at which it can be latched."""
     angle: Angle
-    """Greatest rotation of a payload from its seated attitude for latching."""
+    """Greatest rotation of a payload from its seated attitude at which it can be latched."""
     source: Text
 
     def __post_init__(self) -> None:
@@ -63,7 +63,7 @@ class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
-    """A docking port: its centre is on a face of a solid, its axes are those of a docked payload; x points outwards."""
+    """A docking port. Its centre is on a face of a solid. Its axes are those of a docked payload; x points outwards."""
 
     radius: Length
     """Radius of the disc that marks the port."""
@@ -76,9 +76,9 @@ class GuidesFile(Table, frozen=True, kw_only=True):
     height: Length
     """Height of the guides' upper ends above the stowed trunnion."""
     half_angle: Angle
-    """Half angle of the V's opening, from the vertical."""
+    """Angle between the vertical and each side of the V."""
     throat: Length
-    """Half the width of the V at the stowed trunnion, less the trunnion's radius."""
+    """Half the width of the V at the height of the stowed trunnion, minus the trunnion's radius."""
     play: Length
     """Greatest offset of a trunnion along its own axis, in either direction."""
 
@@ -88,10 +88,10 @@ class GuidesFile(Table, frozen=True, kw_only=True):
 
 
 class RetentionFile(_SeatFile, frozen=True, kw_only=True, tag="retention"):
-    """A berth in the bay: position and rotation are those of a seated payload."""
+    """A berth in the bay. Its position and rotation are those of a payload that is fixed in it."""
 
     guides: GuidesFile | None = None
-    """V-guides; if they are given, a payload needs trunnions."""
+    """V-guides. A berth with V-guides holds only payloads that have trunnions."""
 
 
 SeatFile = PortFile | RetentionFile
@@ -101,15 +101,16 @@ class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
     """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
 
     prong_spacing: Length
-    """Greatest distance of the prong's inner face from the palm's centre line for a closed prong (PRGSPC)."""
+    """Greatest distance of the prong's inner face from the palm's centre line at which the prong counts as closed
+    (PRGSPC)."""
     window: Length
     """Greatest height of the palm above the bar's top (TOPB)."""
     front: Length
-    """Least distance of the palm's centre inward from the bar's forward end (FRONT)."""
+    """Least distance of the palm's centre from the bar's forward end, inwards along the bar (FRONT)."""
     rear: Length
-    """Least distance of the palm's centre inward from the bar's aft end (REAR)."""
+    """Least distance of the palm's centre from the bar's aft end, inwards along the bar (REAR)."""
     fingers_within: Length
-    """Distance of palm and bar beyond which the fingers are not tested."""
+    """Greatest distance between palm and bar at which the fingers are tested."""
     source: Text
 
     def __post_init__(self) -> None:
@@ -121,15 +122,17 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
     """Capture envelope of the Shuttle's end effector for a grapple fixture, and the durations of its motions."""
 
     radial: Length
-    """Greatest distance from the end effector's axis."""
+    """Greatest distance of the fixture from the end effector's axis."""
     nearest: Length
-    """Least position of the fixture along the axis, outwards from its rigid position."""
+    """Least position of the fixture along that axis: 0 in the rigid position, positive outwards."""
     farthest: Length
-    """Greatest position of the fixture along the axis, as `nearest`."""
+    """Greatest position of the fixture along that axis, measured as `nearest`."""
     pitch: Angle
-    """Greatest angle to either side; likewise `yaw` and `roll`."""
+    """Greatest pitch of the fixture in either direction."""
     yaw: Angle
+    """Greatest yaw of the fixture in either direction."""
     roll: Angle
+    """Greatest roll of the fixture in either direction."""
     ring: Time
     """Time to close or open the snares."""
     carriage: Time
@@ -139,7 +142,7 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
     source: Text
 
     def __post_init__(self) -> None:
-        """Reject values that are not above zero, and `nearest` that is not below `farthest` (ValueError)."""
+        """Reject values that are not above zero, and a `nearest` that is not less than `farthest` (ValueError)."""
         positive(radial=self.radial, pitch=self.pitch, yaw=self.yaw, roll=self.roll)
         positive(ring=self.ring, carriage=self.carriage, tension=self.tension)
         if not self.nearest < self.farthest:
@@ -147,20 +150,21 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
 
 
 class EssentialFile(Table, frozen=True, kw_only=True):
-    """Two parts that the task brings into contact: the conditions under which they may touch, and how deep."""
+    """Two parts that the task brings into contact. Their contact is essential while certain conditions hold."""
 
     parts: tuple[Text, Text]
-    """A fitting by its own name (``receptacle``: that of every payload), and a part of the arm or a body."""
+    """A fitting, and a part of the arm or of a body. ``receptacle`` stands for the receptacles of all payloads."""
     relation: Relation
-    """``acquisition``: the bar before the palm and between the fingers (conditions 1 to 3). ``docking``: the probe in
-    the docking envelope, no farther from the port than docking allows. ``guides``: the trunnion in its V-guide.
-    ``capture``: the pin in the capture envelope."""
+    """Conditions that have to hold. ``acquisition``: the bar is before the palm and between the fingers (conditions 1
+    to 3). ``docking``: the probe is in the docking envelope, and is no farther from the port than docking allows.
+    ``guides``: the trunnion is in its V-guide. ``capture``: the pin is in the capture envelope."""
     depth: Length
-    """Greatest penetration of the two parts, and greatest distance past the relation's planes."""
+    """Greatest penetration depth at which the contact is essential. By the same distance, a part may be beyond the
+    planes that bound its positions in the conditions."""
     source: Text
 
     def __post_init__(self) -> None:
-        """Reject a depth that is not above zero, and a relation of another fitting (ValueError)."""
+        """Reject a depth that is not above zero, and a `relation` that applies to neither part (ValueError)."""
         positive(depth=self.depth)
         fitting = FITTING_OF[self.relation]
         if not any(part == fitting or part.endswith(f" {fitting}") for part in self.parts):
@@ -170,7 +174,7 @@ class EssentialFile(Table, frozen=True, kw_only=True):
 
 
 class _Inside(Table, frozen=True, kw_only=True):
-    """A box along the axes, given by its range on each axis."""
+    """A box along the axes, given by its range along each axis."""
 
     x: Range
     y: Range
@@ -183,7 +187,7 @@ class _Inside(Table, frozen=True, kw_only=True):
 
 
 class BayFile(_Inside, frozen=True, kw_only=True):
-    """The inside of the payload bay: a payload completely above it has been extracted."""
+    """The inside of the payload bay. A payload that is completely above it is extracted."""
 
 
 class TranslationFile(Table, frozen=True, kw_only=True):
@@ -199,16 +203,17 @@ class TranslationFile(Table, frozen=True, kw_only=True):
 
 
 class HousingFile(_Inside, frozen=True, kw_only=True):
-    """Housing of every camera of a drive, about the point where the pan and tilt axes meet, z up.
+    """Housing of every camera that has a certain drive.
 
-    The box is the solid that collides; it has to enclose the whole housing in every position of the drive.
+    The origin is the point where the pan and tilt axes meet; z is up. The box given by x, y and z is the solid that
+    collides. It has to enclose the whole housing in every position of the drive.
     """
 
     drive: Text
     turned: tuple[Shape, ...] = ()
-    """Shapes that are turned as the camera is at the start, x ahead."""
+    """Shapes of the camera's body. Their x axis is along the boresight at the start."""
     upright: tuple[Shape, ...] = ()
-    """Shapes of the support, which stay upright."""
+    """Shapes of the support, which are always upright."""
 
 
 class WorksiteFile(Table, frozen=True, kw_only=True):

@@ -1,4 +1,4 @@
-"""Construction of a berth from its file; a docking port's envelope follows from the face of the port."""
+"""Construction of a berth from its file. A docking port's envelope is computed from the face on which the port is."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ ON_FACE = 1e-6
 
 
 def seat_of(file: SeatFile, body: Body, solids: Sequence[Solid]) -> Seat:
-    """Return the berth that a file describes, on its body.
+    """Return the berth that a table of the file describes.
 
     Args:
         file: the berth's table.
-        body: the body that the table names.
-        solids: the body's solids, in the body's frame of motion.
+        body: the body that carries the berth.
+        solids: the body's solids, in the coordinate frame to which the body is fixed.
 
     Raises:
         ValueError: a port is not on a face of its body's solids.
@@ -63,7 +63,11 @@ def disc(file: PortFile) -> Shape:
 
 
 def _envelope(port: Pose, solids: Sequence[Solid]) -> Array:
-    """Return planes (5, 4) in the port's axes: the face under the port, reversed, and the four faces beside it."""
+    """Return planes (5, 4) in the port's axes: the port's face with its normal reversed, then the four adjacent faces.
+
+    Raises:
+        ValueError: the port's centre is not on a face of the solids.
+    """
     for solid in solids:
         body = pack(solid.vertices)
         normals, distances = body[NX:D].reshape(3, 6).T, body[D:]

@@ -11,20 +11,21 @@ Corner = tuple[Length, Length]
 
 
 class _SolidFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
-    """A solid of a body for collision: one convex hexahedron, or several."""
+    """An entry for one convex hexahedron, or several, with which a body collides."""
 
     part: Text
     """Name of the part, for the operator; several solids may share a part."""
     material: Material | None = None
     """Material with which the solid is drawn; None if the body's `shapes` draw it."""
     mirror: bool = False
-    """True to add a copy, reflected in the plane y = 0 of the body; the parts are named ``… port``, ``… starboard``."""
+    """True to add a copy that is reflected in the plane y = 0 of the body. The two parts are then named ``… port`` and
+    ``… starboard``."""
     source: Text | None = None
     """Source of the solid's own numbers; None if it is the body's source."""
 
 
 class BlockFile(_SolidFile, frozen=True, kw_only=True, tag="block"):
-    """A box given by its ranges, or a tapered one if the ranges of y or z differ at its far x."""
+    """A box given by its ranges. It is tapered if `y_end` or `z_end` gives other ranges for its end of greater x."""
 
     x: Range
     y: Range
@@ -34,13 +35,13 @@ class BlockFile(_SolidFile, frozen=True, kw_only=True, tag="block"):
 
 
 class BoxFile(_SolidFile, frozen=True, kw_only=True, tag="box"):
-    """A box given by its size, about its centre."""
+    """A box given by its size; its centre is at `position`."""
 
     size: Point
 
 
 class PlateFile(_SolidFile, frozen=True, kw_only=True, tag="plate"):
-    """A plate with an outline of four corners, half of its thickness to each side; as a `shapes.Plate`."""
+    """A plate with an outline of four corners, which is in the middle of its thickness; fields as in `shapes.Plate`."""
 
     normal: Axis
     outline: tuple[Corner, Corner, Corner, Corner]
@@ -54,7 +55,7 @@ class HexahedronFile(_SolidFile, frozen=True, kw_only=True, tag="hexahedron"):
 
 
 class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
-    """The wall of a tube, covered from outside by hexahedra; as `bodies.cover.tube_wall`."""
+    """The wall of a tube, covered from outside by hexahedra; fields as the arguments of `bodies.cover.tube_wall`."""
 
     radius: Length
     thickness: Length
@@ -67,10 +68,10 @@ class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
 
 
 class PrismFile(_SolidFile, frozen=True, kw_only=True, tag="prism"):
-    """A regular prism, also to enclose a round body; as `bodies.cover.prism`."""
+    """A regular prism, which may enclose a round body; fields as the arguments of `bodies.cover.prism`."""
 
     radius: Length
-    """Distance from the axis to a side's middle."""
+    """Distance from the axis to the middle of a side."""
     length: Length
     radius_end: Length | None = None
     axis: Axis = "x"

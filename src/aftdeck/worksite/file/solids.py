@@ -27,13 +27,13 @@ from aftdeck.worksite.file.solid_file import (
 CORNERS = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(8)], dtype=np.float64)
 """(8, 3) vertices of the unit cube, numbered as those of a hexahedron."""
 _REFLECTED = np.array([v ^ 4 for v in range(8)])
-"""For each vertex of a body's reflection in y = 0, the vertex of the body that it is the image of."""
+"""For each vertex of a body's reflection in y = 0, the vertex of the original body whose image it is."""
 _ACROSS = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}
-"""For each normal of a plate, the indices of x, y and z in (first, second, across)."""
+"""For each axis that is a plate's normal, the indices of x, y and z in (first, second, across)."""
 
 
 def solids_of(file: SolidFile) -> dict[str, Array]:
-    """Return the parts that a listed solid makes, each with its hexahedra (n, 8, 3) in the body's axes [m].
+    """Return the parts that an entry of the file makes, each with its hexahedra (n, 8, 3) in the body's axes [m].
 
     Raises:
         InputError: the hexahedra are not convex; names the part and the vertex.
@@ -60,7 +60,7 @@ def checked(bodies: Array, part: str) -> Array:
 
 
 def moved(bodies: Array, pose: Pose) -> Array:
-    """Return hexahedra (n, 8, 3) in the coordinate frame in which `pose` is that of their own frame [m]."""
+    """Convert hexahedra (n, 8, 3) [m] from their own frame to the frame in which `pose`, their own pose, is given."""
     return np.asarray(bodies @ pose.rotation.T + pose.position)
 
 
@@ -70,7 +70,7 @@ def as_solids(part: str, frame: str, bodies: Iterable[Array]) -> tuple[Solid, ..
 
 
 def drawn(bodies: Iterable[Array], material: Material) -> tuple[Shape, ...]:
-    """Return the shapes that draw hexahedra, with the same vertices."""
+    """Return shapes with the same vertices, which draw hexahedra."""
     return tuple(Hexahedron(material=material, vertices=tuple(map(_point, vertices))) for vertices in bodies)
 
 
@@ -122,11 +122,15 @@ def _block(file: BlockFile) -> Array:
 
 
 def _plate(file: PlateFile) -> Array:
-    """Return a plate (8, 3) with its outline ordered as (-, -), (+, -), (+, +), (-, +) in its first two axes [m]."""
+    """Return the vertices (8, 3) of a plate [m].
+
+    The corners of its outline, in counter-clockwise order, become the corners (-, -), (+, -), (+, +), (-, +) in the
+    first two axes.
+    """
     outline = np.array(file.outline, dtype=np.float64)
-    turn = outline[[1, 2, 3, 0]]
-    area = float(np.sum(outline[:, 0] * turn[:, 1] - turn[:, 0] * outline[:, 1]))
-    counter_clockwise = (area > 0.0) != (file.normal == "y")  # the turn from x to z about y is negative
+    following = outline[[1, 2, 3, 0]]
+    area = float(np.sum(outline[:, 0] * following[:, 1] - following[:, 0] * outline[:, 1]))
+    counter_clockwise = (area > 0.0) != (file.normal == "y")  # the rotation from x to z about y is negative
     if not counter_clockwise:
         outline = outline[::-1]
     vertices = np.empty((8, 3))

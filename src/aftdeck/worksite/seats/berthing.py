@@ -1,9 +1,9 @@
 """Berthing: trunnions in their V-guides and on their seats, and retention of a payload without latches.
 
-A guide is a V that opens upwards from the trunnion's seat, in the plane perpendicular to its trunnion. The guide
-centres the trunnion in one direction and admits offsets up to the V's half width at the trunnion's height. A payload is
-ready to latch when every trunnion is on its seat, the payload has its stowed attitude, and both switches of every latch
-show ready-for-latch. Source: SSV (guides, tolerance, the dual switches of DISP 97).
+A guide is a V that opens upwards from the trunnion's seat, in the plane perpendicular to the trunnion. In one
+direction, the guide centres the trunnion and admits offsets up to the V's half width at the trunnion's height. A
+payload is ready to latch when every trunnion is on its seat, the payload has its stowed attitude, and both switches of
+every latch show ready-for-latch. Source: SSV (guides, tolerance, the dual switches of DISP 97).
 
 Not modelled: the force of a guide on a trunnion, and any difference between the two switches of a latch, except failed
 switches.
@@ -34,7 +34,7 @@ _SQUARE = 1e-9
 
 
 class Guide(msgspec.Struct, frozen=True):
-    """A V-guide with its latch, in the frame of the body that carries it."""
+    """A V-guide with its latch, in the frame of the body that carries the guide."""
 
     name: str
     """Name of the guide, for example ``forward port``."""
@@ -43,19 +43,20 @@ class Guide(msgspec.Struct, frozen=True):
     up: Vec3
     """Unit vector out of the V."""
     along: Vec3
-    """Unit vector along which the V centres the trunnion: along the bay for a longeron guide, across for the keel's."""
+    """Unit vector along which the V centres the trunnion: along the bay for a longeron guide, across the bay for the
+    keel guide."""
     half_angle: float
-    """Half angle of the V's opening, from `up` [rad]; assumed, no figure published."""
+    """Angle between `up` and each side of the V [rad]; assumed, because no figure is published."""
     height: float
     """Height of the guide's top above the seat [m]; SSV has models of 22 in and 24 in [S]."""
     throat: float
-    """Half the width of the V at its seat, less the trunnion's radius [m]; assumed."""
+    """Half the width of the V at the height of the seat, minus the trunnion's radius [m]; assumed."""
     play: float
     """Greatest offset of the trunnion along its own axis, in either direction [m]; assumed."""
 
 
 class SeatTolerances(msgspec.Struct, frozen=True):
-    """Greatest deviation from its stowed pose at which a payload is ready to latch, or is retained."""
+    """Greatest deviation of a payload from its stowed pose at which it is ready to latch, or is retained."""
 
     distance: float
     """Distance of each trunnion, or of the payload's centre, from its stowed position [m]; SSV has 0.05 m [I]."""
@@ -67,15 +68,15 @@ class Guides(NamedTuple):
     """Guides of a berth, with their directions and dimensions as arrays.
 
     Attributes:
-        guides: the guides as given.
+        guides: the guides from which the arrays were made.
         seats: (n, 3) `Guide.seat` of each guide [m].
         axes: (n, 3, 3) unit vectors as rows: along, across (the trunnion's axis), up.
-        opening: (n,) half width of each V per height, the tangent of its half angle [1].
+        opening: (n,) increase of each V's half width per metre of height: the tangent of `Guide.half_angle` [1].
         throat: (n,) `Guide.throat` of each guide [m].
         height: (n,) `Guide.height` of each guide [m].
         play: (n,) `Guide.play` of each guide [m].
-        says: for each guide, the texts for a trunnion's height, its offset along the V, and its offset along the
-            trunnion's own axis.
+        says: for each guide, the text templates for a trunnion's height, for its offset along `Guide.along`, and for
+            its offset along its own axis. Each has one template for a positive and one for a negative value.
     """
 
     guides: tuple[Guide, ...]
@@ -106,16 +107,16 @@ def prepare(guides: Sequence[Guide]) -> Guides:
     seats = np.array([guide.seat for guide in guides]).reshape(-1, 3)
     opening = np.tan([guide.half_angle for guide in guides])
     throat, height, play = np.array([(guide.throat, guide.height, guide.play) for guide in guides]).reshape(-1, 3).T
-    says = tuple(_said(guide.name) for guide in guides)
+    says = tuple(_templates(guide.name) for guide in guides)
     return Guides(tuple(guides), seats, axes, opening, throat, height, play, says)
 
 
-def _said(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]:
-    """Return the text templates for a trunnion's position in the guide of that name."""
-    who = f"{name} trunnion"
-    aside = f"{who} {{}} from its guide's middle"
-    askew = f"{who} {{}} from its guide, along the trunnion"
-    return (f"{who} {{}} above its seat", f"{who} {{}} below its seat"), (aside, aside), (askew, askew)
+def _templates(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]:
+    """Return the text templates for a trunnion's position in the guide of that name; see `Guides.says`."""
+    trunnion = f"{name} trunnion"
+    aside = f"{trunnion} {{}} from its guide's middle"
+    askew = f"{trunnion} {{}} from its guide, along the trunnion"
+    return (f"{trunnion} {{}} above its seat", f"{trunnion} {{}} below its seat"), (aside, aside), (askew, askew)
 
 
 def places(trunnions: Array, payload: Pose) -> Array:
@@ -129,7 +130,9 @@ def places(trunnions: Array, payload: Pose) -> Array:
 
 
 def inside(trunnions: Array, guides: Guides) -> Array:
-    """Return the distance of each trunnion's centre inside its guide's mouth, (n,), negative outside [m].
+    """Return (n,) the distance of each trunnion's centre from the nearest limit of its guide; negative outside [m].
+
+    The distances are measured along the guide's directions: up, along and across.
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
@@ -146,8 +149,9 @@ class Over(NamedTuple):
     Attributes:
         least: height of the lowest trunnion above its seat [m].
         most: height of the highest trunnion above its seat [m].
-        room: least distance of a trunnion to the sides of its guide; negative outside [m]. It is taken at the
-            trunnion's height, or at the mouth for a trunnion above its guide, as if lowered straight.
+        room: least distance of a trunnion from the sides of its guide; negative outside [m]. It is measured at the
+            trunnion's height. For a trunnion above its guide it is measured at the guide's top, as if the trunnion
+            were lowered straight down.
     """
 
     least: float
@@ -199,9 +203,9 @@ def _local(trunnions: Array, guides: Guides) -> Array:
 
 
 def in_guides(trunnions: Array, guides: Guides) -> tuple[Condition, ...]:
-    """Return for each trunnion the condition that it is in the capture region of its guide.
+    """Return for each trunnion the condition that it is inside its guide.
 
-    Each condition reports the tightest of the trunnion's height and its two offsets.
+    Of the trunnion's height and its two offsets, each condition reports the one with the least margin.
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
@@ -231,11 +235,12 @@ def ready_to_latch(
 ) -> tuple[Condition, ...]:
     """Return the conditions of latching: one for each latch, and one for the payload's attitude.
 
-    A latch's condition reports the trunnion's distance from its seat, or else the failed switches of the latch.
+    A latch's condition reports the trunnion's distance from its seat. If this distance is allowed but switches of the
+    latch have failed, the condition reports the failed switches.
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        payload: pose of the payload in the frame of its seated pose, that is, its remaining offset and rotation.
+        payload: pose of the payload relative to its seated pose: the remaining offset and rotation.
         guides: guides of the berth.
         tolerances: tolerances of the berth.
         failed: names of failed switches, for example ``forward port B``.
@@ -257,7 +262,10 @@ def ready_to_latch(
 def switches(
     trunnions: Array, guides: Guides, tolerances: SeatTolerances, failed: Set[str] = frozenset()
 ) -> tuple[tuple[bool, bool], ...]:
-    """Return the ready-for-latch switches A and B of each latch, as on DISP 97; arguments as of `ready_to_latch`."""
+    """Return for each latch whether its switches A and B show ready-for-latch, as on DISP 97.
+
+    The arguments are those of `ready_to_latch`.
+    """
     off = np.linalg.norm(trunnions - guides.seats, axis=1).tolist()
     return tuple(
         (
@@ -269,11 +277,10 @@ def switches(
 
 
 def retained(payload: Pose, tolerances: SeatTolerances) -> tuple[Condition, ...]:
-    """Return the conditions under which a released payload stays in its berth in the concept's bay.
+    """Return the conditions under which a payload that is released in a bay berth stays in the berth.
 
     Args:
-        payload: pose of the payload in the frame of its seated pose: offset of its centre from the stowed position, and
-            rotation.
+        payload: pose of the payload relative to its seated pose: offset of its centre, and rotation.
         tolerances: tolerances of the berth.
     """
     distance = math.hypot(*payload.position.tolist())

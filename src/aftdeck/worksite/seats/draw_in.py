@@ -13,11 +13,13 @@ from aftdeck.law import law
 
 @law
 def remaining(whole: Array, fraction: float, out: Array) -> None:
-    """Compute a fraction of a misalignment: that fraction of its offset, and of its rotation about the same axis.
+    """Compute a fraction of a misalignment.
+
+    The offset and the angle of the rotation are multiplied by the fraction. The axis of the rotation does not change.
 
     Args:
-        whole: (12,) pose of the body in the frame of its seated pose [m]; zero offset and no rotation when the body is
-            seated.
+        whole: (12,) the whole misalignment: pose of the body relative to its seated pose [m]. A seated body has zero
+            offset and no rotation.
         fraction: 1 for the whole misalignment, 0 for none.
         out: (12,) output: the remaining misalignment, as a pose.
     """

@@ -13,8 +13,8 @@ import msgspec
 from aftdeck.worksite.conditions import Condition, Units, all_hold, rejection_text
 from aftdeck.worksite.log_line import LogLine, rejection
 
-_THERE = 1e-9
-"""Remaining travel that is due to rounding and counts as zero [1]."""
+_NO_TRAVEL = 1e-9
+"""Greatest remaining travel that counts as zero, because it is due to rounding [1]."""
 
 
 class Latches(msgspec.Struct, frozen=True):
@@ -23,12 +23,14 @@ class Latches(msgspec.Struct, frozen=True):
     closed: float = 0.0
     """Position of the latches: 0 released, 1 latched."""
     drawn: float = 0.0
-    """Greatest value of `closed` since the latches began to close: the share by which the payload is drawn in."""
+    """Greatest value of `closed` since the latches began to close. It is the share of the payload's misalignment that
+    the latches have removed."""
     motion: Literal["", "latch", "unlatch"] = ""
+    """Motion in progress; empty if the latches do not move."""
 
     @property
     def hold(self) -> bool:
-        """Whether the latches hold the payload: from when they begin to close until they are released."""
+        """Whether the latches hold the payload: they do unless they are completely released."""
         return self.closed > 0.0
 
     @property
@@ -57,11 +59,11 @@ def advance(
     Args:
         latches: the state before the step.
         time: time from released to latched [s]; 30 s with two motors, 60 s with one [F].
-        command: command given in this step, or "". A motion continues to its end without further commands, unless the
-            opposite command is given.
+        command: command of this step; "" for none. A motion continues to its end without further commands, unless the
+            opposite command stops it.
         dt: the step's length [s].
-        conditions: conditions of latching, from `berthing.ready_to_latch`; empty if no payload is near. They matter
-            only for LATCH on released latches.
+        conditions: conditions of latching, from `berthing.ready_to_latch`; empty if no payload is near. They are used
+            only for the command LATCH while the latches are released.
         units: the operator's units, for the log lines.
     """
     lines: list[LogLine] = []
@@ -74,7 +76,7 @@ def advance(
     target = 1.0 if latches.motion == "latch" else 0.0
     remaining = target - latches.closed
     travel = dt / time
-    if abs(remaining) > travel + _THERE:
+    if abs(remaining) > travel + _NO_TRAVEL:
         closed = latches.closed + (travel if remaining > 0.0 else -travel)
         return Moved(_put(latches, closed), tuple(lines))
     if remaining:

@@ -1,9 +1,9 @@
-"""Sliding along walls: a commanded twist without the motion that would penetrate a wall.
+"""Sliding along walls: removal of the part of a commanded twist that would penetrate a wall.
 
-Remote Manipulator Simulation, final report, section VII.4: the payload is to slide up or down while it touches a side
-wall during extraction. The points of contact keep their velocity along the wall and lose the velocity into it. The
-rotation is kept as commanded if the tip's velocity can make room for it, and is left out otherwise. If neither is
-possible, the arm stops.
+Remote Manipulator Simulation, final report, section VII.4: during extraction, the payload has to slide up or down while
+it touches a side wall. The points of contact keep their velocity along the wall and lose the velocity into the wall.
+If a velocity of the tip exists with which the commanded rotation penetrates no wall, the rotation does not change. If
+no such velocity exists, the rotation is set to zero. If no velocity is possible without rotation, the arm stops.
 """
 
 from __future__ import annotations
@@ -20,20 +20,26 @@ from aftdeck.law import law
 
 POINT, OUTWARD, LEAST = 0, 3, 6
 """Indices in a contact's row: the point [m]; the wall's unit normal towards the sliding body [1]; the least speed of
-the point along the normal [m/s]. 0 keeps the point out of the wall, a negative speed lets it approach, a positive one
-moves it out."""
+the point along the normal [m/s]. A least speed of 0 keeps the point out of the wall. A negative least speed lets the
+point approach the wall. A positive least speed moves the point out of the wall."""
 TOUCH = 7
 """Length of a contact's row."""
 SLACK = 1e-9
-"""Rounding allowance below the least speed of a point [m/s]."""
+"""Amount by which a point may be slower than its least speed, to allow for rounding [m/s]."""
 _SAME = 1e-20
-"""Squared difference of two normals that count as equal [1]: it changes speeds by less than SLACK."""
+"""Greatest squared difference of two normals that count as equal [1]. It changes speeds by less than SLACK."""
 _PARALLEL = 1e-8
-"""Sine of the angle below which two walls, or a wall and the line common to two others, count as parallel [1]."""
+"""Sine of the greatest angle at which two walls, or a wall and the line common to two other walls, count as parallel
+[1]."""
 
 
 class Velocity(NamedTuple):
-    """The tip's velocity, and its difference from the demanded one, inf if no velocity is possible [m/s]."""
+    """A velocity of the tip, and its difference from the demanded velocity [m/s].
+
+    Attributes:
+        v: the velocity.
+        off: magnitude of the difference; inf if no velocity is possible.
+    """
 
     v: Vector
     off: float
@@ -41,7 +47,7 @@ class Velocity(NamedTuple):
 
 @law
 def slide(touches: Array, tip: Vector, demanded: Twist) -> Twist:
-    """Return the twist of the tip that is nearest to the demanded one and moves no touching point into its wall.
+    """Return a twist of the tip that is near to the demanded twist and moves no touching point into its wall.
 
     Args:
         touches: (k, 7) contacts, in L.
@@ -49,9 +55,9 @@ def slide(touches: Array, tip: Vector, demanded: Twist) -> Twist:
         demanded: demanded twist of the tip, in L.
 
     Returns:
-        The first of these that is possible: the demanded twist; its rotation with the nearest velocity that makes room
-        for the rotation; the nearest velocity without rotation; zero. The result is zero with walls on all sides, for
-        example, or if points that have to come out of a wall cannot.
+        The first possible one of these twists: the demanded twist; the demanded angular velocity with the nearest
+        possible velocity; zero angular velocity with the nearest possible velocity; zero. For example, the result is
+        zero if there are walls on all sides, or if a point cannot come out of a wall as fast as it has to.
     """
     walls, least = np.empty((len(touches), 3)), np.empty(len(touches))
     for share in (1.0, 0.0):
@@ -69,7 +75,10 @@ def slide(touches: Array, tip: Vector, demanded: Twist) -> Twist:
 
 @law
 def _add(walls: Array, least: Array, count: int, normal: Vector, speed: float) -> int:
-    """Add a wall that the tip has to leave at a least speed [m/s], or raise that of an equal wall; return the count."""
+    """Add a wall, with the least speed at which the tip has to leave it [m/s]; return the number of walls.
+
+    If an equal wall is already listed, only its least speed is raised.
+    """
     for i in range(count):
         d = minus(normal, vector_at(walls[i], 0))
         if dot(d, d) <= _SAME:
@@ -82,10 +91,10 @@ def _add(walls: Array, least: Array, count: int, normal: Vector, speed: float) -
 
 @law
 def _kept_off(walls: Array, least: Array, demanded: Vector) -> Velocity:
-    """Return the velocity nearest to the demanded one that leaves every wall at its least speed or faster.
+    """Return the velocity nearest to the demanded velocity that leaves every wall at least at the wall's least speed.
 
-    At the solution none, one, two or three walls are left at exactly their least speed. All these cases are tried, and
-    each candidate is checked against every wall.
+    At the solution, the tip leaves no wall, one, two or three walls at exactly their least speeds. The function tries
+    all these cases, and checks each candidate against every wall.
     """
     best = _judged(walls, least, Velocity(demanded, np.inf), demanded, demanded)
     if best.off == 0.0:
@@ -116,9 +125,9 @@ def _kept_off(walls: Array, least: Array, demanded: Vector) -> Velocity:
 
 @law
 def _judged(walls: Array, least: Array, best: Velocity, demanded: Vector, v: Vector) -> Velocity:
-    """Return the velocity v if it is nearer to the demanded one than `best` and leaves every wall fast enough.
+    """Return the better of two velocities: `v` if it is possible and nearer to the demanded velocity, else `best`.
 
-    Otherwise return `best`.
+    A velocity is possible if it leaves every wall fast enough.
     """
     d = minus(v, demanded)
     off = sqrt(dot(d, d))

@@ -1,4 +1,4 @@
-"""Touches: points where the held payload touches, or may soon touch, the walls along which it may slide."""
+"""Touches: points at which the held payload is, or may soon be, in contact with a wall along which it may slide."""
 
 from __future__ import annotations
 
@@ -30,24 +30,24 @@ def touching(
     out: float,
     touches: Array,
 ) -> int:
-    """Write the touches of the groups that count, and return their number.
+    """Write the touches of the groups that count, and return the number of touches.
 
-    The touches of a group are its closest point, and every vertex of the sliding part that is within reach of a face of
-    the wall. When a whole side touches a wall, its corners are touches, so that no rotation moves a corner into the
-    wall.
+    The touches of a group are its closest point on the sliding part, and every vertex of the sliding part that is
+    within reach of a face of the wall. When a whole side touches a wall, all its corners are therefore touches, and no
+    rotation can move a corner into the wall.
 
     Args:
-        frame: (n,), pairs (m, 2), begins (g + 1,): of the layout.
-        pairs: see frame.
-        begins: see frame.
+        frame: (n,) as `Layout.frame`.
+        pairs: (m, 2) as `Layout.pairs`.
+        begins: (g + 1,) as `Layout.begins`.
         counts: (g,) 1 for groups of a sliding part and a wall.
-        slides: index of the frame that slides.
+        slides: index of the frame of the sliding part.
         placed: (n, 52) the solids in L.
         found: (g, 15) the last measurements.
         reach: clearance up to which a wall is considered [m].
         period: time in which a clearance may be closed [s].
         out: greatest speed at which a point inside a wall comes out [m/s].
-        touches: (k, 7) output rows; there has to be space for nine of each pair.
+        touches: (k, 7) output rows; nine rows are needed for each pair of solids.
     """
     count = 0
     for g in range(len(counts)):
@@ -68,13 +68,17 @@ def touching(
 
 @law
 def _least(clearance: float, period: float, out: float) -> float:
-    """Return the least speed out of a wall: a clearance may close in one period, a depth opens at most at `out`."""
+    """Return the least speed of a point along the wall's normal [m/s].
+
+    A point at a positive clearance may reach the wall within one period. A point inside the wall has to come out within
+    one period, but at most at the speed `out`.
+    """
     return min(-clearance / period, out)
 
 
 @law
 def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: float, row: Array) -> int:
-    """Write the touch of vertex v of a body and return 1 if a wall's face is within reach of it; else return 0."""
+    """If vertex v of a body is within reach of a wall, write its touch and return 1; else return 0."""
     p = vertex(body, v)
     face, height = 0, -np.inf
     for f in range(SIDES):
@@ -90,13 +94,13 @@ def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: fl
 
 
 def touches(watch: ClearanceMonitor, counts: Mask, slides: str, reach: float, period: float, out: float) -> Array:
-    """Return the touches (k, 7) of a frame that slides along walls, with rows as in `sliding.projection`.
+    """Return the touches (k, 7) of a payload that slides along walls, with rows as in `sliding.projection`.
 
     Args:
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups of a sliding part and a wall.
-        slides: name of the frame that slides.
-        reach: clearance up to which a wall is considered [m]: the greatest distance that anything moves in a step.
+        slides: name of the payload's frame.
+        reach: clearance up to which a wall is considered [m]: the greatest distance that any point moves in a step.
         period: duration of a step [s].
         out: greatest speed at which a point inside a wall comes out [m/s].
     """

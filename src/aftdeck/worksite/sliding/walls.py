@@ -1,8 +1,9 @@
-"""Sliding along walls: the held payload keeps its velocity along the walls and loses the velocity into them.
+"""Sliding along walls: the held payload keeps its velocity along the walls and loses the velocity into the walls.
 
 Remote Manipulator Simulation, final report, section VII.4: the payload slides up or down while it touches a side wall.
-The law `sliding.projection.slide` assumes that a step is straight. This module corrects for the curvature of the step
-almost to rounding, so that a payload pressed against a wall stays in contact with it.
+The law `sliding.projection.slide` assumes that the motion of a step is straight. This module corrects for the curvature
+of the motion; the remaining error is almost as small as rounding errors. A payload that is pressed against a wall
+therefore stays in contact with the wall.
 """
 
 from __future__ import annotations
@@ -26,15 +27,15 @@ from aftdeck.worksite.watch.clearance_monitor import minimum_clearance_group
 from aftdeck.worksite.watch.found import CLEARANCE
 
 REACH_S = 2.0
-"""Number of steps within which a wall has to be reachable at the present speed to be considered [1]."""
+"""Walls that the payload can reach within this number of steps at the present speed are considered [1]."""
 LEAST_REACH = 1e-6
-"""Least distance within which walls are considered [m]."""
+"""Walls within this distance are considered at any speed [m]."""
 SIZE = 30.0
-"""Size of a payload [m]: no point of a payload is farther from the point of resolution."""
+"""Upper bound of the distance of a payload's points from the point of resolution [m]."""
 PASSES = 5
-"""Greatest number of passes; each reduces the error due to a step's curvature to a thousandth."""
+"""Greatest number of passes. Each pass reduces the error due to the curvature of a step to a thousandth."""
 EXACT = 2e-9
-"""Speed into a wall that is accepted [m/s]: 4e-11 m in a step of 0.02 s, which still counts as contact."""
+"""Greatest accepted speed into a wall [m/s]. In a step of 0.02 s it moves a point by 4e-11 m, which is a contact."""
 
 
 @law
@@ -61,7 +62,7 @@ def met(found: Array, counts: Mask, steering: Array, stand: float, period: float
 def slid(
     rules: Array, joints: Array, last: Array, height: float, turning: float, found: Array, steering: Array
 ) -> None:
-    """Replace the commanded rates by rates that slide along the walls, within the joints' limits.
+    """Replace the commanded joint rates by rates with which the payload slides along the walls, within the rate limits.
 
     Args:
         rules: parameters of the steering.
@@ -70,7 +71,7 @@ def slid(
         height: height of the telescope after the step [m].
         turning: share of the commanded rotation that is kept [1].
         found: (k, 7) touches of the held payload.
-        steering: state of the steering; rates and twist are changed if they would penetrate a wall.
+        steering: state of the steering; its rates and twist are changed if they would move the payload into a wall.
     """
     a = sines_of(rules, steering)
     x, y, z = place(rules, a)
@@ -105,10 +106,10 @@ def _correct_least_speeds(
     tip: Vector,
     least_speeds: Array,
 ) -> tuple[float, float]:
-    """Correct the least speeds in `least_speeds` (k, 7), touches as `found`, for the curvature of the step.
+    """Correct the least speeds in `least_speeds` (k, 7), a copy of the touches `found`, for the curvature of the step.
 
-    The displacement of a point in the step is that of the last joint's frame, from its pose now to its pose after the
-    step at these rates.
+    Each point moves with the last joint's frame, from the frame's present pose to its pose after the step at the
+    commanded rates.
 
     Returns:
         The greatest amount by which a point falls short of its least speed, and the greatest change of a speed in

@@ -1,1 +1,1 @@
-"""The dynamic collision program: clearances, contacts, and the effect of a motion on them."""
+"""The dynamic collision program: clearances, contacts, and the effect of a motion on the contacts."""

@@ -9,7 +9,8 @@ Level = Literal["info", "caution", "warning"]
 CLEAR: Level = "info"
 """Level of a clearance that needs no alarm."""
 HYSTERESIS = 0.03
-"""Share of a threshold by which the clearance has to exceed it before its level ends [1]; no lamp flickers. Assumed."""
+"""Share of a threshold by which the clearance has to exceed the threshold before the alarm level ends [1] (assumed).
+Without this share, a lamp could flicker."""
 
 
 def level_of(clearance: float, caution: float, warning: float, before: Level = CLEAR) -> Level:
@@ -19,7 +20,7 @@ def level_of(clearance: float, caution: float, warning: float, before: Level = C
         clearance: negative if the two parts overlap [m].
         caution: below this threshold the level is caution [m].
         warning: below this threshold the level is warning [m].
-        before: the level until now.
+        before: the level in the step before.
     """
     if clearance < (warning * (1.0 + HYSTERESIS) if before == "warning" else warning):
         return "warning"

@@ -1,12 +1,13 @@
-"""The dynamic collision program: clearance of every group (monitored pair of parts), measured in every step.
+"""The dynamic collision program: it measures the clearance of every group (monitored pair of parts) in every step.
 
-Remote Manipulator Simulation, final report, chapter IV. The report's program examined three hexahedra and one body in
-each frame; here all parts that can touch are examined. For each group, the last measurement and the motion of its two
-frames since then give a lower bound of its clearance. A group is measured again only when its bound is small enough to
-matter.
+Source: Remote Manipulator Simulation, final report, chapter IV. In each step, the report's program examined three
+hexahedra and one body; this program examines all parts that can touch. For each group, the last measurement and the
+later motion of the two parts' frames give a lower bound of the clearance. A group is measured again only if its bound
+is too small to exclude the group.
 
-Remembered data of a pair only serve to exclude the pair. The least clearance is always measured without such data, and
-the first of equal pairs is used. The result therefore equals that of a monitor without memory, to the last digit.
+The remembered data of a pair of solids only serve to exclude the pair. The least clearance is always measured without
+such data. Of several pairs with the same clearance, the first is used. The result therefore equals that of a monitor
+without memory, to the last digit.
 """
 
 from __future__ import annotations
@@ -44,11 +45,11 @@ from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, SOLID, Layout, P
 from aftdeck.worksite.watch.motion import motion, velocity
 
 _SLACK = 1e-9
-"""Margin by which a group's bound is lowered [m]: more than the rounding errors."""
+"""Margin by which a group's bound is lowered [m]; it is more than the rounding errors."""
 
 
 class Measured(NamedTuple):
-    """Arrays of a `ClearanceMonitor` that the laws update, under the same names."""
+    """Arrays of a `ClearanceMonitor` that the laws update; they have the names of the monitor's attributes."""
 
     at: Array
     placed: Array
@@ -60,7 +61,7 @@ class Measured(NamedTuple):
 
 @law
 def place_moved(layout: PackedLayout, frames: Array, at: Array, placed: Array) -> None:
-    """Place the solids whose frame has moved.
+    """Compute the positions in L of the solids whose frame has moved.
 
     Args:
         layout: the solids, in their own frames.
@@ -85,23 +86,23 @@ def place_moved(layout: PackedLayout, frames: Array, at: Array, placed: Array) -
 
 
 @law
-def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
-    """Compute for each frame the greatest possible displacement of a point of its solids since the frame was placed.
+def travelled(frames: Array, at: Array, reach: Array, travel: Array) -> None:
+    """Compute for each frame an upper bound of the displacement of its solids' points since the solids were placed.
 
     Args:
         frames: (F, 12) present poses of the frames, in L.
-        at: (F, 12) poses of the frames when they were placed, in L; NaN if never placed.
+        at: (F, 12) poses of the frames at which the solids were placed, in L; NaN if they were never placed.
         reach: (F,) greatest distance of a frame's solids from its origin [m].
-        ways: (F,) output: upper bounds of the displacements [m]; NaN for a frame that was never placed.
+        travel: (F,) output: upper bounds of the displacements [m]; NaN for a frame whose solids were never placed.
     """
     for f in range(len(frames)):
-        origin, turn = 0.0, 0.0
+        origin, rotation = 0.0, 0.0
         for k in range(3):
             origin += (frames[f, k] - at[f, k]) ** 2
         for k in range(3, POSE):
-            turn += (frames[f, k] - at[f, k]) ** 2
+            rotation += (frames[f, k] - at[f, k]) ** 2
         # the spectral norm of a difference of two rotations is its Frobenius norm divided by the square root of 2
-        ways[f] = sqrt(origin) + sqrt(0.5 * turn) * reach[f]
+        travel[f] = sqrt(origin) + sqrt(0.5 * rotation) * reach[f]
 
 
 @law
@@ -119,12 +120,12 @@ def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
 
 @law
 def nearest_pair(layout: PackedLayout, own: Measured, g: int, limit: float, measures: Array) -> int:
-    """Return the pair of solids of a group that has the least clearance; of equal pairs, the first.
+    """Return the pair of solids of a group that has the least clearance; of pairs with equal clearance, the first.
 
     Args:
         layout: the layout.
-        own: arrays of the monitor. The solids are at `placed`, the search begins with the pair in `likely`, and
-            `memory` is updated; neither `likely` nor `memory` affects the result.
+        own: arrays of the monitor. The positions of the solids are in `placed`. The search begins with the pair in
+            `likely`, and `memory` is updated; neither `likely` nor `memory` affects the result.
         g: the group.
         limit: pairs that are not nearer than this are ignored [m].
         measures: (17,) output: packed measurements of the pair.
@@ -135,18 +136,18 @@ def nearest_pair(layout: PackedLayout, own: Measured, g: int, limit: float, meas
     placed, pairs, memory = own.placed, layout.pairs, own.memory
     begin, end, first = layout.begins[g], layout.begins[g + 1], own.likely[g]
     best, least, found = -1, limit, np.empty(packed.PAIR)
-    for turn in range(begin - 1, end):
-        k = first if turn < begin else turn
-        if turn == first:
+    for visit in range(begin - 1, end):
+        k = first if visit < begin else visit
+        if visit == first:
             continue
         a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
-        # remembered data only show that a pair is not the nearest
+        # remembered data are used only to show that a pair is not the nearest
         beyond = least + _SLACK
-        if turn >= begin and (not_nearer(a, b, memory[k], beyond) or measure(a, b, memory[k]) > beyond):
+        if visit >= begin and (not_nearer(a, b, memory[k], beyond) or measure(a, b, memory[k]) > beyond):
             continue
         found[:] = 0.0
         clearance = measure(a, b, found)
-        if turn < begin:
+        if visit < begin:
             memory[k] = found
         if clearance < least or (clearance == least and k < best):
             best, least = k, clearance
@@ -175,7 +176,7 @@ def watch(
     memory: Array,
     found: Array,
 ) -> None:
-    """Run `measure_groups`; the arrays of its two tuples are separate arguments, which Python passes faster."""
+    """Run `measure_groups`. The arrays of its two tuples are separate arguments here: Python passes these faster."""
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     own = Measured(at, placed, bound, likely, memory, found)
     measure_groups(layout, own, active, counts, before, now, period, within)
@@ -192,21 +193,21 @@ def measure_groups(
     period: float,
     within: float,
 ) -> None:
-    """Measure the active groups that are nearer than `within`, and in any case the nearest of those that count.
+    """Measure the active groups that are nearer than `within`, and always the nearest of the active groups that count.
 
     Args:
         layout: the layout.
         own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
-        counts: (g,) 1 for groups among which the nearest is measured in any case.
-        before: (F, 12) the frames a step ago, in L.
-        now: (F, 12) the present frames, in L.
-        period: time between the two [s].
+        counts: (g,) 1 for groups that count: the nearest of them is measured even if it is not nearer than `within`.
+        before: (F, 12) poses of the frames one step before, in L.
+        now: (F, 12) present poses of the frames, in L.
+        period: time between `before` and `now` [s].
         within: clearance up to which groups are measured [m]; inf for all groups.
     """
     bound, found, between = own.bound, own.found, layout.between_frames
-    ways, motions = np.empty(len(now)), np.empty((len(now), 6))
-    travelled(now, own.at, layout.reach, ways)
+    travel, motions = np.empty(len(now)), np.empty((len(now), 6))
+    travelled(now, own.at, layout.reach, travel)
     place_moved(layout, now, own.at, own.placed)
     for f in range(len(now)):
         m = motion(before[f], now[f], period)
@@ -215,7 +216,7 @@ def measure_groups(
     measures = np.empty(packed.PAIR)
     least, nearest, lowest = np.inf, -1, np.inf
     for g in range(len(active)):
-        bound[g] -= ways[between[g, 0]] + ways[between[g, 1]]
+        bound[g] -= travel[between[g, 0]] + travel[between[g, 1]]
         near = active[g] != 0 and not bound[g] >= within
         if near:
             near = _measure_group(layout, own, g, measures) < within
@@ -229,7 +230,7 @@ def measure_groups(
                 nearest, lowest = g, bound[g]
     if least < np.inf or nearest < 0:
         return
-    # use the first of equal groups, so that the result does not depend on the group at which the search begins
+    # of groups with equal clearance use the first: the result then does not depend on where the search begins
     best = nearest
     least = _measure_group(layout, own, best, measures)
     other = np.empty(packed.PAIR)
@@ -244,9 +245,10 @@ def measure_groups(
 
 @law
 def _measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array) -> float:
-    """Return the clearance of group g [m], write its nearest pair into `measures` (17,), update `bound` and `likely`.
+    """Return the clearance of group g [m]; write the measurements of its nearest pair into `measures` (17,).
 
-    The bound is slightly lower than the clearance, so that rounding cannot make the group nearer than its bound.
+    Also update `bound` and `likely`. The bound is slightly lower than the clearance. Rounding errors therefore cannot
+    make the clearance less than the bound.
     """
     own.likely[g] = nearest_pair(layout, own, g, np.inf, measures)
     clearance: float = measures[packed.CLEARANCE]
@@ -281,7 +283,10 @@ def copy_pair(pair: Array, row: Array) -> None:
 
 @law
 def way_apart(a: Array, b: Array, row: Array) -> None:
-    """Write into a group's row the plane of two solids in contact, normal to the shortest move that separates them."""
+    """Write a plane for two solids in contact into a group's row.
+
+    The plane is perpendicular to the shortest move that separates the solids, halfway between their closest points.
+    """
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
     heights(b, a, above_a)
@@ -292,7 +297,7 @@ def way_apart(a: Array, b: Array, row: Array) -> None:
 
 @law
 def minimum_clearance_group(found: Array, counts: Mask) -> int:
-    """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none of them was measured."""
+    """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none of these was measured."""
     best, least = -1, np.inf
     for g in range(len(found)):
         if counts[g] != 0 and found[g, CLEARANCE] < least:
@@ -301,20 +306,20 @@ def minimum_clearance_group(found: Array, counts: Mask) -> int:
 
 
 class ClearanceMonitor(Cache):
-    """Clearance monitor: measures the groups of a layout, and keeps data that make the next measurement faster.
+    """Clearance monitor: measures the groups of a layout, and remembers data that make the next measurement faster.
 
-    The measurements depend only on the positions of the frames, not on the kept data.
+    The measurements depend only on the poses of the frames, not on the remembered data.
 
     Attributes:
         layout: the solids and the groups.
         active: (g,) 1 for groups that are measured; the caller sets it.
-        counts: (g,) 1 for groups of which the next measurement finds the nearest; the caller sets it.
+        counts: (g,) 1 for groups that count: the next measurement finds the nearest of them; the caller sets it.
         found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
         likely: (g,) nearest pair of each group at its last measurement.
         memory: (m, 17) remembered data of each pair of solids.
-        at: (F, 12) the frames at the last measurement, in L.
-        placed: (n, 52) the solids at these frames, in L.
-        bound: (g,) lower bound of each group's clearance at these frames [m].
+        at: (F, 12) poses of the frames at the last measurement, in L.
+        placed: (n, 52) the solids at these poses, in L.
+        bound: (g,) lower bound of each group's clearance at these poses [m].
         packed: the arrays that the laws update.
     """
 
@@ -333,32 +338,32 @@ class ClearanceMonitor(Cache):
         self.forget()
 
     def forget(self) -> None:
-        """Discard the remembered data; the result of the next measurement is the same as without this call."""
+        """Discard the remembered data. This does not change the result of the next measurement."""
         self.likely[:] = self.layout.begins[:-1]
         self.memory[:] = 0.0
         self.bound[:] = -np.inf
         self.at[:] = np.nan
 
     def update(self, before: Array, now: Array, period: float) -> None:
-        """Measure all active groups and write the results into `found`; the clearances of the others become inf.
+        """Measure all active groups and write the results into `found`; there, other groups get the clearance inf.
 
         Args:
-            before: (F, 12) the frames a step ago, in L; equal to `now` if there was no step before.
-            now: (F, 12) the present frames, in L.
-            period: time between the two [s].
+            before: (F, 12) poses of the frames one step before, in L; equal to `now` if there was no step before.
+            now: (F, 12) present poses of the frames, in L.
+            period: time between `before` and `now` [s].
         """
         self.look_near(before, now, period, self.active, np.inf)
 
     def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
-        """Measure the active groups that are nearer than `within`; the clearances of the others become inf in `found`.
+        """Measure the active groups that are nearer than `within` [m]; in `found`, other groups get the clearance inf.
 
-        The nearest group with a 1 in `counts` (g,) is measured even if it is not that near. The other arguments
-        are those of `update`.
+        The nearest active group with a 1 in `counts` (g,) is measured even if it is not nearer than `within`. The other
+        arguments are those of `update`.
         """
         watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
 
     def nearest(self, counts: Mask) -> int:
-        """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none was measured."""
+        """Return the group of least clearance among groups with a 1 in `counts` (g,); -1 if none was measured."""
         return minimum_clearance_group(self.found, counts)
 
     def copied(self) -> Self:

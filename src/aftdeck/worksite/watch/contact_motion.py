@@ -1,16 +1,19 @@
 """ARM INHIBIT and FINGER INHIBIT: motions that an inhibited arm or prong may still make, and escape directions.
 
-The report's inhibit stops all motion until the collision is relieved, but does not say how it can be relieved. Here
-each step of an inhibited arm is predicted before the arm makes it. A step *relieves* if both of these conditions hold:
+In the report, an inhibit stops all motion until the collision is relieved. The report does not say how a collision is
+relieved. Here each step of an inhibited arm is predicted before the arm makes it. A step *relieves* the contacts if
+these conditions hold:
 
-- No contact is made, and no contact, not even an essential one, deepens by more than `BESIDES` of the clearance gained.
-- The sum of the clearances of all solids in a detrimental contact rises by at least `RELIEF` times the distance that a
-  touching point of one solid moves along the other body.
+- The step makes no new contact.
+- The step deepens no contact, essential or detrimental, by more than `BESIDES` times the clearance that it gains. The
+  clearance gained is the increase of the sum of the clearances of all pairs of solids in detrimental contact.
+- The clearance gained is at least `RELIEF` times the distance that a touching point of one solid moves along the other.
 
-An arm at depth `d` in one contact therefore slides at most `d / RELIEF` along it before it is free. Two walls, or a
-body of several solids, may leave no such step. Therefore a step is also allowed if it deepens no contact (by more than
-`ASIDE` of its sliding) and leads out when it is continued (`leads_out`). The arm then slides at most `d / ESCAPE`.
-Only payloads that the task permits to slide may slide without relief (`worksite.sliding`).
+An arm at depth `d` in one contact therefore slides at most `d / RELIEF` along the other body before it is free. Between
+two walls, or at a body of several solids, there may be no step that relieves. Therefore a step is also allowed if it
+deepens no contact by more than `ASIDE` times the distance that it slides, and if its continuation leads out of the
+contacts (`leads_out`). The arm then slides at most `d / ESCAPE`. Only payloads that the task permits to slide may slide
+without relief (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -24,26 +27,28 @@ from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_trial import DEEPEST, GAINED, LESSENED, MADE, SLID, STEP, WORST, trials_of
 
 DEEPER = 1e-12
-"""Fall of a clearance in a step that counts as no change [m]: the accuracy of clearances."""
+"""Greatest decrease of a clearance in a step that counts as no change [m]: the accuracy of clearances."""
 BESIDES = 1e-3
-"""Share of the clearance gained by a step that another contact may lose [1]; assumed.
+"""Greatest clearance that another contact may lose in a step, as a share of the clearance that the step gains [1]
+(assumed).
 
-A step of the joints is curved. Without this share, an arm could leave one of two walls along the other only at
-micrometres a step.
+The motion of a step is curved. Without this share, an arm that touches two walls could move away from one of them,
+along the other, by only micrometres per step.
 """
 RELIEF = 0.5
-"""Clearance that a step has to gain for each metre that a touching point slides [1]; assumed.
+"""Clearance that a step has to gain for each metre that a touching point slides [1] (assumed).
 
-A straight motion within 63 degrees of the escape direction passes. One of three perpendicular axes always passes: it is
-within 55 degrees.
+A straight motion meets this condition if its direction is within 63 degrees of the escape direction. One of three
+perpendicular axes always meets it: that axis is within 55 degrees of the escape direction.
 """
 LEAST_RELIEF = 1e-9
-"""Least clearance that a step has to gain [m]: more than rounding gives, and less than the first step from rest at a
-hundredth of vernier."""
+"""Least clearance that a step has to gain [m]. Rounding errors are less; the first step from rest at a hundredth of the
+vernier rate gains more."""
 ESCAPE = 0.25
-"""Decrease of depth that a motion that leads out needs for each metre that a touching point slides [1]; assumed."""
+"""Least decrease of depth for each metre that a touching point slides, for a motion that leads out [1] (assumed)."""
 ASIDE = 0.05
-"""Depth that a step that leads out may add to a contact for each metre of sliding [1]: a normal a few degrees off."""
+"""Greatest depth that a step that leads out may add to a contact for each metre that a touching point slides [1]. It
+allows for a contact normal that is wrong by a few degrees."""
 
 
 def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> bool:
@@ -51,27 +56,28 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for the groups that move with the arm, except those that slide.
-        harmful: (g,) 1 for the groups among them that are detrimental.
-        after: (F, 12) the frames after the motion, in L; frames that do not move with the arm are unchanged.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
+        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        after: (F, 12) poses of the frames after the motion, in L; only frames that move with the arm change.
     """
     return bool(_relief(trials_of(watch, counts, harmful, after[None]))[0] > 0.0)
 
 
 def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array, ahead: Sequence[Array]) -> Array:
-    """Return by how much each of several motions, continued for many steps, decreases the penetration of the parts.
+    """Return for each of several motions by how much it decreases the penetration if it is continued for many steps.
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for the groups that move with the arm, except those that slide.
-        harmful: (g,) 1 for the groups among them that are detrimental.
-        afters: (k, F, 12) the frames after one step of each motion, in L.
-        ahead: arrays like `afters`, each after another number of steps.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
+        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        afters: (k, F, 12) poses of the frames after one step of each motion, in L.
+        ahead: arrays like `afters`, each for another number of steps.
 
     Returns:
-        (k,) greatest fall of the sum of all depths over these numbers of steps [m]. A number of steps does not count if
-        that fall is not above `ESCAPE` times the slide of a touching point. The result is 0 if no number counts, or if
-        the first step makes a contact, or deepens one by more than `ASIDE` times its slide.
+        (k,) decrease of the sum of all depths [m]: the greatest one over the arrays in `ahead`. An array counts only if
+        the decrease is more than `ESCAPE` times the distance that a touching point slides. The result is 0 if no array
+        counts. It is also 0 if the first step makes a contact, or deepens a contact by more than `ASIDE` times the
+        distance that a touching point slides.
     """
     first = trials_of(watch, counts, harmful, afters)
     may = (first[:, WORST] >= -ASIDE * first[:, SLID] - DEEPER) & (first[:, MADE] == 0.0)
@@ -85,40 +91,50 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
 
 
 def worst_new_contact(watch: ClearanceMonitor, counts: Mask, after: Array) -> int:
-    """Return the group of the contact that a step deepens most or makes; -1 if none. Arguments as of `relieves`."""
+    """Return the group of the contact that a step makes or deepens most; -1 if it does neither.
+
+    The arguments are those of `relieves`.
+    """
     worst, which = trials_of(watch, counts, counts, after[None])[0, :GAINED].tolist()
     return int(which) if worst < -DEEPER else -1
 
 
 def deeper(watch: ClearanceMonitor, counts: Mask, after: Array) -> float:
-    """Return the greatest increase of a depth in a step [m]; 0 or less if there is none. Arguments as of `relieves`."""
+    """Return the greatest increase of a depth in a step [m]; 0 or less if no depth increases.
+
+    The arguments are those of `relieves`.
+    """
     return float(trials_of(watch, counts, counts, after[None])[0, DEEPEST])
 
 
 def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
-    """Return a copy of a monitor, updated for other frames (F, 12) and measured to the range of one step, `STEP`."""
+    """Return a copy of a monitor, with the clearances below `STEP` measured for other poses (F, 12) of the frames."""
     copy = watch.copied()
     copy.look_near(frames, frames, 1.0, np.zeros_like(watch.active), STEP)
     return copy
 
 
 def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return how much clearance a step of each of several motions gains in the present contacts.
+    """Return for each of several motions how much clearance one step gains in the present contacts.
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for the groups that move with the arm, except those that slide.
-        harmful: (g,) 1 for the groups among them that are detrimental.
-        afters: (k, F, 12) the frames after one step of each motion, in L.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
+        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        afters: (k, F, 12) poses of the frames after one step of each motion, in L.
 
     Returns:
-        (k,) rise of the sum of the clearances of all detrimental contacts, if the step relieves; else 0 or less [m].
+        (k,) increase of the sum of the clearances of all pairs of solids in detrimental contact [m], if the step
+        relieves; 0 or less if it does not relieve.
     """
     return _relief(trials_of(watch, counts, harmful, afters))
 
 
 def _relief(trials: Array) -> Array:
-    """Return the clearance that each trial (k, 7) gains if it relieves; else 0 or the worst (negative) change [m]."""
+    """Return (k,) the clearance that each predicted step, a row of `trials` (k, 7), gains if it relieves [m].
+
+    For a step that does not relieve, return 0, or the worst change of a clearance, which is negative.
+    """
     worst, gained = trials[:, WORST], trials[:, GAINED]
     slides = gained < np.maximum(RELIEF * trials[:, SLID], LEAST_RELIEF)
     besides = np.zeros_like(gained)

@@ -32,7 +32,7 @@ from aftdeck.worksite.watch.found import CLEARANCE, FOUND, NORMAL, POINT_A, POIN
 from aftdeck.worksite.watch.groups import PackedLayout
 
 STEP = 1.0
-"""Distance beyond which two solids cannot come into contact within a step [m]."""
+"""Distance beyond which two solids cannot come into contact within one step [m]."""
 WORST, GROUP, GAINED, SLID, DEEPEST, LESSENED, MADE = range(7)
 """Indices of the fields of `PredictedContacts` in a row."""
 
@@ -41,12 +41,13 @@ class PredictedContacts(NamedTuple):
     """Effect of a motion on the contacts.
 
     Attributes:
-        worst: least change of the clearance of a contact, present or new: negative for a fall, 0 or more if none falls,
-            inf without a contact [m].
-        which: the group of that contact; -1 if there is none.
-        gained: sum of the changes in clearance of all solids in harmful contacts; inf without such a contact [m].
-        slid: greatest distance that a touching point of such a contact moves along the other body [m].
-        deeper: greatest increase of the penetration depth of two parts; negative or 0 if no depth increases [m].
+        worst: least change of the clearance of a present or new contact [m]. It is negative if a clearance decreases,
+            0 or more if none decreases, and inf if there is no contact.
+        which: the group of that contact; -1 if there is no contact.
+        gained: sum of the changes in clearance of all pairs of solids in harmful contacts [m]; inf if there is no
+            harmful contact.
+        slid: greatest distance that a touching point of a harmful contact moves along the other body [m].
+        deeper: greatest increase of the penetration depth of two parts [m]; negative or 0 if no depth increases.
         lessened: decrease of the sum of the depths of all contacts [m].
         made: True if the motion makes a new contact.
     """
@@ -68,21 +69,21 @@ def predict_contacts(
 
     Args:
         layout: the layout.
-        own: arrays of the monitor before the motion. Its `at` and `placed` are copies and become those after the
-            motion; its `memory` is updated, which does not affect the result.
+        own: arrays of the monitor before the motion. `at` and `placed` have to be copies, because they are changed to
+            the values after the motion. `memory` is updated, which does not affect the result.
         counts: (g,) 1 for groups whose contacts count; they have to be active.
-        harmful: (g,) 1 for the groups among them whose relief counts.
-        after: (F, 12) the frames after the motion, in L.
+        harmful: (g,) 1 for those of these groups whose contact is harmful: the motion has to relieve it.
+        after: (F, 12) poses of the frames after the motion, in L.
     """
     found, begins, between = own.found, layout.begins, layout.between_frames
-    ways, was, measures = np.empty(len(after)), np.full(len(own.memory), np.inf), np.empty(packed.PAIR)
+    travel, was, measures = np.empty(len(after)), np.full(len(own.memory), np.inf), np.empty(packed.PAIR)
     slid, touching = 0.0, False
     for g in range(len(counts)):
         if counts[g] != 0 and harmful[g] != 0 and found[g, CLEARANCE] <= CONTACT:
             touching = True
             for k in range(begins[g], begins[g + 1]):
                 slid = max(slid, _slid(layout, own, after, k, was))
-    travelled(after, own.at, layout.reach, ways)
+    travelled(after, own.at, layout.reach, travel)
     place_moved(layout, after, own.at, own.placed)
     worst, which, gained, deeper, lessened, made = np.inf, -1, 0.0, -np.inf, 0.0, False
     for g in range(len(counts)):
@@ -91,11 +92,11 @@ def predict_contacts(
         before, limit = found[g, CLEARANCE], np.inf
         if before > CONTACT:
             limit = 2.0 * CONTACT
-            if own.bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
+            if own.bound[g] - travel[between[g, 0]] - travel[between[g, 1]] >= limit:
                 continue
         elif harmful[g] != 0:
-            won = _won(own.placed, layout.pairs, begins[g], begins[g + 1], was)
-            gained, lessened = gained + won[0], lessened + won[1]
+            changes = _summed_changes(own.placed, layout.pairs, begins[g], begins[g + 1], was)
+            gained, lessened = gained + changes[0], lessened + changes[1]
         if nearest_pair(layout, own, g, limit, measures) < 0:
             continue
         clearance = measures[packed.CLEARANCE]
@@ -109,8 +110,11 @@ def predict_contacts(
 
 
 @law
-def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tuple[float, float]:
-    """Return the sums of the changes in clearance, and of the decreases in depth, of a group's touching solids [m]."""
+def _summed_changes(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tuple[float, float]:
+    """Return two sums over a group's pairs of solids: changes in clearance, and decreases in depth [m].
+
+    `was` contains the clearance of each pair before the motion; pairs with inf are left out.
+    """
     gained, lessened, own = 0.0, 0.0, np.empty(packed.PAIR)
     for k in range(begin, end):
         if was[k] == np.inf:
@@ -124,10 +128,10 @@ def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tup
 
 @law
 def _slid(layout: PackedLayout, own: Measured, after: Array, k: int, was: Array) -> float:
-    """Return the distance that the touching points of pair k slide, perpendicular to the separating move [m].
+    """Return the distance that the touching points of pair k slide along each other [m]; 0 if the pair does not touch.
 
-    Also write the present clearance of the pair into was[k]; was[k] stays inf if the solids are farther apart than
-    `STEP`.
+    The distance is perpendicular to the shortest move that separates the solids. Also write the present clearance of
+    the pair into was[k]; was[k] remains inf if the solids are farther apart than `STEP`.
     """
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     a, b = own.placed[i], own.placed[j]
@@ -178,9 +182,9 @@ def tried_many(
     found: Array,
     trials: Array,
 ) -> None:
-    """Write the prediction for each of several motions, afters (k, F, 12), into trials (k, 7).
+    """Write the prediction for each of several motions, `afters` (k, F, 12), into `trials` (k, 7).
 
-    The arrays of the layout and of the monitor are separate arguments, which Python passes faster.
+    The arrays of the layout and of the monitor are separate arguments here: Python passes these faster.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     for k in range(len(afters)):
@@ -192,7 +196,10 @@ def tried_many(
 
 
 def trials_of(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return the `PredictedContacts`, as rows (k, 7), of several motions, afters (k, F, 12); see `predict_contacts`."""
+    """Return rows (k, 7), each with the fields of `PredictedContacts` for one of several motions, `afters` (k, F, 12).
+
+    For the other arguments see `predict_contacts`.
+    """
     own, trials = watch.layout, np.empty((len(afters), len(PredictedContacts._fields)))
     tried_many(
         *own.packed,

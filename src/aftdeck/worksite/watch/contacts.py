@@ -1,12 +1,13 @@
 """Contacts, detrimental and essential, and the two-frame rule: which motions a collision inhibits.
 
-Source: *Remote Manipulator Simulation*, final report, chapter IV.B, subroutine COLLIDE. A detrimental collision raises
-its flag in the first frame. If it is found in the second successive frame as well, it inhibits motion until it is
-relieved. In mode 1 any collision of the effector, the prong (HEX 3) included, inhibits the arm; a collision of the
-prong inhibits the finger as well. In the later modes every collision inhibits both. Frames are control steps here.
+Source: *Remote Manipulator Simulation*, final report, chapter IV.B, subroutine COLLIDE. A frame of the report is a
+control step here. A detrimental collision raises its flag in the first frame. If it is also found in the next frame, it
+inhibits motion until it is relieved. In mode 1 any collision of the end effector, including the prong (HEX 3), inhibits
+the arm; a collision of the prong also inhibits the finger. In the later modes every collision inhibits both the arm and
+the finger.
 
-Essential contacts inhibit nothing. A contact of two parts is essential only where their relation permits it
-(`simulation.relations`), or where the payload that the arm holds slides along a wall (`worksite.sliding`).
+Essential contacts inhibit nothing. A contact of two parts is essential only while the conditions for these parts hold
+(`simulation.payloads.relations`), or while the payload that the arm holds slides along a wall (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -25,11 +26,11 @@ from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import Layout
 
 ACQUISITION = 1
-"""The report's mode in which the prong moves by itself."""
+"""Number of the report's mode in which the inhibits of the arm and of the finger differ."""
 FRAMES = 2
-"""Number of successive frames in which a collision is found before it inhibits motion."""
-_TOLD = 5e-4
-"""Depth below which the text of a contact gives no number [m]."""
+"""Number of successive steps in which a collision has to be found before it inhibits motion."""
+_LEAST_DEPTH = 5e-4
+"""Depth below which the text of a contact gives no depth [m]."""
 
 
 class Inhibit(NamedTuple):
@@ -38,7 +39,7 @@ class Inhibit(NamedTuple):
     Attributes:
         arm: the arm's motion is inhibited.
         finger: the prong's motion is inhibited.
-        changed: a contact, of either kind, began, ended or began to inhibit in this step.
+        changed: in this step a contact, essential or detrimental, began, ended, or reached its second step.
     """
 
     arm: bool
@@ -64,7 +65,7 @@ def count_frames(found: Array, count: Mask) -> Counted:
 
     Args:
         found: (g, 15) measurements of this step, rows as in `worksite.watch.found`.
-        count: (g,) updated; at most 2.
+        count: (g,) the number for each group, at most 2; updated.
     """
     touching, changed = False, False
     for g in range(len(count)):
@@ -81,8 +82,9 @@ def two_frames(count: Mask, essential: Mask, arm: Mask, prong: Mask, mode: int) 
 
     Args:
         count: (g,) number of successive steps in which each group was in contact.
-        essential: (g,) 1 for groups whose contact belongs to the task: they never inhibit.
-        arm: (g,) 1 for groups with a part that moves with the arm; the arm cannot relieve other contacts.
+        essential: (g,) 1 for groups whose contact belongs to the task; such a contact never inhibits.
+        arm: (g,) 1 for groups with a part that moves with the arm. Only these inhibit: the arm cannot relieve contacts
+            of other groups.
         prong: (g,) 1 for groups of the prong.
         mode: the report's mode, 1 to 4.
     """
@@ -103,7 +105,8 @@ class Contact(msgspec.Struct, frozen=True):
         b: the second part.
         depth: penetration depth, 0 if the parts merely touch [m].
         essential: the contact belongs to the task and never inhibits.
-        inhibits: the contact is detrimental, of the arm, and found in two successive frames.
+        inhibits: the contact is detrimental, one of its parts moves with the arm, and it was found in two successive
+            steps.
         text: sentence for the operator.
     """
 
@@ -117,13 +120,13 @@ class Contact(msgspec.Struct, frozen=True):
 
 
 class Contacts(StatePart):
-    """Contact state of all groups, updated in every frame.
+    """Contact state of all groups, updated in every step.
 
     Attributes:
         essential: (g,) 1 for groups whose contact belongs to the task; the caller sets it.
-        arm: (g,) 1 for groups with a part that moves with the arm, a held payload included; the caller sets it.
-        count: (g,) number of successive frames in which each group has been in contact, at most 2.
-        inhibit: flags set by the contacts of the last frame.
+        arm: (g,) 1 for groups with a part that moves with the arm, such as a held payload; the caller sets it.
+        count: (g,) number of successive steps in which each group has been in contact, at most 2.
+        inhibit: flags that the contacts of the last step set.
     """
 
     essential: Mask
@@ -132,7 +135,7 @@ class Contacts(StatePart):
     inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
 
     def update(self, found: Array, prong: Mask, mode: int) -> Inhibit:
-        """Count the contacts of one more step, from `ClearanceMonitor.found` (g, 15), and return `judge` of them."""
+        """Count the contacts of one more step, from `ClearanceMonitor.found` (g, 15), and return the flags."""
         counted = count_frames(found, self.count)
         return self.judge(counted.touching, counted.changed, prong, mode)
 
@@ -152,7 +155,7 @@ class Contacts(StatePart):
         return self.inhibit
 
     def standing(self, layout: Layout, found: Array, units: Units) -> tuple[Contact, ...]:
-        """Return all contacts of the last frame, deepest first, with texts in the operator's units."""
+        """Return all contacts of the last step, deepest first, with texts in the operator's units."""
         groups = np.flatnonzero(self.count)
         return tuple(
             self._contact(int(g), layout, found, units)
@@ -176,5 +179,5 @@ def contact_text(a: str, b: str, depth: float, essential: bool, units: Units) ->
         >>> contact_text("prong", "receptacle", 0.0, True, "SI")
         'prong touches receptacle, as it is made to'
     """
-    deep = f": {quantity_text(depth, 'm', units)} deep" if depth >= _TOLD else ""
+    deep = f": {quantity_text(depth, 'm', units)} deep" if depth >= _LEAST_DEPTH else ""
     return f"{a} touches {b}{', as it is made to' if essential else ''}{deep}"

@@ -1,13 +1,13 @@
-"""Measurements of one group (a monitored pair of parts) in a step: indices of a row of numbers, in L."""
+"""Measurements of one group (a monitored pair of parts) in a step: indices into the group's row. Vectors are in L."""
 
 from __future__ import annotations
 
 CLEARANCE = 0
 """Least clearance of the group's solids, negative if they overlap [m]; inf if the group was not measured."""
 SPEED = 1
-"""Closing speed of that clearance, positive while the parts approach [m/s]."""
+"""Speed at which the closest points approach each other; negative if they separate [m/s]."""
 POINT_A, POINT_B = 2, 5
-"""The closest points, of the first and the second part [m]."""
+"""Closest point of the first part, and of the second part [m]."""
 NORMAL, DISTANCE = 8, 11
 """Plane halfway between the closest points: its unit normal from first to second part [1], and its distance [m].
 
@@ -15,8 +15,8 @@ If the solids are apart, the plane separates all sixteen vertices of the two. If
 is the direction of the shortest move that separates them, and the plane does not separate them.
 """
 FEATURE_A, FEATURE_B = 12, 13
-"""Features that penetrate, touch or are closest, as in `aftdeck.bodies.pair`."""
+"""Feature of the first part, and of the second part, that penetrates, touches or is closest; `aftdeck.bodies.pair`."""
 WHICH = 14
-"""Index in the layout of the pair of solids with this clearance."""
+"""Index in the layout of the pair of solids that has this clearance."""
 FOUND = 15
 """Length of a row."""

@@ -1,7 +1,8 @@
 """All solids of a run and the monitored pairs of parts, packed for the laws.
 
-The operator reads the names of *parts* ("lower boom", "bay wall port"); the laws measure *solids*, of which a part has
-one or several. A *group* is a monitored pair of parts. The clearance of a group is the least over its pairs of solids.
+The operator reads the names of *parts* ("lower boom", "bay wall port"). The laws measure *solids*; a part consists of
+one or several solids. A *group* is a monitored pair of parts, with all pairs of one solid of each part. The clearance
+of a group is the least clearance of its pairs of solids.
 """
 
 from __future__ import annotations
@@ -25,15 +26,15 @@ PartPair = tuple[str, str]
 POSE = 12
 """Length of a frame's pose: its origin [m], then its rotation row by row."""
 CENTRE, RADIUS = BODY, BODY + 3
-"""Indices of a packed solid's bounding sphere, behind its body; both in [m]."""
+"""Indices of a packed solid's bounding sphere, which follows the packed body: centre and radius [m]."""
 SOLID = BODY + 4
 """Length of a packed solid."""
 _ROOM = 1e-9
-"""Margin added to the radius of a bounding sphere [m]: more than rounding loses a kilometre from the origin."""
+"""Margin added to the radius of a bounding sphere [m]: more than the rounding error at 1 km from the origin."""
 
 
 class PackedLayout(NamedTuple):
-    """Arrays of a `Layout` that the laws read, under the same names."""
+    """Arrays of a `Layout` that the laws read; they have the names of the layout's fields."""
 
     solids: Array
     frame: Indices
@@ -47,7 +48,7 @@ class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
     """The solids of a run in packed arrays, all read-only. Every index counts from zero."""
 
     frames: tuple[str, ...]
-    """Names of the rows of every `frames` array, (F, 12)."""
+    """Names of the coordinate frames, in the order of the rows of every `frames` array (F, 12)."""
     parts: tuple[str, ...]
     part_frame: Indices
     """(p,) the frame of each part."""
@@ -92,7 +93,11 @@ class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
         return ((a[:, 0] & b[:, 1]) | (a[:, 1] & b[:, 0])).astype(np.uint8)
 
     def carried(self, frames: Collection[str]) -> Mask:
-        """Return a mask (g,): 1 for each group with a part in one of these frames."""
+        """Return a mask (g,): 1 for each group with a part in one of these frames.
+
+        Raises:
+            InputError: a frame is not in the layout.
+        """
         unknown = set(frames) - set(self.frames)
         if unknown:
             raise InputError(f"no frame is called {min(unknown)!r}; frames are {', '.join(self.frames)}")
@@ -108,13 +113,13 @@ def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iter
     """Check and pack the solids of a run.
 
     Args:
-        frames: names of the rows of the `frames` arrays.
+        frames: names of the coordinate frames, in the order of the rows of the `frames` arrays.
         solids: all solids, including those whose part is in no pair.
         part_pairs: the monitored pairs of parts, each pair once.
 
     Raises:
-        InputError: a solid is not a convex hexahedron or has an unknown frame, a part has solids in two frames, or a
-            pair has unknown parts, parts fixed to one frame, or is listed twice.
+        InputError: a solid is not a convex hexahedron or its frame is unknown; a part has solids in two frames; a pair
+            is listed twice, names an unknown part, or has two parts in the same frame.
     """
     home: dict[str, str] = {}
     for solid in solids:
@@ -165,7 +170,10 @@ def _check_pair(a: str, b: str, home: dict[str, str]) -> None:
 
 
 def _packed(solids: Sequence[Solid]) -> Array:
-    """Return packed solids (n, 52): bodies with their bounding spheres, centred on the middle of their extent."""
+    """Return packed solids (n, 52): bodies with their bounding spheres.
+
+    The centre of a sphere is the centre of the solid's bounding box.
+    """
     packed = np.empty((len(solids), SOLID))
     for row, solid in zip(packed, solids, strict=True):
         row[:BODY] = hexahedron(solid.vertices, solid.part)

@@ -11,7 +11,8 @@ from aftdeck.law import law
 from aftdeck.worksite.watch.groups import POSE
 
 _SMALL = 1e-2
-"""Angle below which the series is used [rad]: its next term is 3e-13, and the closed form loses 1e-12 there."""
+"""Angle below which a series replaces the closed form [rad]. At this angle the first omitted term of the series is
+3e-13, and the rounding error of the closed form is 1e-12."""
 
 
 class Motion(NamedTuple):
@@ -47,8 +48,8 @@ def motion(before: Array, now: Array, period: float) -> Motion:
     angle = atan2(sine, 0.5 * (_dot(r, q, 0, 0) + _dot(r, q, 3, 3) + _dot(r, q, 6, 6) - 1.0))
     turn = times(angle / sine if sine > 0.0 else 1.0, axis)
     d = minus(vector_at(now, 0), vector_at(before, 0))
-    # The displacement d is a chord of the screw motion: the velocity at its end is along V^-1 d + turn x d, where V is
-    # the matrix of the exponential map that takes a constant velocity to the displacement.
+    # The displacement d is a chord of the screw motion. The velocity at its end, times the period, is
+    # V^-1 d + turn x d. V is the matrix of the exponential map that converts a constant velocity to a displacement.
     u = cross(turn, d)
     w = cross(turn, u)
     square = angle * angle

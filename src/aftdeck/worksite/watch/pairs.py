@@ -1,4 +1,4 @@
-"""Monitored pairs of parts, and the selection of those that count at present."""
+"""Monitored pairs of parts, and the selection of the pairs that are measured at present."""
 
 from __future__ import annotations
 
@@ -13,23 +13,24 @@ from aftdeck.errors import InputError
 from aftdeck.worksite.watch.groups import Layout, PartPair
 
 STILL = ("space", "orbiter")
-"""Frames of the bodies around the arm. A part in one of these is second in its pair; in ``orbiter``, always."""
+"""Frames of the bodies around the arm. In a pair, a part in one of these frames comes after a part of the arm or of a
+payload; a part in ``orbiter`` also comes after a part in ``space``."""
 
 
 def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[PartPair] = ()) -> tuple[PartPair, ...]:
-    """Return all pairs of parts that can touch: the arm with all others, and payloads and bodies with each other.
+    """Return all pairs of parts that can touch, among the parts of the arm, of the payloads and of the bodies.
 
     Two parts in one frame are not a pair. Two parts of the arm in successive frames of the chain are not a pair either,
-    because a joint connects them; frames without solids do not count in the chain. The caller has to leave out
-    the pairs of a part of the arm and its mount.
+    because a joint connects them; frames without solids are skipped in the chain. The caller has to exclude, with
+    `apart`, the pairs of a part of the arm and the structure on which the arm is mounted.
 
     Args:
         solids: all solids of the run.
-        chain: the arm's frames from its base to its tip; a frame that moves on the tip comes last.
-        apart: further pairs to leave out, in either order: parts that are joined, or never touch.
+        chain: the arm's frames from its base to its tip, then a frame that moves relative to the tip, if there is one.
+        apart: further pairs to leave out, with their parts in either order: parts that are joined, or never touch.
 
     Returns:
-        The pairs; in each pair, a part of the arm precedes that of a payload, which precedes that of a body.
+        The pairs. In each pair, a part of the arm precedes a part of a payload, which precedes a part of a body.
 
     Raises:
         InputError: `apart` names a part that has no solid.
@@ -41,15 +42,15 @@ def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[Pa
     used = set(home.values())
     link = {frame: k for k, frame in enumerate(frame for frame in chain if frame in used)}
 
-    def place(part: str) -> int:
+    def rank(part: str) -> int:
         frame = home[part]
         return 0 if frame in link else 2 + STILL.index(frame) if frame in STILL else 1
 
     found = []
-    for a, b in combinations(sorted(home, key=place), 2):
-        one, other = home[a], home[b]
-        joined = one in link and other in link and abs(link[one] - link[other]) == 1
-        if one != other and not joined and frozenset((a, b)) not in left_out:
+    for a, b in combinations(sorted(home, key=rank), 2):
+        frame_a, frame_b = home[a], home[b]
+        joined = frame_a in link and frame_b in link and abs(link[frame_a] - link[frame_b]) == 1
+        if frame_a != frame_b and not joined and frozenset((a, b)) not in left_out:
             found.append((a, b))
     return tuple(found)
 
@@ -60,18 +61,20 @@ def counting(
     held: Collection[str] = (),
     seated: Mapping[str, Collection[str]] | None = None,
 ) -> Mask:
-    """Return a mask (g,): 1 for each group that is measured, 0 for a payload with its holder or with its berth's body.
+    """Return a mask (g,): 1 for each group that is measured, 0 for each group of a payload and its carrier.
+
+    The held payload is carried by the end effector. A payload in a berth is carried by the berth's body.
 
     Args:
         layout: the layout with the groups.
         holder: the parts of the arm that hold a payload.
         held: the parts of the held payload.
-        seated: for each part of a payload that is in its berth and not held, the parts of that berth's body.
+        seated: for each part of a payload that is in a berth and not held, the parts of the berth's body.
     """
     active = np.ones(len(layout.groups), np.uint8)
     active &= 1 - layout.between(holder, held)
-    for part, seat in (seated or {}).items():
-        active &= 1 - layout.between((part,), seat)
+    for part, body_parts in (seated or {}).items():
+        active &= 1 - layout.between((part,), body_parts)
     return active
 
 
