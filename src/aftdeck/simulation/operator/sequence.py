@@ -20,7 +20,7 @@ from aftdeck.simulation.operator.ways import final_angles
 from aftdeck.simulation.state import Ending, Panel, State
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, LAW, MASTER, MOTION_ACTIVE, PLAN, RATIO, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS
-from aftdeck.steering.rehearsal import GIVEN_UP, STANDSTILL
+from aftdeck.steering.rehearsal import MAX_STOPPED_TIME, STANDSTILL
 
 _STANDSTILLS = {
     "": "a limit holds the arm at a standstill",
@@ -79,7 +79,7 @@ def finish(flight: Flight, state: State) -> None:
         _arrive(flight, state, passing)
         return
     panel.blocked = panel.blocked + 1 if still else 0
-    if panel.blocked * flight.scenario.control_period >= GIVEN_UP:
+    if panel.blocked * flight.scenario.control_period >= MAX_STOPPED_TIME:
         panel.sequence, panel.blocked, panel.ending = "ready", 0, "given up"
         halt = state.worksite.halt
         why = (
