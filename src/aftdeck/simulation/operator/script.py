@@ -201,7 +201,7 @@ def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> boo
 
 
 def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
-    """Return whether a phase has reached its target; after a rejected or abandoned motion, end the script as a fault."""
+    """Return whether a phase has reached its target; if CMD CK or the motion failed, end the script as a fault."""
     panel = state.panel
     if MODES[phase.mode].kind == "master":
         return bool(state.report[ARRIVED])
