@@ -248,8 +248,7 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
     turn: Vec3 = (0.0, 0.0, 0.0)
     """Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]."""
     mirror: bool = False
-    """Whether all copies are also drawn as mirror images in the plane y = 0 of the frame in which the group is listed.
-    """
+    """Whether all copies are also drawn as mirror images, in the plane y = 0 of the frame that lists the group."""
 
     def __post_init__(self) -> None:
         """Reject an empty group, or a count below 1."""
