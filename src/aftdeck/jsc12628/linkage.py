@@ -68,7 +68,7 @@ def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
     """Return tip position and orientation (JSC-12628, subroutine LNKAGE, p. 14).
 
     Args:
-        arm: the arm. The length of a telescope is the one set with `Arm.at`.
+        arm: the arm. `Arm.at` sets the length of its telescope.
         theta: (6,) joint angles [rad].
         units: unit of `r_6B`.
     """

@@ -34,7 +34,7 @@ class SummaryEvent(msgspec.Struct, frozen=True):
 
 
 class Summary(msgspec.Struct, frozen=True):
-    """Summary of a run, as printed by `aftdeck run --json`. Poses are those of frame 7, in L."""
+    """Summary of a run, as printed by `aftdeck run --json`. Its poses are poses of frame 7, in L."""
 
     scenario: str
     seed: int

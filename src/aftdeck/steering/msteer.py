@@ -222,14 +222,14 @@ def _present_twist(
     was = state[POINT] != 0.0
     if rules[STRICT] != 0.0:
         return _twist_of_point(erates(a, j, actual), x, y, z)
-    if was and not offset:  # TWIST is that of the payload's point, but now the tip is the point of resolution
+    if was and not offset:  # TWIST is the twist of the payload's point, but now the tip is the point of resolution
         return erates(a, j, actual)
     beside = Rates(
         actual.r1 - commanded.r1, actual.r2 - commanded.r2, actual.r3 - commanded.r3,
         actual.r4 - commanded.r4, actual.r5 - commanded.r5, actual.r6 - commanded.r6,
     )  # fmt: skip
     more = erates(a, j, beside)
-    if was:  # TWIST is already that of the payload's point
+    if was:  # TWIST is already the twist of the payload's point
         more = _twist_of_point(more, x, y, z)
     t = twist_at(state, TWIST)
     last = Twist(t.wx + more.wx, t.wy + more.wy, t.wz + more.wz, t.vx + more.vx, t.vy + more.vy, t.vz + more.vz)

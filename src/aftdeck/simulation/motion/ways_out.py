@@ -125,7 +125,7 @@ def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
 
 
 def _position(state: State) -> str:
-    """Return the panel position in which the operator moves a joint: the present position if it can, else SINGLE."""
+    """Return the panel position for a motion of one joint: the present position if it moves joints, else SINGLE."""
     return state.panel.mode if MODES[state.panel.mode].by_joint else "SINGLE"
 
 

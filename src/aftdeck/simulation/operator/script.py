@@ -89,7 +89,7 @@ def end_if_time_is_up(flight: Flight, state: State) -> None:
 
 
 def phase_name(flight: Flight, state: State) -> str:
-    """Return the name of the present phase; after the end of all phases, that of the last; "" without phases."""
+    """Return the name of the present phase, or of the last phase after all have ended; "" if there are no phases."""
     phases = flight.scenario.phases
     return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
 

@@ -41,7 +41,7 @@ def next_target(flight: Flight, panel: Panel) -> Target | None:
 
 
 def begin(flight: Flight, state: State, target: Target, joints: Six | None = None) -> None:
-    """Begin an automatic motion. The arm starts in this step if it is at rest, else once it is (`steering.course`).
+    """Begin an automatic motion. If the arm is moving, it first comes to rest (`steering.course`).
 
     Args:
         flight: constants of the run.

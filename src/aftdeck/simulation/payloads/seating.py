@@ -127,7 +127,8 @@ def _update_unfixed(flight: Flight, state: State, k: int, pressed: Pressed | Non
 def _update_fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
     """Continue or reverse the latches of a payload that is fixed to a berth, or undock it.
 
-    The result is that of `_update_unfixed`.
+    Returns:
+        Result of `pressed` for this payload, as described in `_update_unfixed`.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
