@@ -1,6 +1,7 @@
 """Aftdeck: simulator of a space manipulator, with manual or scripted operation.
 
-A name is loaded on first use, so that importing the package takes almost no time.
+Each public name is imported from its module when the name is first used. Importing the package therefore takes almost
+no time.
 """
 
 from __future__ import annotations

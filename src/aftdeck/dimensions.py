@@ -1,10 +1,10 @@
-"""Named dimensions of a file, and quantities that are derived from them.
+"""Named dimensions of a file, and quantities that are derived from the dimensions.
 
-A file's ``[dimensions]`` table names quantities; any other value of the file may then be a string that begins with
-``=`` and gives an expression of them: ``"= payload_length / 2 - 2 ft"``. An expression may use numbers with or without
-a unit, names, ``+ - * /``, brackets, ``min``, ``max``, ``sqrt``, ``cos``, ``sin`` and ``tan``. Units are checked: a
-length cannot be added to an angle, and a result can only replace a quantity of the same kind. A dimension may be
-derived from dimensions listed above it.
+A file's ``[dimensions]`` table gives names to quantities. Any other value of the file may be an expression that uses
+these names: a string that begins with ``=``, such as ``"= payload_length / 2 - 2 ft"``. An expression may use numbers
+with or without a unit, names, ``+ - * /``, brackets, ``min``, ``max``, ``sqrt``, ``cos``, ``sin`` and ``tan``. Units
+are checked: a length cannot be added to an angle, and an expression for a length must result in a length. The
+expression of a dimension may use the dimensions listed above it.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ _WRONG = _Value(math.nan, _PLAIN)
 
 
 def derive(raw: dict[str, Any]) -> list[Problem]:
-    """Replace the expressions in a file's raw contents by their values; return the problems found."""
+    """Replace the expressions in a file's raw contents (dicts and lists) by their values; return the problems found."""
     given = raw.get(KEY, {})
     if not isinstance(given, dict):
         return [Problem((KEY,), f"expected a table of named quantities, got {short(given)}")]
@@ -66,7 +66,12 @@ def derive(raw: dict[str, Any]) -> list[Problem]:
 
 
 def derive_from(given: Mapping[str, str | float], raw: dict[str, Any]) -> list[Problem]:
-    """Replace expressions as `derive` does, with another file's dimensions, already evaluated by `derive`."""
+    """Replace the expressions in `raw` by their values, with the dimensions of another file; return the problems found.
+
+    Args:
+        given: dimensions of the other file, already evaluated by `derive`.
+        raw: raw contents of this file, changed in place.
+    """
     return _substituted(raw, {name: _dimension(name, value, {}) for name, value in given.items()})
 
 
@@ -86,7 +91,7 @@ def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Probl
 
 
 def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]:
-    """Yield for each expression the list or table that holds it, its key there, its place in the file, and its text."""
+    """Yield for each expression: its list or table, its key or index there, its place in the file, and its text."""
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, item in items:
         if (*where, key) == (KEY,):
@@ -122,7 +127,7 @@ def _file_value(value: _Value) -> str | float:
 
 
 def _evaluated(text: str, names: Mapping[str, _Value]) -> _Value:
-    """Return the value of an expression; raise ValueError if it has none."""
+    """Return the value of an expression; raise ValueError if the expression is invalid or has no finite value."""
     if len(text) > _LONGEST:
         raise ValueError(f"an expression has at most {_LONGEST} characters, got {len(text)}")
     literals: list[_Value] = []
@@ -159,7 +164,7 @@ def _value(node: ast.expr, names: Mapping[str, _Value]) -> _Value:
         case ast.Name(id=name):
             if name not in names:
                 choices = ", ".join(known for known in names if not known.startswith("__")) or "none"
-                raise ValueError(f"no dimension {name!r}; there are: {choices}")
+                raise ValueError(f"no dimension is named {name!r}; dimensions: {choices}")
             if names[name] is _WRONG:
                 raise ValueError(f"the expression uses the dimension {name!r}, which has an error")
             return names[name]
@@ -195,7 +200,7 @@ def _sum(a: Powers, b: Powers, sign: float) -> Powers:
 
 
 def _check_same_kind(values: list[_Value]) -> None:
-    """Raise ValueError if the values are not all of the same kind, and so cannot be added or compared."""
+    """Raise ValueError if the values have different units, and therefore cannot be added or compared."""
     if len({value.powers for value in values}) > 1:
         kinds = [_KINDS[value.powers].noun if value.powers in _KINDS else "number" for value in values]
         raise ValueError(f"{' and '.join(map(with_article, dict.fromkeys(kinds)))} cannot be added or compared")

@@ -1,4 +1,4 @@
-"""Exceptions of Aftdeck, one class per cause. A message says what was given, what is allowed, and where."""
+"""Exceptions of Aftdeck, one class per cause. A message states the given value, the allowed values and the place."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ class LimitError(AftdeckError):
 
 
 class SingularityError(AftdeckError):
-    """An arm at a singularity, where a commanded tip motion has no bounded joint rates.
+    """An arm at a singularity, where some motions of the tip require unbounded joint rates.
 
     Attributes:
         singularity: ``shoulder``, ``elbow`` or ``wrist``.
-        distance: the normalised distance found, in [-1, 1].
+        distance: signed normalised distance from the singularity, in [-1, 1].
     """
 
     def __init__(self, message: str, singularity: str, distance: float) -> None:
@@ -75,11 +75,14 @@ class CommandError(AftdeckError):
 
 
 class SimulationError(AftdeckError):
-    """A failure of the simulation itself (a number is not finite); the message gives the time and the cause."""
+    """A failure of the simulation: the arm's state contains a number that is not finite. The message gives the time."""
 
 
 RecordingFault = Literal["other", "unreadable", "foreign", "empty", "damaged", "newer layout", "exists", "unwritable"]
-"""Cause of a `RecordingError`: ``foreign``, the file is not a recording; ``empty``, it ends before its first second."""
+"""Cause of a `RecordingError`.
+
+``foreign``: the file is not a recording. ``empty``: the recording ends before its first second.
+"""
 
 
 class RecordingError(AftdeckError):

@@ -1,4 +1,7 @@
-"""Metadata of fields of frames and messages, stated once beside the type; for schemas, documents, files, the page."""
+"""Metadata of the fields of frames and messages.
+
+The metadata of a field is written once, in the field's type. Schemas, documents, files and the page use it.
+"""
 
 from __future__ import annotations
 
@@ -12,17 +15,24 @@ from typing import cast
 import msgspec
 
 DECIMALS = 9
-"""Default number of decimals to which a number is recorded: nanometres and nanoradians."""
+"""Default number of decimals of a recorded number. With 9 decimals, lengths are recorded to 1 nm, angles to 1 nrad."""
 
 
 def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS) -> msgspec.Meta:
-    """Return a field's metadata: description, unit, the axes of its components, and the decimals recorded."""
+    """Return a field's metadata.
+
+    Args:
+        what: description of the field.
+        unit: unit of the values.
+        frame: coordinate frame of the components.
+        decimals: number of decimals of a recorded value.
+    """
     return msgspec.Meta(description=what, extra={"unit": unit, "frame": frame, "decimals": decimals})
 
 
 @lru_cache
 def comments(struct: type) -> dict[str, str]:
-    """Return the string that follows each field in a class's source, its base classes' fields included."""
+    """Return, by field name, the string below each field in the source code of a class and of its base classes."""
     found: dict[str, str] = {}
     for cls in reversed(struct.__mro__):
         if not issubclass(cls, msgspec.Struct) or cls is msgspec.Struct:

@@ -55,7 +55,10 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
 
 
 def beside(name: str, folder: Path) -> str:
-    """Return a path in a file as a path from `folder`; built-in names and absolute paths are returned unchanged."""
+    """Return a path that a file in `folder` contains, with `folder` put before it.
+
+    Names of built-in files and absolute paths are returned unchanged.
+    """
     return str(folder / name) if name.endswith(".toml") and not Path(name).is_absolute() else name
 
 
@@ -63,7 +66,7 @@ def parse(kind: type[_T], file: Text) -> _T:
     """Return the file's contents as a value of `kind`, a msgspec struct.
 
     Raises:
-        ScenarioError: the TOML is invalid, or fields are wrong or unknown; the message lists all problems found.
+        ScenarioError: the text is not valid TOML, or fields are wrong or unknown. The message lists all problems found.
     """
     value, problems = examine(kind, file)
     if value is None or problems:
@@ -79,8 +82,13 @@ def examine(
 ) -> tuple[_T | None, list[Problem]]:
     """Return the file's contents without the wrong fields, and all problems found.
 
-    The contents are None if they cannot be decoded without the wrong fields. `changes` replace values of the file; then
-    `derive` replaces expressions by computed values (`aftdeck.dimensions`).
+    The contents are None if they cannot be decoded without the wrong fields, for example because a field is required.
+
+    Args:
+        kind: type of the contents, a msgspec struct.
+        file: name and text of the file.
+        changes: values that replace values of the file before it is decoded.
+        derive: function that replaces expressions by their values, after the changes (`aftdeck.dimensions`).
 
     Raises:
         ScenarioError: the text is not TOML, or is nested too deeply.
@@ -110,7 +118,7 @@ def examine(
 
 
 def _put(raw: Any, where: Where, value: object) -> None:
-    """Set a value at a place in the raw contents; create the missing tables on the way to that place.
+    """Set a value at a place in the raw contents; create the tables that contain the place if they are missing.
 
     Raises:
         InputError: the place is a list item that does not exist, or is inside a value that is not a table.
@@ -136,7 +144,11 @@ def _plain(value: Any) -> Any:
 
 
 def _item(raw: Any, where: Where, depth: int) -> Any:
-    """Return the list item at depth `depth` of the place `where`."""
+    """Return the item of the list `raw` that the part of `where` at depth `depth` selects.
+
+    Raises:
+        InputError: `raw` is not a list or has no such item, or that part of `where` is not an index.
+    """
     part, before = where[depth], place(where[:depth])
     if isinstance(part, str):
         raise InputError(f"{place(where)}: {before} is not a table, so it cannot have the key {part!r}")
@@ -147,7 +159,7 @@ def _item(raw: Any, where: Where, depth: int) -> Any:
 
 
 def _leave_out(raw: Any, where: Where) -> None:
-    """Remove the innermost named field of a place from the raw contents."""
+    """Remove a wrong field from the raw contents: the innermost part of the place that is a key, not an index."""
     names = [i for i, part in enumerate(where) if isinstance(part, str)]
     if not names:
         return
@@ -166,9 +178,9 @@ def convert(raw: object, kind: type[_T]) -> _T:
 
 
 Where = tuple[str | int, ...]
-"""Place in a file: keys and indices from the top of the file. Indices count the items of a list from 0."""
+"""Place in a file: the keys and list indices, outermost first, that lead to a value. Indices start at 0."""
 Changes = Mapping[Where, object]
-"""Values that replace those of a file, by place."""
+"""New values for places in a file; each replaces the value there."""
 
 
 def place(where: Where) -> str:
@@ -196,7 +208,7 @@ def sentences(problems: Sequence[Problem], name: str, text: str) -> list[str]:
 
 
 def line_of(where: Where, text: str) -> int | None:
-    """Return the line (from 1) of the deepest part of `where` found in the text, or None if no part is found."""
+    """Return the line (from 1) of the longest initial part of `where` found in the text; None if no part is found."""
     found = located(text)
     for part in where:
         if part not in found.parts:
@@ -289,7 +301,7 @@ def _struct_problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, 
 
 
 def _without_none(kind: Any) -> Any:
-    """Return X for X | None, else the kind itself."""
+    """Return X if `kind` is X | None; return any other kind unchanged."""
     if get_origin(kind) in (Union, types.UnionType):
         rest = [k for k in get_args(kind) if k is not type(None)]
         if len(rest) == 1:
@@ -298,7 +310,7 @@ def _without_none(kind: Any) -> Any:
 
 
 def _split(message: str) -> tuple[str, Where]:
-    """Split a message of msgspec, ``... - at `$.a[0]` ``, into its text and its path."""
+    """Split a message of msgspec, such as ``... - at `$.a[0]` ``, into its text and the place that it names."""
     what, _, path = message.partition(" - at `$")
     parts = re.findall(r"\.([A-Za-z0-9_-]+)|\[(\d+)\]", path)
     return what, tuple(name or int(index) for name, index in parts)

@@ -30,11 +30,11 @@ SCENE_FROM_PANEL_AXES = np.diag([-1.0, 1.0, -1.0])
 
 
 class Pose(NamedTuple):
-    """Position and orientation of one frame in another.
+    """Position and orientation of a coordinate frame, relative to a reference frame.
 
     Attributes:
-        position: (..., 3) origin [m].
-        rotation: (..., 3, 3) columns are the frame's axes in the other frame.
+        position: (..., 3) the frame's origin, in the reference frame [m].
+        rotation: (..., 3, 3) columns are the frame's axes, in the reference frame.
     """
 
     position: Array
@@ -55,7 +55,7 @@ class Mount(NamedTuple):
     orbiter_origin: Array
 
     def to(self, frame: FrameName, pose: Pose) -> Pose:
-        """Return a pose given in L, expressed in another frame."""
+        """Convert a pose from L to another coordinate frame."""
         if frame == "L":
             return pose
         rotation = self.rotation @ pose.rotation
@@ -63,7 +63,7 @@ class Mount(NamedTuple):
         return Pose(position if frame == "panel" else position - self.orbiter_origin, rotation)
 
     def from_(self, frame: FrameName, pose: Pose) -> Pose:
-        """Return a pose given in another frame, expressed in L."""
+        """Convert a pose from another coordinate frame to L."""
         if frame == "L":
             return pose
         position = pose.position if frame == "panel" else pose.position + self.orbiter_origin
@@ -122,7 +122,7 @@ def panel_rotation(pitch: float, yaw: float, roll: float) -> Array:
 
 
 def panel_attitude(rotation: Array) -> tuple[float, float, float]:
-    """Return pitch, yaw and roll [rad] of an orientation as the panel displays them, each in [0, 2 pi).
+    """Return pitch, yaw and roll [rad] of an orientation, each in [0, 2 pi), as on the panel's display.
 
     At yaw +-90 deg only pitch +- roll is determined; roll is then set to 0 (the display's known singularity).
     """
@@ -138,7 +138,10 @@ def panel_attitude(rotation: Array) -> tuple[float, float, float]:
 
 
 def angle_between(rows: Rows, other: Rows) -> float:
-    """Return the angle [rad] of the rotation between two orientations, given as rows; accurate from 0 to pi."""
+    """Return the angle [rad] of the rotation between two orientations, accurate from 0 to pi.
+
+    Each orientation is given as the rows of its rotation matrix.
+    """
     (a, b, c), (d, e, f), (g, h, i) = rows
     (p, q, r), (s, t, u), (v, w, o) = other
     x = g * s + h * t + i * u - d * v - e * w - f * o  # twice the sine, along the axis
@@ -149,7 +152,10 @@ def angle_between(rows: Rows, other: Rows) -> float:
 
 
 def quaternion(rotation: Array) -> tuple[float, float, float, float]:
-    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix; compute the largest component first."""
+    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix.
+
+    For accuracy, the largest component is computed first, and the others from it.
+    """
     (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
     squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
     k = squares.index(max(squares))
@@ -164,7 +170,7 @@ def quaternion(rotation: Array) -> tuple[float, float, float, float]:
 
 
 def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
-    """Return the rows of the rotation matrix of a quaternion (w, x, y, z), which is normalised first."""
+    """Return the rotation matrix, as rows, of a quaternion (w, x, y, z). The quaternion need not be normalised."""
     size = math.sqrt(sum(part * part for part in quaternion))
     w, x, y, z = (part / size for part in quaternion)
     return (
@@ -175,7 +181,7 @@ def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
 
 
 _GIMBAL = 1e-9
-"""Cosine of the middle angle below which the first and third angles are not determined separately."""
+"""Limit of the middle angle's cosine; below it, only the sum or difference of the other two angles is determined."""
 
 
 def _turn(angle: float) -> float:

@@ -1,13 +1,14 @@
 """Decorator of the compiled laws, and the sine and cosine that the laws share.
 
-A *law* is straight-line scalar code: floats in, floats out, few branches. The same text runs compiled (Numba,
-cached on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms.
-Numba is imported at the first call of any law: its import takes longer than loading an arm, which calls none.
-Division by zero gives infinity, as in hardware; the laws guard the places where it could happen.
+A *law* is a function that computes with single floats, and has few branches. The same source code runs compiled (by
+Numba, with a cache on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms.
+Numba is imported at the first call of any law, because importing Numba takes longer than loading an arm. Loading an arm
+calls no law. Division by zero gives infinity, as in hardware; a law in which a divisor could be zero prevents this.
 
-Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. After a
-law is corrected in one file, its callers would still contain the old version. The laws' cache is therefore kept in a
-folder named by a digest of all laws, below `NUMBA_CACHE_DIR` if that is set, else in the user's cache folder.
+Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
+changed in one file, the cached code of its callers would still contain the old version. The laws' cache is therefore
+in a folder whose name is a digest of all laws. This folder is inside `NUMBA_CACHE_DIR` if that variable is set,
+otherwise inside the user's cache folder.
 """
 
 from __future__ import annotations
@@ -32,14 +33,14 @@ _R = TypeVar("_R")
 
 _loading = threading.RLock()
 _waiting: list[_Declared] | None = []
-"""Laws declared so far, until `load` makes them; None from then on."""
+"""Laws that are declared but not yet loaded; None after `load`."""
 
 _KEPT = 30 * 86_400.0
-"""Time for which unused machine code of another version of the laws is kept [s]."""
+"""Time after which unused machine code of another version of the laws is deleted [s]."""
 
 _TWO_BY_PI = 0.6366197723675814
 _ROUNDER = 6755399441055744.0
-"""1.5 * 2**52: floats near this value are the whole numbers; floats near its double are the even numbers."""
+"""1.5 * 2**52. Near this value, every float is a whole number; near twice this value, every float is even."""
 _HALF_PI_1 = 1.5707963267923333
 """First 36 bits of pi/2: whole multiples up to 2**17 are exact."""
 _HALF_PI_2 = 2.563344151594519e-12
@@ -47,7 +48,10 @@ _HALF_PI_2 = 2.563344151594519e-12
 
 
 class _Declared:
-    """Declared law, which `load` replaces by the compiled one; a name that `load` misses still works, more slowly."""
+    """Placeholder of a law until `load` replaces it by the compiled function.
+
+    `load` replaces names of modules only. A law under another name stays a placeholder; calling it works, more slowly.
+    """
 
     def __init__(self, function: Callable[..., Any], fused: bool) -> None:
         functools.update_wrapper(self, function)
@@ -65,26 +69,27 @@ class _Declared:
 
     @property
     def _numba_type_(self) -> Any:
-        """Numba's type of the law, for a compiled function that knows the law by a name that `load` missed."""
+        """Numba's type of the law, for a compiled function that calls the law through a remaining placeholder."""
         load()
         typeof: Any = importlib.import_module("numba").typeof
         return typeof(self.compiled)
 
 
 def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Declare a law, which is compiled at its first call; its machine code is kept on disk.
+    """Declare a law. Numba compiles it at its first call and caches the machine code on disk.
 
-    A law that another law calls is inlined (`forceinline`); otherwise loops do not vectorise. A law releases Python's
-    global lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
+    A law that another law calls is inlined (`forceinline`), because loops with function calls do not vectorise. A law
+    releases Python's global lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
     """
     return _declared(function, fused=False)
 
 
 def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Compile a law in which a product and the sum that uses it are rounded once, if the processor can do so.
+    """Declare a law in which a product and the sum that contains it are rounded only once, if the processor can do so.
 
-    Use only for sums that have a product as one term, or that are exact. Elsewhere the compiler chooses which product
-    to fuse, and not always the same one. One arm would then differ in its last digits from the same arm in a batch.
+    Use it only if each sum contains one product at most, or is exact. In a sum of two products, the compiler chooses
+    which product to fuse, and its choice varies. One arm would then differ in its last digits from the same arm in a
+    batch.
     """
     return _declared(function, fused=True)
 
@@ -98,20 +103,21 @@ def _declared(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
 
 
 def load() -> None:
-    """Import Numba, and put the compiled law in the place of each declared one, in every module that names it.
+    """Import Numba, and replace each placeholder by its compiled law, in every module that has a name for it.
 
-    A law is then called without a detour, from Python and from other laws. The first call of any law does this.
+    Later calls then reach the compiled law directly, from Python and from other laws. The first call of any law calls
+    this function.
     """
     global _waiting  # noqa: PLW0603
     with _loading:
         if _waiting is None:
             return
-        made = {id(one): one.compiled for one in _waiting}
+        compiled = {id(declared): declared.compiled for declared in _waiting}
         for module in list(sys.modules.values()):
             names = getattr(module, "__dict__", {})
             for name, value in list(names.items()):
-                if type(value) is _Declared:  # `isinstance` would wake the lazy objects of other packages
-                    names[name] = made[id(value)]
+                if type(value) is _Declared:  # `isinstance` would start lazy imports of other packages
+                    names[name] = compiled[id(value)]
         _waiting = None
 
 
@@ -139,7 +145,7 @@ def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
 
 
 def compiled_before() -> bool:
-    """Return whether machine code of these laws is on disk."""
+    """Return whether the cache on disk contains machine code of this version of the laws."""
     return any(Path(_cache()).rglob("*.nbi"))
 
 
@@ -157,7 +163,7 @@ def state_of_the_laws() -> str:
 
 @functools.cache
 def _cache() -> str:
-    """Return the cache folder for this version of the laws; remove other versions' folders that are long unused."""
+    """Return the cache folder for this version of the laws; delete other versions' folders unused for `_KEPT`."""
     own = os.environ.get("NUMBA_CACHE_DIR")
     home = Path(own) if own else platformdirs.user_cache_path("aftdeck")
     folder = home / f"laws-{state_of_the_laws()}"
@@ -172,7 +178,10 @@ def _cache() -> str:
 
 @_fused_law
 def nearest(value: float) -> float:
-    """Return the nearest whole number, the even one of two, for |value| < 2**51; no library call, no branch."""
+    """Return the nearest whole number, for |value| < 2**51, without a library call or a branch.
+
+    If two whole numbers are equally near, the even one is returned.
+    """
     return (value + _ROUNDER) - _ROUNDER
 
 
@@ -187,7 +196,10 @@ def _oddness(value: float) -> float:
 
 @_fused_law
 def reduced(angle: float) -> tuple[float, float]:
-    """Return an angle [rad] less the nearest number of quarter turns (Cody and Waite, two parts), and that number."""
+    """Subtract the nearest whole number of quarter turns from an angle [rad]; return the rest [rad] and that number.
+
+    Method of Cody and Waite: pi/2 is subtracted in two parts.
+    """
     quarters = nearest(angle * _TWO_BY_PI)
     return (angle - quarters * _HALF_PI_1) - quarters * _HALF_PI_2, quarters
 
@@ -196,7 +208,8 @@ def reduced(angle: float) -> tuple[float, float]:
 def sincos_near_zero(x: float) -> tuple[float, float]:
     """Return sine and cosine of an angle [rad] within an eighth of a turn.
 
-    Evaluates the minimax polynomials of the standard C library, with terms in pairs that do not wait for each other.
+    The polynomials are the minimax polynomials of the standard C library. Their terms are grouped in pairs, which the
+    processor can compute at the same time.
     """
     z = x * x
     w = z * z
@@ -221,7 +234,10 @@ def sincos_near_zero(x: float) -> tuple[float, float]:
 
 @_fused_law
 def turned_on(s: float, c: float, quarters: float) -> tuple[float, float]:
-    """Return a sine and cosine after adding whole quarter turns to their angle; both sums are exact."""
+    """Return sine and cosine of an angle plus whole quarter turns, from the angle's sine `s` and cosine `c`.
+
+    Both sums are exact, because each has a term that is 0.
+    """
     sq, cq = _oddness(quarters), _oddness(quarters + 1.0)
     return s * cq + c * sq, c * cq - s * sq
 

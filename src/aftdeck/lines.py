@@ -9,13 +9,13 @@ def one_line(what: str, text: str, most: int) -> str:
     """Return the text unchanged if it is one line of visible characters.
 
     Args:
-        what: name of the text for the error, such as ``a name``.
-        text: text as given.
+        what: name of the text in the error message, such as ``a name``.
+        text: the text to check.
         most: maximum number of characters.
 
     Raises:
-        InputError: the text is empty or too long, begins or ends with a space, or has unprintable characters such as
-            line breaks.
+        InputError: the text is empty or too long, begins or ends with a space, or contains unprintable characters such
+            as line breaks.
     """
     if not text.strip():
         raise InputError(f"{what} must have at least one visible character, got {text!r}")

@@ -1,8 +1,8 @@
-"""Drawable shapes, as listed in arm and worksite files; every picture consists of them.
+"""Drawable shapes, as listed in arm and worksite files. Every picture consists of such shapes.
 
-Lengths are metres, angles radians, in the frame of the body that carries the shape. A shape is first turned by its
-`rotation`, then moved to its `position`. Files name materials; the page defines how each material looks.
-The constructor of a shape that cannot be drawn raises ValueError, so that a decoder can report its place in the file.
+Lengths are in metres and angles in radians, in the frame of the body to which the shape belongs. A shape is first
+rotated by its `rotation`, then moved to its `position`. Files name materials; the page defines their colour and finish.
+The constructor of a shape that cannot be drawn raises ValueError. A decoder then reports the shape's place in the file.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ class Cylinder(_Solid, frozen=True, kw_only=True, tag="cylinder"):
 
 
 class Shell(_Solid, frozen=True, kw_only=True, tag="shell"):
-    """A wall bent round an axis: tube, nozzle, door, or a piece of a disc if the wall is as thick as its radius.
+    """A wall bent round an axis: a tube, nozzle or door, or a sector of a disc if the thickness equals the radius.
 
     Angles run from y to z about axis x, from z to x about y, from x to y about z.
     """
@@ -151,14 +151,14 @@ class Sphere(_Solid, frozen=True, kw_only=True, tag="sphere"):
 
 
 class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
-    """A flat outline with a thickness, half on each side of the plane through its position."""
+    """A flat plate. Half of its thickness is on each side of the plane through its position."""
 
     normal: Axis
     outline: tuple[Vec2, ...]
     """Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]."""
     thickness: float
     bevel: float = 0.0
-    """Distance by which the rims are cut back, at most half the thickness [m]."""
+    """Distance by which the edges are cut back, at most half the thickness [m]."""
 
     def __post_init__(self) -> None:
         """Reject fewer than three corners, a thickness that is not above zero, or a bevel deeper than half of it."""
@@ -172,8 +172,8 @@ class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
 class Section(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A rounded cross-section of a loft: an upper and a lower half of a superellipse.
 
-    Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, where n is the exponent of the half:
-    2 gives an ellipse, 5 nearly a rectangle.
+    The points of a half satisfy |y/half_width|^n + |(z - middle)/height|^n = 1. The height is from `middle` to `top` or
+    `bottom`; n is the exponent of the half. Exponent 2 gives an ellipse, 5 nearly a rectangle.
     """
 
     x: float
@@ -185,7 +185,7 @@ class Section(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=T
     """Exponents of the upper and the lower half."""
 
     def __post_init__(self) -> None:
-        """Reject sizes and exponents that are not above zero, and a middle that is not from bottom to top."""
+        """Reject sizes and exponents that are not above zero, and a middle that is not between bottom and top."""
         _positive("section", half_width=self.half_width, height=self.top - self.bottom)
         _positive("section", upper_exponent=self.exponents[0], lower_exponent=self.exponents[1])
         if not self.bottom <= self.middle <= self.top:
@@ -224,13 +224,13 @@ class Light(_Placed, frozen=True, kw_only=True, tag="light"):
 
     radius: float
     cone: float
-    """Half angle of the beam [rad]; above pi/2 the lamp shines all round."""
+    """Half angle of the beam [rad]; above pi/2 the lamp shines in all directions."""
     reach: float
     """Range of the light [m]."""
     intensity: float
     """Intensity on the lamp's axis [cd], on the scale in which the sun gives 4.1 lx."""
     switch: str = "lamps"
-    """Name of the panel's switch that lights this lamp and all others with that switch."""
+    """Name of the panel's switch for this lamp. Several lamps may have the same switch."""
 
     def __post_init__(self) -> None:
         """Reject sizes that are not above zero."""
@@ -238,7 +238,7 @@ class Light(_Placed, frozen=True, kw_only=True, tag="light"):
 
 
 class Group(_Placed, frozen=True, kw_only=True, tag="group"):
-    """Shapes that share a position; drawn once or several times in even steps, and optionally mirrored."""
+    """Shapes that are moved together. A group can be repeated in equal steps, and mirrored."""
 
     shapes: tuple[Shape, ...]
     count: int = 1
@@ -248,7 +248,7 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
     turn: Vec3 = (0.0, 0.0, 0.0)
     """Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]."""
     mirror: bool = False
-    """Whether all copies are drawn once more, reflected in the plane y = 0 of the frame that lists the group."""
+    """Whether all copies are also drawn as mirror images, in the plane y = 0 of the frame that lists the group."""
 
     def __post_init__(self) -> None:
         """Reject an empty group, or a count below 1."""
@@ -262,7 +262,7 @@ Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Lig
 
 
 def switches(shapes: Iterable[Shape]) -> tuple[str, ...]:
-    """Return the switches of the lamps among some shapes, each once, in order of appearance."""
+    """Return the switches of all lamps among the shapes, each switch once, in order of appearance."""
     found: dict[str, None] = {}
     for shape in shapes:
         if isinstance(shape, Light):

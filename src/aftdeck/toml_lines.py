@@ -1,7 +1,7 @@
 """Line numbers in a TOML text: the line on which each table, key and list item begins.
 
-`tomllib` returns values without their lines. This scanner reads the same grammar (TOML 1.0) only to find lines. It
-expects a text that `tomllib` has already accepted, and reports no errors itself.
+`tomllib` returns values without their lines. This scanner reads the same grammar (TOML 1.0), only to find lines. The
+text must be one that `tomllib` has already accepted, because the scanner reports no errors.
 """
 
 from __future__ import annotations
@@ -68,7 +68,13 @@ class _Scanner:
         return root
 
     def _table(self, root: Located, key: list[str], another: bool) -> Located:
-        """Return the table that a header opens; `another` means a new item of a list of tables."""
+        """Return the table that a header begins.
+
+        Args:
+            root: the whole file.
+            key: parts of the header's key.
+            another: whether the header has double brackets, which append a table to a list of tables.
+        """
         table, line = root, self._line()
         for depth, part in enumerate(key, 1):
             table = table.parts.setdefault(part, Located(line))

@@ -1,6 +1,6 @@
-"""Quantities in files: a bare number is SI, a string carries its unit (``"2 ft/s"``, ``"19.48 deg"``).
+"""Quantities in files: a bare number is in SI units, a string contains its unit (``"2 ft/s"``, ``"19.48 deg"``).
 
-A decoded quantity is a float in SI; its class only defines the physical dimension that a file may give.
+A decoded quantity is a float in SI units. Its class only defines which units a file may use for it.
 """
 
 from __future__ import annotations
@@ -36,9 +36,10 @@ _USUAL = {
     "s": ("s", 1.0),
     "ms": ("s", 0.001),
 }
-"""Sizes in SI of the units that the built-in files use, equal to pint's values to the last digit.
+"""SI unit and size of each unit that the built-in files use. The sizes equal pint's values to the last digit.
 
-Importing pint and reading its definitions takes longer than loading an arm; `tests/test_units.py` compares the two.
+The table exists because importing pint and its definitions takes longer than loading an arm. `tests/test_units.py`
+compares the table with pint.
 """
 
 _REPR = reprlib.Repr()
@@ -49,12 +50,12 @@ _NUMBER_AND_UNIT = re.compile(
 
 
 def short(given: object) -> str:
-    """Return the repr of a given value for a message, shortened if it is long or deep."""
+    """Return the repr of a value for an error message, shortened if it is long or deeply nested."""
     return _REPR.repr(given)
 
 
 def with_article(noun: str) -> str:
-    """Return a noun with its indefinite article."""
+    """Return a noun with its indefinite article, `a` or `an`."""
     return f"{'an' if noun.startswith('a') else 'a'} {noun}"
 
 
@@ -70,7 +71,7 @@ class Quantity(float):
         """Return the quantity that a file gives as a number (SI) or as a string with a unit.
 
         Raises:
-            ValueError: `given` is neither, or is NaN or infinite.
+            ValueError: `given` is neither a number nor such a string, or is NaN or infinite.
         """
         if isinstance(given, bool) or not isinstance(given, int | float | str):
             raise ValueError(f"expected a number in {cls.unit} or a string such as {cls.example!r}, got {short(given)}")
@@ -144,7 +145,7 @@ class Time(Quantity):
 
 @functools.cache
 def _size(unit: str, target: str) -> float | None:
-    """Return the size of `unit` in units of `target`, or None if the two are not of the same kind."""
+    """Return the size of `unit` in units of `target`, or None if one cannot be converted to the other."""
     if unit in _USUAL:
         si, size = _USUAL[unit]
         return size if si == target else None
@@ -152,7 +153,7 @@ def _size(unit: str, target: str) -> float | None:
 
 
 def size_by_pint(unit: str, target: str) -> float | None:
-    """Return the size of a unit that pint knows in units of `target`, or None if the two are not of the same kind."""
+    """Return the size of `unit` in units of `target` by pint; None if pint does not know it or cannot convert it."""
     import pint  # noqa: PLC0415  (takes 0.3 s; only files with unusual units need it)
 
     try:

@@ -18,7 +18,7 @@ from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import scene_in_l
-from aftdeck.simulation.survey.cameras import _seen_in_a_run
+from aftdeck.simulation.survey.cameras import _logs_contact
 from aftdeck.simulation.survey.pairs import survey
 from aftdeck.simulation.survey.poses import bodies, placed
 from aftdeck.worksite import load_worksite
@@ -266,7 +266,7 @@ def test_camera_in_the_path_of_an_arm_part_is_reported(tmp_path: Path, part: str
     scene = scene_in_l(plain.arm.model.mount, plain.worksite.origin)
     while True:
         own = bodies(plain, placed(plain, rng.uniform(low, high), plain.start.stand, -0.4))
-        if not _seen_in_a_run(plain, own):
+        if not _logs_contact(plain, own):
             break
     x, y, z = (scene.rotation.T @ (np.concatenate(own[part]).mean(axis=0) - scene.position)).tolist()
     place = load_worksite("concept-1972").text

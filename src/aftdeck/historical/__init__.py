@@ -1,1 +1,1 @@
-"""Formats of the reports: the words of each frame, and the operator's input channels."""
+"""Formats of RMS-VS: the operator's input channels (TABLE I), and the words for the scene generator (TABLE II)."""

@@ -1,9 +1,10 @@
-"""The 32 words that the report's program sent to its scene generator each frame, and its control word, TABLE II.
+"""Frame block: the 32 words that RMS-VS's program sent to its scene generator in each control step, TABLE II.
 
-A word has 24 bits, kept as an integer from 0 to 2**24 - 1. Bit 0 is the first bit, the sign of a number (probably: XDS
-numbers bits in this way). A number at scale Bn is in two's complement with the binary point n bits after the sign: it
-lies in [-2**n, 2**n) in steps of 2**(n - 23). Source: the final report of the Remote Manipulator Simulation. Assumed
-are sines and cosines at B1, distances in feet, the order of sines and cosines, and the codes of the stations I to W.
+The first word is the control word. A word has 24 bits; here it is an integer from 0 to 2**24 - 1. Bit 0 is the most
+significant bit, the sign of a number (probable, because XDS numbers bits in this order). A number at scale Bn is in
+two's complement, with the binary point n bits after the sign: it is in [-2**n, 2**n), in steps of 2**(n - 23).
+Source: the final report of the Remote Manipulator Simulation. Assumed: sines and cosines at B1, distances in feet, the
+order of sines and cosines, and the codes of the stations I, P1, P2, CAE2 and W.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ BITS = 24
 WORDS = 32
 """Number of words of a frame block."""
 ANGLES = ("HO", "PO", "P1", "H2", "P2", "R2")
-"""The joint angles, in their order."""
+"""Names of the joint angles, in their order in a frame block."""
 PLANES = 3
 """Number of separating planes of a frame block."""
 STATIONS = {
@@ -39,23 +40,25 @@ STATIONS = {
     "CAE2": 0b0111,
     "W": 0b1100,
 }
-"""Codes of the station points; I, P1, P2, CAE2 and W use codes of our choice that the report leaves free."""
+"""Codes of the camera stations. For I, P1, P2, CAE2 and W we chose codes that the report does not use."""
 SPARE = range(14, 18)
+"""Bits of the control word without a meaning."""
 UNIT = 1e-5
-"""Greatest deviation from 1 of the sum of squares of a sine and a cosine, or of a normal [1] (assumed)."""
+"""Greatest deviation from 1 of the sum of squares of sine and cosine, or of a normal's components [1] (assumed)."""
 
-Way = Literal[-1, 0, 1]
+Direction = Literal[-1, 0, 1]
+"""Direction of a motion; 0 for no motion."""
 
 
 class ControlWord(NamedTuple):
     """Control word: commands and flags for the scene generator, TABLE II.
 
     Attributes:
-        mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked.
-        station: camera position: A to I, P1, P2, CAE2, W.
-        initialise: True while the run is being initialised.
+        mode: task phase: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked.
+        station: camera station: A to I, P1, P2, CAE2, W.
+        initialise: True in a step that initialises the run.
         telescope: 1 longer, -1 shorter, 0 stopped.
-        pan: 1, -1 or 0; shares its sign with `tilt`.
+        pan: 1, -1 or 0. Pan and tilt have one sign bit, so they cannot have opposite signs.
         tilt: 1, -1 or 0.
         zoom: 1 in, -1 out, 0 none.
         prong: 1 closes, -1 opens, 0 stopped.
@@ -66,17 +69,17 @@ class ControlWord(NamedTuple):
     mode: Literal[1, 2, 3, 4]
     station: str
     initialise: bool = False
-    telescope: Way = 0
-    pan: Way = 0
-    tilt: Way = 0
-    zoom: Way = 0
-    prong: Way = 0
+    telescope: Direction = 0
+    pan: Direction = 0
+    tilt: Direction = 0
+    zoom: Direction = 0
+    prong: Direction = 0
     finger_inhibited: bool = False
     arm_inhibited: bool = False
 
 
 class WordPlane(NamedTuple):
-    """A separating plane in R: the points p with normal.p = distance.
+    """A separating plane in the report's frame R: the points p with normal.p = distance.
 
     Attributes:
         normal: unit normal.
@@ -88,12 +91,12 @@ class WordPlane(NamedTuple):
 
 
 class FrameBlock(NamedTuple):
-    """Data that one frame sends to the scene generator.
+    """Contents of a frame block: the data of one control step for the scene generator.
 
     Attributes:
         control: the control word.
-        angles: HO, PO, P1, H2, P2, R2 [rad]; decoded angles lie in (-pi, pi].
-        planes: the three separating planes of fingers and receptacle; None (four words of 0) if there is no plane.
+        angles: HO, PO, P1, H2, P2, R2 [rad]; decoded angles are in (-pi, pi].
+        planes: the three separating planes of fingers and receptacle. An absent plane is None; its words are four 0.
     """
 
     control: ControlWord
@@ -102,11 +105,11 @@ class FrameBlock(NamedTuple):
 
 
 def encode_control(control: ControlWord) -> int:
-    """Return the 24-bit word of a control word.
+    """Return a control word as an integer of 24 bits.
 
     Raises:
-        InputError: a mode or a station has no code, a motion is not -1, 0 or 1, a flag is not True or False, or pan and
-            tilt have opposite signs.
+        InputError: the mode or the station has no code, a motion is not -1, 0 or 1, a flag is not True or False, or pan
+            and tilt have opposite signs.
     """
     if _integer(control.mode) not in (1, 2, 3, 4):
         raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4, an integer")
@@ -115,9 +118,9 @@ def encode_control(control: ControlWord) -> int:
             f"the control word has no code for station {control.station!r}; only for {', '.join(STATIONS)}"
         )
     for name in ("telescope", "pan", "tilt", "zoom", "prong"):
-        way = getattr(control, name)
-        if _integer(way) not in (-1, 0, 1):
-            raise InputError(f"the control word's {name} is {way!r}; it has to be -1, 0 or 1, an integer")
+        motion = getattr(control, name)
+        if _integer(motion) not in (-1, 0, 1):
+            raise InputError(f"the control word's {name} is {motion!r}; it has to be -1, 0 or 1, an integer")
     for name in ("initialise", "finger_inhibited", "arm_inhibited"):
         flag = getattr(control, name)
         if flag not in (False, True):
@@ -148,7 +151,7 @@ def decode_control(word: int) -> ControlWord:
 
     Raises:
         InputError: the word is not an integer of 24 bits, a spare bit is set, the station code is unknown, the prong
-            both opens and closes, or the number of modes is not one.
+            both opens and closes, or not exactly one mode is set.
     """
     word = _word(word, "the control word")
     on = [bool(word & _bit(bit)) for bit in range(BITS)]
@@ -168,22 +171,24 @@ def decode_control(word: int) -> ControlWord:
         mode=mode,
         station=station,
         initialise=on[0],
-        telescope=_way(on[1], on[2]),
-        pan=_way(on[5], on[4]),
-        tilt=_way(on[3], on[4]),
-        zoom=_way(on[6], on[7]),
-        prong=_way(on[12] or on[13], on[13]),
+        telescope=_direction(on[1], on[2]),
+        pan=_direction(on[5], on[4]),
+        tilt=_direction(on[3], on[4]),
+        zoom=_direction(on[6], on[7]),
+        prong=_direction(on[12] or on[13], on[13]),
         finger_inhibited=on[18],
         arm_inhibited=on[19],
     )
 
 
 def encode_block(block: FrameBlock) -> tuple[int, ...]:
-    """Return the 32 words: control; sine and cosine of each angle; normal and distance of each plane; 7 blank.
+    """Return a frame block as 32 words.
+
+    The words are: the control word; sine and cosine of each angle; normal and distance of each plane; 7 blank words.
 
     Raises:
-        InputError: the control word has no code, there are too many or too few angles or planes, an angle is not
-            finite, a scale cannot hold its number (names the word), or a normal is not a unit vector.
+        InputError: the control word cannot be encoded, the number of angles or planes is wrong, an angle is not finite,
+            a number is too large for its word's scale (the message names the word), or a normal is not a unit vector.
     """
     _has(block.angles, len(ANGLES), f"a frame block has {len(ANGLES)} angles, {', '.join(ANGLES)}")
     _has(block.planes, PLANES, f"a frame block has {PLANES} separating planes")
@@ -208,11 +213,11 @@ def encode_block(block: FrameBlock) -> tuple[int, ...]:
 
 
 def decode_block(words: Sequence[int]) -> FrameBlock:
-    """Return the contents of a frame block; the blank words are ignored except for the check that they have 24 bits.
+    """Return the contents of a frame block. Each blank word must have 24 bits; its value is ignored.
 
     Raises:
-        InputError: there are not 32 words of 24 bits, the control word is invalid, or words are not a valid sine and
-            cosine, or not a unit normal.
+        InputError: there are not 32 words of 24 bits, the control word is invalid, two words are not the sine and
+            cosine of an angle, or a normal is not a unit vector.
     """
     _has(words, WORDS, f"a frame block has {WORDS} words")
     words = [_word(word, f"word {k} of the frame block") for k, word in enumerate(words, 1)]
@@ -239,11 +244,11 @@ def _plane(words: Sequence[int], k: int) -> WordPlane | None:
 def fixed(value: float, scale: int, name: str) -> int:
     """Return a number at scale Bn as a word, rounded to the nearest step.
 
-    No word can hold 2**n itself (for example, a normal's component of 1 at B0). It is written as the greatest number
-    below it.
+    The number 2**n (for example, a normal's component of 1 at B0) is too large for a word. It is encoded as the
+    greatest number that a word can hold.
 
     Raises:
-        InputError: the number is not finite, or is more than half a step outside [-2**n, 2**n].
+        InputError: the number is not finite, or is outside [-2**n, 2**n] by more than half a step.
     """
     most, half = 2.0**scale, 1 << (BITS - 1)
     if not (isfinite(value) and abs(round(value / most * half)) <= half):
@@ -262,14 +267,14 @@ def _bit(bit: int) -> int:
     return 1 << (BITS - 1 - bit)
 
 
-def _way(moves: bool, forwards: bool) -> Way:
+def _direction(moves: bool, forwards: bool) -> Direction:
     if not moves:
         return 0
     return 1 if forwards else -1
 
 
 def _integer(given: Any) -> int | None:
-    """Return the given value as an integer, including NumPy integers; None if it is not an integer."""
+    """Return a value as an integer if it is a Python or NumPy integer; None for any other value."""
     try:
         return index(given)
     except TypeError:

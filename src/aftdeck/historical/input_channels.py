@@ -1,9 +1,10 @@
-"""The operator's thirteen input channels, TABLE I, in units of V.
+"""The operator's thirteen input channels of TABLE I, as voltages [V].
 
-Switches have levels: encoding writes the exact level, decoding takes the nearest one. The six joint angles of the
-master arm are proportional ("scaling set by analog adjustments"), with 8 rad at 1 V. The scale is a power of two, so
-that encoding and decoding lose no bit of an angle. Source: the final report of the Remote Manipulator Simulation,
-TABLE I; the levels of channels 10 and G are read as 1/2 V where the scan shows 3 V.
+A switch has one voltage level for each position. Encoding writes the exact level; decoding selects the nearest level.
+The six joint angles of the master arm are proportional to their voltages ("scaling set by analog adjustments"), with
+8 rad at 1 V. This scale is a power of two, so that encoding and decoding preserve every bit of an angle. Source: the
+final report of the Remote Manipulator Simulation, TABLE I. In channel 10 and at station G, the scan shows 3 V; we read
+1/2 V.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from math import isfinite
 from typing import Final, Literal, NamedTuple, TypeVar, get_args
 
 from aftdeck.errors import InputError
-from aftdeck.historical.frame_words import Way
+from aftdeck.historical.frame_words import Direction
 
 _T = TypeVar("_T")
 
@@ -25,13 +26,13 @@ Angles = tuple[float, float, float, float, float, float]
 CHANNELS = 13
 JOINTS = ("HO", "PO", "P1", "H2", "P2", "R2")
 FULL_SCALE: Final = 8.0
-"""Joint angle at 1 V [rad]; our choice: more than a whole turn."""
+"""Joint angle at 1 V [rad]. The value is our choice; it is more than a whole turn."""
 NOISE: Final = 0.125
-"""Allowed excess of a channel beyond -1 to 1 V [V]: half the least step between levels (assumed)."""
+"""Greatest allowed excess of a voltage beyond -1 V or 1 V [V]: half the least step between levels (assumed)."""
 
 RUN: Mapping[bool, float] = {False: 0.0, True: 1.0}
 START: Mapping[Start, float] = {"full problem": 0.0, "mode 1": 1.0, "mode 2 or 3": -1.0}
-WAY: Mapping[Way, float] = {0: 0.0, 1: 1.0, -1: -1.0}
+DIRECTION: Mapping[Direction, float] = {0: 0.0, 1: 1.0, -1: -1.0}
 CAMERA: Mapping[CameraMotion, float] = {"+pan": 1.0, "-pan": 0.5, "none": 0.0, "+tilt": -0.5, "-tilt": -1.0}
 STATION: Mapping[Station, float] = {
     "A": 1.0,
@@ -51,30 +52,30 @@ class OperatorInputs(NamedTuple):
 
     Attributes:
         initialise: channel 1: True to initialise, False to run.
-        start: channel 2: the state to initialise to.
+        start: channel 2: the part of the problem to which the run is initialised.
         angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], from -8 to 8.
         telescope: channel 9: 1 longer, -1 shorter, 0 stop.
-        camera: channel 10.
+        camera: channel 10: pan or tilt of the camera.
         zoom: channel 11: 1 in, -1 out, 0 none.
-        station: channel 12: A to H; later stations have no level.
+        station: channel 12: camera station A to H; the other stations have no level.
         prong: channel 13: 1 close, -1 open, 0 stop.
     """
 
     initialise: bool
     start: Start
     angles: Angles
-    telescope: Way
+    telescope: Direction
     camera: CameraMotion
-    zoom: Way
+    zoom: Direction
     station: Station
-    prong: Way
+    prong: Direction
 
 
 def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
     """Return the voltages of the thirteen channels [V].
 
     Raises:
-        InputError: a setting has no level, or an angle is beyond the scale; names the channel.
+        InputError: a setting has no level, or an angle is beyond the scale. The message names the channel.
     """
     angles = []
     for channel, (name, angle) in enumerate(zip(JOINTS, inputs.angles, strict=True), 3):
@@ -85,18 +86,18 @@ def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
         _level(RUN, inputs.initialise, "channel 1, initialise"),
         _level(START, inputs.start, "channel 2, start"),
         *angles,
-        _level(WAY, inputs.telescope, "channel 9, telescope"),
+        _level(DIRECTION, inputs.telescope, "channel 9, telescope"),
         _level(CAMERA, inputs.camera, "channel 10, camera"),
-        _level(WAY, inputs.zoom, "channel 11, zoom"),
+        _level(DIRECTION, inputs.zoom, "channel 11, zoom"),
         _level(STATION, inputs.station, "channel 12, camera position"),
-        _level(WAY, inputs.prong, "channel 13, prong"),
+        _level(DIRECTION, inputs.prong, "channel 13, prong"),
     )
 
 
 def decode_inputs(volts: Sequence[float]) -> OperatorInputs:
     """Return the operator's settings from the voltages of the thirteen channels [V].
 
-    Each switch takes the nearest level, or the upper of two levels that are equally near.
+    Each switch is set to the nearest level. If two levels are equally near, the upper level is used.
 
     Raises:
         InputError: the number of channels is wrong, or a voltage is not finite or is beyond the scale.
@@ -113,11 +114,11 @@ def decode_inputs(volts: Sequence[float]) -> OperatorInputs:
         initialise=_nearest(RUN, volts[0]),
         start=_nearest(START, volts[1]),
         angles=(ho, po, p1, h2, p2, r2),
-        telescope=_nearest(WAY, volts[8]),
+        telescope=_nearest(DIRECTION, volts[8]),
         camera=_nearest(CAMERA, volts[9]),
-        zoom=_nearest(WAY, volts[10]),
+        zoom=_nearest(DIRECTION, volts[10]),
         station=_nearest(STATION, volts[11]),
-        prong=_nearest(WAY, volts[12]),
+        prong=_nearest(DIRECTION, volts[12]),
     )
 
 

@@ -1,7 +1,8 @@
 """TABLE I of the Remote Manipulator Simulation: conversion of a step's inputs to its thirteen channels, and back.
 
-The channels hold what the program reads in one control step: the master arm's angles and eight switches. Some of our
-commands have no channel (rate setting, latches, the orbiter's translation); `Reading.unsaid` names every such command.
+The channels hold the inputs of one control step: the master arm's six angles and seven switches. Some of our commands
+have no channel (for example rate setting, latches, the orbiter's translation); `Reading.unsaid` names every such
+command.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple, cast
 
 from aftdeck.errors import InputError
-from aftdeck.historical.frame_words import Way
+from aftdeck.historical.frame_words import Direction
 from aftdeck.historical.input_channels import FULL_SCALE, STATION, CameraMotion, OperatorInputs, Start, Station
 from aftdeck.scenario.model import Part
 from aftdeck.simulation.camera_drives import CameraDrive
@@ -21,7 +22,7 @@ from aftdeck.steering.layout import MASTER
 MODE = "MASTER"
 """Mode in which the arm follows the channels' angles."""
 NOT_CONNECTED: Station = "E"
-"""Station point written for a camera that has no level in TABLE I: 0 V."""
+"""Station for a camera that has no level in TABLE I; the level of this station is 0 V."""
 
 _MOTIONS: dict[tuple[float, float], CameraMotion] = {
     (1.0, 0.0): "+pan",
@@ -35,22 +36,22 @@ _DRIVES = {motion: switches for switches, motion in _MOTIONS.items()}
 _PARTS: dict[Part, Start] = {"full problem": "full problem", "acquisition": "mode 1", "extraction": "mode 2 or 3"}
 """Setting of channel 2. TABLE I has one level for modes 2 and 3: a run initialised to mode 2 proceeds to mode 3."""
 _STARTS = {start: part for part, start in _PARTS.items()}
-_PRONG: dict[Way, Literal["stop", "close", "open"]] = {0: "stop", 1: "close", -1: "open"}
-_WAYS = {switch: way for way, switch in _PRONG.items()}
+_PRONG: dict[Direction, Literal["stop", "close", "open"]] = {0: "stop", 1: "close", -1: "open"}
+_PRONG_DIRECTIONS = {switch: direction for direction, switch in _PRONG.items()}
 _MOMENTARY = (
     "translation", "rotation", "drive", "target", "rate_hold", "position_hold", "proceed", "stop", "latch", "orbiter",
 )  # fmt: skip
-"""Inputs that have no channel and act only in their own step."""
+"""Inputs that have no channel, and act only in the step in which they are sent."""
 _NEUTRAL = Inputs()
 
 
 class Reading(NamedTuple):
-    """Operator's inputs that the program read in one step.
+    """Inputs of one control step, as settings of the channels of TABLE I.
 
     Attributes:
-        inputs: settings of the channels of TABLE I.
-        unsaid: names of commands that have no channel. If there are any, a run from the channels may differ from this
-            run.
+        inputs: settings of the channels.
+        unsaid: names of the commands in this step that have no channel. If there are any, a run with the channels as
+            inputs may differ from this run.
     """
 
     inputs: OperatorInputs
@@ -58,29 +59,30 @@ class Reading(NamedTuple):
 
 
 def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
-    """Return the channels that command the step just made with these inputs.
+    """Return the channels that command the same step as the inputs `flown`; `state` is the state after that step.
 
-    In MASTER the channels hold the master arm's angles after this step, whether a device or the sticks moved it. In
-    other modes they hold the angles of the arm itself.
+    In MASTER the channels hold the master arm's angles after the step, whether a device or the sticks moved the master
+    arm. In other modes the channels hold the angles of the arm itself.
     """
     unsaid = _without_channel(flight, state, flown)
     mastered = state.panel.mode == MODE
     angles = (state.command[MASTER : MASTER + 6] if mastered else state.plant.angles).tolist()
-    held = [min(max(angle, -FULL_SCALE), FULL_SCALE) for angle in angles]
+    clamped = [min(max(angle, -FULL_SCALE), FULL_SCALE) for angle in angles]
     camera = flown.camera or CameraDrive(state.panel.camera)
     motion = _MOTIONS.get((camera.pan, camera.tilt), "none")
     start = _PARTS.get(flown.initialise or "full problem", "mode 2 or 3")
     settings = OperatorInputs(
         initialise=flown.initialise is not None,
         start=start,
-        angles=cast("tuple[float, float, float, float, float, float]", tuple(held)),
+        angles=cast("tuple[float, float, float, float, float, float]", tuple(clamped)),
         telescope=_level(flown.telescope),
         camera=motion,
         zoom=_level(camera.zoom),
         station=cast("Station", state.panel.camera) if state.panel.camera in STATION else NOT_CONNECTED,
-        prong=_WAYS[state.worksite.switch],
+        prong=_PRONG_DIRECTIONS[state.worksite.switch],
     )
-    unsaid += ["master"] if held != angles or any(angle / FULL_SCALE * FULL_SCALE != angle for angle in held) else []
+    inexact = clamped != angles or any(angle / FULL_SCALE * FULL_SCALE != angle for angle in clamped)
+    unsaid += ["master"] if inexact else []
     unsaid += ["telescope"] if flown.telescope != settings.telescope else []
     turned = (*_DRIVES[motion], float(settings.zoom))
     unsaid += ["camera"] if (camera.pan, camera.tilt, camera.zoom) != turned or (camera.slow and any(turned)) else []
@@ -90,12 +92,12 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
 
 
 def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
-    """Return the inputs of a step that the thirteen channels command.
+    """Return the inputs of the step that the thirteen channels command.
 
     Args:
         settings: settings of the channels.
         switch: position of the prong's switch before the step.
-        cameras: names of the cameras that have a drive. A station point with another name commands no camera.
+        cameras: names of the cameras that have a drive. A station that is not among them commands no camera.
 
     Raises:
         InputError: the channels move a camera without a drive.
@@ -120,7 +122,7 @@ def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...])
 
 
 def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
-    """Return the names of commands that act in this step and have no channel, whether given now or earlier."""
+    """Return the names of the commands without a channel that act in this step, whether sent in it or earlier."""
     panel, worksite, scenario = state.panel, state.worksite, flight.scenario
     other_mode = flown.mode not in (None, MODE)
     rejected = flown.effector not in (None, "stop") and state.script.attached > 0
@@ -134,14 +136,15 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
         "position_hold": panel.position_hold != scenario.position_hold,
         "brakes": panel.brakes,
         "safing": panel.safing,
-        "effector": rejected,  # payload fixed in the grasp: each press is rejected, and a channel shows no presses
+        # the scenario fixes the payload to the arm, so each press of the switch is rejected; a channel has no presses
+        "effector": rejected,
         "effector_mode": worksite.effector_mode != "auto",
         "rigid": worksite.rigid != "off",
     }
-    given = [name for name in _MOMENTARY if getattr(flown, name) != getattr(_NEUTRAL, name)]
-    return list(dict.fromkeys([*(name for name, acts in lasting.items() if acts), *given]))
+    momentary = [name for name in _MOMENTARY if getattr(flown, name) != getattr(_NEUTRAL, name)]
+    return list(dict.fromkeys([*(name for name, acts in lasting.items() if acts), *momentary]))
 
 
-def _level(switch: float) -> Way:
-    """Return the position of a three-position switch (-1, 0 or 1): the sign of a deflection in [-1, 1]."""
+def _level(switch: float) -> Direction:
+    """Return the position of a three-position switch for a deflection in [-1, 1]: the deflection's sign."""
     return 1 if switch > 0.0 else -1 if switch < 0.0 else 0

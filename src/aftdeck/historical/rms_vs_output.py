@@ -1,8 +1,9 @@
 """TABLE II of the Remote Manipulator Simulation: the 32 words that the program sent to the scene generator.
 
-The control word names the selected camera and the motions of the step. Angles, inhibits and mode are those of the state
-after the step. D1 to D3 are the planes between the end effector's hexahedra and the bar. In mode 1 they are the planes
-of the collision test. While a payload is held they are face d of HEX 1, b of HEX 2 and e of HEX 3 (CALSP1 to CALSP3).
+The control word contains the selected camera and the motions of the step. Angles, inhibits and task phase (mode) are
+those of the state after the step. D1 to D3 are planes between the end effector's hexahedra and the bar. While no
+payload is held, they are the separating planes of the collision test. While a payload is held, they are the planes of
+face d of HEX 1, face b of HEX 2 and face e of HEX 3 (subroutines CALSP1 to CALSP3).
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import Literal, NamedTuple, cast
 from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Setting
 from aftdeck.bodies.hexahedron import NX, NY, NZ, D
-from aftdeck.historical.frame_words import STATIONS, ControlWord, FrameBlock, Way, WordPlane
+from aftdeck.historical.frame_words import STATIONS, ControlWord, Direction, FrameBlock, WordPlane
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import HEXES
 from aftdeck.simulation.observe.look_work import all_near
@@ -20,9 +21,9 @@ from aftdeck.simulation.state import State
 from aftdeck.units import FOOT
 
 INNER = (3, 1, 4)
-"""Indices, from 0, of faces d, b and e: the sides of HEX 1 to 3 that touch a held bar."""
+"""Indices, from 0, of faces d, b and e: the faces of HEX 1 to 3 that are towards a held bar."""
 NO_CODE = "A"
-"""Station written for a camera that has no code: 0000, the code of a disabled function."""
+"""Station for a camera that has no code. The code of this station is 0000, as for a disabled function."""
 FARTHEST = 2.0**11 * FOOT
 """Greatest distance that a word can hold at scale B11, the report's scale for distances [m]."""
 
@@ -30,7 +31,7 @@ Planes = tuple[WordPlane | None, WordPlane | None, WordPlane | None]
 
 
 class Places(NamedTuple):
-    """Positions whose change in a step gives the motions in the control word.
+    """Positions before or after a step; the control word contains the signs of their changes.
 
     Attributes:
         stand: length of the telescope [m].
@@ -56,18 +57,18 @@ class Block(NamedTuple):
 
 
 def places_of(state: State) -> Places:
-    """Return the positions in a state, to be compared with those of the next state."""
+    """Return the positions in a state."""
     return Places(state.plant.stand.position, state.worksite.prong.position, state.views)
 
 
 def block_of(flight: Flight, state: State, before: Places) -> Block:
     """Return the frame block after a step; `before` holds the positions before the step."""
     worksite, now, unsaid = state.worksite, places_of(state), []
-    begun = any(event.kind == "initialise" for event in state.events)
-    if begun:  # an initialised position is not a motion
+    initialised = any(event.kind == "initialise" for event in state.events)
+    if initialised:  # a change of position by initialisation is not a motion
         before = now
     station = state.panel.camera or NO_CODE
-    pan, tilt, zoom = (_way(step) for step in _turned(flight, state, before))
+    pan, tilt, zoom = (_direction(step) for step in _turned(flight, state, before))
     if pan * tilt < 0:
         unsaid.append("tilt")  # TABLE II has one sign bit for pan and tilt
         tilt = 0
@@ -76,12 +77,12 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
     control = ControlWord(
         mode=cast("Literal[1, 2, 3, 4]", worksite.task),
         station=station if station in STATIONS else NO_CODE,
-        initialise=begun,
-        telescope=_way(now.stand - before.stand),
+        initialise=initialised,
+        telescope=_direction(now.stand - before.stand),
         pan=pan,
         tilt=tilt,
         zoom=zoom,
-        prong=_way(now.prong - before.prong),
+        prong=_direction(now.prong - before.prong),
         finger_inhibited=worksite.contacts.inhibit.finger,
         arm_inhibited=worksite.contacts.inhibit.arm,
     )
@@ -95,11 +96,11 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
 
 
 def planes_of(flight: Flight, state: State) -> Planes:
-    """Return D1 to D3 in R; a plane is None if there is no bar, or if hexahedron and bar collide."""
+    """Return D1 to D3 in R. A plane is None if there is no bar, or if hexahedron and bar collide."""
     bar, held = flight.site.bar, state.worksite.held
-    if bar is not None and held is not None and (which := bar.which[held]) is not None:
+    if bar is not None and held is not None and (solids := bar.which[held]) is not None:
         d1, d2, d3 = (
-            _face(state.worksite.watch.placed[solid], face) for solid, face in zip(which, INNER, strict=False)
+            _face(state.worksite.watch.placed[solid], face) for solid, face in zip(solids, INNER, strict=False)
         )
         return d1, d2, d3
     near = [pair for pair in all_near(flight, state) if pair.a in HEXES and pair.b.endswith("receptacle")]
@@ -112,12 +113,12 @@ def planes_of(flight: Flight, state: State) -> Planes:
 
 
 def _face(body: Array, face: int) -> WordPlane:
-    """Return the plane of a placed body's face; its normal points outwards."""
+    """Return the plane of a solid's face; the normal points outwards."""
     return WordPlane((float(body[NX + face]), float(body[NY + face]), float(body[NZ + face])), float(body[D + face]))
 
 
 def _turned(flight: Flight, state: State, before: Places) -> tuple[float, float, float]:
-    """Return the changes of pan, tilt and zoom of the selected camera, positive right, up and in [rad]."""
+    """Return the changes of the selected camera's pan (+ right), tilt (+ up) and zoom (+ in) [rad]."""
     name = state.panel.camera
     names = flight.cameras.names
     if name not in names:
@@ -126,5 +127,5 @@ def _turned(flight: Flight, state: State, before: Places) -> tuple[float, float,
     return now.pan - was.pan, now.tilt - was.tilt, was.zoom - now.zoom
 
 
-def _way(change: float) -> Way:
+def _direction(change: float) -> Direction:
     return 1 if change > 0.0 else -1 if change < 0.0 else 0

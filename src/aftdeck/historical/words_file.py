@@ -1,8 +1,9 @@
-"""File of the report's channels and words, one line of JSON for each control step: an output of a run, or its input.
+"""Channels and words file: RMS-VS's channels and words, one line of JSON for each control step of a run.
 
-A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in full precision) and ``words`` (TABLE II, 32 in octal). It
-also has ``unsaid`` if a command or a displayed value has no channel or code; ``unsaid`` lists these names. A file
-used as input needs only ``volts``; ``time_s`` and ``unsaid`` are read if present.
+A run can write such a file, or use one as its input. A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in
+full precision) and ``words`` (TABLE II, 32 numbers in octal). If a command has no channel, or a value has no code, the
+line also has ``unsaid``, a list of their names. A line of an input file needs only ``volts``; ``time_s`` and
+``unsaid`` are read if present.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ ON_TIME = 1e-6
 
 
 class Line(NamedTuple):
-    """Control step as channels and words of the report.
+    """Control step in the form of RMS-VS's channels and words.
 
     Attributes:
         volts: the thirteen channels [V].
@@ -48,11 +49,11 @@ class Line(NamedTuple):
 
 
 class WordsWriter:
-    """Writer of one line for each step of a run, starting with the first step.
+    """Writer of a channels and words file; it must write every step of a run, from the first step on.
 
     Attributes:
         steps: number of steps written so far.
-        unsaid: for each name, the number of lines with the name in ``unsaid``.
+        unsaid: for each name in ``unsaid`` so far, the number of lines with this name.
     """
 
     def __init__(self, file: TextIO, scenario: Scenario) -> None:
@@ -75,7 +76,14 @@ class WordsWriter:
 
 
 def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line:
-    """Return the line of the last step, which used these inputs; `before` holds the positions before the step."""
+    """Return the line of the last step.
+
+    Args:
+        flight: constants of the run.
+        state: state after the step.
+        flown: inputs of the step.
+        before: positions before the step.
+    """
     reading, block = reading_of(flight, state, flown), block_of(flight, state, before)
     unsaid = dict.fromkeys((*reading.unsaid, *block.unsaid))
     return Line(encode_inputs(reading.inputs), encode_block(block.block), tuple(unsaid))
@@ -83,10 +91,10 @@ def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line
 
 @contextmanager
 def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
-    """Open a new file for the words of a scenario; delete the file if the run raises an error.
+    """Open a new channels and words file for a run of a scenario; delete the file if the run raises an error.
 
     Raises:
-        InputError: the scenario has another arm than the report's, or the file already exists or cannot be written.
+        InputError: the scenario's arm is not the report's arm, or the file already exists or cannot be written.
     """
     check_arm(scenario)
     try:
@@ -102,10 +110,10 @@ def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
 
 
 def check_arm(scenario: Scenario) -> None:
-    """Raise an error if a scenario has another arm than the report's.
+    """Check that a scenario's arm is the report's arm.
 
     Raises:
-        InputError: the scenario's arm has no telescope or no prong.
+        InputError: the scenario's arm has no telescope or no prong, so it is not the report's arm.
     """
     equipment = scenario.arm.model.equipment
     if equipment.telescope is None or equipment.prong is None:
@@ -116,7 +124,7 @@ def check_arm(scenario: Scenario) -> None:
 
 
 class _Sample(msgspec.Struct, frozen=True):
-    """Fields that are read from a line of a file of channels."""
+    """Fields that are read from a line of a channels and words file."""
 
     volts: Annotated[tuple[float, ...], msgspec.Meta(min_length=CHANNELS, max_length=CHANNELS)]
     time_s: float | None = None
@@ -124,11 +132,11 @@ class _Sample(msgspec.Struct, frozen=True):
 
 
 class Channels(NamedTuple):
-    """Contents of a file of channels.
+    """Channels read from a channels and words file.
 
     Attributes:
         samples: the operator's inputs, one for each control step.
-        unsaid: for each name, the number of lines with the name in ``unsaid``.
+        unsaid: for each name in ``unsaid`` of any line, the number of lines with this name.
     """
 
     samples: tuple[OperatorInputs, ...]
@@ -136,14 +144,14 @@ class Channels(NamedTuple):
 
 
 def read_channels(path: Path, period: float) -> Channels:
-    """Return the contents of a file of channels.
+    """Return the channels from a channels and words file.
 
     Args:
         path: the file.
-        period: control period of the run, and so the sampling period of the file [s].
+        period: control period of the run, which must also be the time between two lines of the file [s].
 
     Raises:
-        InputError: the file cannot be read or has no lines, or a line is not a sample, its time is not that of its
+        InputError: the file cannot be read or is empty, a line is not valid, the time in a line is not the time of its
             step, or a voltage is beyond the scale. The message names the line.
     """
     try:
@@ -169,14 +177,15 @@ def read_channels(path: Path, period: float) -> Channels:
 
 
 def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inputs | None]:
-    """Return a function that gives the inputs of each sample in its step, and None after the last sample.
+    """Return a function that returns the inputs of the next sample at each call, and None after the last sample.
 
-    The function raises an InputError, which names the sample's line, for a sample that the scenario cannot carry out.
+    The function raises an InputError, which names the sample's line, if the scenario has no drive for the camera that a
+    sample moves.
     """
-    given = enumerate(samples, 1)
+    numbered = enumerate(samples, 1)
 
     def inputs(sim: Simulation) -> Inputs | None:
-        number, settings = next(given, (0, None))
+        number, settings = next(numbered, (0, None))
         if settings is None:
             return None
         try:

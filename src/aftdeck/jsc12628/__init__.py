@@ -1,12 +1,13 @@
 """Subroutines of JSC-12628, one function each, in the report's symbols.
 
-The package is a thin layer over the simulation's compiled laws, without a formula of its own. Where the simulation
-differs from the source, these functions follow the source (a scenario's ``strict``): VCLOSE and AVCLMT as published,
-RMANGS's own branch, no joint stops.
+The package contains no formulas: it calls the simulation's compiled laws. Where the simulation differs from the report,
+these functions follow the report, like a scenario with ``strict``. VCLOSE and AVCLMT are as published, RMANGS returns
+only its own branch, and joints have no stops.
 
-Lengths are metres, or feet with ``units="ft"``; angles are radians, times seconds. Vectors and rotations are in the
-report's orbiter frame B unless stated otherwise. A rotation T_BN has the axes of frame N as its columns, in B. Joint
-angles are the operator's: those of the report, except for the offsets of an elbow that lies beneath the boom line.
+Lengths are in metres, or in feet with ``units="ft"``; angles are in radians, times in seconds. Vectors and rotations
+are in the report's orbiter frame B unless stated otherwise. The columns of a rotation T_BN are the axes of frame N,
+in B. Joint angles are those of the panel. They equal the report's angles, except on an arm whose elbow is below the
+line of its booms: there some angles differ from the report's by constants.
 
 Example:
     >>> import numpy as np

@@ -1,4 +1,4 @@
-"""VOTRAN, AVCLMT and RATLMT: a mode's command in B, and the same command within the limits."""
+"""VOTRAN, AVCLMT and RATLMT: conversion of a mode's command to B, and its reduction to the limits."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ class Vtopen(NamedTuple):
     """Open-loop profile of mode 3.
 
     Attributes:
-        R_V: greatest speed.
-        R_omega: greatest angular rate [rad/s].
+        R_V: greatest speed of the motion.
+        R_omega: greatest angular rate of the motion [rad/s].
         ETA: end of the phase [s].
         t_v1: end of the translation's acceleration [s].
         t_v2: beginning of the translation's deceleration [s].
@@ -55,11 +55,11 @@ class Vtopen(NamedTuple):
 
 
 class Ratlmt(NamedTuple):
-    """Joint rates within their limits.
+    """Result of RATLMT: joint rates within their limits.
 
     Attributes:
-        RATIO: ratio of each rate to the commanded rate, at most 1.
-        theta_dot_C: (6,) joint rates [rad/s].
+        RATIO: ratio of each returned rate to its given rate, at most 1; the same for all joints.
+        theta_dot_C: (6,) returned joint rates [rad/s].
     """
 
     RATIO: float
@@ -73,15 +73,15 @@ def votran(
     """Return a mode's commanded velocities in B (JSC-12628, subroutine VOTRAN, p. 33).
 
     Args:
-        mode: meaning of the commands. 2 and 4: given in B. 5: given in the end effector's frame 7. 6: given in the
-            payload's frame 8. 7: rotation in frame 8, translation in B. 3: R_omega U_omega and R_V U_V, which the
-            profile's ramps scale.
-        omega_C: (3,) omega_C', commanded angular velocity [rad/s].
-        V_C: (3,) V_C', commanded velocity, in any unit of length.
+        mode: the report's mode. It determines the frame of the two commands. Modes 2 and 4: frame B. Mode 5: the end
+            effector's frame 7. Mode 6: the payload's frame 8. Mode 7: `omega_C` in frame 8, `V_C` in B. In mode 3 the
+            commands are R_omega U_omega and R_V U_V in B, and the profile's ramps scale them.
+        omega_C: (3,) the report's omega_C', the mode's angular velocity [rad/s].
+        V_C: (3,) the report's V_C', the mode's velocity, in any unit of length.
         T_B7: (3, 3) the end effector's frame, for modes 5 to 7.
         T_78: (3, 3) the payload's axes in frame 7, for modes 6 and 7.
         profile: result of VTOPEN, for mode 3.
-        TP: phase time so far [s], for mode 3.
+        TP: time since the start of the phase [s], for mode 3.
 
     Raises:
         InputError: the mode is not 2 to 7, or mode 3 has no profile.
@@ -112,7 +112,9 @@ def avclmt(
     omega_C: ArrayLike, V_C: ArrayLike, omega: ArrayLike, V: ArrayLike, *, V_L: float, omega_L: float,
     V_L_dot: float, omega_L_dot: float, DT: float, units: Units = "m",
 ) -> Wanted:  # fmt: skip
-    """Return commanded velocities within the tip's limits, acceleration first (JSC-12628, subroutine AVCLMT, p. 6).
+    """Return commanded velocities, reduced to the tip's limits (JSC-12628, subroutine AVCLMT, p. 6).
+
+    The acceleration limits are applied first, the limits of speed and angular rate last.
 
     Args:
         omega_C: (3,) commanded angular velocity [rad/s].
@@ -124,7 +126,7 @@ def avclmt(
         V_L_dot: greatest acceleration.
         omega_L_dot: greatest angular acceleration [rad/s2].
         DT: control period [s].
-        units: of lengths given and returned.
+        units: unit of all lengths, given and returned.
     """
     length = metres(units)
     rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
@@ -136,9 +138,9 @@ def avclmt(
 
 
 def ratlmt(theta_dot_C: ArrayLike, theta_dot_L: ArrayLike) -> Ratlmt:
-    """Return joint rates scaled by one ratio, so that each is within its limit (JSC-12628, subroutine RATLMT, p. 24).
+    """Scale all joint rates by one ratio, so that each is within its limit (JSC-12628, subroutine RATLMT, p. 24).
 
-    The simulation's RATLMT also handles stops and singularities; this function ignores them.
+    The simulation's RATLMT also limits the approach to stops and singularities; this function ignores them.
 
     Args:
         theta_dot_C: (6,) commanded joint rates [rad/s].

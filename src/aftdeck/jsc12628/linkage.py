@@ -68,9 +68,9 @@ def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
     """Return tip position and orientation (JSC-12628, subroutine LNKAGE, p. 14).
 
     Args:
-        arm: the arm; one with a telescope is set to the telescope's length.
+        arm: the arm. `Arm.at` sets the length of its telescope.
         theta: (6,) joint angles [rad].
-        units: of `r_6B`.
+        units: unit of `r_6B`.
     """
     length, q = metres(units), array(theta, (6,), "theta")
     tip = arm.model.mount.to("orbiter", arm.forward(q))
@@ -80,15 +80,18 @@ def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
 
 
 def jacobi(arm: Arm, theta: ArrayLike, units: Units = "m") -> Array:
-    """Return the Jacobian a in frame 5, b = a theta_dot (JSC-12628, subroutine JACOBI, p. 10).
+    """Return the Jacobian matrix a in frame 5 (JSC-12628, subroutine JACOBI, p. 10).
+
+    The product a theta_dot is the report's vector b: the tip's angular velocity, then its velocity.
 
     Args:
         arm: as for `lnkage`.
         theta: (6,) joint angles [rad].
-        units: of the lower three rows.
+        units: unit of length of the lower three rows.
 
     Returns:
-        (6, 6): rows angular velocity [1], then velocity of the tip, along the axes of `Lnkage.T_B5`; columns joints.
+        (6, 6) matrix with one column for each joint. Rows 1 to 3 give the tip's angular velocity [1], rows 4 to 6 the
+        tip's velocity, along the axes of `Lnkage.T_B5`.
     """
     length, q = metres(units), array(theta, (6,), "theta")
     j = jacobian.jacobi(arm.model.links, sines(arm.model.links, *q.tolist()))
@@ -113,7 +116,7 @@ def erates(arm: Arm, theta: ArrayLike, theta_dot: ArrayLike, units: Units = "m")
         arm: as for `lnkage`.
         theta: (6,) joint angles [rad].
         theta_dot: (6,) joint rates [rad/s].
-        units: of `V`.
+        units: unit of length of `V`.
     """
     length, links = metres(units), arm.model.links
     a = sines(links, *array(theta, (6,), "theta").tolist())
@@ -123,20 +126,20 @@ def erates(arm: Arm, theta: ArrayLike, theta_dot: ArrayLike, units: Units = "m")
 
 
 def rmsrat(arm: Arm, theta: ArrayLike, omega_C: ArrayLike, V_C: ArrayLike, units: Units = "m") -> Array:
-    """Return the joint rates that give the tip commanded velocities (JSC-12628, subroutine RMSRAT, p. 29).
+    """Return the joint rates that give the tip the commanded velocities (JSC-12628, subroutine RMSRAT, p. 29).
 
     Args:
         arm: as for `lnkage`.
         theta: (6,) joint angles [rad].
         omega_C: (3,) commanded angular velocity [rad/s].
         V_C: (3,) commanded velocity.
-        units: of `V_C`.
+        units: unit of length of `V_C`.
 
     Returns:
         (6,) joint rates theta_dot_C [rad/s].
 
     Raises:
-        SingularityError: the arm is at a singularity; names it.
+        SingularityError: the arm is at a singularity; the error names the singularity.
     """
     to_l = arm.model.mount.rotation.T
     omega, v = to_l @ array(omega_C, (3,), "omega_C"), to_l @ array(V_C, (3,), "V_C") * metres(units)
@@ -147,20 +150,20 @@ def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Ar
     """Return the joint angles of a pose, on the source's own branch (JSC-12628, subroutine RMANGS, p. 25).
 
     `Arm.inverse` returns all branches. On the source's branch, theta_1 is the arc tangent of the wrist's direction,
-    theta_5 lies within +-90 deg, and the elbow is above the line from shoulder to wrist. Joint limits are ignored.
+    theta_5 is within +-90 deg, and the elbow is above the line from shoulder to wrist. Joint limits are ignored.
 
     Args:
         arm: as for `lnkage`.
         r_6B: (3,) tip position.
         T_B7: (3, 3) the end effector's frame.
-        units: of `r_6B`.
+        units: unit of `r_6B`.
 
     Returns:
         (6,) joint angles [rad], within +-180 deg.
 
     Raises:
         SingularityError: the pose does not determine the angles.
-        UnreachableError: this branch does not reach the pose.
+        UnreachableError: no angles of this branch reach the pose.
     """
     given = Pose(array(r_6B, (3,), "r_6B") * metres(units), array(T_B7, (3, 3), "T_B7"))
     pose = arm.model.mount.from_("orbiter", given)
@@ -169,7 +172,8 @@ def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Ar
     inverse.rmangs(arm.model.links, np.concatenate([pose.position, pose.rotation.ravel()]), angles, excess)
     if excess[0] != 0.0:
         raise UnreachableError(
-            f"RMANGS's own branch misses this pose by {abs(excess[0]):.4g} m; Arm.inverse returns others that reach it",
+            f"RMANGS's own branch misses this pose by {abs(excess[0]):.4g} m; Arm.inverse returns the branches that "
+            "reach it",
             abs(float(excess[0])),
         )
     return np.asarray(angles[0])
@@ -188,17 +192,17 @@ def rmsist(
 
     Args:
         arm: as for `lnkage`.
-        theta: (6,) joint angles [rad]; None for those of RMANGS for `r_6B` and `T_B7`.
+        theta: (6,) joint angles [rad]; if None, RMANGS computes them from `r_6B` and `T_B7`.
         theta_dot: (6,) joint rates [rad/s].
         r_6B: (3,) tip position, if `theta` is None.
         T_B7: (3, 3) the end effector's frame, if `theta` is None.
-        units: of lengths given and returned.
+        units: unit of all lengths, given and returned.
 
     Raises:
-        InputError: neither angles nor a pose are given, or both are.
+        InputError: the arguments contain neither angles nor a complete pose, or angles and a part of a pose.
         LimitError: a joint is outside its hard limits.
-        SingularityError: as `rmangs`.
-        UnreachableError: as `rmangs`.
+        SingularityError: RMANGS raises it; see `rmangs`.
+        UnreachableError: RMANGS raises it; see `rmangs`.
     """
     if theta is not None and r_6B is None and T_B7 is None:
         angles = array(theta, (6,), "theta")

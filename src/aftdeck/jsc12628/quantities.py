@@ -33,10 +33,10 @@ def metres(units: Units) -> float:
 
 
 def array(values: ArrayLike, shape: tuple[int, ...], name: str) -> Array:
-    """Return finite numbers of the given shape, as float64.
+    """Return an argument as a float64 array, after a check that it consists of finite numbers in the given shape.
 
     Raises:
-        InputError: the values are not finite numbers of that shape; names the argument.
+        InputError: the check fails; the message names the argument.
     """
     try:
         given = np.asarray(values, dtype=np.float64)
@@ -50,10 +50,10 @@ def array(values: ArrayLike, shape: tuple[int, ...], name: str) -> Array:
 
 
 def positive(value: float, name: str) -> float:
-    """Return a finite number above zero.
+    """Return an argument as a float, after a check that it is a finite number above zero.
 
     Raises:
-        InputError: the value is not a finite number above zero; names the argument.
+        InputError: the check fails; the message names the argument.
     """
     number = float(array(value, (), name))
     if number <= 0.0:
@@ -69,7 +69,7 @@ def strict_rules() -> Array:
 
 
 def limited_rules(V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float, length: float) -> Array:
-    """Return `strict_rules` with the limits of the tip's motion; `length` is the result of `metres`."""
+    """Return `strict_rules` with the limits of the tip's motion; `length` is the size of the unit of length [m]."""
     rules = strict_rules()
     rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
     rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
@@ -77,5 +77,5 @@ def limited_rules(V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float
 
 
 def tip_of(position: Array, rotation: Array) -> Tip:
-    """Return a pose in the form of the laws: position [m] and the rotation row by row."""
+    """Return a pose as a `Tip`, the form in which the laws take it: position [m], then the rotation row by row."""
     return Tip(*position.tolist(), *rotation.ravel().tolist())

@@ -1,4 +1,4 @@
-"""OPERIN and MSTEER: start of a phase in one of the eight modes, and its steering step by step."""
+"""OPERIN and MSTEER: start of a phase in one of the eight modes, and one steering step of a phase."""
 
 from __future__ import annotations
 
@@ -55,13 +55,13 @@ _ZERO = (0.0, 0.0, 0.0)
 
 
 class Phase:
-    """Phase in progress: its limits and command, and the state after the last step.
+    """Phase in progress: its limits, its command, and the arm's state after the last step.
 
     Attributes:
         arm: the arm that the phase moves.
         mode: the report's mode, 1 to 8.
-        units: of lengths given and returned.
-        TP: phase time so far [s].
+        units: unit of all lengths, given and returned.
+        TP: time since the start of the phase [s].
     """
 
     def __init__(self, arm: Arm, mode: int, units: Units, rules: Array, command: Array, state: Array) -> None:
@@ -69,7 +69,7 @@ class Phase:
         self._rules, self._command, self._state = rules, command, state
 
     def _step(self, theta: Array, theta_dot: Array | None) -> Array:
-        """Run one step of the steering laws, and return their report."""
+        """Run one step of the steering laws, and return the `report` array (`aftdeck.steering.layout`)."""
         state, report = self._state, np.zeros(REPORT)
         state[ANGLES : ANGLES + 6] = theta
         state[MEASURED : MEASURED + 6] = state[RATES : RATES + 6] if theta_dot is None else theta_dot
@@ -84,10 +84,10 @@ class Msteer(NamedTuple):
     Attributes:
         theta_dot_C: (6,) commanded joint rates [rad/s].
         omega_C: (3,) the tip's commanded angular velocity [rad/s].
-        V_C: (3,) its commanded velocity.
-        RATIO: ratio of the joint rates after RATLMT to those before.
-        ETA: the phase's estimated end [s]; infinite in modes 4 to 8, which an operator ends.
-        done: whether an automatic phase has ended.
+        V_C: (3,) the tip's commanded velocity.
+        RATIO: ratio by which RATLMT reduced the joint rates, at most 1.
+        ETA: estimated phase time at the end of the phase [s]; infinite in modes 4 to 8, which an operator ends.
+        done: whether a phase of an automatic mode (1, 2 or 3) has ended.
     """
 
     theta_dot_C: Array
@@ -112,23 +112,24 @@ def operin(
             joint.
         theta_0: (6,) joint angles [rad].
         V_L: greatest speed of the tip.
-        omega_L: its greatest angular rate [rad/s].
-        V_L_dot: its greatest acceleration.
-        omega_L_dot: its greatest angular acceleration [rad/s2].
+        omega_L: greatest angular rate of the tip [rad/s].
+        V_L_dot: greatest acceleration of the tip.
+        omega_L_dot: greatest angular acceleration of the tip [rad/s2].
         theta_dot_L: (6,) greatest joint rates [rad/s].
         DT: control period [s].
         theta_F: (6,) final joint angles [rad], for mode 1.
         r_6BF: (3,) the tip's final position, for modes 2 and 3.
-        T_B7F: (3, 3) its final orientation, for modes 2 and 3.
-        omega_C: (3,) omega_C' [rad/s], for modes 4 to 7, in the mode's frame.
-        V_C: (3,) V_C', likewise.
+        T_B7F: (3, 3) the tip's final orientation, for modes 2 and 3.
+        omega_C: (3,) the report's omega_C', the operator's angular velocity in the mode's frame [rad/s], for modes
+            4 to 7.
+        V_C: (3,) the report's V_C', the operator's velocity in the mode's frame, for modes 4 to 7.
         T_78: (3, 3) the payload's axes in frame 7, for modes 6 and 7.
-        joint: index of the joint, 0 to 5, for mode 8.
-        theta_dot_C: theta_dot_C', that joint's rate [rad/s], for mode 8.
-        units: of lengths given, and of those that `msteer` returns.
+        joint: index of the joint that moves, 0 to 5, for mode 8.
+        theta_dot_C: the report's theta_dot_C', the rate of that joint [rad/s], for mode 8.
+        units: unit of all lengths given here, and of all lengths that `msteer` returns.
 
     Raises:
-        InputError: the mode is not 1 to 8, or an argument that the mode needs is missing; names the argument.
+        InputError: an argument is wrong, or an argument that the mode needs is missing. The message names the argument.
     """
     if mode not in range(1, 9):
         raise InputError(f"mode: got {mode!r}, expected 1 to 8")
@@ -168,7 +169,7 @@ def msteer(phase: Phase, theta: ArrayLike, theta_dot: ArrayLike | None = None) -
     Args:
         phase: result of `operin`, changed in place.
         theta: (6,) actual joint angles [rad].
-        theta_dot: (6,) actual joint rates [rad/s]; None for those commanded by the last step.
+        theta_dot: (6,) actual joint rates [rad/s]; None to use the rates that the last step commanded.
     """
     rates = None if theta_dot is None else array(theta_dot, (6,), "theta_dot")
     report = phase._step(array(theta, (6,), "theta"), rates)
@@ -192,5 +193,5 @@ def _needed(value: ArrayLike | None, name: str, mode: int) -> ArrayLike:
         InputError: the argument is None.
     """
     if value is None:
-        raise InputError(f"{name}: mode {mode} needs it")
+        raise InputError(f"{name}: got None; mode {mode} needs a value")
     return value

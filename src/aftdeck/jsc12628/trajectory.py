@@ -21,7 +21,7 @@ class Latraj(NamedTuple):
         delta_V: distance to the target.
         U_V: (3,) line of sight, a unit vector; zero at the target.
         delta_omega: angle of the rotation to the target [rad], 0 to pi.
-        U_omega: (3,) angle of sight: the axis of that rotation, a unit vector; zero if no rotation is left.
+        U_omega: (3,) angle of sight: the axis of that rotation, a unit vector; zero if the angle is zero.
     """
 
     delta_V: float
@@ -47,21 +47,24 @@ class Vclose(NamedTuple):
 def latraj(r_6B: ArrayLike, T_B7: ArrayLike, r_6BF: ArrayLike, T_B7F: ArrayLike, units: Units = "m") -> Latraj:
     """Return line of sight and angle of sight to a target (JSC-12628, subroutine LATRAJ, p. 11).
 
-    The angle comes from an arc tangent, where the source has an arc cosine: the same angle, without loss of digits.
+    The source computes the angle by an arc cosine. This function uses an arc tangent, which is more accurate.
 
     Args:
         r_6B: (3,) tip position.
         T_B7: (3, 3) the end effector's frame.
         r_6BF: (3,) the tip's final position.
-        T_B7F: (3, 3) its final orientation.
-        units: of lengths given and returned.
+        T_B7F: (3, 3) the tip's final orientation.
+        units: unit of all lengths, given and returned.
     """
     length = metres(units)
     tip = tip_of(array(r_6B, (3,), "r_6B") * length, array(T_B7, (3, 3), "T_B7"))
     target = np.concatenate([array(r_6BF, (3,), "r_6BF") * length, array(T_B7F, (3, 3), "T_B7F").ravel()])
-    way = aim.latraj(tip, target)
+    sight = aim.latraj(tip, target)
     return Latraj(
-        way.distance / length, np.array([way.ux, way.uy, way.uz]), way.angle, np.array([way.ax, way.ay, way.az])
+        sight.distance / length,
+        np.array([sight.ux, sight.uy, sight.uz]),
+        sight.angle,
+        np.array([sight.ax, sight.ay, sight.az]),
     )
 
 
@@ -71,7 +74,7 @@ def vclose(
 ) -> Vclose:  # fmt: skip
     """Return the closed-loop rates towards a target, as published (JSC-12628, subroutine VCLOSE, p. 30).
 
-    The source's small time epsilon is taken as `DT`.
+    For the small time epsilon of the source, this function uses `DT`.
 
     Args:
         delta_V: remaining distance.
@@ -80,15 +83,15 @@ def vclose(
         omega_L: greatest angular rate [rad/s].
         V_L_dot: greatest acceleration.
         omega_L_dot: greatest angular acceleration [rad/s2].
-        DT: control period [s]; both rates are zero within one control period of the end.
-        TP: phase time so far [s].
-        units: of lengths given and returned.
+        DT: control period [s]; within one control period of the end, speed and angular rate are zero.
+        TP: time since the start of the phase [s].
+        units: unit of all lengths, given and returned.
     """
     length = metres(units)
     rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
     rules[PERIOD] = positive(DT, "DT")
-    way, turn = _way(delta_V, delta_omega)
-    profile = profiles.vclose(rules, way * length, turn)
+    distance, angle = _distance_and_angle(delta_V, delta_omega)
+    profile = profiles.vclose(rules, distance * length, angle)
     return Vclose(profile.speed / length, profile.turn, float(array(TP, (), "TP")) + profile.remaining)
 
 
@@ -98,19 +101,20 @@ def vtopen(
 ) -> Vtopen:  # fmt: skip
     """Return the open-loop profile to a target (JSC-12628, subroutine VTOPEN, p. 36); arguments as for `vclose`."""
     length = metres(units)
-    way, turn = _way(delta_V, delta_omega)
-    found = profiles.vtopen(limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length), way * length, turn)
+    distance, angle = _distance_and_angle(delta_V, delta_omega)
+    rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
+    profile = profiles.vtopen(rules, distance * length, angle)
     return Vtopen(
-        found.speed / length,
-        found.turn,
-        found.eta,
-        found.t_v1,
-        found.eta - found.t_v1,
-        found.t_w1,
-        found.eta - found.t_w1,
+        profile.speed / length,
+        profile.turn,
+        profile.eta,
+        profile.t_v1,
+        profile.eta - profile.t_v1,
+        profile.t_w1,
+        profile.eta - profile.t_w1,
     )
 
 
-def _way(delta_V: float, delta_omega: float) -> tuple[float, float]:
+def _distance_and_angle(delta_V: float, delta_omega: float) -> tuple[float, float]:
     """Return distance and angle as floats."""
     return float(array(delta_V, (), "delta_V")), float(array(delta_omega, (), "delta_omega"))

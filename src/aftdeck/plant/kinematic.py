@@ -28,7 +28,7 @@ def follow(commanded_rates: Array, period: float, stops: Array, angles: Array, r
 
 
 class KinematicPlant(StatePart):
-    """Arm without mass: rates take effect at once and last for the control period; a hard stop ends them.
+    """Arm without mass. Rates take effect at once and last for the control period; a hard stop stops its joint.
 
     Not modelled: servos, flexibility, the orbiter's motion, contact.
 
@@ -36,7 +36,7 @@ class KinematicPlant(StatePart):
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
         commanded: (6,) angles to which all commanded rates so far would have brought the joints without stops [rad].
-        stand: height of the shoulder above L's origin.
+        stand: height of the shoulder above L's origin, which the telescope changes.
     """
 
     angles: Array
@@ -52,7 +52,7 @@ class KinematicPlant(StatePart):
             travel: travel of the telescope.
             commanded_rates: (6,) commanded rates [rad/s].
             period: control period [s].
-            drive: drive of the telescope, -1 to +1.
+            drive: drive of the telescope, -1 to +1; + lengthens it.
         """
         follow(commanded_rates, period, stops, self.angles, self.rates, self.commanded)
         self.stand.move(travel, drive, period)

@@ -1,4 +1,4 @@
-"""Slide with a drive in both directions along a line: the concept arm's telescope and its prong."""
+"""Linear actuator with a drive in both directions: the concept arm's telescope, and the prong of its end effector."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Travel(NamedTuple):
 
 
 class Slide(StatePart):
-    """Position on a line, moved at one rate between two ends. The rate takes effect at once.
+    """Position on a line. A drive moves it between two ends; the rate takes effect at once.
 
     Attributes:
         position: position [m].
@@ -36,7 +36,7 @@ class Slide(StatePart):
     velocity: float = 0.0
 
     def move(self, travel: Travel, drive: float, period: float) -> None:
-        """Move for one control period [s]: drive +1 towards `high`, -1 towards `low`, 0 stop."""
+        """Move for one control period [s]: drive +1 towards `high`, -1 towards `low`, both at `rate`; 0 stops."""
         before = self.position
         self.position = self.after(travel, drive, period)
         self.velocity = (self.position - before) / period
@@ -47,14 +47,17 @@ class Slide(StatePart):
 
 
 def travel_of_stand(model: ArmModel) -> Travel:
-    """Return the travel of the shoulder's height above L's origin: + lengthens the telescope.
+    """Return the travel of the shoulder's height above L's origin; drive + lengthens the telescope.
 
-    The height is fixed on an arm without a telescope.
+    Without a telescope, the height is fixed.
     """
     height, telescope = float(model.links[L1]), model.equipment.telescope
     return Travel(height, height, 0.0) if telescope is None else Travel(*telescope)
 
 
 def travel_of_prong(prong: Prong | None) -> Travel:
-    """Return the travel of the prong: y2 of its inner face [m], + closes, - opens; fixed at 0 if there is no prong."""
+    """Return the travel of the prong: coordinate y2 of its inner face [m]; drive + closes, - opens.
+
+    Without a prong, the coordinate is fixed at 0.
+    """
     return Travel(0.0, 0.0, 0.0) if prong is None else Travel(prong.opened, prong.closed, prong.rate)

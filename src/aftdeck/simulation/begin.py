@@ -30,13 +30,13 @@ def initial_state(flight: Flight) -> State:
     """Return the state before the first step.
 
     Raises:
-        ScenarioError: at a start of the scenario the arm holds a payload in a pose in which its end effector could not
-            have captured it.
+        ScenarioError: at a start of the scenario, the arm holds a payload in a pose in which the end effector could not
+            have captured the payload.
     """
     scenario, problems = flight.scenario, []
     state = _state_at(flight, scenario.start)
-    begun = {f"initialise.{part}": _state_at(flight, start) for part, start in scenario.parts.items() if start.grasped}
-    for name, at in {"initial": state, **begun}.items():
+    parts = {f"initialise.{part}": _state_at(flight, start) for part, start in scenario.parts.items() if start.grasped}
+    for name, at in {"initial": state, **parts}.items():
         k = at.worksite.held
         if k is not None and (why := failure_text(holding(flight, at, k), flight.scenario.arm.model.units)):
             title = flight.site.cargo[k].title
@@ -66,7 +66,7 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
     state.panel.motion_began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
     update_steering(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
-        state.panel.mode = "ORB UNL"  # the grasp is empty at this start
+        state.panel.mode = "ORB UNL"  # the present mode moves a payload, but the grasp is empty at this start
     log(flight, state, "initialise", "info", f"initialised to {part}")
     state.worksite.task = task
     change_task(flight, state)

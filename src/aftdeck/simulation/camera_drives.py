@@ -1,6 +1,6 @@
-"""Camera drives: a command moves one camera for one step, at its drive's rates and within its limits.
+"""Camera drives: a command moves one camera for one step, at the rates and within the limits of its drive.
 
-A step without a command takes no time: the settings are one tuple, which is replaced only when a camera moves.
+A step without a command takes no time, because the settings are one tuple, which is replaced only when a camera moves.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from aftdeck.scenario.model import Scenario
 
 
 class CameraDrive(msgspec.Struct, frozen=True, gc=False):
-    """Switches that drive one camera in one step; they return to zero by themselves."""
+    """Switches that drive one camera in one step; after the step they are at zero again."""
 
     camera: str
     """Name of the camera."""
@@ -27,7 +27,7 @@ class CameraDrive(msgspec.Struct, frozen=True, gc=False):
     zoom: float = 0.0
     """Zoom switch in [-1, 1]; positive zooms in, to a narrower field of view."""
     slow: bool = False
-    """Whether to use the low speed, if the drive has two."""
+    """Whether to use the low speed, if the drive has two speeds."""
 
 
 Views = tuple[Setting, ...]
@@ -38,7 +38,7 @@ class Cameras:
     """Cameras of a scenario that have a drive.
 
     Attributes:
-        names: names of these cameras, in the order of `scenario.cameras.cameras_of`.
+        names: names of these cameras, in the order of `scenario.all_cameras.cameras_of`.
         first: drive settings of these cameras at the start.
     """
 
@@ -48,7 +48,7 @@ class Cameras:
         self.first: Views = tuple(setting(camera) for camera in self._driven)
 
     def check(self, command: CameraDrive) -> None:
-        """Reject a command that no switch can give.
+        """Check that a camera's switches can produce a command.
 
         Raises:
             InputError: the camera does not exist or has no drive, or a switch is outside [-1, 1] or not finite.
@@ -62,7 +62,10 @@ class Cameras:
                 raise InputError(f"camera.{name}: got {switch}, expected a number in [-1, 1]")
 
     def driven(self, views: Views, command: CameraDrive, period: float) -> Views:
-        """Return the drive settings after one step of `period` [s]; `views` itself if the camera has no drive."""
+        """Return the drive settings after one step of a command, `period` [s] long.
+
+        If the command changes nothing, the result is `views` itself.
+        """
         if command.camera not in self.names:
             return views
         i = self.names.index(command.camera)

@@ -27,8 +27,8 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     Args:
         flight: constants of the run.
         state: changed in place; holds the command that the panel has set.
-        inputs: the operator's inputs; those in the command are ignored, the rest are telescope, orbiter, end effector
-            and latches.
+        inputs: the operator's inputs, of which telescope, orbiter, end effector and latches are used here. The sticks
+            and the selected mode are in `state.command`.
     """
     # plan an automatic motion in the step in which it begins
     if state.panel.sequence != "in progress":

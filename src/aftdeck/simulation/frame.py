@@ -1,6 +1,6 @@
 """Frame: the record of one step, for the station, a recording, a study or a policy.
 
-Each field is declared only here: type, description, unit, axes in which the field is expressed, and recorded decimals.
+Each field is declared only here: type, description, unit, coordinate frame of the components, and recorded decimals.
 The recording, its schema and its documentation are derived from these declarations.
 """
 
@@ -16,20 +16,20 @@ from aftdeck.worksite.report import Work
 
 Vec3 = tuple[float, float, float]
 Rows = tuple[Vec3, Vec3, Vec3]
-"""Rotation as the rows of the matrix whose columns are the axes. In files a rotation is a quaternion, w, x, y, z."""
+"""Rotation matrix as three rows; its columns are the axes. In files a rotation is a quaternion, w, x, y, z."""
 Six = tuple[float, float, float, float, float, float]
 Level = Literal["info", "caution", "warning"]
 Sequence = Literal["idle", "checking", "ready", "in progress"]
 
 FREE, PAST_REACH, PAST_SOFT, AT_HARD = 0, 1, 2, 3
-"""Zones of a joint."""
+"""Zones of a joint: inside all limits, beyond the reach limit, beyond the soft stop, at the hard stop."""
 
 
 class Event(msgspec.Struct, frozen=True, gc=False):
     """Event of a step, as a line of the log."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
-    kind: Annotated[str, field_meta("kind of event: `mode`, `contact`, `captured`")]
+    kind: Annotated[str, field_meta("kind of event, such as `mode` or `contact`")]
     level: Annotated[Level, field_meta("urgency")]
     text: Annotated[str, field_meta("text for the operator")]
 
@@ -53,7 +53,7 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
     """Limit that acted in a step."""
 
     kind: Annotated[LimitKind, field_meta("kind of limit")]
-    joint: Annotated[int, field_meta("joint that it limits, 0 to 5; -1 if it limits no single joint")]
+    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if it does not apply to one joint")]
     text: Annotated[str, field_meta("text for the operator")]
 
 
@@ -91,12 +91,12 @@ class WayOut(msgspec.Struct, frozen=True, gc=False):
     axis: Annotated[int, field_meta("axis of the stick, 0 to 2, or number of the joint")]
     sign: Annotated[int, field_meta("direction: +1 or -1")]
     position: Annotated[
-        str, field_meta("panel position to enter first; empty if the stick acts in the present one")
+        str, field_meta("panel position to select first; empty if the stick acts in the present position")
     ] = ""
 
 
 class Goal(msgspec.Struct, frozen=True, gc=False):
-    """Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain."""
+    """Target of an automatic mode (pose of frame 7), and the remaining distance, angle and time."""
 
     position: Annotated[Vec3, field_meta("position of the tip at the target", "m", "L")]
     rotation: Annotated[Rows, field_meta("attitude of frame 7 at the target", "1", "L")]
@@ -104,28 +104,29 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
     angle: Annotated[float, field_meta("remaining rotation", "rad")]
     remaining_s: Annotated[
         float,
-        field_meta("ETA - TP; 0 without a motion, and while the arm still comes to rest before modes 1 and 3", "s"),
+        field_meta("ETA - TP; 0 if no motion is in progress, or if the arm comes to rest before mode 1 or 3", "s"),
     ]
 
 
 class Times(msgspec.Struct, frozen=True, gc=False):
     """Times of the present phase, as in JSC-12628, counted from the beginning of the phase.
 
-    A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is entered.
+    A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is selected.
     """
 
     tp_s: Annotated[float, field_meta("TP: time since the motion or the script's phase began", "s")] = 0.0
     eta_s: Annotated[
         float | None,
         field_meta(
-            "ETA: end of the phase, estimated in the automatic modes, else from the script's duration; null if unknown",
+            "ETA: end of the phase; an estimate in automatic modes, else the duration of the script's phase; null if "
+            "unknown",
             "s",
         ),
     ] = None
     etap_s: Annotated[
         float | None,
         field_meta(
-            "ETAP: time at which the rotation would end at the permitted rate, in modes 2 and 3; else null", "s"
+            "ETAP: time at which the rotation alone would end at its rate limit; null in other modes than 2 and 3", "s"
         ),
     ] = None
 
@@ -133,8 +134,8 @@ class Times(msgspec.Struct, frozen=True, gc=False):
 class Placed(NamedTuple):
     """Pose of a body."""
 
-    position: Annotated[Vec3, field_meta("position of its centre", "m", "L")]
-    orientation: Annotated[Rows, field_meta("its attitude", "1", "L")]
+    position: Annotated[Vec3, field_meta("position of the body's centre", "m", "L")]
+    orientation: Annotated[Rows, field_meta("attitude of the body", "1", "L")]
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):
@@ -144,7 +145,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     time_s: Annotated[float, field_meta("simulated time: tick x control period", "s")]
     phase: Annotated[str, field_meta("name of the script's phase; empty with manual inputs")]
     by: Annotated[Literal["hand", "script"], field_meta("source of this step's inputs")]
-    mode: Annotated[str, field_meta("mode: panel position that was entered")]
+    mode: Annotated[str, field_meta("mode: selected panel position")]
     law: Annotated[int, field_meta("number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER")]
     law_choice: Annotated[
         Literal["position", "closed loop", "open loop"], field_meta("switch beside OPR CMD and AUTO 1-4")
@@ -156,16 +157,16 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     safing: Annotated[bool, field_meta("whether SAFING commands zero joint rates")]
     joint: Annotated[int, field_meta("selected joint, 0 to 5")]
     rate: Annotated[Literal["coarse", "vernier"], field_meta("rate setting")]
-    sequence: Annotated[Sequence, field_meta("state of an automatic mode: CHECKING, READY and IN PROG")]
+    sequence: Annotated[Sequence, field_meta("state of an automatic mode; `checking` while CMD CK runs")]
     point: Annotated[int, field_meta("AUTO 1-4: number of the present or next point, from 1; 0 in other modes")]
-    points: Annotated[int, field_meta("AUTO 1-4: number of points; 0 in other modes")]
+    points: Annotated[int, field_meta("AUTO 1-4: total number of points; 0 in other modes")]
     check: Annotated[Check | None, field_meta("result of CMD CK for the present target; null if there is none")]
     translation: Annotated[Vec3, field_meta("THC deflection that acted, in [-1, 1]", "1", "control", 7)]
     rotation: Annotated[Vec3, field_meta("RHC deflection that acted, in [-1, 1]", "1", "control", 7)]
     drive: Annotated[float, field_meta("DRIVE deflection that acted, in [-1, 1]", "1", decimals=7)]
     angles: Annotated[Six, field_meta("joint angles, measured", "rad")]
     rates: Annotated[Six, field_meta("joint rates, measured", "rad/s")]
-    angles_commanded: Annotated[Six, field_meta("joint angles to which the commanded rates lead", "rad")]
+    angles_commanded: Annotated[Six, field_meta("joint angles that the commanded rates alone would give", "rad")]
     rates_commanded: Annotated[Six, field_meta("joint rates, commanded", "rad/s")]
     rate_limits: Annotated[Six, field_meta("joint rate limits in force", "rad/s")]
     zones: Annotated[
@@ -189,7 +190,10 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     payload: Annotated[Placed | None, field_meta("payload in the grasp; null if the grasp is empty")]
     attached: Annotated[
         int,
-        field_meta("number, from 1, of that payload in `Scenario.own_payloads`; 0 for another payload, or none"),
+        field_meta(
+            "number, from 1, of the payload in the grasp in `Scenario.own_payloads`; 0 for any other payload, and for "
+            "an empty grasp"
+        ),
     ]
     twist: Annotated[Six, field_meta("angular velocity, and velocity of the point of resolution", "rad/s, m/s", "L", 7)]
     twist_commanded: Annotated[Six, field_meta("twist after RATLMT's limits", "rad/s, m/s", "L", 7)]
@@ -208,7 +212,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         tuple[WayOut, ...],
         field_meta(
             "escape direction from each near singularity and each joint beyond a limit; while a contact inhibits the "
-            "arm, only that from the contact"
+            "arm, only the escape direction out of the contact"
         ),
     ]
     goal: Annotated[Goal | None, field_meta("target of an automatic mode; null if there is none")]
@@ -218,7 +222,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     views: Annotated[
         tuple[Setting, ...],
         field_meta(
-            "pan, tilt and field of view of the driven cameras, in the order of `scenario.cameras.cameras_of`", "rad"
+            "pan, tilt and field of view of the driven cameras, in the order of `scenario.all_cameras.cameras_of`",
+            "rad",
         ),
     ]
     sha256: Annotated[str, field_meta("SHA-256 of the exact state")]

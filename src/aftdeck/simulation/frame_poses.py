@@ -1,4 +1,4 @@
-"""Poses of all coordinate frames, with the arm at its present angles or at others."""
+"""Poses of all coordinate frames, with the arm at its present or at other joint angles."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from aftdeck.worksite.watch.contact_update import place_everything
 
 
 def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), for given joints (6,) [rad], telescope and prong [m].
+    """Return the poses of all frames in L, (F, 12), for joint angles (6,) [rad], telescope and prong [m].
 
-    The orbiter's position and the carrier of each payload are the present ones.
+    The orbiter is at its present position. Each payload moves with its present carrier.
     """
     frames = np.empty_like(state.worksite.frames)
     place_everything(*state.worksite.places(flight.site), angles, stand, prong, frames)
@@ -21,7 +21,7 @@ def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: 
 
 
 def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
-    """Return the present poses of all frames in L, (F, 12), but with the prong at `prong` [m]."""
+    """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and all else at present."""
     return frames_at(flight, state, state.plant.angles, state.plant.stand.position, prong)
 
 

@@ -22,16 +22,15 @@ JOINTS = 6
 AGREED, AGREED_TURN = 1e-3, math.radians(0.01)
 """Allowed difference between a target's pose and the tip's pose at the target's joint angles [m], [rad].
 
-Angles rounded to a thousandth of a degree may cause such a difference (assumed).
+Rounding of the angles to a thousandth of a degree can cause such a difference (assumed).
 """
 
 
 class Inputs(msgspec.Struct, frozen=True):
-    """Sticks and switches of one step; None leaves a switch as it is. `Inputs()` centres the sticks.
+    """Sticks and switches of one step. A switch that is None keeps its position. `Inputs()` centres the sticks.
 
-    NumPy numbers and arrays are accepted in place of Python's; `simulation.plain` converts them.
-
-    Sticks act along and about the axes of the present mode; full deflection commands the limit in force.
+    Sticks act along and about the axes of the present mode; full deflection commands the limit in force. Numbers and
+    arrays of NumPy are allowed too; `simulation.plain` converts them.
     """
 
     translation: Vec3 = (0.0, 0.0, 0.0)
@@ -52,43 +51,43 @@ class Inputs(msgspec.Struct, frozen=True):
     payload_axes: bool | None = None
     """Switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
     rate_hold: bool = False
-    """RATE HOLD pressed in this step: keep the present stick command; pressed again: cancel RATE HOLD."""
+    """RATE HOLD pressed in this step: keep the present stick command, or cancel RATE HOLD if it is on."""
     position_hold: bool | None = None
     """POSITION HOLD: keep the tip's position and attitude while the sticks are centred."""
     brakes: bool | None = None
     """BRAKES: True stops every joint at once and keeps it stopped."""
     safing: bool | None = None
-    """SAFING: True commands zero joint rates, whatever the other inputs are; False is CANCEL."""
+    """SAFING: True commands zero joint rates and overrides all other inputs; False is CANCEL."""
     proceed: bool = False
-    """AUTO SEQ switch to PROCEED, in this step."""
+    """AUTO SEQ switch set to PROCEED in this step."""
     stop: bool = False
-    """AUTO SEQ switch to STOP, in this step."""
+    """AUTO SEQ switch set to STOP in this step."""
     effector: Literal["stop", "close", "open"] | None = None
     """End effector switch: closes or opens the prong, or makes the snares capture or release."""
     effector_mode: Literal["auto", "manual"] | None = None
-    """END EFFECTOR MODE of the snares: the whole sequence, or the snares alone."""
+    """END EFFECTOR MODE: in auto the end effector switch moves snares and carriage, in manual the snares alone."""
     rigid: Literal["off", "rigid", "derigid"] | None = None
-    """END EFFECTOR MAN CONTR: moves the carriage and its tension, in manual."""
+    """END EFFECTOR MAN CONTR: moves the carriage and its tension, if END EFFECTOR MODE is manual."""
     latch: Literal["latch", "unlatch"] | None = None
-    """Payload retention or docking port, pressed in this step: fix the payload in its berth, or release it."""
+    """LATCH or UNLATCH of a berth, pressed in this step: fix the payload in its berth, or release it."""
     telescope: float = 0.0
     """Drive of the telescope in [-1, 1]: +1 longer, -1 shorter."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
     """Translation of the orbiter along its own axes (forward, starboard, down), each in [-1, 1]."""
     master: Six | None = None
-    """Six joint angles of the master arm [rad], which MASTER follows; None leaves the master arm where it is."""
+    """Six joint angles of the master arm [rad], which the arm follows in MASTER; None does not move the master arm."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
-    """Re-initialise arm and payload to this start of the scenario, in this step."""
+    """Part of the problem to whose start the arm and the payloads are re-initialised in this step."""
     camera: CameraDrive | None = None
     """Command of a camera's drive in this step; `simulation.camera_drives.Cameras.check` checks it."""
 
     def check(self, arm: Arm) -> None:
-        """Reject inputs that no hand controller can give.
+        """Check that hand controllers and switches can produce these inputs.
 
         Raises:
-            InputError: a stick is outside [-1, 1] or not finite, a switch is in a position that it does not have, a
-                joint does not exist, a master angle is not finite, or the target is not a pose or its joint angles put
-                the tip of `arm` elsewhere. The message begins with the name of the field.
+            InputError: a stick is outside [-1, 1] or not finite, a switch does not have the given position, a joint
+                does not exist, a master angle is not finite, the target is not a pose, or the target's joint angles
+                put the tip of `arm` at another pose. The message begins with the name of the field.
         """
         for name, count in _STICKS.items():
             value = getattr(self, name)
@@ -117,12 +116,12 @@ _STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope
 
 def _positions() -> dict[str, tuple[object, ...]]:
     """Return the positions of each switch by field name, from the fields' types; None is not a position."""
-    found = {}
+    positions = {}
     for name, hint in get_type_hints(Inputs).items():
         kind, *none = get_args(hint) or (hint,)
         if none == [type(None)] and (kind is bool or get_origin(kind) is Literal):
-            found[name] = (True, False) if kind is bool else get_args(kind)
-    return found
+            positions[name] = (True, False) if kind is bool else get_args(kind)
+    return positions
 
 
 POSITIONS = _positions()
@@ -136,12 +135,12 @@ def _either(positions: Sequence[object]) -> str:
 
 
 def _numbered(joint: object) -> bool:
-    """Return whether `joint` is the number of a joint."""
+    """Return whether `joint` is a valid joint number, 0 to 5."""
     return isinstance(joint, Integral) and 0 <= int(joint) < JOINTS
 
 
 def _numbers(values: object, count: int) -> list[float]:
-    """Return `values` as `count` finite numbers; an empty list if they are not, whatever their declared types are."""
+    """Return `values` as a list of `count` finite numbers; an empty list if they are anything else."""
     if isinstance(values, str) or not isinstance(values, Iterable):
         return []
     try:
@@ -152,7 +151,7 @@ def _numbers(values: object, count: int) -> list[float]:
 
 
 def _check_target(arm: Arm, target: Target) -> None:
-    """Reject a target that is not a pose, whatever its types are, or whose joint angles contradict its pose."""
+    """Raise InputError if a target is not a pose, or if its joint angles contradict its pose."""
     position, rotation, joints = target.position, target.rotation, target.joints
     sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
     if sizes != (3, 3, 3, 3, 6):

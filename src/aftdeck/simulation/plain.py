@@ -1,7 +1,7 @@
-"""Conversion of callers' inputs to plain values: NumPy numbers, arrays and texts become Python's own types.
+"""Conversion of inputs to plain values: numbers, arrays and texts of NumPy become Python's own types.
 
-`Simulation.advance` converts all inputs. The state's digest, saved states and recordings encode plain values only. A
-stick value of -0.0 becomes 0.0: both are the same deflection, but their digests differ.
+`Simulation.advance` converts all inputs, because digests, saved states and recordings encode plain values only. A stick
+value of -0.0 becomes 0.0, because both mean the same deflection but have different digests.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _TEXTS_AND_FLAGS = tuple(
 
 
 def plain_inputs(inputs: Inputs) -> Inputs:
-    """Return the inputs with plain values; the same object if they are plain already.
+    """Return the inputs with plain values. If all values are plain already, return the same object.
 
     Args:
         inputs: inputs from a caller, already accepted by `Inputs.check`.
@@ -76,7 +76,10 @@ def whole(value: object, name: str) -> int:
 
 
 def _all_plain(inputs: Inputs) -> bool:
-    """Return whether the inputs are plain and have no target, master angles or camera: a quick test for most steps."""
+    """Return whether the inputs are plain and have no target, master angles or camera.
+
+    This test is quick, and true in most steps.
+    """
     numbers = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
     return (
         inputs.master is None

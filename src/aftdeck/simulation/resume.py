@@ -1,4 +1,4 @@
-"""Restoring of a saved state; the contents of its caches are computed again."""
+"""Restoration of a saved state. A saved state has no caches, so their contents are computed again."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 
 
 def resume(flight: Flight, saved: bytes) -> State:
-    """Return the state decoded from the bytes that `encoded` made, with its caches filled again.
+    """Return the state of which `saved` is the encoding (`state_part.encoded`), with its caches filled again.
 
     Raises:
         InputError: the bytes are not a state of this run.
@@ -37,7 +37,7 @@ def resume(flight: Flight, saved: bytes) -> State:
 
 
 def restore_clearances(flight: Flight, state: State) -> None:
-    """Measure the clearances of the last step again, with an empty cache."""
+    """Measure the clearances of the last step again, starting with an empty cache."""
     worksite = state.worksite
     watch, nearest = worksite.watch, np.zeros_like(worksite.monitored_before)
     if worksite.nearest >= 0:

@@ -1,4 +1,4 @@
-"""Simulation that its caller steps, and headless run from the first frame to the summary."""
+"""`Simulation`, which its caller advances step by step, and `run`, which runs a whole scenario headless."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from aftdeck.worksite.report import Near
 
 
 class SavedSimulation(msgspec.Struct, frozen=True):
-    """State of a simulation at one time, with the scenario and seed that it belongs to."""
+    """State of a simulation at one time, with the scenario and the seed of the simulation."""
 
     scenario: str
     """SHA-256 of the scenario's text and the arm's constants."""
@@ -43,7 +43,7 @@ class Simulation:
 
     Attributes:
         scenario: the scenario of the run.
-        seed: seed of all random values (there are none with the kinematic plant).
+        seed: seed of all random values (the kinematic plant has no random values).
     """
 
     def __init__(self, scenario: Scenario | str | Path, seed: int | None = None) -> None:
@@ -76,7 +76,7 @@ class Simulation:
 
     @property
     def given(self) -> Inputs | None:
-        """Inputs of the last step as given by the caller; None if the script supplied them or no step was made."""
+        """Inputs that the caller passed to the last step; None before the first step, or with the script's inputs."""
         return self._given
 
     def step(self, inputs: Inputs | None = None) -> Frame:
@@ -91,8 +91,8 @@ class Simulation:
             inputs: sticks and switches; with None the scenario's script supplies them.
 
         Raises:
-            InputError: inputs that no hand controller can give, a target that is not a pose or contradicts its joint
-                angles, or a camera without a drive. The state is then unchanged.
+            InputError: hand controllers and switches cannot produce the inputs, the target is not a pose or contradicts
+                its joint angles, or the camera has no drive. The state is then unchanged.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
@@ -134,7 +134,7 @@ class Simulation:
         return look_ahead(self._flight, self._state, seconds, last)
 
     def watched(self) -> tuple[Near, ...]:
-        """Return every monitored pair, the smallest clearance first: clearance, points, plane, closing speed."""
+        """Return clearance, points, plane and closing speed of every monitored pair, the smallest clearance first."""
         return all_near(self._flight, self._state)
 
     def save(self) -> SavedSimulation:
@@ -142,15 +142,16 @@ class Simulation:
         return SavedSimulation(self._digest, self.seed, encoded(self._state))
 
     def restore(self, saved: SavedSimulation) -> None:
-        """Replace the state by one that `save` returned, in this or another simulation of the same scenario.
+        """Replace the state by a saved state of this or another simulation of the same scenario.
 
         Raises:
-            InputError: the state belongs to another scenario, or cannot be read. The simulation is then unchanged.
+            InputError: the saved state belongs to another scenario, or cannot be read. The simulation is then
+                unchanged.
         """
         if saved.scenario != self._digest:
             raise InputError(
-                f"the saved state belongs to a scenario with digest {saved.scenario[:12]}, this one is "
-                f"{self.scenario.name!r} with {self._digest[:12]}"
+                f"the saved state belongs to a scenario with digest {saved.scenario[:12]}; the scenario of this "
+                f"simulation is {self.scenario.name!r} with digest {self._digest[:12]}"
             )
         self._state = resume(self._flight, saved.state)
         self.seed = saved.seed
@@ -158,7 +159,7 @@ class Simulation:
 
 
 class Run(msgspec.Struct, frozen=True):
-    """Result of a run, from its first frame to its end."""
+    """Result of a whole run."""
 
     scenario: Scenario
     frames: tuple[Frame, ...]
@@ -176,19 +177,21 @@ def run(
     seen: Callable[[Frame], None] | None = None,
     stepped: Callable[[Simulation], None] | None = None,
 ) -> Run:
-    """Run a scenario headless to its end, with its script or with given inputs.
+    """Run a scenario headless to its end, with the inputs of its script or of a function.
 
     Args:
         scenario: a scenario, a built-in name or a path.
-        seed: replaces the scenario's seed; None keeps it.
-        inputs: called before every step; returns inputs that replace the script's, or None to end the run.
-        keep_frames: if False, only the last frame is kept, for long runs.
-        progress: called every 256 steps with the fraction of the longest duration that has passed, 0 to 1.
+        seed: seed of the run; if None, the scenario's seed.
+        inputs: called before every step; returns the inputs of the step, or None to end the run. If `inputs` is None,
+            the scenario's script supplies the inputs.
+        keep_frames: whether the result contains all frames. If False, for long runs, it contains only the last frame.
+        progress: called every 256 steps with the elapsed fraction, 0 to 1, of the scenario's duration.
         seen: called with every frame.
         stepped: called with the simulation after every step.
 
     Raises:
-        InputError: `inputs` returns None for the first step, or inputs that no hand controller can give.
+        InputError: `inputs` returned None for the first step, or inputs that hand controllers and switches cannot
+            produce.
     """
     sim = Simulation(scenario, seed)
     frames: list[Frame] = []

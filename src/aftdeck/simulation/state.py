@@ -31,7 +31,7 @@ Ending = Literal["", "reached", "missed", "given up"]
 
 
 class Panel(StatePart):
-    """Positions of the panel's switches, and the lamp states that have been logged."""
+    """Positions of the panel's switches, state of an automatic motion, and lamp states that have been logged."""
 
     mode: str
     joint: int
@@ -59,16 +59,16 @@ class Panel(StatePart):
     check: Check | None = None
     """Verdict of CMD CK on the motion to the target; None before the verdict."""
     premises: Premises | None = None
-    """Conditions on which that verdict depends."""
+    """Values on which the verdict in `check` depends."""
     proceeding: bool = False
-    """True if PROCEED was pressed: the motion starts once CMD CK is GOOD."""
+    """True if PROCEED was pressed, and the motion has not started. It starts if CMD CK is GOOD."""
     sequence: Sequence = "idle"
     motion_began: int = 0
-    """Tick after which the report's phase began: start of a motion or script phase, or entry of a mode."""
+    """Tick after which the report's phase began: with a motion, a phase of the script, or the selection of a mode."""
     ending: Ending = ""
     """Result of an automatic motion that ended in this step; "" if none ended."""
     final_error: str = ""
-    """Final error of that motion as text; "" if the motion reached its target."""
+    """Final error of the motion that ended in this step, as text; "" if it reached its target or none ended."""
     blocked: int = 0
     """Number of steps for which an automatic motion has been at a standstill."""
     zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
@@ -76,9 +76,9 @@ class Panel(StatePart):
     clearance: Level = "info"
     """Alarm level of the minimum clearance."""
     camera: str = ""
-    """Camera that was commanded last, the report's station point; "" if no camera has a drive."""
+    """Camera that was commanded last (RMS-VS: station point); "" if no camera has a drive."""
     advice: dict[str, int] = msgspec.field(default_factory=dict)
-    """For each cause, the stick direction of the last escape."""
+    """For each cause of an escape, the number of the stick direction that was displayed last."""
 
     @property
     def flown(self) -> int:
@@ -93,13 +93,13 @@ class Script(StatePart):
     """Progress of the scenario's script."""
 
     phase: int = 0
-    """Index of the present phase; the number of phases once the last has ended."""
+    """Index of the present phase; after the end of the last phase, the number of phases."""
     began: int = -1
     """Tick at which the phase began; -1 before that."""
     limits: int = -1
-    """Index of the phase whose rate limits are in force; -1 if the scenario's are."""
+    """Index of the phase whose rate limits are in force; -1 if the scenario's rate limits are in force."""
     attached: int = 0
-    """Number, from 1, of the scenario's own payload in the grasp; 0 if the grasp has none of these payloads."""
+    """Number, from 1, of the scenario's own payload that is attached to the end effector; 0 if none is."""
     ended: Literal["", "completed", "time", "fault"] = ""
 
 
@@ -109,7 +109,7 @@ class State(StatePart):
     Attributes:
         panel: switches.
         script: progress of the script.
-        delayed_inputs: an operator's inputs that the command delay holds back, oldest first.
+        delayed_inputs: an operator's inputs that do not act yet because of the command delay, oldest first.
         plant: model that moves the joints and the telescope.
         worksite: the worksite's part of the state.
         views: settings of the cameras' drives.
@@ -117,12 +117,12 @@ class State(StatePart):
         command: input of the steering laws in this step.
         report: output of the steering laws in this step.
         observed: (21,) tip pose, twist and singularity distances of the arm, as `kinematics.observe` fills it.
-        carried: payload that the arm holds, and the steering's rules with it.
+        carried: payload that the arm holds, and the steering's rules with this payload.
         standing: cache of the arm at its present shoulder height.
         tick: number of control steps done, the present one included.
         by_script: True if the script supplied the inputs of the last step.
-        phase: phase of the script in that step; "" with manual inputs.
-        checking: CMD CK in progress; None if there is none.
+        phase: name of the script's phase in the last step; "" with manual inputs.
+        checking: CMD CK in progress; None if no check is in progress.
         ways_out: escapes from near singularities, passed joint limits and contacts.
         events: log lines of the present step.
     """
@@ -153,21 +153,28 @@ class State(StatePart):
         return copy
 
     def replace_with(self, other: State) -> None:
-        """Replace this state by another of the same run; keep the tick, the script, the events and delayed inputs."""
+        """Replace the arm, panel and worksite of this state by those of another state of the same run.
+
+        The progress of the run is kept, for example tick, script, events and delayed inputs.
+        """
         for name in ("panel", "carried", "plant", "worksite", "steering", "views", "command", "report", "checking"):
             setattr(self, name, getattr(other, name))
 
     def measure(self) -> None:
-        """Copy the plant's measured angles and rates to `steering`; steering, plans and checks start from them."""
+        """Copy the plant's measured angles and rates to `steering`, from which steering, plans and checks start."""
         measured(self.plant.angles, self.plant.rates, self.shoulder_offset, self.steering)
 
     @property
     def rules(self) -> Array:
-        """Steering rules in force; mode 1 uses those of mode 2 while the arm comes to rest before its motion."""
+        """Steering rules in force. While the arm comes to rest before a motion of mode 1, these are mode 2's rules."""
         return self.rules_while(under_way=bool(self.command[MOTION_ACTIVE]))
 
     def rules_while(self, *, under_way: bool) -> Array:
-        """Return the steering's rules for the case that an automatic motion is in progress, or is not."""
+        """Return the steering's rules.
+
+        Args:
+            under_way: whether an automatic motion is in progress. In mode 1, mode 2's rules apply before the motion.
+        """
         panel, law = self.panel, self.panel.flown
         if law == AUTOMATIC_LAWS["position"] and not under_way:
             law = AUTOMATIC_LAWS["closed loop"]
@@ -175,7 +182,7 @@ class State(StatePart):
 
     @property
     def shoulder_offset(self) -> float:
-        """Height of the shoulder above its height in the steering's rules [m]."""
+        """Height of the shoulder minus its height in the steering's rules [m]."""
         return self.plant.stand.position - self.standing.height
 
     @property
@@ -185,7 +192,7 @@ class State(StatePart):
 
 
 def new_state(flight: Flight, carried: SteeringSetup) -> State:
-    """Return a state in which the arm and the worksite are not yet at their start; `begin` sets them to a start."""
+    """Return a state in which the arm and the worksite are not yet at a start; `simulation.begin` sets them to one."""
     scenario, views = flight.scenario, flight.cameras.first
     panel = Panel(
         scenario.mode,

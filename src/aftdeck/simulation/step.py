@@ -16,12 +16,12 @@ from aftdeck.simulation.state import State
 
 
 def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
-    """Advance `state` by one control period; `simulation.look` then returns the frame of this step.
+    """Advance `state` by one control period; `simulation.observe.look` then returns the frame of this step.
 
     Args:
         flight: constants of the run.
         state: everything that the step depends on; changed in place.
-        inputs: the operator's sticks and switches; with None the scenario's script supplies them.
+        inputs: the operator's sticks and switches; if None, the scenario's script supplies them.
 
     Returns:
         The inputs that acted: the script's, or the operator's after the command delay.
@@ -29,10 +29,10 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     state.tick += 1
     state.events = []
 
-    # measured position of the arm: plans and checks start from it
+    # plans and checks of this step start from the measured position of the arm
     state.measure()
 
-    # inputs: the operator's, after the command delay, or the script's
+    # inputs of the script, or of the operator after the command delay
     state.by_script, state.phase = inputs is None, ""
     if inputs is None:
         inputs = play(flight, state)
@@ -44,7 +44,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
         initialise(flight, state, inputs.initialise)
     operate(flight, state, inputs)
 
-    # CMD CK continues; once it is GOOD, PROCEED starts the motion
+    # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
     check(flight, state)
 
     # steering commands the joint rates, contacts and berths limit them, the plant and the worksite move
@@ -53,7 +53,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera
 
-    # choose the pairs for the next minimum clearance
+    # select the pairs that count for the minimum clearance of the next step
     count(flight, state)
 
     # log lines about the arm; end of a script whose time has run out

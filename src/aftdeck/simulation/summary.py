@@ -1,4 +1,4 @@
-"""Summary of a run, with the fields that users' scripts rely on."""
+"""Summary of a run. Scripts of users rely on its fields."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class SummaryEvent(msgspec.Struct, frozen=True):
 
 
 class Summary(msgspec.Struct, frozen=True):
-    """Summary of a run, as printed by `aftdeck run --json`. Poses are those of frame 7, in L."""
+    """Summary of a run, as printed by `aftdeck run --json`. Its poses are poses of frame 7, in L."""
 
     scenario: str
     seed: int
@@ -48,11 +48,11 @@ class Summary(msgspec.Struct, frozen=True):
     position_error_m: float | None
     rotation_error_rad: float | None
     worst_rate_ratio: float
-    """Largest |commanded joint rate| / limit in force."""
+    """Largest ratio of a commanded joint rate (magnitude) to its limit in force."""
     min_clearance_m: float | None
-    """Minimum clearance of the pairs that count for CLEARANCE (`payloads.alignment`), negative if they overlapped.
+    """Minimum clearance in the run, of the pairs that count for CLEARANCE (`payloads.alignment`).
 
-    None if no such pair was monitored.
+    Negative if a pair overlapped; None if no such pair was monitored.
     """
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
@@ -65,8 +65,8 @@ class Tally:
     Attributes:
         ticks: number of steps added.
         events: log lines of all these steps.
-        worst: largest |commanded joint rate| / limit in force.
-        least: minimum clearance of the pairs that count [m]; inf if no such pair was monitored.
+        worst: largest ratio of a commanded joint rate (magnitude) to its limit in force.
+        least: minimum clearance of the pairs that count for CLEARANCE [m]; inf if no such pair was monitored.
     """
 
     def __init__(self) -> None:

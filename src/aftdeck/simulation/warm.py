@@ -25,11 +25,11 @@ from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 
 FAR = 1e3
-"""Twist so great that the payload could reach every wall in the next step [m/s], [rad/s]."""
+"""Twist with which the payload could reach every wall in the next step [m/s], [rad/s]."""
 
 
 def warm_up(scenario: Scenario) -> None:
-    """Run a scratch copy for a few steps, to call every law, because a law is compiled at its first call."""
+    """Call every law, because a law is compiled at its first call: run a few steps of the scenario in a new state."""
     flight = run_constants(scenario)
     state = initial_state(flight)
     arm = scenario.arm
@@ -52,7 +52,7 @@ def warm_up(scenario: Scenario) -> None:
 
 
 def _carry(flight: Flight, state: State) -> None:
-    """Attach the scratch copy's first payload, slide it along the orbiter's parts, check its berths, and release it."""
+    """Attach the first payload, slide it along the orbiter's parts, evaluate its berths, and release it."""
     worksite = state.worksite
     worksite.cargo[0].seat = ""
     attach(flight, state, 0)

@@ -47,7 +47,7 @@ def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _update_contacts(flight: Flight, state: State) -> None:
-    """Update the poses of all frames, the clearances, the contacts and what the contacts inhibit."""
+    """Update the poses of all frames, the clearances, the contacts, and the inhibits that the contacts cause."""
     site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, worksite.watch, worksite.contacts
     worksite.monitored_before[:] = watch.active
@@ -73,7 +73,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Translate the orbiter; if a translation is not possible, log the reason once."""
+    """Translate the orbiter. If its translation is blocked, log the reason once."""
     worksite = state.worksite
     why = ""
     if any(inputs.orbiter) or any(worksite.orbiter_velocity.tolist()):
@@ -84,10 +84,10 @@ def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _try_translation(flight: Flight, state: State, command: Array) -> str:
-    """Translate the orbiter by one step; stop it at once if the arm holds a docked payload or a contact would deepen.
+    """Translate the orbiter by one step. Stop it at once if the arm holds a docked payload, or a contact would deepen.
 
     Returns:
-        The reason why the orbiter does not translate; "" if it does.
+        The reason why the orbiter cannot translate; "" if it can.
     """
     site, worksite, rule = flight.site, state.worksite, flight.site.worksite.translation
     if rule is None:
@@ -113,7 +113,7 @@ def _try_translation(flight: Flight, state: State, command: Array) -> str:
 
 
 def _move_prong(flight: Flight, state: State) -> None:
-    """Close or open the prong; while the finger is inhibited, only motion that relieves its contacts is allowed."""
+    """Close or open the prong. Under FINGER INHIBIT, only motion that relieves the prong's contacts is allowed."""
     site, worksite = flight.site, state.worksite
     free = site.prong and not state.script.attached
     drive = _DRIVES[worksite.switch] if free else 0.0
@@ -130,15 +130,15 @@ def _move_prong(flight: Flight, state: State) -> None:
     prong.move(flight.prong, drive, period)
 
 
-def _closing_fraction(flight: Flight, state: State, way: float) -> float:
-    """Return the fraction of a distance [m] that the prong can close until it touches the bar of the held payload."""
+def _closing_fraction(flight: Flight, state: State, distance: float) -> float:
+    """Return the fraction of a distance [m] by which the prong can close until it touches the held payload's bar."""
     site, k = flight.site, state.worksite.held
     if site.bar is None or k is None or (which := site.bar.which[k]) is None:
         return 1.0
     found = np.empty(FOUND)
     acquire(state.worksite.watch.placed, which, site.bar.packed, found)
-    room = max(float(found[PRONG]), 0.0)
-    return 1.0 if way <= room else room / way
+    clearance = max(float(found[PRONG]), 0.0)
+    return 1.0 if distance <= clearance else clearance / distance
 
 
 def _log_contacts(flight: Flight, state: State, before: Inhibit) -> None:

@@ -1,7 +1,7 @@
 """LATRAJ: line of sight and angle of sight from a pose to a target.
 
-JSC-12628, subroutine LATRAJ. The angle comes from an arc tangent, which is accurate at small angles. Beyond 90 deg the
-axis comes from the symmetric part, which is accurate up to and at 180 deg.
+JSC-12628, subroutine LATRAJ. The angle is computed by an arc tangent, which is accurate at small angles. Beyond 90 deg
+the axis is computed from the symmetric part of the rotation matrix, which is accurate up to and at 180 deg.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from aftdeck.law import law
 
 
 class Aim(NamedTuple):
-    """Distance [m] and direction to a target, and angle [rad] and axis of the rotation to it, in L."""
+    """Distance [m] and direction (u) to a target, and angle [rad] and axis (a) of the rotation to the target, in L."""
 
     distance: float
     ux: float
@@ -60,9 +60,18 @@ def latraj(tip: Tip, target: Array) -> Aim:
 def _axis_of_large_turn(
     b11: float, b22: float, b33: float, b12: float, b13: float, b23: float, cosine: float
 ) -> tuple[float, float, float]:
-    """Return the axis of a rotation beyond 90 deg, except for its sign, from the diagonal and the symmetric sums.
+    """Return the axis of a rotation beyond 90 deg; the sign of the axis is arbitrary.
 
     The largest component is computed first, the others from its column (LATRAJ's 180 deg case).
+
+    Args:
+        b11: first element on the matrix's diagonal; b22 and b33 are the others.
+        b22: see b11.
+        b33: see b11.
+        b12: sum of the elements 12 and 21; b13 and b23 are the corresponding sums.
+        b13: see b12.
+        b23: see b12.
+        cosine: cosine of the angle.
     """
     xx, yy, zz = b11 - cosine, b22 - cosine, b33 - cosine
     if xx >= yy and xx >= zz:

@@ -1,7 +1,7 @@
 """Closed-loop steering of many arms at once, each along a straight line to its own target.
 
 Not modelled: profiles and limits of the point of resolution, joint stops, and slowing before singularities. Near a
-singularity the rate law divides by a minimum value instead.
+singularity, the rate law replaces its divisor by a minimum value.
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
 from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blocks
 
-_HAIR = 1.0 + 1e-15
+_ROUNDING_MARGIN = 1.0 + 1e-15
 """Factor that keeps the fastest joint's rate, after rounding, at or below its limit [1]."""
 _THREADED = 20_000
-"""Number of arm-steps from which a second thread saves more time than its start takes."""
+"""Number of arms times steps above which a second thread saves more time than its start takes."""
 LINE = 64
 """Length of a cache line [bytes]."""
 _SHARES = 8
-"""Shares of the blocks per thread; a thread on a busy processor takes fewer shares."""
+"""Number of shares of the blocks for each thread. A thread on a busy processor computes fewer shares."""
 _ROTATION_TOLERANCE = 1e-6
-"""Maximum deviation of a target's rotation from an orthonormal one [1]."""
+"""Maximum deviation of a target's rotation matrix from an orthonormal matrix [1]."""
 
 
 class Steered(NamedTuple):
-    """State of the arms after the last step, and the errors that remain to their targets.
+    """State of the arms after the last step, and the remaining errors to their targets.
 
     Attributes:
         angles: (..., 6) joint angles [rad].
@@ -47,16 +47,16 @@ class Steered(NamedTuple):
 
 
 def pace_of(arm: Arm, period: float, gain: float) -> Array:
-    """Return an array (8,): control period, gain, and the inverse of each joint's rate limit, its servo maximum.
+    """Return an array (8,): control period, gain, and one over each joint's rate limit, which is its servo maximum.
 
     Raises:
-        InputError: a period or gain that does not move the arm, or moves it past the target.
+        InputError: with this period or gain the arm would not move, or would move past the target.
     """
     if not period > 0.0:
         raise InputError(f"period: got {period:g}, expected a control period above 0 s")
     if not 0.0 < gain * period <= 1.0:
         raise InputError(f"gain: got {gain:g}; gain times period ({period:g}) has to be above 0 and at most 1")
-    return np.array([period, gain, *(_HAIR / arm.rate_limits)])
+    return np.array([period, gain, *(_ROUNDING_MARGIN / arm.rate_limits)])
 
 
 def steer_batch(
@@ -65,16 +65,16 @@ def steer_batch(
     """Steer many arms in closed loop, on every processor that this process may use.
 
     Args:
-        arm: arm model of all the arms.
+        arm: the arm of which `angles` lists many states.
         angles: (..., 6) joint angles [rad].
-        targets: tip poses in L, with the leading shape of `angles` or one for all: a Pose, or (..., 12), position
-            [m], then rotation row by row.
-        steps: number of control periods.
+        targets: tip poses in L, one for each arm or one for all arms. Either a Pose, or an array (..., 12) of positions
+            [m], each followed by the rotation row by row.
+        steps: number of control steps.
         period: duration of a step [s].
-        gain: twist per remaining distance and rotation [1/s].
+        gain: ratio of the twist to the remaining distance and rotation [1/s].
 
     Raises:
-        InputError: numbers of the wrong shape or range.
+        InputError: an argument has the wrong shape, or values outside the allowed range.
     """
     pace = pace_of(arm, period, gain)
     if steps < 0 or steps != int(steps):
@@ -92,7 +92,7 @@ def steer_batch(
 
 
 def _fly(arm: Arm, pace: Array, blocks: Array, steps: int) -> None:
-    """Run `steer_blocks` with the blocks shared among threads; a free thread takes the next share."""
+    """Run `steer_blocks` with the blocks divided among threads. A thread that has finished a share takes the next."""
     links, pace_tuple = tuple(arm.model.links.tolist()), tuple(pace.tolist())
     workers = min(_processors(), len(blocks)) if len(blocks) * LANES * steps >= _THREADED else 1
     if workers <= 1:
@@ -109,7 +109,7 @@ def _fly(arm: Arm, pace: Array, blocks: Array, steps: int) -> None:
 
 
 def _aligned(count: int) -> Array:
-    """Return zeros that begin at a cache line, so that no processor vector crosses two lines."""
+    """Return an array of zeros that begins at a cache line, so that no vector instruction reads across two lines."""
     room = np.zeros(count + LINE // 8)
     skip = -room.ctypes.data % LINE // 8
     return room[skip : skip + count]
@@ -158,7 +158,8 @@ def _targets(targets: Pose | ArrayLike, lead: tuple[int, ...]) -> Array:
         return np.broadcast_to(array, (*lead, 12))
     except ValueError:
         raise InputError(
-            f"targets: expected the leading shape of the joint angles, {lead}, or one for all, got {array.shape[:-1]}"
+            f"targets: expected the leading shape of the joint angles, {lead}, or one target for all arms, got "
+            f"{array.shape[:-1]}"
         ) from None
 
 

@@ -1,9 +1,9 @@
-"""One closed-loop step towards a target, for one arm and for blocks of arms, from the same laws.
+"""One closed-loop step towards a target, with the same laws for one arm and for blocks of arms.
 
 A step consists of LNKAGE, the remaining error to the target, RMSRAT for a twist proportional to that error, RATLMT
-(rates only), and motion at these rates for one control period. In a block, each field of `LANES` arms is one row, so
-that the processor handles several arms in one instruction. Each arm's result is the same, bit for bit, as if it were
-computed alone.
+(rates only), and motion at these rates for one control period. A block holds `LANES` arms. Each row of a block holds
+one value of every arm, so that one instruction of the processor handles several arms. The result of each arm is equal,
+bit for bit, to that of a computation of this arm alone.
 Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 """
 
@@ -30,27 +30,32 @@ from aftdeck.steering.msteer import NEAR_FLOOR
 Six = tuple[float, float, float, float, float, float]
 
 LANES = 40
-"""Arms in a block: a whole number of vectors and cache lines; the row spacing in memory is not a power of two."""
+"""Number of arms in a block.
+
+A row of this length is a whole number of processor vectors and of cache lines, and its size is not a power of two.
+"""
 TARGET, LEFT, FIELDS = 6, 18, 24
-"""Rows of a block: joint angles (6) [rad], from TARGET the target (12) as in `latraj`, from LEFT the error (6)."""
+"""Rows of a block. Rows 0 to 5: joint angles [rad]. From TARGET on: the target (12), as in `latraj`. From LEFT on: the
+remaining error (6). FIELDS is the number of rows."""
 
 PER, QUARTERS, WORK = 12, 15, 21
 """Rows of the work array.
 
-Sines (6) and cosines (6), from PER one over the rate law's denominators (3), from QUARTERS the whole quarter turns in
-each link's angle (6).
+Rows 0 to 5: sines. Rows 6 to 11: cosines. From PER on: one over each of the rate law's denominators (3). From QUARTERS
+on: number of whole quarter turns in each link's angle (6). WORK is the number of rows.
 """
 
 PERIOD, GAIN, PER_RATE = 0, 1, 2
-"""Indices in a `pace`: control period [s], gain [1/s], from PER_RATE one over each joint's maximum rate [s/rad]."""
+"""Indices in a `pace`: control period [s], gain [1/s], and from PER_RATE on one over each joint's maximum rate [s/rad].
+"""
 
 
 @law
-def turn_left(t: Nine, target: Floats) -> Three:
-    """Return the remaining rotation from the tip's axes to those of a target (12,), in L: axis times sine of the angle.
+def remaining_rotation(t: Nine, target: Floats) -> Three:
+    """Return the rotation from the tip's axes to the axes of a target (12,), in L: axis times sine of the angle.
 
-    It is half the sum of the cross products of the axes, present with target. At 180 deg it is zero, so that the tip
-    does not turn.
+    The result is half the sum of three cross products: each present axis with the corresponding axis of the target. At
+    180 deg the result is zero, so that the tip does not rotate.
     """
     r11, r12, r13, r21, r22, r23, r31, r32, r33 = t
     return (
@@ -64,17 +69,17 @@ def turn_left(t: Nine, target: Floats) -> Three:
 
 
 @law
-def way_left(t: Three, target: Floats) -> Three:
-    """Return the distance from the tip to a target's position, the target's first three numbers, in L [m]."""
+def remaining_distance(t: Three, target: Floats) -> Three:
+    """Return the vector from the tip to the target's position, in L [m]; the position is the first three numbers."""
     return target[0] - t[0], target[1] - t[1], target[2] - t[2]
 
 
 @law
-def flown(pace: Floats, r: Rates, q: Floats) -> Six:
-    """Return the joint angles [rad] after one control period at the gain times the rates `r`, cut by RATLMT.
+def angles_after_step(pace: Floats, r: Rates, q: Floats) -> Six:
+    """Return the joint angles [rad] after one control period at the rates `r` times the gain, reduced by RATLMT.
 
-    `r` are the rates for the remaining error. The rate law is linear: gain times these rates are the rates for gain
-    times the error.
+    `r` are the joint rates for a twist equal to the remaining error. The rate law is linear, so the rates for the error
+    times the gain are these rates times the gain.
     """
     upper = max(abs(r.r1) * pace[PER_RATE], abs(r.r2) * pace[PER_RATE + 1], abs(r.r3) * pace[PER_RATE + 2])
     lower = max(abs(r.r4) * pace[PER_RATE + 3], abs(r.r5) * pace[PER_RATE + 4], abs(r.r6) * pace[PER_RATE + 5])
@@ -86,52 +91,53 @@ def flown(pace: Floats, r: Rates, q: Floats) -> Six:
 def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
     """Make one step of one arm towards a target (12,); the angles (6,) [rad] are changed in place."""
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
-    wx, wy, wz = turn_left(axes(arm, a), target)
-    vx, vy, vz = way_left(place(arm, a), target)
+    wx, wy, wz = remaining_rotation(axes(arm, a), target)
+    vx, vy, vz = remaining_distance(place(arm, a), target)
     rates = rmsrat(arm, a, Twist(wx, wy, wz, vx, vy, vz), NEAR_FLOOR)
-    angles[0], angles[1], angles[2], angles[3], angles[4], angles[5] = flown(pace, rates, angles)
+    angles[0], angles[1], angles[2], angles[3], angles[4], angles[5] = angles_after_step(pace, rates, angles)
 
 
 @law
 def _three(rows: Array, first: int, i: int) -> Three:
-    """Return three fields of one arm, from row `first` on."""
+    """Return arm `i`'s values in three rows, from row `first` on."""
     n = first * LANES + i
     return rows[n], rows[n + LANES], rows[n + 2 * LANES]
 
 
 @law
-def _keep_three(rows: Array, first: int, i: int, values: Three) -> None:
-    """Write three fields of one arm, from row `first` on."""
+def _put_three(rows: Array, first: int, i: int, values: Three) -> None:
+    """Write arm `i`'s values into three rows, from row `first` on."""
     n = first * LANES + i
     rows[n], rows[n + LANES], rows[n + 2 * LANES] = values
 
 
 @law
 def _six(rows: Array, first: int, i: int) -> Six:
-    """Return six fields of one arm, from row `first` on."""
+    """Return arm `i`'s values in six rows, from row `first` on."""
     return _three(rows, first, i) + _three(rows, first + 3, i)
 
 
 @law
-def _keep_six(rows: Array, first: int, i: int, values: Six) -> None:
-    """Write six fields of one arm, from row `first` on."""
-    _keep_three(rows, first, i, values[:3])
-    _keep_three(rows, first + 3, i, values[3:])
+def _put_six(rows: Array, first: int, i: int, values: Six) -> None:
+    """Write arm `i`'s values into six rows, from row `first` on."""
+    _put_three(rows, first, i, values[:3])
+    _put_three(rows, first + 3, i, values[3:])
 
 
 @law
 def _sines_of(work: Array, i: int) -> Sines:
-    """Return one arm's sines and cosines."""
+    """Return the sines and cosines of arm `i`."""
     s1, s2, s23, sw, s5, s6 = _six(work, 0, i)
     c1, c2, c23, cw, c5, c6 = _six(work, 6, i)
     return Sines(s1, c1, s2, c2, s23, c23, sw, cw, s5, c5, s6, c6)
 
 
 @law
-def _look(arm: Floats, block: Array, work: Array) -> None:
-    """Compute sines and cosines, one over the denominators, and the remaining error from a block's angles in `work`.
+def _evaluate(arm: Floats, block: Array, work: Array) -> None:
+    """Compute a block's remaining errors, and the values that the rate law needs, from the link angles in `work`.
 
-    `law.sincos` is split into three loops, each short enough for the processor to overlap several vectors of arms.
+    `work` receives sines and cosines, and one over each denominator. `law.sincos` is split into three loops, each short
+    enough for the processor to overlap several vectors of arms.
     """
     for n in range(6 * LANES):
         work[n], work[n + QUARTERS * LANES] = reduced(work[n])
@@ -141,24 +147,24 @@ def _look(arm: Floats, block: Array, work: Array) -> None:
         work[n], work[n + 6 * LANES] = turned_on(work[n], work[n + 6 * LANES], work[n + QUARTERS * LANES])
     for i in range(LANES):
         a = _sines_of(work, i)
-        _keep_three(work, PER, i, per_distance(arm, a, NEAR_FLOOR))
-        _keep_three(block, LEFT + 3, i, way_left(place(arm, a), _three(block, TARGET, i)))
+        _put_three(work, PER, i, per_distance(arm, a, NEAR_FLOOR))
+        _put_three(block, LEFT + 3, i, remaining_distance(place(arm, a), _three(block, TARGET, i)))
     for i in range(LANES):
         target = _six(block, TARGET, i) + _six(block, TARGET + 6, i)
-        _keep_three(block, LEFT, i, turn_left(axes(arm, _sines_of(work, i)), target))
+        _put_three(block, LEFT, i, remaining_rotation(axes(arm, _sines_of(work, i)), target))
 
 
 @law
 def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
     """Make many steps of many arms, in place.
 
-    Each family has its own loops, in which its kind of wrist is a constant: a choice between families inside the
-    loops would cost a quarter more time.
+    Each arm family has its own loops, in which the kind of wrist is a constant. A test of the family inside the loops
+    would take a quarter more time.
 
     Args:
         arm: the arm's constants, as a tuple.
         pace: the values of `pace_of`, as a tuple.
-        blocks: (blocks, FIELDS * LANES), field by field.
+        blocks: (blocks, FIELDS * LANES), each block row by row.
         work: (WORK * LANES,) work array, overwritten.
         steps: number of control periods.
     """
@@ -171,25 +177,25 @@ def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: i
 
 @law
 def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
-    """Make the steps of `steer_blocks` for a kind of wrist that the compiler knows.
+    """Make the steps of `steer_blocks` for a kind of wrist that is a constant for the compiler.
 
-    A step makes several passes over a block: in a short loop the processor overlaps more arms. Rows are addressed in
-    one array by constant strides; otherwise the compiler does not see that the rows never overlap.
+    A step makes several passes over a block, because in a short loop the processor overlaps more arms. The rows are in
+    one array, with constant distances, so that the compiler can see that they do not overlap.
     """
     for b in range(blocks.shape[0]):
         block = blocks[b]
         for i in range(LANES):
             q1, q2, q3, q4, q5, q6 = _six(block, 0, i)
-            _keep_six(work, 0, i, link_angles(arm, q1, q2, q3, q4, q5, q6))
-        _look(arm, block, work)
+            _put_six(work, 0, i, link_angles(arm, q1, q2, q3, q4, q5, q6))
+        _evaluate(arm, block, work)
         for _ in range(steps):
             for i in range(LANES):
                 wx, wy, wz, vx, vy, vz = _six(block, LEFT, i)
                 twist = Twist(wx, wy, wz, vx, vy, vz)
-                _keep_six(block, LEFT, i, resolved(arm, _sines_of(work, i), twist, _three(work, PER, i)))
+                _put_six(block, LEFT, i, resolved(arm, _sines_of(work, i), twist, _three(work, PER, i)))
             for i in range(LANES):
                 r1, r2, r3, r4, r5, r6 = _six(block, LEFT, i)
-                q = flown(pace, Rates(r1, r2, r3, r4, r5, r6), _six(block, 0, i))
-                _keep_six(block, 0, i, q)
-                _keep_six(work, 0, i, link_angles(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
-            _look(arm, block, work)
+                q = angles_after_step(pace, Rates(r1, r2, r3, r4, r5, r6), _six(block, 0, i))
+                _put_six(block, 0, i, q)
+                _put_six(work, 0, i, link_angles(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
+            _evaluate(arm, block, work)

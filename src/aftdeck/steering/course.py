@@ -1,7 +1,7 @@
-"""OPERIN's start of an automatic motion from rest, as in the rehearsal of CMD CK.
+"""OPERIN's start of an automatic motion, in a run and in the rehearsal of CMD CK.
 
 JSC-12628, subroutine OPERIN, plans from the arm's present pose as if the arm were at rest; `strict` does the same.
-Corrected, the arm first comes to rest, and the motion is planned from there.
+Without `strict`, the arm first comes to rest, and the motion is planned from the pose at rest.
 """
 
 from __future__ import annotations
@@ -12,12 +12,13 @@ from aftdeck.steering.layout import LAW, MEASURED, MOTION_ACTIVE, STRICT
 from aftdeck.steering.modes import open_loop, position
 
 AT_REST = 1e-6
-"""Joint rate below which a joint is at rest [rad/s]: in 0.2 s the tip moves by less than 0.01 mm (assumed)."""
+"""Joint rate up to which a joint counts as at rest [rad/s]; at this rate the tip moves less than 0.01 mm in 0.2 s
+(assumed)."""
 
 
 @law
 def may_start(rules: Array, state: Array) -> bool:
-    """Return whether an automatic motion may start: when no joint moves; under `strict` at once."""
+    """Return whether an automatic motion may start: if all joints are at rest; under `strict` always."""
     fastest = 0.0
     for i in range(6):
         fastest = max(fastest, abs(state[MEASURED + i]))
@@ -26,10 +27,10 @@ def may_start(rules: Array, state: Array) -> bool:
 
 @law
 def start_motion(rules: Array, command: Array, state: Array) -> None:
-    """Plan and start the motion if the arm may start; call this before each step until MOTION_ACTIVE is 1.
+    """Plan and start the motion if it may start. Call this function before each step until MOTION_ACTIVE is 1.
 
-    `command` holds the law's number and the target. In mode 1 it also holds the final joint angles, at the index of
-    the plan that replaces them.
+    `command` holds the law's number and the target. In mode 1 it also holds the final joint angles, from index PLAN on;
+    the plan replaces these angles.
     """
     if not may_start(rules, state):
         return

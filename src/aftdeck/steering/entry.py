@@ -1,4 +1,4 @@
-"""Rate law for callers in Python: RMSRAT with RATLMT in one call, twelve numbers in, six out."""
+"""Rate law for callers in Python: RMSRAT and RATLMT in one call with twelve input and six output numbers."""
 
 from __future__ import annotations
 

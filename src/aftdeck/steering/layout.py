@@ -1,15 +1,15 @@
 """Indices of the values in the arrays that the steering laws take.
 
-The laws take few, packed arrays of float64, because such calls from Python are the fastest. `rules` holds the limits
-and constants of a mode, `command` the operator's command, `state` the arm's motion, and `report` the results of the
-step. Vectors are in L, angles in radians.
+Each law takes a few arrays of float64 that hold many values, because Python calls a compiled law fastest in this form.
+`rules` holds the limits and constants of a mode, `command` the operator's command, `state` the arm's motion, and
+`report` the results of the step. Vectors are in L, angles in radians.
 """
 
 from __future__ import annotations
 
 from aftdeck.kinematics.linkage import LINKS
 
-# rules: the arm's links come first, so that every law of kinematics accepts `rules` as its arm
+# rules: the arm's links come first, so that the laws of kinematics accept `rules` in place of the links
 DT = LINKS
 """Control period [s]."""
 STRICT = DT + 1
@@ -25,15 +25,15 @@ SPEED_UP, TURN_UP = TURN + 1, TURN + 2
 RATE = TURN_UP + 1
 """(6,) joint rate limits in force [rad/s]."""
 RATE_UP = RATE + 6
-"""(6,) joint accelerations [rad/s2]: of mode 8 and MASTER, and of the deceleration before a stop."""
+"""(6,) joint accelerations in mode 8 and MASTER, and decelerations before a stop [rad/s2]."""
 MOST_UP = RATE_UP + 6
-"""(6,) maximum joint accelerations [rad/s2], monitored in modes 1 to 7."""
+"""(6,) joint acceleration limits of modes 1 to 7 [rad/s2]."""
 LOW, HIGH = MOST_UP + 6, MOST_UP + 12
-"""(6,) stops in force [rad]: soft ones in computed modes, hard ones in mode 8 and DIRECT."""
+"""(6,) stops in force [rad]: hard stops in mode 8 and DIRECT, soft stops in all other modes."""
 MOUNT = HIGH + 6
 """(9,) rotation from orbiter to L, row by row: T_LB."""
 HAND_COSINE, HAND_SINE = MOUNT + 9, MOUNT + 10
-"""Cosine and sine of the end effector's roll against frame 7."""
+"""Cosine and sine of the end effector's roll relative to frame 7."""
 HELD = HAND_SINE + 1
 """(9,) rotation from payload axes to frame 7, row by row: T_78."""
 OFFSET = HELD + 9
@@ -46,17 +46,20 @@ RULES = NEAR_TURN + 1
 LAW = 0
 """The report's mode number, or `DIRECT_LAW`, `MASTER_LAW` or `NO_LAW`."""
 STICKS = 1
-"""(6,) sticks in [-1, 1]: about axes 1 to 3, then along them."""
+"""(6,) sticks in [-1, 1]: rotation about axes 1 to 3, then translation along axes 1 to 3."""
 JOINT = STICKS + 6
 """Selected joint, 0 to 5."""
 DRIVE = JOINT + 1
 """SINGLE/DIRECT DRIVE in [-1, 1]."""
 MOTION_ACTIVE = DRIVE + 1
-"""1 while an automatic motion is in progress; 0 before, while the arm comes to rest to plan the motion."""
+"""1 while an automatic motion is in progress; 0 before it, while the arm comes to rest."""
 TARGET = MOTION_ACTIVE + 1
 """(12,) final tip position, then rotation row by row."""
 PLAN = TARGET + 12
-"""(11,) plan that modes 1 and 3 compute once at their start; before that, mode 1's final angles; see those modes."""
+"""(11,) plan of mode 1 or 3, computed once at the start of the motion, as defined in the module of each mode.
+
+In mode 1, the first six values are the final joint angles until the plan is computed.
+"""
 MASTER = PLAN + 11
 """(6,) the master arm's joint angles [rad]."""
 KEPT = MASTER + 6
@@ -64,11 +67,11 @@ KEPT = MASTER + 6
 COMMAND = KEPT + 6
 
 NO_LAW = 0.0
-"""TEST: the arm comes to rest and stays at rest."""
+"""Law of TEST: the arm comes to rest and stays at rest."""
 DIRECT_LAW = 9.0
-"""DIRECT: one joint moves, without steering."""
+"""Law of DIRECT: one joint moves, without steering."""
 MASTER_LAW = 10.0
-"""MASTER: all joints follow the master arm's joints."""
+"""Law of MASTER: all joints follow the master arm's joints."""
 
 # state
 ANGLES = 0
@@ -76,28 +79,28 @@ ANGLES = 0
 RATES = 6
 """(6,) joint rates commanded by the last step [rad/s]."""
 TWIST = 12
-"""(6,) twist commanded by the last step: angular velocity, then velocity of the point that POINT names."""
+"""(6,) twist commanded by the last step: angular velocity, then velocity of the point that POINT selects."""
 POINT = 18
-"""Point whose velocity TWIST holds: 0 the tip, 1 the payload's point of resolution."""
+"""Point whose velocity is in TWIST: 0 the tip, 1 the payload's point of resolution."""
 CLOCK = 19
 """Phase time TP of modes 1 and 3 [s]."""
 CLOCK_RATE = 20
-"""Share of the last step's demand that was commanded, 0 to 1: the rate of CLOCK."""
+"""Share of the last step's demand that was commanded, 0 to 1; CLOCK advances at this rate."""
 SHOULDER_OFFSET = 21
-"""Height of the shoulder above that in `rules` (L1), as measured [m]: the telescope's extension."""
+"""Measured height of the shoulder minus its height in `rules` (L1) [m]: the telescope's extension."""
 MEASURED = 22
 """(6,) joint rates, as measured [rad/s]."""
 STATE = 28
 
 # report
 DEMAND = 0
-"""(6,) twist that the mode demanded, before all limits."""
+"""(6,) twist that the mode demanded, before any limit."""
 RATIO = 6
-"""Share of the commanded rates that RATLMT allowed, 0 to 1."""
+"""Share of the joint rates that RATLMT allowed, 0 to 1."""
 CAUSE = 7
 """Limit that acted in RATLMT: an index in `limiters.CAUSES`."""
 LIMITING_JOINT = 8
-"""Joint (or singularity) at that limit; -1 for none."""
+"""Joint or singularity of the limit in CAUSE; -1 if no limit acted."""
 POR_CAUSE = 9
 """Limits that acted in AVCLMT, as `limiters.avclmt` numbers them."""
 DISTANCE, ANGLE = 10, 11
@@ -105,7 +108,7 @@ DISTANCE, ANGLE = 10, 11
 REMAINING = 12
 """Estimated time to the end of an automatic mode [s]: ETA - TP."""
 ARRIVED = 13
-"""1 if an automatic mode has ended, or if every joint has reached its master's angle."""
+"""1 if an automatic mode has ended, or if every joint has reached its angle in MASTER."""
 TURN_REMAINING = 14
 """Estimated time to the end of the rotation alone in modes 2 and 3 [s]: ETAP - TP."""
 REPORT = 15

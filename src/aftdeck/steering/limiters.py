@@ -34,10 +34,10 @@ from aftdeck.steering.layout import (
 )
 
 CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
-"""Limits that act on the joint rates, by the number in a report.
+"""Limits that act on the joint rates; the index is the number in `report[CAUSE]`.
 
-Number 4 occurs in the modes with hard stops, 8 and DIRECT. Number 6: no factor of the motion keeps
-every joint within its acceleration limit; the arm then stays on the line and exceeds the limit.
+Number 4 occurs in the modes with hard stops, 8 and DIRECT. Number 6 means that no factor of the motion keeps every
+joint within its acceleration limit; the arm then stays on its path and exceeds the limit.
 """
 BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
@@ -46,12 +46,12 @@ NEAREST = 0.02
 APPROACH = 0.5
 """Rate of approach to a singularity per remaining distance [1/s] (assumed)."""
 OUTSIDE = 1e-9
-"""Angle beyond a stop from which a joint counts as past it [rad]."""
+"""Angle beyond a stop above which a joint counts as past the stop [rad]."""
 
 
 @law
 def rate_ratio(rules: Array, state: Array) -> float:
-    """Return the largest |commanded joint rate| / limit in force, from the steering's rules and state."""
+    """Return the largest ratio of a joint's commanded rate (magnitude) to the joint's rate limit in force."""
     greatest = 0.0
     for i in range(6):
         greatest = max(greatest, abs(state[RATES + i]) / rules[RATE + i])
@@ -90,9 +90,9 @@ def braked(gap: float, deceleration: float, dt: float) -> float:
 def avclmt(rules: Array, demanded: Twist, present: Twist) -> tuple[Twist, int]:
     """Return the tip twist that the limits of speed and acceleration allow (AVCLMT).
 
-    As published, acceleration is limited first and speed second. Corrected, speed is limited first. The two differ
-    only if the present speed is above its limit because the limit was just lowered; the published version then brakes
-    at once.
+    As published (`strict`), acceleration is limited first and speed second. As corrected, speed is limited first. The
+    results differ only if the present speed is above its limit, because the limit was just lowered. The published
+    version then reduces the speed to the new limit in one step.
 
     Returns:
         The allowed twist, and the sum of the numbers of the limits that acted: acceleration 1 and speed 2 of
@@ -114,9 +114,9 @@ def avclmt(rules: Array, demanded: Twist, present: Twist) -> tuple[Twist, int]:
 def _limited_vector(
     x: float, y: float, z: float, px: float, py: float, pz: float, most: float, change: float, strict: float
 ) -> tuple[float, float, float, int]:
-    """Return a vector limited in length and change per step, as in AVCLMT, and the active limits.
+    """Return the vector (x, y, z) with limited length and limited change from (px, py, pz), and the active limits.
 
-    The code of the active limits is 0 for none, 1 for the change, 2 for the length, and 3 for both.
+    The number of the active limits is 0 for none, 1 for the change, 2 for the length, and 3 for both.
     """
     active = 0
     if strict == 0.0:
@@ -137,7 +137,7 @@ def _limited_vector(
 
 @law
 def _number_if_shortened(shortening: float, number: int) -> int:
-    """Return `number` if a shortening is more than a rounding error, else 0."""
+    """Return `number` if a shortening factor is below 1 by more than a rounding error, else 0."""
     return number if shortening < 1.0 - 1e-9 else 0
 
 
@@ -161,7 +161,7 @@ def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
 
 @law
 def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
-    """Return RATLMT's ratio for the joints' own limits: rates and, if the rules are guarded or as flown, stops."""
+    """Return RATLMT's ratio for the joints' rate limits and, if the rules are guarded or as flown, for their stops."""
     ratio, cause, culprit = 1.0, 0, -1
     as_flown, guarded = rules[AS_FLOWN] != 0.0, rules[GUARDED] != 0.0
     for i in range(6):
@@ -198,7 +198,10 @@ def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Rat
 
 @law
 def closing(rules: Array, a: Sines, rates: Rates, which: int) -> tuple[float, float]:
-    """Return a singularity's signed distance, and the rate at which the magnitude of the distance falls [1/s]."""
+    """Return the signed distance from a singularity, and the rate at which the magnitude of the distance falls [1/s].
+
+    `which` is 0 for the shoulder, 1 for the elbow, 2 for the wrist.
+    """
     shoulder, elbow, wrist = distances(rules, a)
     upper, lower, hand = rates.r2, rates.r2 + rates.r3, rates.r2 + rates.r3 + rates.r4
     if which == 0:

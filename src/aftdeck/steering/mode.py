@@ -23,7 +23,7 @@ class Mode:
         title: short description.
         kind: kind of command: a target, sticks, one joint's drive switch, the master arm, or none.
         point: point that the mode moves.
-        axes: axes along which the THC acts; ORB LD's mode 7 rotates about the payload's axes.
+        axes: axes of the THC and the RHC. Exception: in mode 7 (ORB LD), the RHC acts about the payload's axes.
         axis_names: positive directions of the THC's three axes.
     """
 
@@ -37,12 +37,12 @@ class Mode:
 
     @property
     def loaded(self) -> bool:
-        """Whether the mode needs a payload in the grasp."""
+        """Whether the mode needs a payload that is attached to the end effector."""
         return self.point == "payload"
 
     @property
     def prestored(self) -> bool:
-        """Whether the mode moves through points that the scenario stores for it."""
+        """Whether the mode moves through points that the scenario defines for the mode."""
         return self.position.startswith("AUTO")
 
     @property
@@ -52,7 +52,7 @@ class Mode:
 
     @property
     def has_payload_axes(self) -> bool:
-        """Whether a switch beside the mode selects a second law, which rotates about the payload's axes."""
+        """Whether a switch of the mode selects a second law, in which the RHC acts about the payload's axes."""
         return self.kind == "manual" and len(self.laws) > 1
 
 
@@ -91,7 +91,7 @@ MODES: dict[str, Mode] = {
         ),
     )
 }  # fmt: skip
-"""Every position by name, in order: the panel's left column, its right column, MASTER (not on the panel)."""
+"""Every position by name, in order: the panel's left column, its right column, then MASTER, which the panel lacks."""
 
 
 NUMBERED = range(1, 9)
@@ -99,6 +99,6 @@ NUMBERED = range(1, 9)
 
 
 def position_of(law: int) -> tuple[str, int] | None:
-    """Return the first panel position that selects one of the report's modes 1 to 8, and the law; None for others."""
+    """Return the first panel position that selects a law, and the law; None if it is not one of modes 1 to 8."""
     first = next((mode.position for mode in MODES.values() if law in mode.laws), None)
     return None if first is None or law not in NUMBERED else (first, law)

@@ -1,12 +1,12 @@
 """MSTEER: one steering step, from the measured arm and the command to six joint rates.
 
 Source: JSC-12628, subroutine MSTEER. It calls JACOBI, LNKAGE, ERATES, VOTRAN (the mode's twist), AVCLMT, RMSRAT and
-RATLMT. The twist of ERATES, times RATIO, is fed back to AVCLMT in the next step. Unless `strict`, three things are
-added:
+RATLMT. The twist of ERATES, times RATIO, is fed back to AVCLMT in the next step. Without `strict`, there are three
+additions:
 
-- RATLMT's ratio first reduces the mode's demand to rates that the joints can reach, before AVCLMT. AVCLMT then spends
-  no acceleration on a speed that the joints cannot reach.
-- The rate law is evaluated at the middle of the coming step.
+- Before AVCLMT, RATLMT's ratio reduces the mode's demand to a twist that the joints can reach. AVCLMT then does not
+  accelerate towards a twist that the joints cannot reach.
+- The rate law is evaluated at the joint angles expected in the middle of the coming step.
 - One factor (`steering.one_factor`) slows the whole motion, so that modes 1 and 3 stay on their plans.
 """
 
@@ -53,15 +53,15 @@ from aftdeck.steering.turn import from_hand
 from aftdeck.steering.views import put_rates, put_twist, rates_at, twist_at
 
 NEAR_FLOOR = 0.5 * NEAREST
-"""Minimum normalised distance from a singularity in the guarded rate law, for an arm that starts nearer."""
+"""Minimum normalised distance from a singularity in the guarded rate law; it matters for an arm that starts nearer."""
 
 
 @law
 def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
     """Write the joint rates for the coming step into `state`, and the limits that acted into `report` (MSTEER).
 
-    The arrays are those of `steering.layout`. `state` holds measured angles, and the rates and the twist that
-    the last step commanded; this function replaces the rates and the twist.
+    `steering.layout` describes the arrays. At the call, `state` holds the measured angles, and the rates and the twist
+    that the last step commanded. This function replaces the rates and the twist.
     """
     report[RATIO], report[CAUSE], report[LIMITING_JOINT], report[POR_CAUSE] = 1.0, 0.0, -1.0, 0.0
     report[DISTANCE], report[ANGLE], report[REMAINING], report[ARRIVED] = 0.0, 0.0, 0.0, 0.0
@@ -81,7 +81,7 @@ def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
     Args:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
-        rise: height of the shoulder above that in `rules` [m].
+        rise: measured height of the shoulder minus its height in `rules` [m].
         state: receives the measurements.
     """
     state[SHOULDER_OFFSET] = rise
@@ -107,11 +107,11 @@ def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
 
 @law
 def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
-    """Steer in modes 1 and 8, DIRECT and MASTER, which command joint rates; singularities do not affect them."""
+    """Steer in modes 1 and 8, DIRECT and MASTER, which command joint rates. Singularities do not limit these modes."""
     if command[LAW] == 1.0:
-        wanted = position.rates(rules, command, state, report)
-        factor = _position_factor(rules, command, state, report, a, j, wanted)
-        rates = cut(rules, wanted, factor)
+        demanded = position.rates(rules, command, state, report)
+        factor = _position_factor(rules, command, state, report, a, j, demanded)
+        rates = cut(rules, demanded, factor)
         state[CLOCK_RATE] = factor
         share = 1.0 if rules[STRICT] != 0.0 else factor
         state[CLOCK] = position.clock_after(command, state[CLOCK], share, rules[DT])
@@ -128,117 +128,117 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
 
 @law
 def _position_factor(
-    rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, wanted: Rates
+    rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, demanded: Rates
 ) -> float:
     """Return the share of mode 1's joint rates that is commanded; write the limits that act into the report.
 
-    The limits of the tip apply as well, but not under `strict`: in the source only RATLMT acts.
+    The limits of the tip also apply, except under `strict`, because in the source only RATLMT acts.
     """
-    limit = joint_ratio(rules, state, wanted)
+    limit = joint_ratio(rules, state, demanded)
     if rules[STRICT] != 0.0 or command[MOTION_ACTIVE] == 0.0:
         report[RATIO], report[CAUSE], report[LIMITING_JOINT] = limit.ratio, limit.cause, limit.culprit
         return limit.ratio
-    present = _present(rules, state, a, j, False, 0.0, 0.0, 0.0)
-    found = one_factor(rules, state, wanted, erates(a, j, wanted), present, limit)
-    report[RATIO], report[CAUSE], report[LIMITING_JOINT] = found.factor, found.cause, found.culprit
-    report[POR_CAUSE] = found.por_cause
-    return found.factor
+    present = _present_twist(rules, state, a, j, False, 0.0, 0.0, 0.0)
+    result = one_factor(rules, state, demanded, erates(a, j, demanded), present, limit)
+    report[RATIO], report[CAUSE], report[LIMITING_JOINT] = result.factor, result.cause, result.culprit
+    report[POR_CAUSE] = result.por_cause
+    return result.factor
 
 
 @law
 def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
     """Steer in modes 2 to 7, which command a twist of the point of resolution."""
     here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[SHOULDER_OFFSET])
-    wanted = _wanted(rules, command, state, report, here)
-    put_twist(report, DEMAND, wanted)
+    twist = _demand(rules, command, state, report, here)
+    put_twist(report, DEMAND, twist)
     offset = rules[OFFSET] != 0.0 or rules[OFFSET + 1] != 0.0 or rules[OFFSET + 2] != 0.0
     x, y, z = 0.0, 0.0, 0.0
     if offset:
         x, y, z = from_hand(tip(rules, a), rules[OFFSET], rules[OFFSET + 1], rules[OFFSET + 2])
-        if command[LAW] < 4.0:  # POSITION HOLD in the payload's modes: mode 2 demands a twist of the tip
-            wanted = _carried(wanted, x, y, z)
+        if command[LAW] < 4.0:  # POSITION HOLD in ORB LD and PL uses mode 2, which demands a twist of the tip
+            twist = _twist_of_point(twist, x, y, z)
     floor = NEAR_FLOOR if rules[GUARDED] != 0.0 else FLOOR
-    present = _present(rules, state, a, j, offset, x, y, z)
+    present = _present_twist(rules, state, a, j, offset, x, y, z)
     planned = command[LAW] == 3.0 and command[MOTION_ACTIVE] != 0.0 and rules[STRICT] == 0.0
-    if not planned:  # one factor alone keeps mode 3 on its plan
+    if not planned:  # AVCLMT would take mode 3 off its plan; `one_factor` does not
         if rules[STRICT] == 0.0:
-            possible = ratlmt(rules, state, a, rmsrat(rules, a, _carried(wanted, -x, -y, -z), floor))
-            wanted = scaled(wanted, possible.ratio)
+            possible = ratlmt(rules, state, a, rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor))
+            twist = scaled(twist, possible.ratio)
             report[RATIO], report[CAUSE], report[LIMITING_JOINT] = possible.ratio, possible.cause, possible.culprit
-        wanted, por_cause = avclmt(rules, wanted, present)
+        twist, por_cause = avclmt(rules, twist, present)
         report[POR_CAUSE] = por_cause
-    rates = rmsrat(rules, a, _carried(wanted, -x, -y, -z), floor)
+    rates = rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor)
     limit = ratlmt(rules, state, a, rates)
     factor, cause, culprit = limit.ratio, limit.cause, limit.culprit
     if rules[STRICT] == 0.0:
-        found = one_factor(rules, state, rates, wanted, present, limit)
-        factor, cause, culprit = found.factor, found.cause, found.culprit
-        if found.por_cause != 0:
-            report[POR_CAUSE] = found.por_cause
+        result = one_factor(rules, state, rates, twist, present, limit)
+        factor, cause, culprit = result.factor, result.cause, result.culprit
+        if result.por_cause != 0:
+            report[POR_CAUSE] = result.por_cause
     report[RATIO] = report[RATIO] * factor
     if cause != 0:
         report[CAUSE], report[LIMITING_JOINT] = cause, culprit
     if report[CAUSE] == BY_RATE and _below_limit(rules, rates, factor, int(report[LIMITING_JOINT])):
-        report[CAUSE], report[LIMITING_JOINT] = (
-            0.0,
-            -1.0,
-        )  # the arm is still accelerating; this limit would act only later
+        # the arm is still accelerating; the joint has not reached this limit yet
+        report[CAUSE], report[LIMITING_JOINT] = 0.0, -1.0
     state[CLOCK_RATE] = 1.0 if rules[STRICT] != 0.0 else report[RATIO]
     state[CLOCK] += state[CLOCK_RATE] * rules[DT]
-    feed_back(state, cut(rules, rates, factor), scaled(wanted, factor), 1.0 if offset else 0.0)
+    feed_back(state, cut(rules, rates, factor), scaled(twist, factor), 1.0 if offset else 0.0)
 
 
 @law
 def _below_limit(rules: Array, r: Rates, k: float, joint: int) -> bool:
-    """Return whether a joint is well below its rate limit."""
+    """Return whether a joint's rate, times `k`, is below its rate limit by more than a rounding error."""
     below: bool = abs(k * r[joint]) < 0.999 * rules[RATE + joint]
     return below
 
 
 @law
-def _wanted(rules: Array, command: Array, state: Array, report: Array, here: Tip) -> Twist:
-    """Return the twist that the mode demands of the point of resolution; zero in modes without one."""
+def _demand(rules: Array, command: Array, state: Array, report: Array, here: Tip) -> Twist:
+    """Return the twist that the mode demands; zero in modes that demand no twist."""
     number = command[LAW]
     if number == 2.0:
-        wanted = closed_loop.demand(rules, command, here, report)
+        twist = closed_loop.demand(rules, command, here, report)
         closed_loop.note_arrival(rules, state, report)
     elif number == 3.0:
-        wanted = open_loop.demand(rules, command, state, report)
+        twist = open_loop.demand(rules, command, state, report)
     else:
-        wanted = manual.demand(rules, command, here)
-    return wanted
+        twist = manual.demand(rules, command, here)
+    return twist
 
 
 @law
-def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x: float, y: float, z: float) -> Twist:
-    """Return the present twist of the point of resolution, relative to which accelerations are limited.
+def _present_twist(
+    rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x: float, y: float, z: float
+) -> Twist:
+    """Return the present twist of the point of resolution, from which AVCLMT computes the accelerations.
 
-    The source computes this twist by ERATES from the measured joint rates at the new angles. Corrected, it is the twist
-    that the last step commanded, plus the twist of the difference between measured and commanded joint rates. The
-    rotation of the arm under constant rates is then not limited as if it were an error. (x, y, z) is the vector from
-    the tip to the point, in L.
+    The source computes this twist by ERATES from the measured joint rates at the new angles. Without `strict`, the
+    result is the twist that the last step commanded, plus the twist of the difference between measured and commanded
+    joint rates. The change of the twist that constant joint rates cause during a step is then not limited as if it
+    were an acceleration. (x, y, z) is the vector from the tip to the point of resolution, in L.
     """
     actual, commanded = rates_at(state, MEASURED), rates_at(state, RATES)
     was = state[POINT] != 0.0
     if rules[STRICT] != 0.0:
-        return _carried(erates(a, j, actual), x, y, z)
-    if was and not offset:  # the payload's point is no longer used: the tip's own velocity follows from the joint rates
+        return _twist_of_point(erates(a, j, actual), x, y, z)
+    if was and not offset:  # TWIST is the twist of the payload's point, but now the tip is the point of resolution
         return erates(a, j, actual)
     beside = Rates(
         actual.r1 - commanded.r1, actual.r2 - commanded.r2, actual.r3 - commanded.r3,
         actual.r4 - commanded.r4, actual.r5 - commanded.r5, actual.r6 - commanded.r6,
     )  # fmt: skip
     more = erates(a, j, beside)
-    if was:  # the commanded twist is already that of the payload's point
-        more = _carried(more, x, y, z)
+    if was:  # TWIST is already the twist of the payload's point
+        more = _twist_of_point(more, x, y, z)
     t = twist_at(state, TWIST)
     last = Twist(t.wx + more.wx, t.wy + more.wy, t.wz + more.wz, t.vx + more.vx, t.vy + more.vy, t.vz + more.vz)
-    return _carried(last, x, y, z) if offset and not was else last
+    return _twist_of_point(last, x, y, z) if offset and not was else last
 
 
 @law
-def _carried(t: Twist, x: float, y: float, z: float) -> Twist:
-    """Return the twist of a point of a body; (x, y, z) leads to it from the body's point with the twist `t`."""
+def _twist_of_point(t: Twist, x: float, y: float, z: float) -> Twist:
+    """Return the twist of another point of the same body; (x, y, z) is the vector to it from the point of `t`."""
     return Twist(
         t.wx,
         t.wy,
@@ -251,9 +251,9 @@ def _carried(t: Twist, x: float, y: float, z: float) -> Twist:
 
 @law
 def carried_to_tip(rules: Array, here: Tip, t: Twist) -> Twist:
-    """Return the tip's twist from that of the point of resolution."""
+    """Return the tip's twist, from the twist `t` of the point of resolution."""
     x, y, z = from_hand(here, rules[OFFSET], rules[OFFSET + 1], rules[OFFSET + 2])
-    return _carried(t, -x, -y, -z)
+    return _twist_of_point(t, -x, -y, -z)
 
 
 @law
@@ -264,7 +264,7 @@ def scaled(t: Twist, k: float) -> Twist:
 
 @law
 def cut(rules: Array, r: Rates, k: float) -> Rates:
-    """Return rates times RATIO, without the rounding error that could exceed a limit."""
+    """Return the joint rates times `k`, each cut to its limit, because rounding could exceed the limit."""
     most = rates_at(rules, RATE)
     return Rates(
         _within(k * r.r1, most.r1),

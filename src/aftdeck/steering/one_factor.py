@@ -1,12 +1,13 @@
-"""One factor for a whole motion, so that limits change neither its line nor its proportions.
+"""One factor that slows a whole motion, so that limits change the speed but not the path.
 
 Modes 1 and 3 follow a plan; different factors for translation and rotation would take the arm off the plan. Here every
-limit gives a range of factors, and the greatest factor that all limits allow is used. The order of priority:
+limit gives a range of allowed factors, and the greatest factor in all ranges is used. If the ranges have no factor in
+common, the limits have this priority:
 
-1. Joint rates, stops and singularities (RATLMT), which are never exceeded.
-2. Joint accelerations. If no factor keeps a joint's acceleration limit, the arm stays on the line, and the joint is
-   reported.
-3. Accelerations of the point of resolution, which are exceeded if the joints require it.
+1. Joint rates, stops and singularities (RATLMT). These limits are never exceeded.
+2. Joint accelerations. If every factor exceeds the acceleration limit of some joint, the arm stays on the path, and the
+   joint is reported.
+3. Accelerations of the point of resolution. These limits are exceeded if limits 1 or 2 require it.
 
 JSC-12628 does not have this factor: its AVCLMT and RATLMT limit translation, rotation and joint rates separately.
 """
@@ -23,13 +24,13 @@ from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN
 from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio
 
 ROUNDING = 1e-11
-"""Share by which rounding may exceed a limit [1]."""
+"""Share of a limit by which rounding may exceed the limit [1]."""
 NO_RATE = 1e-12
-"""Joint rate at or below which a factor has no effect [rad/s]."""
+"""Demanded joint rate [rad/s] up to which a joint counts as not moving; no factor then changes its acceleration."""
 SEARCHES = 60
-"""Steps of the search for the factor with the least excess acceleration; each leaves two thirds of the range."""
+"""Number of steps in the search for the factor of `_least_excess`; each step reduces the range to two thirds."""
 UNBOUNDED = 1e9
-"""Factor that represents no limit [1]."""
+"""Factor that represents the absence of a limit [1]."""
 
 
 class Factor(NamedTuple):
@@ -49,7 +50,7 @@ class Factor(NamedTuple):
 
 
 class Range(NamedTuple):
-    """Factors that a limit allows, from `low` to `high`; none if `low` is greater than `high`."""
+    """Range of factors that a limit allows, from `low` to `high`. If `low` is greater, no factor is allowed."""
 
     low: float
     high: float
@@ -57,7 +58,7 @@ class Range(NamedTuple):
 
 @law
 def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: Twist, limit: Ratio) -> Factor:
-    """Return the factor of a motion that keeps every limit, and the limits that act.
+    """Return the greatest factor of a motion that keeps every limit, and the limits that act.
 
     Args:
         rules: rules of the mode.
@@ -98,7 +99,10 @@ class PointRange(NamedTuple):
 
 @law
 def _of_point(rules: Array, twist: Twist, present: Twist) -> PointRange:
-    """Return the greatest factor that the point's limits allow; speed limits never exceed the maximum deceleration."""
+    """Return the greatest factor that the point's limits allow.
+
+    A speed limit never requires more than the maximum deceleration.
+    """
     dt = rules[DT]
     v = math.sqrt(twist.vx * twist.vx + twist.vy * twist.vy + twist.vz * twist.vz)
     w = math.sqrt(twist.wx * twist.wx + twist.wy * twist.wy + twist.wz * twist.wz)
@@ -117,7 +121,11 @@ def _of_point(rules: Array, twist: Twist, present: Twist) -> PointRange:
 
 @law
 def _of_joints(rules: Array, state: Array, rates: Rates) -> tuple[Range, int, int]:
-    """Return the factors that all joint accelerations allow, and the joints that give the greatest and the least."""
+    """Return the range of factors that all joint acceleration limits allow, and the joints that set its ends.
+
+    Returns:
+        The range, the joint that sets `high`, and the joint that sets `low`; -1 for an end that no joint sets.
+    """
     low, high, slowest, quickest = -UNBOUNDED, UNBOUNDED, -1, -1
     for i in range(6):
         change = rules[MOST_UP + i] * rules[DT] * (1.0 + ROUNDING)
@@ -134,7 +142,10 @@ def _of_joints(rules: Array, state: Array, rates: Rates) -> tuple[Range, int, in
 
 @law
 def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, change: float) -> Range:
-    """Return the factors that bring a vector within `change` of the present one; the nearest if no factor does."""
+    """Return the range of factors with which the vector (x, y, z) differs by at most `change` from (px, py, pz).
+
+    If every factor gives a greater difference, both ends of the range are the factor with the least difference.
+    """
     square = x * x + y * y + z * z
     if square < NO_RATE * NO_RATE:
         return Range(-UNBOUNDED, UNBOUNDED)
@@ -147,7 +158,7 @@ def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, ch
 
 @law
 def _excess(rules: Array, state: Array, rates: Rates, factor: float) -> tuple[float, int]:
-    """Return the greatest ratio of joint acceleration to its limit [1] with this factor, and the joint."""
+    """Return the greatest ratio of a joint acceleration to its limit [1] with this factor, and that joint."""
     greatest, joint = 0.0, -1
     for i in range(6):
         share = abs(factor * rates[i] - state[MEASURED + i]) / (rules[MOST_UP + i] * rules[DT])
@@ -158,7 +169,7 @@ def _excess(rules: Array, state: Array, rates: Rates, factor: float) -> tuple[fl
 
 @law
 def _least_excess(rules: Array, state: Array, rates: Rates, most: float) -> float:
-    """Return the factor, 0 to `most`, at which the joint accelerations exceed their limits least."""
+    """Return the factor, 0 to `most`, with the least value of `_excess`."""
     low, high = 0.0, most
     for _ in range(SEARCHES):
         third = (high - low) / 3.0

@@ -1,9 +1,12 @@
 """VCLOSE and VTOPEN: speeds towards a target at which translation and rotation end together.
 
-JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` omits. Braking is computed for
-finite steps, so that the last step ends at the target. The two estimates of the remaining time agree at their
-transition. Where one motion is slowed to end with the other, the time that divides its remaining distance is never
-zero.
+JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` omits:
+
+- Braking is computed for finite steps, so that the last step ends at the target.
+- The remaining time has one formula for a motion at maximum speed and one for a braking motion. At the transition, both
+  give the same time.
+- If translation ends later than rotation, the angular rate is reduced to the remaining angle divided by a time; the
+  reverse applies too. This time is never zero.
 """
 
 from __future__ import annotations
@@ -20,7 +23,7 @@ from aftdeck.steering.limiters import braked
 class Profile(NamedTuple):
     """Speed [m/s] and angular rate [rad/s] towards the target, and the remaining times [s].
 
-    `remaining` is ETA - TP for both together; `turn_remaining` is ETAP - TP for the rotation alone.
+    `remaining` is ETA - TP for translation and rotation together; `turn_remaining` is ETAP - TP for the rotation alone.
     """
 
     speed: float
@@ -33,7 +36,7 @@ class Profile(NamedTuple):
 def vclose(rules: Array, distance: float, angle: float) -> Profile:
     """Return the demanded speeds for a remaining distance [m] and angle [rad] (VCLOSE)."""
     if rules[STRICT] != 0.0:
-        return _as_restored(rules, distance, angle)
+        return _as_published(rules, distance, angle)
     dt = rules[DT]
     speed, time, brake = _alone(distance, rules[SPEED], rules[SPEED_UP], dt)
     turn, turn_time, turn_brake = _alone(angle, rules[TURN], rules[TURN_UP], dt)
@@ -48,9 +51,9 @@ def vclose(rules: Array, distance: float, angle: float) -> Profile:
 
 @law
 def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float, float]:
-    """Return rate, remaining time and braking time of a single motion, in steps of dt.
+    """Return rate, remaining time [s] and braking time [s] of one motion, translation or rotation, in steps of dt.
 
-    Braking from n * up * dt takes n steps and covers half of (n + 1) * dt times that rate.
+    Braking from the rate n * up * dt takes n steps, and covers the distance 0.5 * (n + 1) * dt times this rate.
     """
     if left <= 0.0:
         return 0.0, 0.0, 0.0
@@ -63,11 +66,11 @@ def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float
 
 
 @law
-def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
+def _as_published(rules: Array, distance: float, angle: float) -> Profile:
     """Return the profile of VCLOSE as published, with TP = 0 and one step as its small time epsilon.
 
-    Each divisor is at least half the time that the waiting motion needs by itself, so that it is above 0 until that
-    motion has ended.
+    The motion that would end first is slowed. Its divisor is at least half of the time that it would need at its own
+    speed, and is therefore above 0 until this motion has ended.
     """
     t_v, eta = rules[SPEED] / rules[SPEED_UP], distance / rules[SPEED]
     if t_v <= eta:
@@ -92,8 +95,8 @@ def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
 class OpenProfile(NamedTuple):
     """Maximum speed [m/s] and angular rate [rad/s], and times [s].
 
-    The times are the phase's length ETA, that of its rotation alone at the maximum rate (ETAP), and both
-    acceleration times.
+    The times are the duration ETA of the phase, the duration ETAP that its rotation alone would have at the maximum
+    rate, and the acceleration times of translation and rotation.
     """
 
     speed: float
@@ -116,10 +119,10 @@ def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
 
 
 @law
-def _ramped_alone(way: float, most: float, up: float) -> tuple[float, float]:
-    """Return the duration and the acceleration time [s] of a single motion."""
-    ramp, eta = most / up, way / most
+def _ramped_alone(distance: float, most: float, up: float) -> tuple[float, float]:
+    """Return the duration and the acceleration time [s] of one motion, translation or rotation."""
+    ramp, eta = most / up, distance / most
     if ramp <= eta:
         return eta + ramp, ramp
-    ramp = math.sqrt(way / up)
+    ramp = math.sqrt(distance / up)
     return 2.0 * ramp, ramp

@@ -1,4 +1,4 @@
-"""Joint motion in mode 8 and MASTER: towards a rate or an angle, within the joint's acceleration and its stops."""
+"""Joint motion in mode 8 and MASTER: rates that approach a rate or an angle within acceleration limit and stops."""
 
 from __future__ import annotations
 
@@ -12,22 +12,25 @@ from aftdeck.steering.limiters import braked
 
 @law
 def rate_towards(rules: Array, state: Array, goal: float, i: int) -> float:
-    """Return the greatest rate of joint i [rad/s] from which it can still stop at an angle [rad]."""
+    """Return the greatest rate of joint i [rad/s] towards the angle `goal` [rad] from which it can still stop there.
+
+    The rate limit also applies.
+    """
     angle = goal - state[ANGLES + i]
     return math.copysign(min(braked(abs(angle), rules[RATE_UP + i], rules[DT]), rules[RATE + i]), angle)
 
 
 @law
 def ramped(rules: Array, state: Array, report: Array, demanded: float, i: int, stop: int) -> float:
-    """Return the rate of joint i [rad/s] towards the demanded rate, within its acceleration and braking for its stop.
+    """Return the rate of joint i [rad/s] in this step, as near the demanded rate as acceleration and stops allow.
 
     Args:
         rules: rules of the mode.
         state: measured angles and rates.
-        report: receives the stop if it acts.
+        report: receives cause and joint if a stop acts.
         demanded: the demanded rate [rad/s].
         i: the joint, 0 to 5.
-        stop: kind of stop that may act: an index in `limiters.CAUSES`.
+        stop: index in `limiters.CAUSES` of the kind of stop in `rules`.
     """
     change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]
     rate = before + min(max(demanded - before, -change), change)

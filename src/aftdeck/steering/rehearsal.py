@@ -1,4 +1,7 @@
-"""Rehearsal of a motion: the same steering on an arm that follows exactly, computed faster than real time."""
+"""Rehearsal of a motion: the same steering laws on an arm that makes every commanded rate exactly.
+
+The computation is faster than real time.
+"""
 
 from __future__ import annotations
 
@@ -10,19 +13,19 @@ from aftdeck.steering.msteer import msteer
 
 STANDSTILL = 1e-3
 """RATIO [1] below which a motion counts as stopped by a limit."""
-GIVEN_UP = 2.0
-"""Time [s] for which the motion may be stopped before the rehearsal ends."""
+MAX_STOPPED_TIME = 2.0
+"""Time [s] after which the rehearsal of a stopped motion ends."""
 
 
 @law
 def rehearse(rules: Array, command: Array, state: Array, report: Array, most: float) -> bool:
-    """Run `command` from `state` for at most `most` seconds, including its start; return whether the motion ends.
+    """Run an automatic command, including its start, for at most `most` seconds; return whether the motion has ended.
 
     The arrays are overwritten. Afterwards `state` holds the arm's last state.
     """
     dt = rules[DT]
-    held, step = 0, 0
-    while step * dt < most and held * dt < GIVEN_UP:
+    stopped, step = 0, 0
+    while step * dt < most and stopped * dt < MAX_STOPPED_TIME:
         if command[MOTION_ACTIVE] == 0.0:
             start_motion(rules, command, state)
         msteer(rules, command, state, report)
@@ -32,5 +35,5 @@ def rehearse(rules: Array, command: Array, state: Array, report: Array, most: fl
         step += 1
         if report[ARRIVED] != 0.0:
             return True
-        held = held + 1 if report[RATIO] < STANDSTILL else 0
+        stopped = stopped + 1 if report[RATIO] < STANDSTILL else 0
     return False

@@ -1,4 +1,4 @@
-"""`rules` array for each panel position, rate setting and steering law, with the limits of the law."""
+"""Constants and limits of the steering laws: one `rules` array for each panel position, rate setting and law."""
 
 from __future__ import annotations
 
@@ -57,10 +57,10 @@ def rules_of(
 ) -> dict[Key, Array]:
     """Return the rules of every panel position, rate setting and steering law.
 
-    Coarse and vernier choose the POR limits, and the joint rates in modes 1 and 8, DIRECT and MASTER. The joints of
-    modes 2 to 7 are limited to the servo maxima, and under `strict` those of mode 1 too. With a payload the coarse and
-    vernier joint rates fall in proportion to the POR's speed (assumed). Accelerations are those of the coarse limits,
-    with either setting.
+    The rate setting, coarse or vernier, selects the POR limits. In modes 1 and 8, DIRECT and MASTER it also selects the
+    joint rate limits. In modes 2 to 7, and under `strict` in mode 1, the joint rate limits are the servo maxima. With a
+    payload, the coarse and vernier joint rates are lower, in proportion to the POR's speed limit (assumed). The
+    accelerations are computed from the coarse limits in both settings.
     """
     shared = np.zeros(RULES)
     shared[: len(arm.links)] = arm.links
@@ -94,5 +94,5 @@ def rules_of(
 
 
 def _by_joint(mode: Mode, law: int, strict: bool) -> bool:
-    """Return whether the coarse and vernier joint rates apply, not the servo maxima."""
+    """Return whether the coarse or vernier joint rates limit the joints; if not, the servo maxima do."""
     return mode.kind in ("single", "master") or (law == POSITION_LAW and not strict)

@@ -1,4 +1,4 @@
-"""VOTRAN's rotation of stick commands: vectors in orbiter, frame 7 or payload components, expressed in L."""
+"""VOTRAN's conversion of stick commands to L, from the orbiter's frame, frame 7 or the payload's axes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Vector = tuple[float, float, float]
 
 @law
 def turned(array: Array, start: int, x: float, y: float, z: float) -> Vector:
-    """Return the vector rotated by the matrix whose nine elements begin at `start`."""
+    """Return the vector (x, y, z) multiplied by the matrix whose nine elements begin at index `start` of the array."""
     return (
         array[start] * x + array[start + 1] * y + array[start + 2] * z,
         array[start + 3] * x + array[start + 4] * y + array[start + 5] * z,
@@ -22,13 +22,13 @@ def turned(array: Array, start: int, x: float, y: float, z: float) -> Vector:
 
 @law
 def from_orbiter(rules: Array, x: float, y: float, z: float) -> Vector:
-    """Return a vector given in orbiter components, expressed in L."""
+    """Convert a vector from the orbiter's frame to L."""
     return turned(rules, MOUNT, x, y, z)
 
 
 @law
 def from_hand(t: Tip, x: float, y: float, z: float) -> Vector:
-    """Return a vector given in frame 7, expressed in L."""
+    """Convert a vector from frame 7 to L; `t` is the tip's pose."""
     return (
         t.r11 * x + t.r12 * y + t.r13 * z,
         t.r21 * x + t.r22 * y + t.r23 * z,
@@ -38,6 +38,6 @@ def from_hand(t: Tip, x: float, y: float, z: float) -> Vector:
 
 @law
 def from_payload(rules: Array, t: Tip, x: float, y: float, z: float) -> Vector:
-    """Return a vector given in payload axes, expressed in L (T_B8 = T_B7 T_78)."""
+    """Convert a vector from the payload's axes to L (T_B8 = T_B7 T_78); `t` is the tip's pose."""
     a, b, c = turned(rules, HELD, x, y, z)
     return from_hand(t, a, b, c)

@@ -1,6 +1,6 @@
-"""Values of the packed arrays (`steering.layout`) by name, for use inside the laws.
+"""Values of the arrays of `steering.layout`, as tuples with names, for use inside the laws.
 
-Compiled code makes these tuples without cost; passing them from Python would take microseconds.
+Compiled code makes these tuples without cost. To pass such a tuple from Python to a law would take microseconds.
 """
 
 from __future__ import annotations
@@ -14,33 +14,33 @@ from aftdeck.steering.layout import ANGLES, SPEED, STICKS, TURN
 
 @law
 def rates_at(values: Array, at: int) -> Rates:
-    """Return six values of an array, beginning at an index, one for each joint."""
+    """Return the values of the six joints that begin at index `at` of an array."""
     return Rates(values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5])
 
 
 @law
 def put_rates(values: Array, at: int, r: Rates) -> None:
-    """Write six values, one for each joint, beginning at an index."""
+    """Write the values of the six joints into an array, from index `at` on."""
     values[at], values[at + 1], values[at + 2] = r.r1, r.r2, r.r3
     values[at + 3], values[at + 4], values[at + 5] = r.r4, r.r5, r.r6
 
 
 @law
 def twist_at(values: Array, at: int) -> Twist:
-    """Return the twist that begins at an index."""
+    """Return the twist that begins at index `at` of an array."""
     return Twist(values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5])
 
 
 @law
 def put_twist(values: Array, at: int, t: Twist) -> None:
-    """Write a twist, beginning at an index."""
+    """Write a twist into an array, from index `at` on."""
     values[at], values[at + 1], values[at + 2] = t.wx, t.wy, t.wz
     values[at + 3], values[at + 4], values[at + 5] = t.vx, t.vy, t.vz
 
 
 @law
 def stick_twist(rules: Array, command: Array) -> Twist:
-    """Return the twist that the sticks command in their own axes: full deflection is the limit of the POR."""
+    """Return the twist that the sticks command, in the mode's axes; full deflection commands the POR limits."""
     w, v, s = rules[TURN], rules[SPEED], twist_at(command, STICKS)
     return Twist(w * s.wx, w * s.wy, w * s.wz, v * s.vx, v * s.vy, v * s.vz)
 

@@ -1,6 +1,6 @@
 """Escape direction: stick direction that leads out of a singularity or away from a stop.
 
-The steering laws evaluate every direction of the six stick axes: the joint rates that RMSRAT and RATLMT allow, and the
+For each of the 12 directions of the six stick axes, these laws compute the joint rates after RMSRAT and RATLMT, and the
 speed at which these rates move the arm away. If no stick direction leads away, one joint in SINGLE does.
 """
 
@@ -36,10 +36,11 @@ def way_out(
         rules: rules of a manual mode.
         command: command whose law is used; its sticks are overwritten.
         state: state of the arm.
-        singularity: 0 shoulder, 1 elbow, 2 wrist: `speeds` are the rates of its distance [1/s]; -1 to use `joint`.
-        joint: joint whose rate in each stick direction [rad/s] is written to `speeds`, if `singularity` is -1.
-        inward: +1 or -1: the joint's direction in which `speeds` are positive.
-        speeds: (12,) output; a positive value leads away.
+        singularity: 0 shoulder, 1 elbow, 2 wrist; `speeds` are the rates at which the distance from it grows [1/s]. If
+            it is -1, `joint` and `inward` apply.
+        joint: joint at its limit; `speeds` are its rates [rad/s].
+        inward: sign, +1 or -1, of the joint's rate that leads away from its limit.
+        speeds: (12,) output. With a positive value, the stick direction leads away.
     """
     a = sines_of(rules, state)
     here = tip(rules, a)
@@ -64,7 +65,10 @@ def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> R
 
 @law
 def stick_rates(rules: Array, command: Array, state: Array, speeds: Array) -> None:
-    """Write each stick direction's limited joint rates into `speeds` (12, 6) [rad/s]; arguments as for `way_out`."""
+    """Write the joint rates of each stick direction, after limits, into `speeds` (12, 6) [rad/s].
+
+    The other arguments are those of `way_out`.
+    """
     a = sines_of(rules, state)
     here = tip(rules, a)
     for k in range(DIRECTIONS):
@@ -76,9 +80,9 @@ def stick_rates(rules: Array, command: Array, state: Array, speeds: Array) -> No
 
 @law
 def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, threshold: float) -> tuple[int, int]:
-    """Return the joint that leaves a singularity with the least rotation inside its reach limits, and its direction.
+    """Return the joint that leaves a singularity by the least rotation inside its reach limits, and the direction.
 
-    The whole path is evaluated, because a path that leads away at first may end at a limit.
+    The joint's whole path to the limit is evaluated, because a path that leads away at first may end too early.
 
     Args:
         arm: links, as `kinematics.linkage` packs them.
@@ -88,25 +92,25 @@ def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, thresho
         threshold: normalised distance beyond which the arm has left the singularity [1].
 
     Returns:
-        The joint, 0 to 5, and +1 or -1. If no joint leaves the singularity: the first joint that affects its distance,
-        and -1.
+        The joint, 0 to 5, and +1 or -1. If no joint leaves the singularity, the result is the first joint that changes
+        the distance from the singularity, and -1.
     """
     first, last = (1, 3) if singularity == 0 else (2, 2) if singularity == 1 else (4, 4)
-    found, which, least = first, -1, math.inf
+    best, direction, least = first, -1, math.inf
     for joint in range(first, last + 1):
         for sign in (-1, 1):
             room = reach[joint, 1] - angles[joint] if sign > 0 else angles[joint] - reach[joint, 0]
             turned = SEARCH_STEP
             while turned < min(room, least):
                 if abs(_turned_distance(arm, angles, joint, sign * turned, singularity)) > threshold:
-                    found, which, least = joint, sign, turned
+                    best, direction, least = joint, sign, turned
                 turned += SEARCH_STEP
-    return found, which
+    return best, direction
 
 
 @law
 def _turned_distance(arm: Array, angles: Array, joint: int, by: float, singularity: int) -> float:
-    """Return the signed distance from a singularity after one joint has turned by an angle [rad]."""
+    """Return the signed distance from a singularity after a rotation of one joint by an angle [rad]."""
     d = distances(
         arm,
         sines(

@@ -55,7 +55,7 @@ export interface Cylinder {
 }
 
 /**
- * A wall bent round an axis: tube, nozzle, door, or a piece of a disc if the wall is as thick as its radius.
+ * A wall bent round an axis: a tube, nozzle or door, or a sector of a disc if the thickness equals the radius.
  *
  * Angles run from y to z about axis x, from z to x about y, from x to y about z.
  */
@@ -105,7 +105,7 @@ export interface Sphere {
   readonly radius: number;
 }
 
-/** A flat outline with a thickness, half on each side of the plane through its position. */
+/** A flat plate. Half of its thickness is on each side of the plane through its position. */
 export interface Plate {
   readonly kind: 'plate';
   /** Position [m]. */
@@ -117,7 +117,7 @@ export interface Plate {
   /** Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]. */
   readonly outline: readonly Vec2[];
   readonly thickness: number;
-  /** Distance by which the rims are cut back, at most half the thickness [m]. */
+  /** Distance by which the edges are cut back, at most half the thickness [m]. */
   readonly bevel: number;
 }
 
@@ -136,8 +136,8 @@ export interface Loft {
 /**
  * A rounded cross-section of a loft: an upper and a lower half of a superellipse.
  *
- * Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, where n is the exponent of the half:
- * 2 gives an ellipse, 5 nearly a rectangle.
+ * The points of a half satisfy |y/half_width|^n + |(z - middle)/height|^n = 1. The height is from `middle` to `top` or
+ * `bottom`; n is the exponent of the half. Exponent 2 gives an ellipse, 5 nearly a rectangle.
  */
 export interface Section {
   readonly x: number;
@@ -169,17 +169,17 @@ export interface Light {
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly radius: number;
-  /** Half angle of the beam [rad]; above pi/2 the lamp shines all round. */
+  /** Half angle of the beam [rad]; above pi/2 the lamp shines in all directions. */
   readonly cone: number;
   /** Range of the light [m]. */
   readonly reach: number;
   /** Intensity on the lamp's axis [cd], on the scale in which the sun gives 4.1 lx. */
   readonly intensity: number;
-  /** Name of the panel's switch that lights this lamp and all others with that switch. */
+  /** Name of the panel's switch for this lamp. Several lamps may have the same switch. */
   readonly switch: string;
 }
 
-/** Shapes that share a position; drawn once or several times in even steps, and optionally mirrored. */
+/** Shapes that are moved together. A group can be repeated in equal steps, and mirrored. */
 export interface Group {
   readonly kind: 'group';
   /** Position [m]. */
@@ -193,7 +193,7 @@ export interface Group {
   readonly step: Vec3;
   /** Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]. */
   readonly turn: Vec3;
-  /** Whether all copies are drawn once more, reflected in the plane y = 0 of the frame that lists the group. */
+  /** Whether all copies are also drawn as mirror images, in the plane y = 0 of the frame that lists the group. */
   readonly mirror: boolean;
 }
 
@@ -819,7 +819,7 @@ export interface Frame {
   readonly phase: string;
   /** source of this step's inputs */
   readonly by: 'hand' | 'script';
-  /** mode: panel position that was entered */
+  /** mode: selected panel position */
   readonly mode: string;
   /** number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER */
   readonly law: number;
@@ -839,11 +839,11 @@ export interface Frame {
   readonly joint: number;
   /** rate setting */
   readonly rate: Rate;
-  /** state of an automatic mode: CHECKING, READY and IN PROG */
+  /** state of an automatic mode; `checking` while CMD CK runs */
   readonly sequence: Sequence;
   /** AUTO 1-4: number of the present or next point, from 1; 0 in other modes */
   readonly point: number;
-  /** AUTO 1-4: number of points; 0 in other modes */
+  /** AUTO 1-4: total number of points; 0 in other modes */
   readonly points: number;
   /** result of CMD CK for the present target; null if there is none */
   readonly check: Check | null;
@@ -857,7 +857,7 @@ export interface Frame {
   readonly angles: Six;
   /** joint rates, measured [rad/s] */
   readonly rates: Six;
-  /** joint angles to which the commanded rates lead [rad] */
+  /** joint angles that the commanded rates alone would give [rad] */
   readonly angles_commanded: Six;
   /** joint rates, commanded [rad/s] */
   readonly rates_commanded: Six;
@@ -875,7 +875,7 @@ export interface Frame {
   readonly resolution: Vec3;
   /** payload in the grasp; null if the grasp is empty */
   readonly payload: readonly [position: Vec3, orientation: Rows] | null;
-  /** number, from 1, of that payload in `Scenario.own_payloads`; 0 for another payload, or none */
+  /** number, from 1, of the payload in the grasp in `Scenario.own_payloads`; 0 for any other payload, and for an empty grasp */
   readonly attached: number;
   /** angular velocity, and velocity of the point of resolution [rad/s, m/s], along the axes of L */
   readonly twist: Six;
@@ -893,7 +893,7 @@ export interface Frame {
   readonly singularity: Vec3;
   /** singularities nearer than the arm's threshold */
   readonly singular: readonly string[];
-  /** escape direction from each near singularity and each joint beyond a limit; while a contact inhibits the arm, only that from the contact */
+  /** escape direction from each near singularity and each joint beyond a limit; while a contact inhibits the arm, only the escape direction out of the contact */
   readonly ways_out: readonly WayOut[];
   /** target of an automatic mode; null if there is none */
   readonly goal: Goal | null;
@@ -903,7 +903,7 @@ export interface Frame {
   readonly work: Work;
   /** events of this step */
   readonly events: readonly Event[];
-  /** pan, tilt and field of view of the driven cameras, in the order of `scenario.cameras.cameras_of` [rad] */
+  /** pan, tilt and field of view of the driven cameras, in the order of `scenario.all_cameras.cameras_of` [rad] */
   readonly views: readonly (readonly [pan: number, tilt: number, zoom: number])[];
   /** SHA-256 of the exact state */
   readonly sha256: string;
@@ -928,7 +928,7 @@ export interface Check {
 export interface Limit {
   /** kind of limit */
   readonly kind: LimitKind;
-  /** joint that it limits, 0 to 5; -1 if it limits no single joint */
+  /** joint to which the limit applies, 0 to 5; -1 if it does not apply to one joint */
   readonly joint: number;
   /** text for the operator */
   readonly text: string;
@@ -946,11 +946,11 @@ export interface WayOut {
   readonly axis: number;
   /** direction: +1 or -1 */
   readonly sign: number;
-  /** panel position to enter first; empty if the stick acts in the present one */
+  /** panel position to select first; empty if the stick acts in the present position */
   readonly position: string;
 }
 
-/** Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain. */
+/** Target of an automatic mode (pose of frame 7), and the remaining distance, angle and time. */
 export interface Goal {
   /** position of the tip at the target [m], along the axes of L */
   readonly position: Vec3;
@@ -960,21 +960,21 @@ export interface Goal {
   readonly distance: number;
   /** remaining rotation [rad] */
   readonly angle: number;
-  /** ETA - TP; 0 without a motion, and while the arm still comes to rest before modes 1 and 3 [s] */
+  /** ETA - TP; 0 if no motion is in progress, or if the arm comes to rest before mode 1 or 3 [s] */
   readonly remaining_s: number;
 }
 
 /**
  * Times of the present phase, as in JSC-12628, counted from the beginning of the phase.
  *
- * A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is entered.
+ * A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is selected.
  */
 export interface Times {
   /** TP: time since the motion or the script's phase began [s] */
   readonly tp_s: number;
-  /** ETA: end of the phase, estimated in the automatic modes, else from the script's duration; null if unknown [s] */
+  /** ETA: end of the phase; an estimate in automatic modes, else the duration of the script's phase; null if unknown [s] */
   readonly eta_s: number | null;
-  /** ETAP: time at which the rotation would end at the permitted rate, in modes 2 and 3; else null [s] */
+  /** ETAP: time at which the rotation alone would end at its rate limit; null in other modes than 2 and 3 [s] */
   readonly etap_s: number | null;
 }
 
@@ -1104,7 +1104,7 @@ export interface Cargo {
 export interface Event {
   /** simulated time [s] */
   readonly time_s: number;
-  /** kind of event: `mode`, `contact`, `captured` */
+  /** kind of event, such as `mode` or `contact` */
   readonly kind: string;
   /** urgency */
   readonly level: Level;

@@ -21,11 +21,11 @@ from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
 
 STEPS = 50
-"""Steps rehearsed in one control step; together they take 1 to 3 ms."""
+"""Number of steps that are rehearsed in one control step; their computation takes 1 to 3 ms."""
 
 
 def check(flight: Flight, state: State) -> None:
-    """Continue CMD CK; after a GOOD verdict light READY, or begin the motion if PROCEED was pressed."""
+    """Continue CMD CK. After a GOOD verdict, light READY, or begin the motion if PROCEED was pressed."""
     checking, panel = state.checking, state.panel
     verdict = None if checking is None else _continue_check(flight, state, checking)
     if checking is not None and verdict is not None:
@@ -46,7 +46,7 @@ def check(flight: Flight, state: State) -> None:
 def _continue_check(flight: Flight, state: State, checking: Checking) -> Check | None:
     """Continue a check; return None until the check is done.
 
-    In an automatic mode the check waits until the arm is at rest, because the motion begins there.
+    In an automatic mode the check waits until the arm is at rest, because the motion starts from rest.
     """
     if checking.start is None:
         moving = np.abs(state.steering[MEASURED : MEASURED + 6]).max() > 0.0
@@ -66,7 +66,7 @@ def _continue_check(flight: Flight, state: State, checking: Checking) -> Check |
 
 
 def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
-    """Rehearse some steps; return the verdict once no way is left to try, else None."""
+    """Rehearse up to `STEPS` steps; return the verdict once all ways have been rehearsed, else None."""
     left = STEPS
     while left > 0:
         if not checking.ways and not _more_ways(flight, checking):
@@ -80,7 +80,7 @@ def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
             start = _start(flight, checking)
             assert start is not None, "a rehearsal has a start state"
             cache.motion = Rehearsal(flight, start, checking.target, way)
-            cache.motion.advance(checking.steps)  # repeats the steps rehearsed before a save
+            cache.motion.advance(checking.steps)  # after a restore, repeat the steps rehearsed before the save
         outcome = cache.motion.advance(left)
         left -= max(cache.motion.steps - checking.steps, 1)
         checking.steps = cache.motion.steps
@@ -100,9 +100,9 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 
 
 def _more_ways(flight: Flight, checking: Checking) -> bool:
-    """Find the ways by joints after a straight line that failed; return whether there are any.
+    """Find the ways by joints after the rehearsal of a straight line failed; return whether any way was found.
 
-    There are none if a berth or a switch caused the failure, because these stop every motion of the arm.
+    If a berth or a switch caused the failure, no other way is searched, because both stop every motion of the arm.
     """
     start, tried = _start(flight, checking), checking.tried
     assert start is not None, "a rehearsal has a start state"
@@ -116,9 +116,10 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
 
 
 def _verdict(checking: Checking) -> Check:
-    """Return GOOD for the quickest motion by the chosen law that passed, else FAIL with the first motion's reason.
+    """Return the verdict from the results of all rehearsed ways.
 
-    The text of a FAIL names a motion in mode 1 (by joints) that passed, if there is one.
+    GOOD if a motion by the selected steering law succeeded; the verdict is for the quickest of them. Else FAIL, with
+    the reason why the first motion failed. If a motion in mode 1 (by joints) succeeded, the text of FAIL names it.
     """
     first = checking.tried[0]
     good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)

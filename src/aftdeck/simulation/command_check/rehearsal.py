@@ -1,4 +1,4 @@
-"""Rehearsal of an automatic motion for CMD CK, on a copy of the state, with the control steps of the real motion.
+"""Rehearsal of an automatic motion for CMD CK: the control steps of the motion, computed on a copy of the state.
 
 The copy includes the worksite. The rehearsal therefore has the contacts and sliding payloads of the real motion.
 """
@@ -25,8 +25,8 @@ from aftdeck.units import INCH
 from aftdeck.worksite.watch.found import POINT_A
 
 LONGEST = 3600.0
-"""Duration after which a rehearsal fails [s]."""
-_HANDS_OFF = Inputs()
+"""Duration of a motion after which its rehearsal fails [s]."""
+_NO_INPUTS = Inputs()
 
 
 class Rehearsal:
@@ -60,16 +60,16 @@ class Rehearsal:
             copy.events.clear()
             if self.steps == 0:  # `begin` has already set the panel for this step
                 copy.measure()
-                go(flight, copy, _HANDS_OFF)
+                go(flight, copy, _NO_INPUTS)
             else:
-                fly(flight, copy, _HANDS_OFF)
+                fly(flight, copy, _NO_INPUTS)
             if copy.panel.ending:
                 return self._ended(self.steps * period)
             self.steps += 1
             near, which = nearest_singularity(copy.arm.model.links, copy.plant.angles)
             if near < self._nearest:
                 self._nearest, self._which = near, which
-            if copy.worksite.arm_fixed:  # a port or latches now hold the payload, which also ends the motion
+            if copy.worksite.arm_fixed:  # a port or latches have fixed the payload, which also ends the motion
                 return self._tried(True, "", self.steps * period, f"then {fixed_in(flight, copy)}", "")
             if copy.worksite.contacts.inhibit.changed and (text := self._contact(self._touching)):
                 return self._tried(False, "contact", self.steps * period, text, "")
@@ -78,7 +78,7 @@ class Rehearsal:
         return None
 
     def _contact(self, besides: frozenset[int] = frozenset()) -> str:
-        """Return a text for a contact outside `besides` that inhibits the arm, with its location; "" if none does."""
+        """Return a text about a contact, not in `besides`, that inhibits the arm; "" if no contact does."""
         copy, scenario = self._copy, self._flight.scenario
         worksite = copy.worksite
         for contact in worksite.contacts.standing(
@@ -91,7 +91,7 @@ class Rehearsal:
         return ""
 
     def _ended(self, seconds: float) -> Tried:
-        """Return the result of a motion that ended: target reached, target missed, or motion abandoned."""
+        """Return the result of a motion that has ended because it reached or missed its target or was abandoned."""
         flight, copy = self._flight, self._copy
         near = ""
         if self._nearest < copy.arm.model.singular:
@@ -110,7 +110,7 @@ class Rehearsal:
         return Tried(self._way, good, cause, seconds, text, near)
 
     def _standstill(self) -> tuple[Cause, str]:
-        """Return the cause that holds the arm at a standstill, and its text."""
+        """Return the cause of the arm's standstill, and its text."""
         flight, (cause, culprit, halt) = self._flight, self._last_limit
         if halt == "seat":
             return "seat", latched_payload_reason(flight, self._copy)

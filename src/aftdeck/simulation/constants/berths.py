@@ -1,4 +1,4 @@
-"""Constants of a payload's pose in a berth, for the laws of docking and berthing."""
+"""Constants for fixing a payload to a berth, for the laws of docking and berthing."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Berth:
 
     Attributes:
         seat: the berth.
-        row: row of the frame that the berth is fixed to.
+        row: row of the frame to which the berth is fixed.
         place: (12,) pose of the fixed payload in the berth's frame.
         port: (12,) pose of the port in the berth's frame; None for a bay berth.
         probe: (n, 3) vertices of the payload's probe, in the payload's axes [m].
@@ -46,12 +46,12 @@ class Berth:
 
     @property
     def latches_automatically(self) -> bool:
-        """Whether the berth fixes the payload as soon as the conditions hold, without a command: a docking port."""
+        """Whether the berth is a docking port, which fixes the payload without a command once the conditions hold."""
         return self.port is not None
 
     @property
     def is_passive(self) -> bool:
-        """Whether the berth fixes a payload when the end effector releases it, and frees it when it is captured."""
+        """Whether the berth fixes a payload at release by the end effector, and frees it at capture."""
         return self.port is None and self.seat.latch == "auto"
 
     @property
@@ -61,7 +61,14 @@ class Berth:
 
 
 def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
-    """Return the constants of a payload in a berth that accepts it; `axes` names the axes that docking compares."""
+    """Return the constants of a payload in a berth that accepts it.
+
+    Args:
+        seat: the berth.
+        row: row of the frame to which the berth is fixed.
+        cargo: the payload.
+        axes: axes of payload and port between which docking limits the angle: "y", or any other value for all three.
+    """
     place = seat.seated(cargo.probe)
     probe = [solid.vertices for solid in cargo.solids if solid.part == part_of(cargo.name, "probe")]
     tip = np.zeros(3) if cargo.probe is None else cargo.probe.position
@@ -83,7 +90,10 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
 
 
 def _guide(seat: Seat, name: str, point: Array) -> Guide:
-    """Return the V-guide of a trunnion; the keel's V centres it across the bay, all other Vs along the bay."""
+    """Return the V-guide of a trunnion.
+
+    The V of the keel trunnion centres the payload across the bay, the Vs of the other trunnions along the bay.
+    """
     guides = seat.guides
     assert guides is not None, "the berth has guides"
     x, y, z = point.tolist()

@@ -13,7 +13,7 @@ from aftdeck.simulation.constants.site import Site, site_of
 Pair = tuple[float, float]
 
 WATCHED = 0.1
-"""Clearances below this [m], or below the distance covered at `FAST` in a step, are measured in every step."""
+"""Least value of `Flight.within` [m]."""
 FAST = 5.0
 """Speed that no part exceeds [m/s]."""
 
@@ -28,10 +28,11 @@ class Flight:
         cameras: cameras that have a drive.
         telescope: travel of the telescope.
         prong: travel of the prong.
-        within: clearances below this are measured in every step [m].
-        reach: reach limits of the joints as plain pairs [rad], for the zones.
-        soft: soft stops of the joints, in the same form.
-        hard: hard stops of the joints, in the same form.
+        within: clearance below which a pair is measured in every step [m]; at least the distance that a part can cover
+            in one step.
+        reach: reach limits of the joints, as pairs of Python floats [rad].
+        soft: soft stops of the joints, as pairs of Python floats [rad].
+        hard: hard stops of the joints, as pairs of Python floats [rad].
     """
 
     scenario: Scenario

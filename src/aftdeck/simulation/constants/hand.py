@@ -1,4 +1,4 @@
-"""Constants of capture by an arm's end effector at a worksite, for the laws of `worksite`."""
+"""Constants of capture by the end effector, for the laws of `worksite`."""
 
 from __future__ import annotations
 
@@ -26,9 +26,10 @@ class Bar:
 
     Attributes:
         tolerances: tolerances of acquisition.
-        packed: (5,) the same tolerances for the law.
-        which: for each payload, (4,) the layout's solids that are HEX 1 to 3 and the bar; None without a bar.
-        bars: (c, 4) the same; -1 for a payload without a bar.
+        packed: (5,) the same tolerances, in the form for the law.
+        which: for each payload, (4,) indices in the layout of HEX 1 to 3 and of the payload's bar; None if the payload
+            has no bar.
+        bars: (c, 4) the same indices as one array; -1 in the row of a payload without a bar.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
 
@@ -54,14 +55,14 @@ class Snares:
     fixtures: tuple[Array | None, ...]
 
     def fixture(self, k: int) -> Array:
-        """Return the fixture (12,) of a payload that has one."""
+        """Return the pose (12,) of the fixture of payload k, which must have a fixture."""
         fixture = self.fixtures[k]
         assert fixture is not None, "a captured payload has a fixture"
         return fixture
 
 
 def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
-    """Return the constants of capture by a prong; None if the arm has no prong or the worksite no rules for a prong.
+    """Return the constants of capture by a prong; None if the arm has no prong, or the worksite no rules for a prong.
 
     Args:
         model: the arm.

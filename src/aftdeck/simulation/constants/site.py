@@ -26,9 +26,9 @@ from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.watch.pairs import among, part_pairs
 
 ORBITER = 0
-"""Row of the scene's frame; the rows of the arm's frames, of ``space`` and of each payload follow in this order."""
+"""Row of the frame ``orbiter``, the scene's frame. The next rows are the arm's frames, ``space``, and the payloads."""
 SHORT = 1.0
-"""Greatest length of a short link between two joints [m]: the parts at both of its ends are longer (assumed)."""
+"""Length up to which a link between two joints counts as short [m]; the parts at both its ends are longer (assumed)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,10 +38,10 @@ class Meeting:
     Attributes:
         group: index of the pair in the layout.
         cargo: index of the payload that one of the parts belongs to.
-        relation: relative position in which the two parts may touch.
-        depth: permitted depth of the contact, and permitted distance past its plane, such as the face of a port [m].
-        trunnions: for each solid (index in the layout) of the payload's trunnions, the index of the trunnion; empty if
-            the relation is not "guides".
+        relation: name of the relative position in which the two parts may touch.
+        depth: permitted penetration depth, and permitted distance past the plane of contact, such as a port's face [m].
+        trunnions: for each solid of the payload's trunnions (its index in the layout), the index of the trunnion. Empty
+            if the relation is not "guides".
     """
 
     group: int
@@ -55,33 +55,36 @@ class Meeting:
 class Site:
     """Constants of the worksite: frames, pairs of parts that can touch, and poses of the payloads in their berths.
 
+    An array (g,) has one element for each monitored pair of the layout.
+
     Attributes:
         worksite: the worksite as its file describes it.
         cargo: the payloads at the worksite.
         arm: the arm's frames.
         layout: solids and monitored pairs.
         essential: (g,) 1 for pairs that the task brings into contact.
-        meetings: relation and permitted depth of each of these pairs.
-        meeting_groups: (m,) indices of these pairs in the layout.
+        meetings: relation and permitted depth of each pair in `essential`.
+        meeting_groups: (m,) index in the layout of each pair in `meetings`.
         meeting_aligns: (m,) 1 for the pairs of docking and of guides, which are aligned before they touch.
         by_arm: (g,) 1 for pairs with a part of the arm.
         by_prong: (g,) 1 for pairs with the prong; all 0 for an arm without a prong.
         of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
-        held: for each payload, (g,) 1 for its pairs with the end effector, which are not monitored while it is held.
+        held: for each payload, (g,) 1 for its pairs with the end effector. They are not monitored while the end
+            effector holds the payload.
         seated: for each payload and berth, (g,) 1 for pairs that are not monitored while the payload is in the berth.
         scene: (12,) pose of the scene's frame in L.
         hand: (12,) pose of the tip in the frame of the last joint.
         effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
         prong: True if the end effector has a prong, False if it has snares.
-        bar: constants of capture with the prong; None if this arm has no prong or this worksite no rule for a prong.
+        bar: constants of capture with the prong; None if the arm has no prong, or the worksite no rule for a prong.
         snares: constants of capture with the snares; None if this worksite has no rule for snares.
         detrimental: (g,) 1 for pairs that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         berths: for each payload, its poses in the berths that accept it.
-        berth_rows: for each payload, (n,) rows of the frames in which these poses are given.
-        berth_places: for each payload, (n, 12) its poses in these frames.
+        berth_rows: for each payload, (n,) rows of the frames to which its berths are fixed.
+        berth_places: for each payload, (n, 12) its poses in its berths, in these frames.
         starts: for each payload, (12,) its pose in the scene at the start.
-        slides: for each payload, (g,) 1 for its pairs with orbiter parts, along which the held payload slides.
+        slides: for each payload, (g,) 1 for its pairs with parts of the orbiter. A held payload slides along them.
         bodies: for each payload, indices of its solids in the layout.
         bay: least and greatest coordinates (2, 3) of the inside of the bay, in the scene, without a lower limit in z
             [m]; None if there is no bay.
@@ -123,7 +126,7 @@ class Site:
 
     @property
     def last_joint(self) -> int:
-        """Row of the frame that the last joint carries."""
+        """Row of the frame that moves with the last joint."""
         return len(self.arm.names) if not self.prong else len(self.arm.names) - 2
 
     def essential_while(self, sliding: int | None, permitted: Mask) -> Mask:
@@ -152,7 +155,7 @@ class Site:
         return self.seat(name).frame == "space"
 
     def is_passive_berth(self, name: str) -> bool:
-        """Return whether this berth fixes a payload when it is released there, and frees it when it is captured."""
+        """Return whether this berth fixes a payload at release by the end effector, and frees it at capture."""
         return any(berth.is_passive for own in self.berths for berth in own if berth.seat.name == name)
 
 
@@ -169,8 +172,8 @@ def site_of(scenario: Scenario) -> Site:
     stationary = _stationary_parts(model, own)
     mounted = {(a, b.part) for a in stationary for b in worksite.solids if b.frame == "orbiter"}
     hand = {solid.part for solid in own if solid.frame in (PRONG, model.linkage.frames[-1], *_ball(model))}
-    gripped = {(part, solid.part) for part in hand for solid in held}
-    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | gripped | _unfoldable_pairs(model, own)))
+    attached = {(part, solid.part) for part in hand for solid in held}
+    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | attached | _unfoldable_pairs(model, own)))
     own_parts = {solid.part for solid in own}
     parts = [{solid.part for solid in payload.solids} for payload in cargo]
     by_arm = np.zeros(len(layout.groups), np.uint8)
@@ -227,7 +230,7 @@ def site_of(scenario: Scenario) -> Site:
 
 
 def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> tuple[Meeting, ...]:
-    """Return the pairs that the task brings into contact, for the parts that exist in the layout."""
+    """Return the essential pairs of the worksite's file whose two parts are in the layout."""
     found = []
     for essential in worksite.essential:
         if not set(essential.parts) <= set(layout.parts):
@@ -246,12 +249,12 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
     solids = np.flatnonzero(layout.frame == layout.frames.index(payload.name))
     part = part_of(payload.name, "trunnions")
     own = [solid for solid, made in zip(solids.tolist(), payload.solids, strict=True) if made.part == part]
-    ways = np.linalg.norm(layout.solids[own, None, CENTRE : CENTRE + 3] - payload.trunnions, axis=2)
-    return dict(zip(own, ways.argmin(axis=1).tolist(), strict=True))
+    distances = np.linalg.norm(layout.solids[own, None, CENTRE : CENTRE + 3] - payload.trunnions, axis=2)
+    return dict(zip(own, distances.argmin(axis=1).tolist(), strict=True))
 
 
 def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
-    """Return the solids of a payload that the scenario fixes in the grasp; they move with the last joint."""
+    """Return the solids of the payload that the scenario attaches to the end effector (frame of the last joint)."""
     payload, model = scenario.payload, scenario.arm.model
     if payload is None:
         return ()
@@ -279,7 +282,7 @@ def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
 
 
 def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
-    """Return pairs of arm parts on either side of a short link or a ball wrist, which cannot fold onto each other."""
+    """Return the pairs of arm parts at the two ends of a short link or a ball wrist, which cannot touch by folding."""
     links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
     if ball:
@@ -291,8 +294,8 @@ def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
 def _ball(model: ArmModel) -> tuple[str, ...]:
     """Return the frames of a wrist whose three axes meet in one point, as in the concept arm; () for other wrists.
 
-    Parts carried by the wrist's inner frames only rotate at that point. The end effector is at a distance from the
-    point, and the joint limits keep it in front of the boom.
+    Parts in the wrist's inner frames only rotate about that point. The end effector is at a distance from the point,
+    and the joint limits keep the end effector in front of the boom.
     """
     *_, second, third = np.linalg.norm(model.linkage.steps, axis=1)
     return model.linkage.frames[-3:] if second == third == 0.0 else ()
@@ -304,5 +307,5 @@ def scene_in_l(scenario: Scenario) -> Array:
 
 
 def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
-    """Return the worksite's parts in the frame that a berth is fixed in."""
+    """Return the worksite's parts in the frame to which a berth is fixed."""
     return {solid.part for solid in worksite.solids if solid.frame == seat.frame}

@@ -21,13 +21,13 @@ _TEXTS: dict[str, tuple[LimitKind, str]] = {
     "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
     "joint acceleration passed": ("joint acceleration", "beyond its greatest acceleration: the line is kept"),
 }
-"""Kind of limit, and text after the joint's name, for each of `limiters.CAUSES` that has a joint."""
+"""Kind of limit, and the text that follows the joint's name, for each of `limiters.CAUSES` that has a joint."""
 
 
 def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
     """Return the limits that acted in the last step.
 
-    If a berth, a contact or a switch stopped the arm, return this limit alone.
+    If a berth, a contact or a switch stopped the arm, the result contains only this limit.
     """
     if state.worksite.halt == "seat":
         return (Limit("seat", -1, latched_payload_reason(flight, state)),)

@@ -1,4 +1,4 @@
-"""Escape from the contacts that inhibit the arm: stick, joint or telescope motion that leads out of the contacts."""
+"""Escape out of the contacts that inhibit the arm: a motion by a stick, one joint or the telescope."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from aftdeck.steering.way_out import DIRECTIONS, stick_rates
 from aftdeck.worksite.watch.contact_motion import leads_out, ways_out
 
 SEARCH_EVERY = 10
-"""Control steps between two searches."""
+"""Number of control steps from one search to the next."""
 CONTACT = "contact"
 """Cause of these escapes, in `WayOut.cause`."""
 SLOWLY = 0.02
-"""Fraction of the full rate at which a motion is evaluated [1]: about the speed of an arm that starts from rest."""
+"""Fraction of the full rate at which a motion is evaluated [1]; about the speed of an arm that starts from rest."""
 
 
 class _Motion(NamedTuple):
@@ -40,34 +40,34 @@ class _Motion(NamedTuple):
 
 
 def way_out_of_contact(flight: Flight, state: State) -> None:
-    """Find the motion that leads out of the contacts fastest, and store its command in `advice`.
+    """Find the motion that leads out of the contacts fastest, and store its command in `worksite.advice`.
 
-    Joints and telescope are evaluated only if no stick leads out. `advice` is None if no motion leads out. The search
-    runs every `SEARCH_EVERY` steps, and in every step while `advice` is None.
+    Joints and telescope are evaluated only if no stick direction leads out. If no motion leads out, `advice` is None.
+    The search runs every `SEARCH_EVERY` steps, and in every step while `advice` is None.
     """
     worksite = state.worksite
     if worksite.advice and state.tick % SEARCH_EVERY:
         return
-    for ways, sliding in ((_sticks(state), True), (_joints(flight, state), False)):
+    for motions, sliding in ((_sticks(state), True), (_joints(flight, state), False)):
         apart = kept_apart(flight, state, sliding=sliding)
-        first = _poses_after(flight, state, ways, SLOWLY)
+        first = _poses_after(flight, state, motions, SLOWLY)
         gains = ways_out(worksite.watch, *apart, first)
         if not gains.max() > 0.0:
-            ahead = [_poses_after(flight, state, ways, SLOWLY * steps) for steps in AHEAD]
+            ahead = [_poses_after(flight, state, motions, SLOWLY * steps) for steps in AHEAD]
             gains = leads_out(worksite.watch, *apart, first, ahead)
         if gains.max() > 0.0:
-            worksite.advice = ways[int(gains.argmax())].command
+            worksite.advice = motions[int(gains.argmax())].command
             return
     worksite.advice = None
 
 
-def _poses_after(flight: Flight, state: State, ways: list[_Motion], steps: float) -> Array:
+def _poses_after(flight: Flight, state: State, motions: list[_Motion], steps: float) -> Array:
     """Return the poses of all frames in L, (k, F, 12), after `steps` steps of each of k motions."""
-    return np.array([frames_after(flight, state, steps * way.rates, steps * way.telescope) for way in ways])
+    return np.array([frames_after(flight, state, steps * motion.rates, steps * motion.telescope) for motion in motions])
 
 
 def _sticks(state: State) -> list[_Motion]:
-    """Return the motion of each single stick direction, in ORB UNL if the present mode has no sticks."""
+    """Return the motion of each stick direction, in the present mode if it is manual, else in ORB UNL."""
     rates = np.zeros((DIRECTIONS, 6))
     stick_rates(*steering_of(state), rates)
     return [_Motion(by_stick(state, CONTACT, k), own, 0.0) for k, own in enumerate(rates)]

@@ -1,9 +1,8 @@
 """Limit one step's commanded motion to what contacts, berths and walls allow, before the plant makes it.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision found in two successive steps inhibits
-the arm until it is relieved. Deviation: motion that relieves the contact (`worksite.watch.contact_motion`) is
-allowed, so that the operator can always back out. A held payload slides where sliding is permitted
-(`worksite.sliding`).
+the arm until the collision is relieved. Deviation: motion that relieves the contact (`worksite.watch.contact_motion`)
+is allowed, so that the operator can always back out. A held payload slides along walls (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.watch.contact_motion import leads_out, relieves, worst_new_contact
 
 AHEAD = (1.0, 8.0, 64.0, 512.0)
-"""Numbers of steps after which a motion is tested for leading out of the contacts."""
+"""Numbers of steps of a motion after which it is tested whether the motion has led out of the contacts."""
 
 
 def limit_motion(flight: Flight, state: State, telescope: float) -> float:
@@ -60,7 +59,7 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
     ahead = [frames_after(flight, state, steps * rates, steps * telescope)[None] for steps in AHEAD]
     if leads_out(worksite.watch, *apart, after[None], ahead)[0] > 0.0:
         return telescope
-    # no motion leads out: allow a step that deepens no contact, so that the arm can still move
+    # if no motion leads out, allow a step that deepens no contact, so that the arm can still move
     if not worksite.advice and worst_new_contact(worksite.watch, apart[0], after) < 0:
         return telescope
     worksite.halt = "contact"
@@ -68,13 +67,15 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
 
 
 def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Mask]:
-    """Return the pairs whose contacts an inhibited arm must not deepen, and the subset that it must relieve.
+    """Return (g,) 1 for pairs whose contacts an inhibited arm must not deepen, and (g,) 1 for those it must relieve.
+
+    The second result is a subset of the first.
 
     Args:
         flight: constants of the run.
         state: state whose contacts are up to date.
-        sliding: True if the held payload slides along walls, as in the modes that steer a point. The pairs of the
-            payload and its walls are then in neither result, because sliding keeps the payload off its walls.
+        sliding: True if the held payload slides along walls, as in the modes that steer a point. The results then do
+            not contain the pairs of the payload and its walls, because sliding keeps the payload out of the walls.
     """
     worksite = state.worksite
     own = worksite.contacts.arm
@@ -84,15 +85,15 @@ def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Ma
 
 
 def sliding_payload(state: State) -> int | None:
-    """Return the payload that slides along walls: the held one in modes that steer a point; None in other modes."""
+    """Return the payload that slides along walls: in modes that steer a point, the held payload; else None."""
     return state.worksite.held if MODES[state.panel.mode].kind in ("automatic", "manual") else None
 
 
 def _stop_arm(flight: Flight, state: State) -> float:
     """Stop the arm, and return 0.0, the drive that stops the telescope.
 
-    The next step's steering starts from rest. In the automatic modes, except under `strict`, the clock of modes 1 and 3
-    is set back by this step.
+    The steering of the next step starts from rest. In the automatic modes, except under `strict`, the clock of modes 1
+    and 3 is set back by its advance in this step.
     """
     steering = state.steering
     steering[RATES : RATES + 6] = 0.0

@@ -1,4 +1,4 @@
-"""Reasons, as texts, why the arm cannot move at all."""
+"""Texts for the reasons why the arm cannot move at all."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from aftdeck.simulation.state import Panel, State
 
 
 def joint_lock_reason(panel: Panel) -> str:
-    """Return a text that names the switch that stops all joints, BRAKES or SAFING; "" if neither is on."""
+    """Return a text about the switch that stops all joints, BRAKES or SAFING; "" if both are off."""
     if panel.brakes:
         return "BRAKES are on"
     return "SAFING is on; CANCEL it first" if panel.safing else ""
 
 
 def latched_payload_reason(flight: Flight, state: State) -> str:
-    """Return why a berth blocks the arm, with the remedy, as text; "" if the held payload is not fixed."""
+    """Return a text about the berth that blocks the arm, with the remedy; "" if the held payload is not fixed."""
     where = fixed_in(flight, state)
     return f"{where}: UNLATCH" if where else ""
 
 
 def fixed_in(flight: Flight, state: State) -> str:
-    """Return a text that names the held payload and its berth; "" if the payload is not fixed to a berth."""
+    """Return a text with the names of the held payload and its berth; "" if no held payload is fixed to a berth."""
     site, worksite = flight.site, state.worksite
     if worksite.held is None or not worksite.arm_fixed:
         return ""

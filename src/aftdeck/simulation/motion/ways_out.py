@@ -1,4 +1,4 @@
-"""Escape directions: stick or joint commands away from near singularities and back from passed joint limits."""
+"""Escape directions: stick or joint commands that lead away from a singularity, or back inside a joint limit."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 
 LEAST = 1e-3
-"""Least rate [1/s] or [rad/s] at which a stick must lead away to be an escape direction."""
+"""Least rate [1/s] or [rad/s] at which a stick direction must lead away to be an escape direction."""
 NEARLY = 0.6
-"""Fraction of the fastest stick's rate above which the previous stick direction is kept [1]."""
+"""Fraction of the greatest rate, down to which the previous stick direction remains the escape direction [1]."""
 AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
     ("rotation", "RHC {}roll"),
     ("rotation", "RHC {}pitch"),
@@ -31,9 +31,9 @@ AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
 
 
 def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
-    """Return an escape for each near singularity and each joint past a limit, and update the panel's advice.
+    """Return an escape from each near singularity and for each joint past a limit, and update `panel.advice`.
 
-    While a contact inhibits the arm, return only the escape from that contact, if there is one (`contact_out`).
+    Under ARM INHIBIT, return only the escape out of the contacts, if there is one (`contact_out`).
     """
     contact = state.worksite.contacts.inhibit.arm
     if contact or (not singular and not any(zones)):
@@ -45,7 +45,10 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 
 
 def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
-    """Return the rate (12,) at which each stick direction leads away, in the present manual mode or else in ORB UNL."""
+    """Return the rate (12,) at which each stick direction leads away; in ORB UNL if the mode is not manual.
+
+    The arguments are those of `steering.way_out.way_out`.
+    """
     rules, command, steering = steering_of(state)
     speeds = np.zeros(DIRECTIONS)
     way_out(rules, command, steering, singularity, joint, inward, speeds)
@@ -53,7 +56,10 @@ def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, in
 
 
 def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return rules, command and state that evaluate the sticks, in the present manual mode or else in ORB UNL."""
+    """Return rules, command and state of the steering for an evaluation of the stick directions.
+
+    They are those of the present mode if it is manual, else those of ORB UNL.
+    """
     panel = state.panel
     manual = MODES[panel.mode].kind == "manual"
     command = np.zeros(COMMAND)
@@ -64,24 +70,27 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def by_stick(state: State, cause: str, direction: int) -> WayOut:
-    """Return stick direction 0 to 11 (axis by axis, + before −) as an escape, in ORB UNL if no manual mode is on."""
+    """Return a stick direction, 0 to 11 (axis by axis, + before −), as an escape.
+
+    If the present mode is not manual, the escape begins with the selection of ORB UNL.
+    """
     (stick, name), sign = AXES[direction // 2], 1 if direction % 2 == 0 else -1
     text, enter = name.format("+" if sign > 0 else "−"), "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL"
     return WayOut(cause, f"{enter}, {text}" if enter else text, stick, direction // 2 % 3, sign, enter)
 
 
 def by_joint(flight: Flight, position: str, cause: str, joint: int, sign: int) -> WayOut:
-    """Return the motion of one joint, in a panel position, as an escape."""
+    """Return the motion of one joint, in the panel position `position`, as an escape."""
     text = f"{position} {joint_label(flight.scenario.arm.joints[joint])} {'+' if sign > 0 else '−'}"
     return WayOut(cause, text, "joint", joint, sign, position)
 
 
 def _best(state: State, cause: str, speeds: np.ndarray) -> WayOut | None:
-    """Return the stick direction that leads away fastest, or the previous one while it is nearly as fast.
+    """Return the stick direction that leads away fastest, or the previous direction if it is nearly as fast.
 
     Returns:
-        The escape; its direction is also stored in `panel.advice` under `cause`. None if no stick leads away fast
-        enough.
+        The escape; its direction is also stored in `panel.advice` under `cause`. None if every stick direction leads
+        away more slowly than `LEAST`.
     """
     advice = state.panel.advice
     best = int(speeds.argmax())
@@ -116,7 +125,7 @@ def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
 
 
 def _position(state: State) -> str:
-    """Return the panel position for moving a joint: the present one if it moves single joints, else SINGLE."""
+    """Return the panel position for a motion of one joint: the present position if it moves joints, else SINGLE."""
     return state.panel.mode if MODES[state.panel.mode].by_joint else "SINGLE"
 
 

@@ -10,13 +10,13 @@ from aftdeck.simulation.state import State
 
 
 def begin_check(state: State, target: Target) -> None:
-    """Request CMD CK of a target; `command_check.cmd_ck` makes the check, over several steps."""
+    """Request CMD CK of a target; `command_check.cmd_ck` computes the verdict in the next steps."""
     state.panel.check, state.panel.sequence = None, "checking"
     state.checking = Checking(target)
 
 
 def premises(state: State, target: Target) -> Premises:
-    """Return the present values on which a verdict on this target depends."""
+    """Return the present values on which the verdict for this target depends."""
     panel, worksite, script = state.panel, state.worksite, state.script
     return Premises(
         target,

@@ -1,4 +1,4 @@
-"""Command delay: manual inputs act a number of steps after they are given."""
+"""Command delay: an operator's inputs act the scenario's number of steps after the operator has made them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from aftdeck.simulation.state import State
 
 
 def delayed(state: State, inputs: Inputs) -> Inputs:
-    """Return the inputs that act in this step, and queue the inputs given now."""
+    """Return the inputs that act in this step, and add the operator's present inputs to the queue."""
     if not state.delayed_inputs:
         return inputs
     state.delayed_inputs.append(inputs)

@@ -1,4 +1,4 @@
-"""Final error of an automatic motion: one rule for the motion and for CMD CK."""
+"""Final error of an automatic motion. The motion and CMD CK decide by the same rule whether the target is reached."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 
 REACHED, REACHED_TURN = 1e-3, math.radians(0.02)
-"""Greatest final error at which a motion has reached its target [m], [rad]; a larger end sphere replaces it.
+"""Greatest final error with which the target counts as reached [m], [rad].
 
-Assumed: ten times the final error of mode 3 on random straight moves in steps of 0.02 s
-(`tests/steering/test_straight_moves.py`).
+If the scenario's end sphere is larger, its values are used. Assumed: ten times the final error of mode 3 on random
+straight motions in steps of 0.02 s (`tests/steering/test_straight_moves.py`).
 """
 _FINE = 0.01
 """Distances below this value are written to a tenth of a millimetre [m]."""
@@ -24,7 +24,7 @@ def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) ->
     """Return the final error of the tip as text, distance and angle, or "" if the tip has reached the target.
 
     Args:
-        flight: constants of the run; the scenario's end sphere decides what counts as reached.
+        flight: constants of the run, with the scenario's end sphere.
         arm: the arm, with its telescope at the present length.
         angles: (6,) joint angles [rad].
         target: final pose of the motion.
@@ -34,6 +34,6 @@ def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) ->
     angle = angle_between(tip.rotation.tolist(), target.rotation)
     if distance <= max(REACHED, flight.scenario.near) and angle <= max(REACHED_TURN, flight.scenario.near_turn):
         return ""
-    way = f"{distance:.2f} m" if distance >= 1.0 else f"{distance * 1e3:.{0 if distance >= _FINE else 1}f} mm"
-    turn = math.degrees(angle)
-    return f"{way}, {turn:.1f}°" if turn >= 1.0 else f"{way}, {turn:.2f}°"
+    length = f"{distance:.2f} m" if distance >= 1.0 else f"{distance * 1e3:.{0 if distance >= _FINE else 1}f} mm"
+    degrees = math.degrees(angle)
+    return f"{length}, {degrees:.1f}°" if degrees >= 1.0 else f"{length}, {degrees:.2f}°"

@@ -1,4 +1,4 @@
-"""RATE HOLD and POSITION HOLD, which keep the rates or the pose while the sticks are centred."""
+"""RATE HOLD, which keeps the stick command, and POSITION HOLD, which keeps the pose while the sticks are centred."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from aftdeck.steering.layout import LAW, MOTION_ACTIVE, STICKS, TARGET, TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 
 AT_REST = 1e-3
-"""Tip speed [m/s] and angular rate [rad/s] below which POSITION HOLD stores the present pose as the one to keep."""
+"""Tip speed [m/s] and angular rate [rad/s] below which POSITION HOLD stores the present pose as its target."""
 
 
 def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ...]:
     """Update RATE HOLD, and return the stick command that acts (rotation, then translation)."""
     panel = state.panel
-    given = (*inputs.rotation, *inputs.translation)
+    sticks = (*inputs.rotation, *inputs.translation)
     if inputs.rate_hold:
         if MODES[panel.mode].kind != "manual":
             log_rejection(
@@ -30,8 +30,8 @@ def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[floa
         elif panel.rate_hold_sticks is not None:
             panel.rate_hold_sticks = None
             log(flight, state, "rate hold", "info", "RATE HOLD off")
-        elif any(given):
-            panel.rate_hold_sticks = given
+        elif any(sticks):
+            panel.rate_hold_sticks = sticks
             log(flight, state, "rate hold", "info", "RATE HOLD: the present rates are kept; press again to cancel")
         else:
             log_rejection(
@@ -39,11 +39,14 @@ def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[floa
                 state,
                 "RATE HOLD refused: the sticks are at rest, there is no rate to keep",
             )
-    return given if panel.rate_hold_sticks is None else panel.rate_hold_sticks
+    return sticks if panel.rate_hold_sticks is None else panel.rate_hold_sticks
 
 
 def hold_position(flight: Flight, state: State) -> None:
-    """While the sticks are centred in a manual mode, hold by mode 2 the pose in which the arm came to rest (POHS)."""
+    """Apply POSITION HOLD (POHS): in a manual mode with centred sticks, command mode 2 to keep the pose.
+
+    The pose is stored when the arm has come to rest.
+    """
     panel = state.panel
     off = not panel.position_hold or MODES[panel.mode].kind != "manual"
     if off or state.command[STICKS : STICKS + 6].any():

@@ -1,4 +1,7 @@
-"""Master arm that the sticks move, for use without a device that measures six angles: each axis moves one joint."""
+"""Motion of the master arm by the sticks, for operators without a device that measures six angles.
+
+Each stick axis moves one joint of the master arm.
+"""
 
 from __future__ import annotations
 
@@ -15,15 +18,15 @@ AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", 
 
 
 def axes_of(model: ArmModel) -> tuple[int, ...]:
-    """Return, for each joint of the master arm, the index in `AXES` of the axis that moves the joint."""
+    """Return, for each joint of the master arm, the index in `AXES` of its stick axis."""
     return tuple(AXES.index(axis) for axis in model.equipment.master)
 
 
 def turn_master(flight: Flight, state: State) -> None:
-    """Move the master arm by the sticks in `state.command`; full deflection gives the joint's rate limit.
+    """Move the master arm by the sticks in `state.command`; full deflection moves a joint at its rate limit.
 
-    The master arm stays within the stops in force. If a device has moved a joint beyond a stop, that joint can only
-    move back.
+    The sticks do not move the master arm beyond the stops in force. If a device has moved a joint beyond a stop, the
+    sticks can only move this joint back.
     """
     command, rules = state.command, state.rules
     axes, master = axes_of(flight.scenario.arm.model), command[MASTER : MASTER + 6]

@@ -1,4 +1,4 @@
-"""Targets relative to a payload, a berth or a body, resolved when their phase begins."""
+"""Conversion of a target relative to a payload, a berth or a body to a pose of the tip, when its phase begins."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.simulation.state import State
 
 
 def resolve_target(flight: Flight, state: State, target: RelativeTarget) -> Target | str:
-    """Return the present pose of a relative target, or the reason as text if it has none."""
+    """Return the present pose of a relative target; if it has no pose, return the reason as text."""
     site, frames = flight.site, state.worksite.frames
     match target:
         case AtSeat():
@@ -28,10 +28,10 @@ def resolve_target(flight: Flight, state: State, target: RelativeTarget) -> Targ
 
 
 def _at_seat(flight: Flight, state: State, target: AtSeat) -> Target | str:
-    """Return the tip pose at which the held payload is in a berth, or at the given distance from that pose.
+    """Return the tip pose with which the held payload is in a berth, or at the target's distance above the berth.
 
     Returns:
-        The target, or the reason as text if the grasp is empty or the berth does not accept the payload.
+        The pose. If no payload is held or the berth does not accept the payload, the reason as text.
     """
     site, worksite = flight.site, state.worksite
     k = worksite.held

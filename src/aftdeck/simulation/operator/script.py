@@ -1,7 +1,7 @@
-"""Scenario's script as an operator: sticks and switches of its phases, for each step.
+"""Inputs of the scenario's script, which takes the place of an operator: sticks and switches of its phases.
 
-Source: JSC-12628, phase initialisation of simulated operator inputs. A phase ends at its input time in the manual
-modes, on arrival (ETA) in the automatic modes, and at its angle or time in SINGLE.
+Source: JSC-12628, phase initialisation of simulated operator inputs. A phase in a manual mode ends at its input time, a
+phase in an automatic mode at arrival (ETA), and a phase in SINGLE at its joint angle or time.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 
 AT_LENGTH = 1e-9
-"""Distance of the telescope from `stand_at` within which its phase ends [m]."""
+"""Greatest distance of the telescope from `stand_at` at which a phase with `stand_at` ends [m]."""
 AT_ANGLE = 1e-9
-"""Distance of a joint from `joint_at` within which its phase ends [rad]."""
+"""Greatest distance of the joint from `joint_at` at which a phase with `joint_at` ends [rad]."""
 
 
 def play(flight: Flight, state: State) -> Inputs:
@@ -71,7 +71,11 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
 
 
 def end_if_time_is_up(flight: Flight, state: State) -> None:
-    """End the script if the scenario's duration ends with this step: completed if its last phase ends then."""
+    """End the script if the scenario's duration ends with this step.
+
+    If the last phase ends at the same time, the script is completed; if a phase is still in progress, the script ends
+    as a fault. A scenario without phases ends with "time".
+    """
     script, scenario = state.script, flight.scenario
     if script.ended or state.tick < scenario.ticks:
         return
@@ -85,17 +89,13 @@ def end_if_time_is_up(flight: Flight, state: State) -> None:
 
 
 def phase_name(flight: Flight, state: State) -> str:
-    """Return the name of the present phase, or of the last phase once all have ended.
-
-    Returns:
-        The name; "" if the scenario has no phases.
-    """
+    """Return the name of the present phase, or of the last phase after all have ended; "" if there are no phases."""
     phases = flight.scenario.phases
     return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
 
 
 def _first_inputs(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
-    """Return the inputs of a phase's first step: its switches, and its sticks, which stay deflected afterwards."""
+    """Return the inputs of a phase's first step: the phase's switches and sticks; later steps repeat the sticks."""
     sticks = _sticks(flight, state, phase)
     return Inputs(
         mode=phase.mode,
@@ -138,9 +138,12 @@ def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
 
 @lru_cache(maxsize=64)
 def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, float]) -> Inputs:
-    """Return the stick inputs for the speeds `most` at full deflection: POR [m/s], [rad/s], then joint [rad/s].
+    """Return the stick inputs of a phase. The result is cached, because all steps of a phase have the same inputs.
 
-    The result is cached, because it stays the same for all steps of a phase.
+    Args:
+        phase: the phase.
+        telescope: drive of the telescope.
+        most: rates at full deflection: POR speed [m/s], POR angular rate [rad/s], joint rate [rad/s].
     """
     speed, turn, rate = most
     drive = phase.drive if phase.joint_rate is None else phase.joint_rate / max(rate, abs(phase.joint_rate))
@@ -154,7 +157,7 @@ def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, flo
 
 
 def _deflection(rate: Vec3, most: float) -> Vec3:
-    """Return the stick deflection for a velocity; a velocity beyond the limit is scaled and keeps its direction."""
+    """Return the stick deflection for a velocity; a velocity beyond the limit is reduced and keeps its direction."""
     full = max(most, *map(abs, rate))
     return rate[0] / full, rate[1] / full, rate[2] / full
 
@@ -168,18 +171,18 @@ def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
 
 
 def _between_points(flight: Flight, state: State) -> bool:
-    """Return whether AUTO 1-4 has passed at least one of its points but not its last."""
+    """Return whether AUTO 1-4 has reached at least one point of its sequence, but not the last."""
     panel = state.panel
     return 0 < panel.point < len(flight.scenario.sequences.get(panel.mode, ()))
 
 
 def _at_last_point(flight: Flight, state: State) -> bool:
-    """Return whether the present point of the sequence is its last."""
+    """Return whether the present point is the last point of the sequence."""
     return state.panel.point + 1 >= len(flight.scenario.sequences.get(state.panel.mode, ()))
 
 
 def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
-    """Return whether a phase has ended before step `tick`; a phase that fails ends the script as a fault."""
+    """Return whether a phase has ended before step `tick`; if the phase has failed, end the script as a fault."""
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
     if phase.until is not None or phase.stand_at is not None:
@@ -198,13 +201,13 @@ def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> boo
 
 
 def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
-    """Return whether a phase has reached its target; a rejected or abandoned motion ends the script as a fault."""
+    """Return whether a phase has reached its target; if CMD CK or the motion failed, end the script as a fault."""
     panel = state.panel
     if MODES[phase.mode].kind == "master":
         return bool(state.report[ARRIVED])
     if phase.joint_at is not None:
-        there = abs(phase.joint_at - state.plant.angles[phase.joint]) < AT_ANGLE
-        return bool(there and abs(state.steering[RATES + phase.joint]) < AT_ANGLE / flight.scenario.control_period)
+        at_angle = abs(phase.joint_at - state.plant.angles[phase.joint]) < AT_ANGLE
+        return bool(at_angle and abs(state.steering[RATES + phase.joint]) < AT_ANGLE / flight.scenario.control_period)
     if panel.sequence == "idle" and (panel.check is None or panel.check.good):
         return True
     if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight, state):
@@ -215,13 +218,16 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
 
 
 def _conditions_hold(state: State, phase: PhasePlan) -> bool:
-    """Return whether the event and the telescope's length that end a phase have been reached."""
+    """Return whether the event that ends a phase has occurred, and the telescope has the length that ends the phase.
+
+    A condition that the phase does not have is ignored.
+    """
     at_length = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
     return at_length and (phase.until is None or state.worksite.has_occurred(phase.until))
 
 
 def _awaited(phase: PhasePlan) -> str:
-    """Return a text that names the event and the telescope's length that end a phase."""
+    """Return a text with the event and the length of the telescope for which a phase waits."""
     stand = f"telescope at {phase.stand_at:g} m" if phase.stand_at is not None else ""
     return " and ".join(part for part in (phase.until or "", stand) if part)
 

@@ -1,7 +1,8 @@
-"""Automatic motions in progress: their end, the points of AUTO 1-4 with pause and fly-by, and abandoned motions.
+"""Start and end of automatic motions: to a keyed-in target, or through the points of AUTO 1-4.
 
-The arm stops at a pause point until PROCEED. It need not reach a fly-by point: inside the point's sphere it continues
-to the next point without slowing to rest (mode 2). In modes 1 and 3 it reaches a fly-by point and continues at once.
+At a pause point, the arm stops until PROCEED. In mode 2 the arm does not stop at a fly-by point: inside the sphere
+about the point, it continues to the next point. In modes 1 and 3 it comes to rest at a fly-by point, and continues at
+once. A motion that is at a standstill for too long is abandoned.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from aftdeck.simulation.operator.ways import final_angles
 from aftdeck.simulation.state import Ending, Panel, State
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, LAW, MASTER, MOTION_ACTIVE, PLAN, RATIO, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS
-from aftdeck.steering.rehearsal import GIVEN_UP, STANDSTILL
+from aftdeck.steering.rehearsal import MAX_STOPPED_TIME, STANDSTILL
 
 _STANDSTILLS = {
     "": "a limit holds the arm at a standstill",
@@ -29,7 +30,10 @@ _STANDSTILLS = {
 
 
 def next_target(flight: Flight, panel: Panel) -> Target | None:
-    """Return the automatic mode's next target: the sequence's point, or the keyed-in pose; None if there is none."""
+    """Return the next target of the present mode: the sequence's next point in AUTO 1-4, else the keyed-in pose.
+
+    None if there is no next point or no keyed-in pose.
+    """
     points = flight.scenario.sequences.get(panel.mode)
     if points is None:
         return panel.keyed
@@ -37,13 +41,13 @@ def next_target(flight: Flight, panel: Panel) -> Target | None:
 
 
 def begin(flight: Flight, state: State, target: Target, joints: Six | None = None) -> None:
-    """Begin an automatic motion; the arm starts in this step, or once it is at rest (`steering.course`).
+    """Begin an automatic motion. If the arm is moving, it first comes to rest (`steering.course`).
 
     Args:
         flight: constants of the run.
         state: state whose command receives OPERIN's values.
         target: final pose of the tip.
-        joints: mode 1's final angles [rad]; None selects the result of `ways.final_angles`.
+        joints: mode 1's final joint angles [rad]; if None, `ways.final_angles` computes them.
 
     Raises:
         UnreachableError, SingularityError: no joint angles put the tip at the target.
@@ -59,7 +63,7 @@ def begin(flight: Flight, state: State, target: Target, joints: Six | None = Non
 
 
 def finish(flight: Flight, state: State) -> None:
-    """End an automatic motion that reached its target in the last step, or that has been at a standstill too long."""
+    """End an automatic motion that reached its target in the last step, or has been at a standstill for too long."""
     panel = state.panel
     panel.ending, panel.final_error = "", ""
     if panel.sequence != "in progress":
@@ -79,7 +83,7 @@ def finish(flight: Flight, state: State) -> None:
         _arrive(flight, state, passing)
         return
     panel.blocked = panel.blocked + 1 if still else 0
-    if panel.blocked * flight.scenario.control_period >= GIVEN_UP:
+    if panel.blocked * flight.scenario.control_period >= MAX_STOPPED_TIME:
         panel.sequence, panel.blocked, panel.ending = "ready", 0, "given up"
         halt = state.worksite.halt
         why = (
@@ -91,7 +95,7 @@ def finish(flight: Flight, state: State) -> None:
 
 
 def _final_error(flight: Flight, state: State) -> str:
-    """Return the final error at the present target as text; "" if the arm has reached the target or has none."""
+    """Return the final error at the present target as text; "" if the target is reached or there is no target."""
     target = state.panel.target
     return "" if target is None else final_error_text(flight, state.arm, state.plant.angles, target)
 
@@ -108,7 +112,7 @@ def _arrive(flight: Flight, state: State, passing: bool) -> None:
     if continues:
         try:
             begin(flight, state, points[panel.point].target)
-            if passing:  # mode 2 has no plan from rest, so the arm need not stop first
+            if passing:  # mode 2 does not plan from rest, so the arm need not come to rest first
                 state.command[MOTION_ACTIVE], panel.motion_began = 1.0, state.tick - 1
         except AftdeckError as error:
             _end(panel, "given up", final_error)

@@ -1,4 +1,8 @@
-"""Ways to a target: a straight line, or a joint motion to each set of angles that reaches it (RMANGS's branches)."""
+"""Ways to a target, from which CMD CK chooses.
+
+A way is one possible motion: along a straight line (modes 2 and 3), or by joints (mode 1) to one of the solutions for
+the joint angles at the target (RMANGS's branches).
+"""
 
 from __future__ import annotations
 
@@ -18,16 +22,16 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.layout import RATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
 
-HAIR = 1e-9
-"""Distance past a soft stop that counts as rounding of a solution [rad]."""
+ROUNDING = 1e-9
+"""Greatest distance of a solution past a soft stop that counts as a rounding error [rad]."""
 
 
 def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:
-    """Return the ways to a target with a steering law, the quickest first.
+    """Return the ways to a target with a steering law, sorted by the lower bound of their time.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles put the tip at the target, or with the position law, no
-            joint angles inside the soft stops.
+        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law also if no
+            joint angles inside the soft stops do so.
     """
     if law != "position":
         final_angles(state, target)
@@ -44,10 +48,11 @@ def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[
 
 
 def final_angles(state: State, target: Target) -> Array:
-    """Return the joint angles at the target: as given, or the solution nearest to the present angles.
+    """Return the joint angles at the target.
 
-    Angles given for another length of the telescope do not reach the target. The result is then the solution nearest
-    to the given angles.
+    If the target has joint angles that put the tip there, these are the result. If its angles do not put the tip there,
+    because they are for another length of the telescope, the result is the solution nearest to them. If the target has
+    no angles, the result is the solution nearest to the present angles.
 
     Raises:
         UnreachableError, SingularityError: no joint angles put the tip at the target.
@@ -61,7 +66,7 @@ def final_angles(state: State, target: Target) -> Array:
 
 
 def _given(state: State, target: Target) -> Array | None:
-    """Return the target's own joint angles if they put the tip at the target; otherwise None."""
+    """Return the target's own joint angles if they put the tip at the target; None if they do not, or do not exist."""
     if target.joints is None:
         return None
     angles = np.array(target.joints)
@@ -69,9 +74,10 @@ def _given(state: State, target: Target) -> Array | None:
 
 
 def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
-    """Return every solution for the joint angles inside the soft stops; under `strict` only RMANGS's own solution.
+    """Return all solutions for the joint angles that are inside the soft stops.
 
-    If no solution is inside the soft stops, return all solutions under `as_flown`; otherwise raise UnreachableError.
+    Under `strict`, return only RMANGS's own solution, without a test of the soft stops. If no solution is inside the
+    soft stops, return all solutions under `as_flown`; without `as_flown`, raise UnreachableError.
     """
     near = state.plant.angles if target.joints is None else np.array(target.joints)
     if flight.scenario.strict:
@@ -79,7 +85,7 @@ def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
     solutions = state.arm.inverse(target.pose, near=near)
     low, high = flight.scenario.arm.limits.soft.T
     beyond = np.maximum(low - solutions, solutions - high)
-    inside = [angles for angles, most in zip(solutions, beyond.max(axis=1), strict=True) if most <= HAIR]
+    inside = [angles for angles, most in zip(solutions, beyond.max(axis=1), strict=True) if most <= ROUNDING]
     if not inside and not flight.scenario.as_flown:
         row = int(beyond.max(axis=1).argmin())
         joint = int(beyond[row].argmax())

@@ -1,4 +1,4 @@
-"""Payload in the grasp and the steering's rules with it; both change when a payload is captured or released."""
+"""Payload in the grasp, and the steering's rules with this payload. Both change at capture and release."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from aftdeck.steering.rules import Key, rules_of
 
 
 class SteeringSetup(Cache):
-    """Payload in the grasp and the steering's rules with it, as `grasp.update_steering` derives them from the state.
+    """Payload in the grasp, and the steering's rules with it; `grasp.update_steering` derives both from the state.
 
     Attributes:
-        payload: payload in the grasp, in the steering's form; None if the grasp is empty.
+        payload: payload in the grasp, in the form for the steering; None if the grasp is empty.
         rules: the steering's rules by panel position, rate setting and steering law.
     """
 
@@ -26,7 +26,13 @@ class SteeringSetup(Cache):
 
 
 def steering_setup(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> SteeringSetup:
-    """Return a payload (None for an empty grasp) and the steering's rules; `limits` replaces the scenario's limits."""
+    """Return the steering's setup.
+
+    Args:
+        scenario: the scenario.
+        payload: payload in the grasp; None if the grasp is empty.
+        limits: rate limits in place of the scenario's; None for the scenario's.
+    """
     model, por = scenario.arm.model, scenario.por
     if limits is not None:
         model, por = replace(model, rates=limits.joints), limits.por

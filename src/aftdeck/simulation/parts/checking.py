@@ -17,30 +17,30 @@ if TYPE_CHECKING:
 
 
 class Way(msgspec.Struct, frozen=True):
-    """One way to a target that CMD CK may rehearse."""
+    """Way to a target, which CMD CK may rehearse: one possible motion, along a line or by joints (`operator.ways`)."""
 
     law: LawChoice
     joints: Six | None
     """Mode 1's final joint angles [rad]; None for a straight line."""
     least: float
-    """Lower bound of the time that the way takes [s]; 0 if it is not known."""
+    """Lower bound of the duration of the motion [s]; 0 if no bound is known."""
     name: str
-    """Text that distinguishes the way from other ways: ``wrist flipped``."""
+    """Text that distinguishes the way from other ways, such as ``wrist flipped``."""
 
 
 class Tried(msgspec.Struct, frozen=True):
-    """Result of rehearsing one way."""
+    """Result of the rehearsal of one way."""
 
     way: Way
     good: bool
-    """Whether the motion reaches its target or a berth fixes the payload; under `strict`, whether the motion ends."""
+    """Whether the motion reaches its target, or a berth fixes the payload; under `strict`, whether the motion ends."""
     cause: Cause
     seconds: float
     """Duration of the motion, or time at which it fails [s]."""
     text: str
     """Reason of the failure, final error of the motion, or berth that fixes the payload."""
     near: str
-    """Singularity that the motion passes near, as text; empty if there is none."""
+    """Text about the singularity near which the motion passes; empty if there is none."""
 
 
 class Rehearsed(Cache):
@@ -56,7 +56,7 @@ class Rehearsed(Cache):
         self.motion: Rehearsal | None = None
 
     def copied(self) -> Rehearsed:
-        """Return an empty cache: a copied state makes its own rehearsal."""
+        """Return an empty cache, because a copied state needs a rehearsal of its own."""
         return Rehearsed()
 
 
@@ -66,7 +66,7 @@ class Checking(StatePart):
     Attributes:
         target: target that is checked.
         start: encoded state from which the motion is rehearsed; None until the arm is at rest.
-        ways: ways still to be rehearsed, the present one first.
+        ways: ways that have not been rehearsed fully; the first is in progress.
         tried: results of the ways that have been rehearsed.
         steps: number of rehearsed steps of the first of `ways`.
         rehearsal: rehearsal of the first of `ways`.
@@ -81,7 +81,7 @@ class Checking(StatePart):
 
 
 class Premises(msgspec.Struct, frozen=True):
-    """Values on which a verdict of CMD CK depends; the verdict is valid while they stay equal."""
+    """Values on which a verdict of CMD CK depends; the verdict is valid while these values do not change."""
 
     target: Target
     law: LawChoice

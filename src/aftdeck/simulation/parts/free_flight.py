@@ -1,4 +1,4 @@
-"""Free flight of a payload that nothing holds: its pose in space, which does not move with the orbiter."""
+"""Free flight of a payload that is neither held nor fixed. The payload does not move with the orbiter."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ class Floating(StatePart):
     """State of a free flight.
 
     Attributes:
-        pose: (12,) present pose, in L as L was at the start.
+        pose: (12,) present pose, in the frame fixed in space that coincided with L at the start.
         motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre in L's axes [m/s].
         reference: (3, 3) rotation about which the attitude cycles.
-        cycle: (9,) attitude control, as `worksite.drift.limit_cycle` takes it; None if the body turns freely.
+        cycle: (9,) attitude control, in the form for `worksite.free_flight.limit_cycle`; None if the body rotates
+            without attitude control.
         time: time since the beginning of the cycle [s].
         met: whether a contact stopped or reflected the body in the last step.
     """
@@ -32,14 +33,14 @@ class Floating(StatePart):
     met: bool = False
 
     def move(self, period: float) -> None:
-        """Move the body on by one control period [s]."""
+        """Move the body for one control period [s]."""
         coast(self.pose, self.motion, period)
         if self.cycle is not None:
             self.time += period
             limit_cycle(self.cycle, self.reference, self.time, self.pose, self.motion)
 
     def moved(self, period: float) -> Floating:
-        """Return the flight a time `period` [s] later; this object stays unchanged."""
+        """Return the free flight a time `period` [s] later; this object stays unchanged."""
         later = copied(self)
         later.move(period)
         return later
@@ -48,14 +49,15 @@ class Floating(StatePart):
 def floating(
     pose: Array, velocity: Array, rates: Array, control: model.LimitCycle | None, angles: Array | None = None
 ) -> Floating:
-    """Return the free flight that begins at an instant; attitude control keeps the attitude of that instant.
+    """Return a free flight at its beginning. Attitude control will keep the attitude at the beginning.
 
     Args:
-        pose: (12,) pose at that instant, in L as L was at the start.
+        pose: (12,) pose at the beginning, in the frame fixed in space that coincided with L at the start of the run.
         velocity: (3,) velocity of the centre, in L's axes [m/s].
-        rates: (3,) angular velocity in the body's axes [rad/s]; a cycle uses only the signs, as its first directions.
+        rates: (3,) angular velocity in the body's axes [rad/s]. With attitude control only the signs are used, as the
+            first directions of the limit cycle.
         control: the body's attitude control; None if the body has none.
-        angles: (3,) angles within the deadband at that instant [rad]; None for the middle.
+        angles: (3,) angles within the deadband at the beginning [rad]; None for the middle of the deadband.
     """
     reference = pose[3:].reshape(3, 3).copy()
     if control is None:

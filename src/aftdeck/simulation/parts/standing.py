@@ -1,4 +1,4 @@
-"""Arm on its telescope: the arm with its shoulder at the present height."""
+"""Cache of the arm with its shoulder at the present height, which a telescope changes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from aftdeck.state_part import Cache
 
 
 class Standing(Cache):
-    """Cache of the arm at the height that was requested last; an arm without a telescope stays unchanged.
+    """Cache of the arm with its shoulder at the height that was requested last.
 
     Attributes:
         height: height of the shoulder above L's origin according to the steering's rules [m].

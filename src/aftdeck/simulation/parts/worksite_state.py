@@ -1,4 +1,4 @@
-"""Worksite's part of the state: positions, contacts, held and fixed payloads."""
+"""Worksite's part of the state: poses, contacts, and which payloads are held, fixed or floating."""
 
 from __future__ import annotations
 
@@ -25,58 +25,72 @@ Halt = Literal["", "seat", "contact", "switch"]
 
 
 class PayloadState(StatePart):
-    """State of a payload, which is held, fixed to a berth, both, or floating. Poses are rows of twelve numbers."""
+    """State of a payload, which is held by the end effector, fixed to a berth, both, or floating.
+
+    A pose is a row of twelve numbers.
+    """
 
     held: bool = False
     grasp: list[float] | None = None
-    """Pose in the frame of the last joint, with which it moves unless a berth holds it; None if not held."""
+    """Pose of the payload in the frame of the last joint; None if the payload is not held.
+
+    The payload moves with this frame, unless a berth fixes the payload.
+    """
     steered: list[float] | None = None
-    """The same pose in the steering, which is updated at capture, when drawn in, and when a berth releases it."""
+    """Pose of the payload that the steering uses, in the frame of the last joint; None if the payload is not held.
+
+    It is set to `grasp` at capture, when the carriage has drawn the payload in fully, and when a berth releases it.
+    """
     fixture_at_capture: list[float] | None = None
-    """Pose of its fixture in the end effector's axes at the beginning of drawing in: at capture or at unlatching."""
+    """Pose of the payload's fixture in E when drawing in began: at capture, or when a berth released the payload."""
     drawn_at_capture: float = 0.0
-    """Fraction by which the carriage was retracted at that time [1]."""
+    """Fraction by which the carriage was retracted when drawing in began [1]."""
     seat: str = ""
-    """Name of the berth that it is fixed to; "" if none."""
+    """Name of the berth that fixes the payload; "" if no berth does."""
     latches: Latches = Latches()
     offset_at_fixing: list[float] = msgspec.field(default_factory=list)
-    """Its pose relative to its final pose in the berth, at the time when the berth fixed it."""
+    """Pose of the payload relative to its final pose in the berth, at the time when the berth fixed the payload."""
     offset_in_seat: list[float] = msgspec.field(default_factory=list)
-    """Its present pose relative to its final pose in the berth, while the latches draw the payload in."""
+    """Present pose of the payload relative to its final pose in the berth, while the latches draw the payload in."""
     released_from: str = ""
-    """Berth that just released it; a port then docks it again only after it has left, or on LATCH."""
+    """Berth that has just released the payload; "" once the payload has left this berth.
+
+    A port docks the payload again only after it has left the port, or on LATCH.
+    """
     unlatch_asked_at: int = 0
-    """Step of the last UNLATCH that waits for a second one as confirmation; 0 if none waits."""
+    """Step of an UNLATCH that a second UNLATCH must confirm; 0 if no UNLATCH must be confirmed."""
 
 
 class WorksiteState(StatePart):
-    """State of the worksite: everything there that the next step depends on.
+    """State of the worksite: everything in the worksite on which the next step depends.
 
     Attributes:
         frames: (F, 12) pose of every coordinate frame, in L.
-        before: (F, 12) the same one step ago.
+        before: (F, 12) poses of the frames one step earlier.
         monitored_before: (g,) 1 for pairs that were monitored in the last step.
         watch: clearances of the monitored pairs; they follow from `frames`, `before`, `monitored_before` and `nearest`.
-        permitted: (g,) 1 for pairs that the task brings into contact, unless they touch outside their relation or
-            deeper than it permits.
-        contacts: contacts, and what they inhibit.
+        permitted: (g,) 1 for pairs that the task brings into contact; 0 if such a pair touches in a relative position
+            or at a depth that the task does not permit.
+        contacts: contacts, and the inhibits that they cause.
         logged_contacts: pairs whose contact is logged.
         cargo: the payloads.
         floating: free flight of each payload; None while the end effector or a berth holds it.
-        held: index of the payload in the grasp; None if there is none.
+        held: index of the payload in the grasp; None if no payload of the worksite is held.
         arm_fixed: True if the held payload is fixed to a berth, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1 if it floats.
-        poses_in_carrier: (c, 12) pose of each payload in that frame; if it floats, in L as L was at the start.
-        nearest: pair with the minimum clearance of those that count for CLEARANCE; -1 if none is monitored.
-        aligned_with: index of the payload that the end effector is aligned with for capture; None if there is none.
+        poses_in_carrier: (c, 12) pose of each payload in that frame; if the payload floats, in the frame fixed in space
+            that coincided with L at the start.
+        nearest: pair with the minimum clearance among the pairs that count for CLEARANCE; -1 if no such pair is
+            monitored.
+        aligned_with: index of the payload with which the end effector is aligned for capture; None if there is none.
         orbiter: (3,) distance that the orbiter has moved forward, starboard and down [m].
         orbiter_velocity: (3,) velocity of the orbiter along the same axes [m/s].
-        prong: prong of the concept arm's end effector: y2 of its inner face.
+        prong: prong of the concept arm's end effector; its position is y2 of its inner face.
         snare: state of the Shuttle's end effector.
         switch: end effector switch.
         effector_mode: END EFFECTOR MODE.
-        rigid: MAN CONTR.
-        task: the report's mode, 1 to 4.
+        rigid: MAN CONTR switch.
+        task: task phase, the report's mode, 1 to 4.
         advice: escape direction out of the contacts that was found last; None if there is none.
         orbiter_rejected: True if a translation of the orbiter was rejected in the last step.
         waiting: True if the carriage or the latches are stopped before a contact.
@@ -118,7 +132,7 @@ class WorksiteState(StatePart):
         return [payload for payload in self.cargo if payload.held] or self.cargo
 
     def has_occurred(self, what: Until) -> bool:
-        """Return whether an event that a script may wait for has occurred."""
+        """Return whether an event for which a phase of a script can wait has occurred."""
         match what:
             case "captured":
                 return self.held is not None and self.snare.motion != "capture"
@@ -130,7 +144,11 @@ class WorksiteState(StatePart):
                 return not any(payload.seat for payload in self._addressed)
 
     def update_attachments(self, site: Site) -> None:
-        """Update the held payload, the payloads' carriers, the monitored pairs, and those with a part on the arm."""
+        """Update all values that depend on which payloads are held or fixed.
+
+        These are the held payload, the carriers of the payloads, the monitored pairs, and the pairs that can inhibit
+        the arm.
+        """
         self.held = next((k for k, payload in enumerate(self.cargo) if payload.held), None)
         self.arm_fixed = self.held is not None and self.cargo[self.held].seat != ""
         for k in range(len(self.cargo)):
@@ -139,11 +157,14 @@ class WorksiteState(StatePart):
         if self.held is not None:
             self.contacts.arm |= site.of_cargo[self.held]
         self.select_monitored(site)
-        # a pair that is no longer watched has not separated: forget its contact, so that "clear of" is not logged
+        # a pair that is no longer monitored has not separated, so remove its contact without a log line "clear of"
         self.logged_contacts = tuple(group for group in self.logged_contacts if self.watch.active[group])
 
     def select_monitored(self, site: Site) -> None:
-        """Mark all pairs as monitored, except a held payload with the end effector and a fixed one with its berth."""
+        """Mark all pairs as monitored, except pairs of a held payload and the end effector.
+
+        Pairs of a fixed payload and the parts in its berth's frame are excepted too.
+        """
         active = self.watch.active
         active[:] = 1
         for k, payload in enumerate(self.cargo):
@@ -153,7 +174,11 @@ class WorksiteState(StatePart):
                 active &= 1 - site.seated[k, payload.seat]
 
     def update_carrier(self, site: Site, k: int) -> None:
-        """Set the carrier of payload k (berth, else last joint, else none), and the payload's pose in that frame."""
+        """Set the carrier of payload k, and the payload's pose in that frame.
+
+        The carrier is the berth's frame if a berth fixes the payload, else the last joint's frame if it is held. A
+        floating payload has no carrier.
+        """
         payload = self.cargo[k]
         if (berth := site.berth(k, payload.seat)) is not None:
             self.carrier[k] = berth.row
@@ -164,7 +189,7 @@ class WorksiteState(StatePart):
             self.carrier[k], self.poses_in_carrier[k] = -1, flight.pose
 
     def places(self, site: Site) -> tuple[Array, Array, Array, Array, Indices, Array]:
-        """Return the first arguments of `place_everything`: all but angles, stand and prong."""
+        """Return the arguments of `place_everything` that precede angles, stand and prong."""
         return site.arm.joints, site.scene, site.axes, self.orbiter, self.carrier, self.poses_in_carrier
 
 

@@ -1,4 +1,4 @@
-"""Capture and release of a payload: the prong about a bar (the report's mode 1), the snares about a pin."""
+"""Capture and release of a payload, by the prong about a bar (the report's mode 1) or by the snares about a pin."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def capture(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _reject_switches(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Reject every command that moves the end effector while the scenario fixes a payload in its grasp."""
+    """Reject every command that moves the end effector, because the scenario itself attaches a payload to it."""
     for switch in (inputs.effector, inputs.rigid):
         if switch in ("close", "open", "rigid", "derigid"):
             log_rejection(
@@ -55,7 +55,7 @@ def _reject_switches(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _capture_by_prong(flight: Flight, state: State, bar: Bar) -> None:
-    """Capture a payload if the six conditions hold; release it once the fingers are farther apart than allowed."""
+    """Capture a payload if the six conditions of acquisition hold; release it if the fingers are too far apart."""
     worksite = state.worksite
     if worksite.held is not None:
         if bar.fixed_finger - worksite.prong.position > bar.tolerances.spacing:
@@ -99,10 +99,11 @@ def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) ->
 
 
 def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
-    """Draw the pin towards its seat, from the next step on; return False if that would make or deepen a contact.
+    """Draw the grapple pin towards its final pose; return False if that would make or deepen a contact.
 
-    A payload that is fixed to a berth does not move (assumed: a real arm would give way). The carriage's
-    travel during that time is not made up later, so that the payload does not jump when it is unlatched.
+    The payload moves in the next step. A payload that is fixed to a berth does not move (assumed; a real arm would
+    yield). The carriage's travel during that time has no effect later, so that the payload does not jump when it is
+    unlatched.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
@@ -126,7 +127,7 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
 def _attach(flight: Flight, state: State, k: int) -> None:
     """Attach a captured payload to the arm, which ends task phase 1.
 
-    A payload in a passive berth leaves it.
+    A passive berth frees the payload; any other berth still fixes it.
     """
     site, payload = flight.site, state.worksite.cargo[k]
     if payload.seat and site.is_passive_berth(payload.seat):
@@ -137,7 +138,7 @@ def _attach(flight: Flight, state: State, k: int) -> None:
 
 
 def _release(flight: Flight, state: State, k: int) -> None:
-    """Release a payload, which then stays in a berth, or floats free with its present velocity."""
+    """Release a payload, which then stays in a berth, or floats with its present velocity."""
     site, payload = flight.site, state.worksite.cargo[k]
     empty_grasp(flight, state, k)
     stay_or_leave(flight, state, k)

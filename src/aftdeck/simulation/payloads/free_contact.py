@@ -1,9 +1,9 @@
-"""Contacts of a floating payload with the arm, the walls and other payloads; the payload passes through none of them.
+"""Contacts of a floating payload (the body) with the arm, the walls and other payloads.
 
 The plant does not model forces. The impulse of such a contact is therefore unknown, and the contact does not move the
-other body. The contact stops the body, or reflects it if the scenario's `free_contact` is "reflect". A body with
-attitude control holds its attitude until the way is free, and then continues in its deadband. The body stops before its
-own motion makes a contact, so that this motion never inhibits the arm.
+other part. The contact stops the body, or reflects it if the scenario's `free_contact` is "reflect". While a contact
+stops a body with attitude control, the body keeps its attitude; afterwards it continues in its deadband. The body stops
+just before the contact, so that its motion never inhibits the arm.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch.motion import motion
 
 HALVINGS = 8
-"""Bisections of the step in which a body touches another: the body stops within 1/256 of its way in the step."""
+"""Number of bisections of the step with a contact; the body stops within 1/256 of the step's motion before it."""
 
 
 def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
-    """Return the free flight of a payload one control period later, stopped or reflected by the parts that it touches.
+    """Return the free flight of a payload one control period later, stopped or reflected if the payload touches a part.
 
-    If no part is near, the result is `floating` itself after its motion.
+    If no part is near, `floating` itself is moved and returned.
 
     Args:
         flight: constants of the run.
@@ -55,7 +55,7 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
 
 @law
 def measured(found: Array, groups: Mask) -> bool:
-    """Return whether the clearance of any pair in `groups` (g,) was small enough to be measured."""
+    """Return whether the clearance of any of the pairs `groups` (g,) was measured, which means that it is small."""
     near = False
     for g in range(len(groups)):
         near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)
@@ -69,12 +69,15 @@ def _frames(flight: Flight, state: State, k: int, floating: Floating) -> Array:
 
 
 def _group_in_contact(flight: Flight, state: State, k: int, here: ClearanceMonitor, after: Floating) -> int:
-    """Return the pair in which a motion of payload k makes or deepens a contact; -1 if there is none."""
+    """Return the pair whose contact a motion of payload k makes or deepens; -1 if there is no such pair."""
     return worst_new_contact(here, flight.site.of_cargo[k], _frames(flight, state, k, after))
 
 
 def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: ClearanceMonitor, group: int) -> Floating:
-    """Return the free flight of a body that a contact stops or reflects; log a new contact."""
+    """Return the free flight of payload k after the contact of pair `group` has stopped or reflected it.
+
+    A contact that did not exist in the last step is logged.
+    """
     period, site = flight.scenario.control_period, flight.site
     free, share = 0.0, 0.5
     for _ in range(0 if floating.met else HALVINGS):
@@ -111,11 +114,11 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Cle
 def _velocity(flight: Flight, state: State, frame: str) -> Array:
     """Return the velocity in space (3,) of the frame that a body touched, in L's axes [m/s].
 
-    Parts of the arm count as moving with the orbiter: the arm does not carry a body that it stops.
+    Parts of the arm count as moving with the orbiter, because the arm does not carry a body that it stops.
     """
     site, worksite = flight.site, state.worksite
-    for k, one in enumerate(site.cargo):
-        if one.name != frame:
+    for k, payload in enumerate(site.cargo):
+        if payload.name != frame:
             continue
         if (floating := worksite.floating[k]) is not None:
             return floating.motion[3:].copy()
@@ -135,6 +138,6 @@ def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Arra
 
 
 def _closing(floating: Floating, other_velocity: Array, lever: Array, normal: Array) -> tuple[float, float]:
-    """Return the closing speeds at a touching point that result from the body's velocity and its rotation [m/s]."""
+    """Return the closing speeds at the point of contact from the body's velocity and from its rotation [m/s]."""
     turn = floating.pose[3:].reshape(3, 3) @ floating.motion[:3]
     return float((floating.motion[3:] - other_velocity) @ normal), float(np.cross(turn, lever) @ normal)

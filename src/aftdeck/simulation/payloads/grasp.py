@@ -1,4 +1,7 @@
-"""Grasp of a payload of the worksite: its pose while held and after release, and the arm's steering with it."""
+"""Grasp: the connection of a held payload to the end effector, and the steering with the payload.
+
+This module begins a grasp at capture and ends it at release. After release, the payload floats.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,7 @@ from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.watch.motion import motion
 
 NEAR = 3.0
-"""Distance of a bar or a fixture from the end effector beyond which it is not being captured [m]."""
+"""Greatest distance of a bar or a fixture from the end effector at which its capture can be the objective [m]."""
 
 
 def attach(flight: Flight, state: State, k: int) -> None:
@@ -34,9 +37,9 @@ def attach(flight: Flight, state: State, k: int) -> None:
 
 
 def reset_grasp(flight: Flight, state: State, k: int) -> None:
-    """Set the grasp of a held payload, and the steering with the payload, to the present pose.
+    """Set the pose of a held payload, in its grasp and in the steering, to the present pose.
 
-    From this pose on, the carriage reduces the remaining misalignment to zero while it draws the payload in.
+    If the carriage draws the payload in, it starts from this pose and reduces the misalignment to zero.
     """
     payload = state.worksite.cargo[k]
     payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()
@@ -48,9 +51,9 @@ def reset_grasp(flight: Flight, state: State, k: int) -> None:
 
 
 def update_steering(flight: Flight, state: State) -> None:
-    """Set the steering to the payload in the grasp and to the limits of the script's phase.
+    """Set the steering for the payload in the grasp and the limits of the script's phase.
 
-    The steering takes a worksite payload's mass, its axes and, as point of resolution, its centre.
+    The steering uses the mass and the axes of a worksite payload. Its centre is the point of resolution.
     """
     scenario, script, payload = flight.scenario, state.script, None
     for k, worksite_payload in enumerate(state.worksite.cargo):
@@ -63,7 +66,7 @@ def update_steering(flight: Flight, state: State) -> None:
 
 
 def set_effector(flight: Flight, state: State, *, holding: bool) -> None:
-    """Set the end effector to its state with a payload (prong closed or snares rigid), or with an empty grasp."""
+    """Set the end effector to its state with a payload (prong closed, or snares rigid), or without a payload."""
     worksite = state.worksite
     if flight.site.prong:
         worksite.prong.position = flight.prong.high if holding else flight.prong.low
@@ -73,9 +76,9 @@ def set_effector(flight: Flight, state: State, *, holding: bool) -> None:
 
 
 def packed_in_grasp(flight: Flight, state: State) -> Array | None:
-    """Return the payload in the grasp as `Payload.packed`, in its present pose; None if the grasp is empty.
+    """Return the payload in the grasp, in the form of `Payload.packed`; None if the grasp is empty.
 
-    Carriage and latches change the pose of a worksite payload in the end effector.
+    The pose is the present pose, because carriage and latches move a worksite payload relative to the end effector.
     """
     site, k = flight.site, state.worksite.held
     if k is None:
@@ -87,7 +90,7 @@ def packed_in_grasp(flight: Flight, state: State) -> Array | None:
 
 
 def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
-    """Return payload k in the form of the arm's laws, held with the pose `grasp` (12,) in the last joint's frame."""
+    """Return payload k in the form for the laws; `grasp` (12,) is its pose in the frame of the last joint."""
     inside = np.empty(POSE)
     relative(flight.site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
@@ -110,7 +113,7 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> InEffector | None:
         k: the payload.
 
     Returns:
-        The pose; None if the end effector has no snares or the payload no fixture.
+        The pose; None if the end effector has no snares, or the payload has no fixture.
     """
     fixture = site.snares.fixtures[k] if site.snares is not None else None
     if fixture is None:
@@ -119,7 +122,10 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> InEffector | None:
 
 
 def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, InEffector] | None:
-    """Return the payload whose fixture is nearest, and the fixture's pose in E; None beyond `within` [m]."""
+    """Return the payload whose fixture is nearest, and the fixture's pose in E.
+
+    None if no fixture is nearer than `within` [m].
+    """
     best, least = None, within
     for k in range(len(flight.site.cargo)):
         fixture = fixture_in_hand(flight.site, state.worksite.frames, k)
@@ -129,7 +135,7 @@ def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple
 
 
 def empty_grasp(flight: Flight, state: State, k: int) -> None:
-    """Empty the grasp; enter ORB UNL if the present mode moves a payload."""
+    """End the grasp of payload k. If the present mode moves a payload, select ORB UNL."""
     worksite, panel = state.worksite, state.panel
     payload = worksite.cargo[k]
     payload.held, payload.grasp, payload.fixture_at_capture, payload.steered, payload.drawn_at_capture = (
@@ -149,8 +155,8 @@ def empty_grasp(flight: Flight, state: State, k: int) -> None:
 def start_free_flight(flight: Flight, state: State, k: int, from_space: bool) -> None:
     """Start the free flight of a released payload, with its present motion and its attitude control.
 
-    A payload that was fixed in space stays at rest. A payload that was held has the velocity of the end effector, the
-    orbiter's velocity included.
+    If the payload was fixed in space (`from_space`), its velocity is zero. If it was held, it has the velocity of the
+    end effector, which includes the orbiter's velocity.
     """
     site, worksite = flight.site, state.worksite
     row = site.cargo_row(k)

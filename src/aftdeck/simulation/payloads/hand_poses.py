@@ -22,7 +22,7 @@ def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packe
         last_joint: row of the frame of the last joint.
         row: row of the payload.
         hand: (12,) pose of frame 7 in the frame of the last joint.
-        packed: (15,) out.
+        packed: (15,) output.
     """
     grasp, inside = np.empty(POSE), np.empty(POSE)
     relative(frames[last_joint], frames[row], grasp)

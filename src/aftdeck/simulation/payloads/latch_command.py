@@ -1,4 +1,4 @@
-"""LATCH and UNLATCH: selection of the payload, and confirmation before a payload is released into free flight."""
+"""LATCH and UNLATCH: selection of the payload, and confirmation of an UNLATCH after which the payload would float."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from aftdeck.worksite.watch.contact_update import nearest_place
 Pressed = Literal["latch", "unlatch"]
 
 NEAR = 3.0
-"""Distance of a payload from its pose in a berth beyond which the payload is not at this berth [m]."""
+"""Greatest distance of a payload from its pose in a berth at which the payload counts as at this berth [m]."""
 CONFIRM = 10.0
-"""Time within which a second UNLATCH confirms the first, for a payload that only its berth holds [s]; assumed."""
+"""Time within which a second UNLATCH confirms the first [s]; assumed."""
 
 
 def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
-    """Return the berth whose pose for a payload is nearest to its present pose; None if no berth is within `NEAR`."""
+    """Return the berth in which a payload's pose is nearest to its present pose; None if no berth is within `NEAR`."""
     site = flight.site
     nearest = nearest_place(state.worksite.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
     return None if nearest < 0 else site.berths[k][nearest]
 
 
 def addressed(flight: Flight, state: State, pressed: Pressed | None) -> int | None:
-    """Return the payload to which LATCH or UNLATCH refers: the held one, else the one nearest to the end effector.
+    """Return the payload to which LATCH or UNLATCH refers: the held payload, else the nearest to the end effector.
 
-    Payloads on which the command can act have precedence. UNLATCH acts on payloads that latches or a port hold. LATCH
-    acts on payloads that are near their pose in a berth, and that latches or a port do not hold firmly.
+    Payloads on which the command can act have precedence over nearer payloads. UNLATCH can act on payloads that latches
+    or a port fix. LATCH can act on payloads that are near a berth, and that no latches or port fix firmly.
 
     Returns:
         The payload; None if the worksite has no payload, or if the grasp is empty and no command is pressed.
@@ -50,16 +50,16 @@ def addressed(flight: Flight, state: State, pressed: Pressed | None) -> int | No
 
 
 def _latched(flight: Flight, state: State, k: int) -> bool:
-    """Return whether a berth holds a payload firmly: by docking, or by latches that are closed and not opening."""
+    """Return whether a berth fixes a payload firmly: by docking, or by latches that are closed and not opening."""
     payload = state.worksite.cargo[k]
     return payload.latches.closed == 1.0 and payload.latches.motion != "unlatch"
 
 
 def confirmed(flight: Flight, state: State, k: int, title: str) -> bool:
-    """Return whether UNLATCH of a payload may be executed; if only its berth holds it, request a confirmation first.
+    """Return whether UNLATCH of a payload may be executed.
 
-    The request is a log line, and a second UNLATCH within `CONFIRM` confirms. A switch that is held over several steps
-    is one command.
+    If the end effector does not hold the payload, the first UNLATCH only logs a request for confirmation, and a second
+    UNLATCH within `CONFIRM` is executed. A switch that is pressed over several steps is one command.
     """
     payload, tick = state.worksite.cargo[k], state.tick
     if payload.held or payload.latches.motion == "unlatch":

@@ -1,4 +1,4 @@
-"""Contact check of carriage and latches, which move a held payload and stop before a contact."""
+"""Contact check for the carriage and the latches, which move a held payload and stop before a contact."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from aftdeck.worksite.watch.contact_motion import worst_new_contact
 
 
 def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
-    """Return whether a mechanism must stop because drawing in payload k would make or deepen a contact.
+    """Return whether a mechanism must stop, because to draw in payload k would make or deepen a contact.
 
-    The stop is logged once. Walls along which the payload slides count as well: a mechanism does not slide the payload.
-    Essential contacts that their relation permits do not count.
+    The stop is logged once. Contacts with walls along which the payload can slide count too, because a mechanism does
+    not slide the payload. Essential contacts in a permitted relative position do not count.
 
     Args:
         flight: constants of the run.

@@ -1,8 +1,8 @@
-"""Essential contacts: the relative positions and depths at which two parts may touch because the task needs it.
+"""Test whether a contact of two parts is essential: whether the task permits their relative position and the depth.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision is essential if the two parts are "in the
-physical relationship required to achieve acquisition". Outside this relation, or deeper than the worksite's file
-allows, a contact of the same two parts is detrimental.
+physical relationship required to achieve acquisition". This relative position is the *relation* of the two parts. A
+contact outside the relation, or deeper than the worksite's file allows, is detrimental.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from aftdeck.worksite.watch.found import CLEARANCE
 
 
 def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
-    """Return the pairs of parts that may be in contact at their present positions.
+    """Return the pairs of parts whose contact the task permits at their present relative positions.
 
     Args:
         site: constants of the worksite.
@@ -36,8 +36,8 @@ def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
         frames: (F, 12) pose of each frame, in L.
 
     Returns:
-        (g,) 1 for pairs that the task brings into contact; 0 for all others, and for a pair of the task that touches
-        outside its relation or deeper than its relation permits. A pair of the task that does not touch has 1.
+        (g,) 1 for the pairs that the task brings into contact; 0 for all other pairs. A pair of the task that touches
+        outside its relation, or deeper than permitted, also has 0.
     """
     allowed = site.essential.copy()
     for meeting in site.meetings:
@@ -48,7 +48,7 @@ def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
 
 
 def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meeting) -> bool:
-    """Return whether the two parts have the relative position that the task needs."""
+    """Return whether the two parts of a pair are in their relation."""
     k, depth = meeting.cargo, meeting.depth
     match meeting.relation:
         case "acquisition":
@@ -64,7 +64,7 @@ def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meetin
 
 
 def _about_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
-    """Return whether the bar is before the palm and between the fingers: conditions 1 to 3 of acquisition."""
+    """Return whether the bar is in front of the palm and between the fingers: conditions 1 to 3 of acquisition."""
     if site.bar is None or (which := site.bar.which[k]) is None:
         return False
     found = np.empty(FOUND)
@@ -73,7 +73,7 @@ def _about_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
 
 
 def _at_port(site: Site, frames: Array, k: int, berth: Berth, depth: float) -> bool:
-    """Return whether the probe is in the docking envelope, and its face within the docking distance of the port."""
+    """Return whether the probe is in the docking envelope, and its face within docking distance from the port."""
     found = approached(berth, frames, site.cargo_row(k))
     return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= berth.docking.distance)
 
@@ -103,9 +103,9 @@ def _touching(site: Site, placed: Array, meeting: Meeting) -> set[int]:
 
 
 def _in_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
-    """Return whether the pin is in the capture envelope, without the envelope's outer end.
+    """Return whether the pin is in the capture envelope, without a limit at the envelope's outer end.
 
-    The snares reach beyond that end, and may touch the base of the fixture.
+    The snares reach beyond the outer end, and may touch the base of the fixture.
     """
     if site.snares is None or (fixture := fixture_in_hand(site, frames, k)) is None:
         return False

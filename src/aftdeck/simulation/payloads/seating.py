@@ -1,8 +1,8 @@
-"""Berths: docking at a port, and berthing in the bay by latches or, in the concept's bay, by release.
+"""Fixing and release of payloads by berths: docking at a port, latching in the bay, and the concept's passive berths.
 
-Source: Remote Manipulator Simulation, mode 3 (docking), and section VII: a payload that is released where it is
-inserted stays there. A payload that is both held and fixed to a berth blocks the arm until the end effector or the
-berth releases it.
+Source: Remote Manipulator Simulation, mode 3 (docking), and section VII: a payload that is inserted and released stays
+where it is. A payload that is both held and fixed to a berth blocks the arm until the end effector or the berth
+releases the payload.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from aftdeck.worksite.seats.latches import Latches, advance
 
 
 def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
-    """Fix payloads that reach their berth, move latches, and execute `pressed` (latch, unlatch or None)."""
+    """Fix payloads to ports, move latches, and execute LATCH or UNLATCH (`pressed`; None if neither is pressed)."""
     index = addressed(flight, state, pressed)
     answer: str | None = None
     for k, payload in enumerate(state.worksite.cargo):
@@ -51,21 +51,24 @@ def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
 def _nearest_seat_text(flight: Flight, state: State) -> str:
     """Return the reason for rejecting LATCH: the payload that is nearest to its pose in a berth, and its distance."""
     site, units = flight.site, flight.scenario.arm.model.units
-    ways = [
+    distances = [
         (math.hypot(*_offset(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
         for k, own in enumerate(site.berths)
         for berth in own
         if not state.worksite.cargo[k].seat
     ]
-    if not ways:
+    if not distances:
         return "no berth of this worksite accepts a payload that is not fixed already"
-    way, k, title = min(ways)
-    near, allowed = quantity_text(way, "m", units), quantity_text(NEAR, "m", units)
+    distance, k, title = min(distances)
+    near, allowed = quantity_text(distance, "m", units), quantity_text(NEAR, "m", units)
     return f"no payload is at a berth: {site.cargo[k].title} is {near} from the {title}, at most {allowed} allowed"
 
 
 def stay_or_leave(flight: Flight, state: State, k: int) -> None:
-    """Fix a just released payload to a passive berth if the conditions hold; otherwise start its free flight."""
+    """Fix a payload that was just released to a passive berth, or start its free flight.
+
+    The payload is fixed if the conditions of a passive berth hold. A payload that is already fixed stays fixed.
+    """
     payload = state.worksite.cargo[k]
     if payload.seat:
         return
@@ -82,8 +85,8 @@ def _update_unfixed(flight: Flight, state: State, k: int, pressed: Pressed | Non
     A docking port fixes a held payload without a command, and a floating payload on LATCH.
 
     Returns:
-        Result of `pressed` for this payload: "" if the command was executed or already answered in the log, else the
-        reason for its rejection. None if no command applies or no berth is near.
+        Result of `pressed` for this payload: "" if the command was executed or its answer is already in the log, or the
+        reason for its rejection. None if no command was given for this payload, or if no berth is near.
     """
     payload = state.worksite.cargo[k]
     berth = nearest_berth(flight, state, k)
@@ -124,7 +127,11 @@ def _update_unfixed(flight: Flight, state: State, k: int, pressed: Pressed | Non
 
 
 def _update_fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
-    """Continue or reverse the latches of a payload that is fixed to a berth; result as of `_update_unfixed`."""
+    """Continue or reverse the latches of a payload that is fixed to a berth, or undock it.
+
+    Returns:
+        Result of `pressed` for this payload, as described in `_update_unfixed`.
+    """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
     berth = site.berth(k, payload.seat)
@@ -162,15 +169,15 @@ def _update_fixed(flight: Flight, state: State, k: int, pressed: Pressed | None)
         payload.latches, payload.offset_in_seat = after, seated
         worksite.update_carrier(site, k)
     if payload.latches.motion not in ("", before.motion):
-        way = "closing" if payload.latches.motion == "latch" else "opening"
-        log(flight, state, payload.latches.motion, "info", f"latches of the {berth.seat.title} {way}")
+        motion = "closing" if payload.latches.motion == "latch" else "opening"
+        log(flight, state, payload.latches.motion, "info", f"latches of the {berth.seat.title} {motion}")
     if not payload.latches.hold:
         _unfix(flight, state, k, berth)
     return "" if pressed else None
 
 
 def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -> None:
-    """Fix a payload to a berth at its present pose; the latches then draw it in."""
+    """Fix a payload to a berth at its present pose, from which latches draw it in."""
     worksite = state.worksite
     payload = worksite.cargo[k]
     off = _offset(flight, state, k, berth).tolist()
@@ -182,7 +189,7 @@ def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -
 
 
 def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
-    """Release a payload from its berth; afterwards the arm holds it, or it floats free."""
+    """Release a payload from its berth. If the end effector does not hold the payload, start its free flight."""
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
     payload.seat, payload.released_from = "", berth.seat.name
@@ -216,17 +223,21 @@ def _offset(flight: Flight, state: State, k: int, berth: Berth) -> Array:
 
 
 def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
-    """Return the conditions for fixing a payload to a berth; a failed "seat empty" is added if it is occupied."""
-    worksite = state.worksite
-    there = [
-        flight.site.cargo[i].title for i, one in enumerate(worksite.cargo) if i != k and one.seat == berth.seat.name
+    """Return the conditions for fixing a payload to a berth.
+
+    If another payload is in the berth, the failed condition "seat empty" is added.
+    """
+    titles = [
+        flight.site.cargo[i].title
+        for i, payload in enumerate(state.worksite.cargo)
+        if i != k and payload.seat == berth.seat.name
     ]
-    occupied = tuple(Condition("seat empty", False, 1.0, 0.0, "", -1.0, f"{title} is in it") for title in there)
+    occupied = tuple(Condition("seat empty", False, 1.0, 0.0, "", -1.0, f"{title} is in it") for title in titles)
     return (*_fitting(flight, state, k, berth), *occupied)
 
 
 def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
-    """Return whether a payload's probe is beyond the docking distance of a port, so that docking is impossible."""
+    """Return whether a berth is a port, and the payload's probe is farther from it than the docking distance."""
     if berth.port is None:
         return False
     found = approached(berth, state.worksite.frames, flight.site.cargo_row(k))
@@ -234,7 +245,13 @@ def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
 
 
 def approached(berth: Berth, frames: Array, cargo_row: int) -> Array:
-    """Return the measures (6,) of `worksite.docking` of a payload's probe at a port; `frames` is (F, 12) in L."""
+    """Return the results (6,) of `worksite.seats.docking.approach` for a payload's probe at a port.
+
+    Args:
+        berth: constants of the payload in the port.
+        frames: (F, 12) poses of all frames in L.
+        cargo_row: row of the payload's frame.
+    """
     assert berth.port is not None
     found, port = np.empty(FOUND), np.empty(POSE)
     compose(frames[berth.row], berth.port, port)

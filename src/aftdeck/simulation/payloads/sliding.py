@@ -1,4 +1,4 @@
-"""Sliding along walls: the commanded rates are replaced by rates that keep a payload out of its walls.
+"""Sliding along walls: the commanded joint rates are replaced by rates that keep a held payload out of the walls.
 
 Source: Remote Manipulator Simulation, final report, section VII.4.
 """
@@ -20,7 +20,10 @@ from aftdeck.worksite.watch.contact_motion import deeper
 OUT = 0.01
 """Speed at which a payload that overlaps a wall is moved out of it [m/s] (assumed)."""
 INTO = 1e-7
-"""Greatest increase of a payload's depth in a wall in one step [m]; more shows that the touches lack a contact."""
+"""Greatest allowed increase of a payload's penetration depth in a wall in one step [m].
+
+A greater increase shows that `touches` did not find some contact.
+"""
 
 
 def slide_along(flight: Flight, state: State, telescope: float, held: int) -> float | None:
@@ -33,8 +36,8 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
         held: index of the payload in the grasp.
 
     Returns:
-        Allowed drive of the telescope, in [-1, 1]; the telescope stops at a wall. None if the arm must stop to keep the
-        payload out of a wall.
+        Allowed drive of the telescope, in [-1, 1]; the telescope stops at a wall. None if no rates are found that keep
+        the payload out of the walls, so that the arm must stop.
     """
     site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
     counts, travel = site.slides[held], flight.telescope
@@ -42,7 +45,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     if near == 0.0:
         return telescope
     found = touches(worksite.watch, counts, site.cargo[held].name, near, period, OUT)
-    telescope *= _room(found, -telescope * travel.rate)
+    telescope *= _telescope_fraction(found, -telescope * travel.rate)
     height = state.plant.stand.after(travel, telescope, period)
     rules = state.rules
     commanded, last = state.steering.copy(), worksite.frames[site.last_joint]
@@ -55,8 +58,8 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     return None
 
 
-def _room(found: Array, speed: float) -> float:
-    """Return the fraction, 0 to 1, of the telescope's speed along axis 3 [m/s] at which no touch (k, 7) deepens."""
-    into, gap = -speed * found[:, OUTWARD + 2], np.maximum(-found[:, LEAST], 0.0)
-    held_up = into > gap
-    return float((gap[held_up] / into[held_up]).min(initial=1.0))
+def _telescope_fraction(found: Array, speed: float) -> float:
+    """Return the fraction, 0 to 1, of the telescope's speed along axis 3 [m/s] at which no contact (k, 7) deepens."""
+    into, allowed = -speed * found[:, OUTWARD + 2], np.maximum(-found[:, LEAST], 0.0)
+    too_fast = into > allowed
+    return float((allowed[too_fast] / into[too_fast]).min(initial=1.0))

@@ -1,4 +1,7 @@
-"""Task phases, the report's modes 1 to 4: acquisition, extraction, manoeuvring, docked. They change automatically."""
+"""Task phases, the report's modes 1 to 4: acquisition, extraction, manoeuvring, docked.
+
+The task phase follows from the state of the payloads, not from an operator's command.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "man
 
 
 def change_task(flight: Flight, state: State) -> None:
-    """Set the task phase from the present state, and log a change."""
+    """Set the task phase from the present state, and log its change."""
     worksite = state.worksite
     now = _task(flight, state)
     if now != worksite.task:

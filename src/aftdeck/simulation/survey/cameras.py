@@ -1,4 +1,4 @@
-"""Search for cameras inside a part of the arm or inside parts around a payload, for `survey.pairs`."""
+"""Search for cameras that are inside a part of the arm or of the worksite, for `survey.pairs`."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ from aftdeck.simulation.survey.poses import bodies, inside_soft_stops, joints_te
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import depth_in
 
-Tried = tuple[Array, float, float]
+ArmPose = tuple[Array, float, float]
 """Joint angles [rad], length of the telescope and position of the prong [m]."""
-_LITTLE = 0.1
-"""Rotation of the first joint that shows in which direction the joint swings the elbow [rad]."""
+_SMALL_ROTATION = 0.1
+"""Rotation of the first joint, to find the direction in which this joint moves the elbow [rad]."""
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
-    """Yield one problem for each camera and each part that it is inside, with the first such pose."""
+    """Yield one problem for each pair of a camera and a part that contains it, with the first pose of this kind."""
     television = [camera for camera in cameras_of(scenario) if camera.kind == "camera"]
     yield from _on_the_arm(scenario, television)
-    yield from _round_the_arm(scenario, television)
+    yield from _around_the_arm(scenario, television)
     yield from _on_payloads(scenario, television)
 
 
 def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield the arm's cameras that are inside a part of the arm, at combinations of its hard stops."""
+    """Yield the arm's cameras that are inside a part of the arm, in poses at combinations of its hard stops."""
     on_arm = [camera for camera in cameras if camera.body in scenario.arm.model.frames]
     found: set[tuple[str, str]] = set()
     for how, angles, stand, prong in stops(scenario):
@@ -52,11 +52,11 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
                     yield _problem(scenario, camera, part, depth, how)
 
 
-def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield cameras around the arm that are inside a part of the arm, in poses for which a run logs no contact.
+def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
+    """Yield the worksite's cameras that are inside a part of the arm, in poses for which a run would log no contact.
 
-    In such a pose the arm overlaps no part that a run monitors, the camera's own housing included. The body that
-    carries the camera is at its start pose.
+    In such a pose the arm overlaps no part that a run monitors, and so not the camera's housing. The body of the camera
+    is at its start pose.
     """
     model = scenario.arm.model
     stands = {body.name: body.pose for body in scenario.worksite.bodies}
@@ -64,19 +64,19 @@ def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Proble
     scene = scene_in_l(model.mount, scenario.worksite.origin)
     poses = [composed(scene, stands[camera.body]) for camera in fixed]
     points = [pose.rotation @ camera.position + pose.position for camera, pose in zip(fixed, poses, strict=True)]
-    tried = _turned_to(scenario, list(inside_soft_stops(scenario)), points)
+    samples = _aimed_at(scenario, list(inside_soft_stops(scenario)), points)
     found: set[tuple[int, str]] = set()
-    for k, camera, part, depth in _met(scenario, tried, np.array(points).reshape(-1, 3)):
-        if (camera, part) not in found and not _seen_in_a_run(scenario, bodies(scenario, placed(scenario, *tried[k]))):
+    for k, camera, part, depth in _points_inside(scenario, samples, np.array(points).reshape(-1, 3)):
+        if (camera, part) not in found and not _logs_contact(scenario, bodies(scenario, placed(scenario, *samples[k]))):
             found.add((camera, part))
-            yield _problem(scenario, fixed[camera], part, depth, joints_text(tried[k][0]))
+            yield _problem(scenario, fixed[camera], part, depth, joints_text(samples[k][0]))
 
 
-def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> list[Tried]:
-    """Return the poses with the first joint turned so that a point (3,) in L is in the plane of the arm's booms.
+def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -> list[ArmPose]:
+    """Return the poses with another angle of the first joint, which puts the arm's booms in a plane with a point.
 
-    The poses use the points one after the other. Poses whose first joint would be outside its soft stops are omitted. A
-    boom contains a given point in one of ten thousand random poses, and in one of fifty of these poses.
+    The poses use the points (3,) in L one after the other. Poses whose first joint would be outside its soft stops are
+    omitted. A boom contains a given point in one of ten thousand random poses, but in one of fifty of these poses.
     """
     if not points:
         return []
@@ -84,13 +84,13 @@ def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> l
     low, high = model.limits.soft[0]
     middle = 0.5 * model.limits.soft.sum(axis=1)
     turned = middle.copy()
-    turned[0] += _LITTLE
+    turned[0] += _SMALL_ROTATION
     elbow = model.linkage.frames[3]
     ahead, after = (_azimuth(placed(scenario, at, 0.0, 0.0)[elbow].position) for at in (middle, turned))
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
-    for k, (angles, stand, prong) in enumerate(tried):
-        # every second round adds pi: an arm that leans back over its shoulder has the point behind it
+    for k, (angles, stand, prong) in enumerate(samples):
+        # every second round through the points adds pi, because some arms lean back over their shoulder to a point
         turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
         heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
         if low <= heading <= high:
@@ -102,11 +102,13 @@ def _azimuth(point: Array) -> float:
     return float(np.arctan2(point[1], point[0]))
 
 
-def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[tuple[int, int, str, float]]:
-    """Yield (pose, point, part, depth [m]) for each point of (n, 3) in L that is inside a part of the arm."""
+def _points_inside(
+    scenario: Scenario, samples: Sequence[ArmPose], points: Array
+) -> Iterator[tuple[int, int, str, float]]:
+    """Yield (pose, point, part, depth [m]) for each of the points (n, 3) in L that is inside a part of the arm."""
     arm = frames_of(scenario.arm.model)
-    frames = np.empty((len(tried), len(arm.names), POSE))
-    for row, (angles, stand, prong) in zip(frames, tried, strict=True):
+    frames = np.empty((len(samples), len(arm.names), POSE))
+    for row, (angles, stand, prong) in zip(frames, samples, strict=True):
         place_frames(arm.joints, angles, stand, prong, row)
     local = {
         name: np.einsum("kij,kni->knj", own[:, 3:].reshape(-1, 3, 3), points - own[:, None, :3])
@@ -119,29 +121,30 @@ def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[
             yield k, point, solid.part, float(depths[k, point])
 
 
-def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
-    """Return whether the arm, given by its parts in L, overlaps a part that a run monitors against it."""
+def _logs_contact(scenario: Scenario, own: Parts) -> bool:
+    """Return whether a run would log a contact: whether a part of the arm (in L) overlaps a part monitored with it."""
     layout = site_of(scenario).layout
     scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
     around = parts_at(scenario.worksite.solids, scene)
-    watched = (layout.named(group) for group in range(len(layout.groups)))
-    return any(deepest(own[a], around[b]) > TOLERANCE for a, b in watched if a in own and b in around)
+    monitored = (layout.named(group) for group in range(len(layout.groups)))
+    return any(deepest(own[a], around[b]) > TOLERANCE for a, b in monitored if a in own and b in around)
 
 
 def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield payload cameras that are inside the end effector that holds the payload, or inside parts around a berth."""
+    """Yield the payloads' cameras that are inside the end effector at the payload, or inside a berth's parts."""
     for payload in scenario.cargo:
         own = [camera for camera in cameras if camera.body == payload.name]
         for how, hand in hands(scenario.arm.model, scenario.worksite, payload).items():
-            yield from _held(scenario, own, hand, f"with the end effector, {how}, at its bar")
+            yield from _inside_parts(scenario, own, hand, f"with the end effector, {how}, at its bar")
         for seat in scenario.worksite.seats:
             if seat.lacks(payload.probe, payload.trunnions):
                 continue
             around = parts_at(scenario.worksite.solids, inverted(seat.seated(payload.probe)))
-            yield from _held(scenario, own, around, f"with {payload.name} in the seat {seat.name!r}")
+            yield from _inside_parts(scenario, own, around, f"with {payload.name} in the seat {seat.name!r}")
 
 
-def _held(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
+def _inside_parts(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
+    """Yield a problem for each camera and each of the parts that contains it; all in the payload's axes."""
     for camera in cameras:
         for part, depth in _inside(np.array(camera.position), around):
             yield _problem(scenario, camera, part, depth, how)

@@ -1,6 +1,7 @@
-"""Search for collisions of a scenario's arm, starts and cameras over sampled poses, for ``aftdeck check`` and tests.
+"""Survey of a scenario in sampled poses, for ``aftdeck check`` and tests: overlaps, cameras inside parts, and reach.
 
-The search takes about a second. `scenario.fit` makes the cheap checks at load, for errors that make a run senseless.
+The survey takes about a second. When a scenario is loaded, only the quick checks of `scenario.fit` run; they find
+errors that make a run meaningless.
 """
 
 from __future__ import annotations
@@ -22,13 +23,17 @@ from aftdeck.worksite.conditions import quantity_text
 
 
 def survey(scenario: Scenario) -> list[Problem]:
-    """Return all problems found: two names, the depth of the overlap and the location in the scenario's file.
+    """Return all problems found, each with its location in the scenario's file.
 
-    The survey covers the starts of the scenario; pairs of the arm's parts that no run monitors, at combinations of the
-    hard stops; cameras (`survey.cameras`); and reach (`survey.reach`).
+    The survey finds:
+
+    - detrimental contacts at the starts of the scenario;
+    - payloads and targets out of reach (`survey.reach`);
+    - overlaps of parts of the arm that no run monitors, at combinations of the hard stops;
+    - cameras inside parts (`survey.cameras`).
 
     Raises:
-        ScenarioError: at a start the arm holds a payload in a pose in which it could not have captured the payload.
+        ScenarioError: at a start, the arm holds a payload in a pose in which it could not have captured the payload.
     """
     return [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
 
@@ -47,23 +52,23 @@ def _starts(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _folded(scenario: Scenario) -> Iterator[Problem]:
-    """Yield pairs of arm parts that no run monitors and that overlap more at hard stops than at mid-range.
+    """Yield the pairs of arm parts that no run monitors, and that overlap more at hard stops than at mid-range.
 
-    Skip an arm whose solids enclose round parts: such solids overlap by design at a joint.
+    An arm whose solids enclose round parts is not tested, because such solids overlap by design at a joint.
     """
     model = scenario.arm.model
     if model.equipment.covered:
         return
     home = {solid.part: solid.frame for solid in solids_of(model)}
     layout = site_of(scenario).layout
-    watched = {frozenset(layout.named(group)) for group in range(len(layout.groups))}
-    pairs = [(a, b) for a in home for b in home if a < b and home[a] != home[b] and frozenset((a, b)) not in watched]
+    monitored = {frozenset(layout.named(group)) for group in range(len(layout.groups))}
+    pairs = [(a, b) for a in home for b in home if a < b and home[a] != home[b] and frozenset((a, b)) not in monitored]
     usual: dict[tuple[str, str], float] = {}
     worst: dict[tuple[str, str], tuple[float, str]] = {}
     for k, (how, angles, stand, prong) in enumerate(stops(scenario)):
-        there = bodies(scenario, placed(scenario, angles, stand, prong))
+        parts = bodies(scenario, placed(scenario, angles, stand, prong))
         for pair in pairs:
-            depth = deepest(there[pair[0]], there[pair[1]])
+            depth = deepest(parts[pair[0]], parts[pair[1]])
             if k == 0:
                 usual[pair] = depth
             elif depth > max(usual[pair] + TOLERANCE, worst.get(pair, (0.0, ""))[0]):

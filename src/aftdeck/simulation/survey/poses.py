@@ -17,16 +17,19 @@ from aftdeck.scenario.fit import Parts
 from aftdeck.scenario.model import Scenario
 
 TRIED = 5000
-"""Number of poses inside the soft stops; testing them takes half a second."""
+"""Number of random poses inside the soft stops; the test of these poses takes half a second."""
 
 
 def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
-    """Yield the middle of the arm's hard limits, and every combination of its hard stops, each with a description."""
+    """Yield the arm's pose at the middle of its hard limits, then its poses at all combinations of its hard stops.
+
+    Each pose is yielded as: description, joint angles [rad], length of the telescope and position of the prong [m].
+    """
     model = scenario.arm.model
     low, high = model.limits.hard.T
     ends, prong = _travel(scenario)
     yield "at the middle of its limits", 0.5 * (low + high), ends[0], prong
-    # a joint that can turn a full turn or more uses its middle in place of its upper stop
+    # if a joint has a range of a full turn or more, its middle replaces its upper stop
     turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))
     for joints in product(*zip(low, turns, strict=True)):
         for end in ends:
@@ -42,7 +45,7 @@ def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dic
 
 
 def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
-    """Return the arm's solids in L by part, for these poses of its frames."""
+    """Return the arm's solids in L by part, for poses of the arm's frames."""
     found: Parts = {}
     for solid in solids_of(scenario.arm.model):
         pose = frames[solid.frame]
@@ -51,14 +54,14 @@ def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
 
 
 def joints_text(angles: Array) -> str:
-    """Return a text that gives the joint angles of a pose."""
+    """Return the joint angles of a pose as text."""
     return f"at joint angles {', '.join(f'{math.degrees(angle):.0f}' for angle in angles.tolist())} deg"
 
 
 def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]]:
-    """Yield the same `TRIED` poses inside the soft stops in each call: joint angles [rad], telescope and prong [m].
+    """Yield `TRIED` random poses inside the soft stops: joint angles [rad], telescope and prong [m].
 
-    The telescope's length is random as well; the prong is open.
+    The telescope's length is random too; the prong is open. Every call yields the same poses.
     """
     model, rng = scenario.arm.model, np.random.default_rng(0)
     low, high = model.limits.soft.T
@@ -68,7 +71,10 @@ def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]
 
 
 def _travel(scenario: Scenario) -> tuple[tuple[float, ...], float]:
-    """Return the ends of the telescope's travel, or the height of an arm without one, and the open prong [m]."""
+    """Return the ends of the telescope's travel, and the position of the open prong [m].
+
+    Without a telescope, the first result has only the height of the shoulder; without a prong, the second is 0.
+    """
     model = scenario.arm.model
     telescope, prong = model.equipment.telescope, model.equipment.prong
     ends = (float(model.links[0]),) if telescope is None else (telescope.least, telescope.greatest)

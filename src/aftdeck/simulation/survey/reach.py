@@ -1,4 +1,4 @@
-"""Search for payloads at their start and targets of the script that are out of reach, for `survey.pairs`."""
+"""Search for payloads and targets of the script that the arm cannot reach, for `survey.pairs`."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ class _ScriptTarget(NamedTuple):
 
 
 def reach(scenario: Scenario) -> Iterator[Problem]:
-    """Yield payloads that the arm cannot reach in their start berth, and the first phase with a target out of reach.
+    """Yield the payloads that the arm cannot reach in their start berth, and the first phase with such a target.
 
-    A pose is in reach if one of RMANGS's solutions lies inside the soft stops.
+    A pose is within reach if one of RMANGS's solutions is inside the soft stops.
     """
     model, stand = scenario.arm.model, scenario.start.stand
     for k, payload in enumerate(scenario.cargo):
@@ -46,9 +46,10 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
-    """Yield the targets of the script that are known without a run.
+    """Yield the targets of the script whose poses are known without a run.
 
-    Targets are unknown after the orbiter has moved, and for payloads that move freely or were just docked or latched.
+    Poses are unknown after the orbiter has moved. They are also unknown for a payload that floats with a motion, or
+    that an earlier phase moved until an event in its berth, such as docking.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
     seats = {seat.name: seat for seat in scenario.worksite.seats}
@@ -56,11 +57,11 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
         not (payload.limit_cycle or payload.start.velocity.any() or payload.start.rates.any()) for payload in cargo
     ]
     poses = {payload.name: payload.start.pose for payload, rests in zip(cargo, still, strict=True) if rests}
-    held, grip, stand = -1, None, start.stand
+    held, tip_in_payload, stand = -1, None, start.stand
     if start.grasped is not None:
         held = start.grasped.cargo
         tip_at_grasp = _at(scenario, start.grasped.stand).forward(start.grasped.angles)
-        grip = composed(inverted(cargo[held].start.pose), composed(inverted(_scene(scenario)), tip_at_grasp))
+        tip_in_payload = composed(inverted(cargo[held].start.pose), composed(inverted(_scene(scenario)), tip_at_grasp))
     for k, phase in enumerate(scenario.phases):
         if any(phase.orbiter):
             return
@@ -69,15 +70,15 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
         match phase.target:
             case AtCargo(cargo=held):
                 payload = cargo[held]
-                grip = at_cargo(model, payload, phase.target)
+                tip_in_payload = at_cargo(model, payload, phase.target)
                 if payload.name in poses:
-                    tip = composed(poses[payload.name], grip)
-            case AtSeat(seat=name) as place if grip is not None:
+                    tip = composed(poses[payload.name], tip_in_payload)
+            case AtSeat(seat=name) as place if tip_in_payload is not None:
                 payload, seat = cargo[held], seats[name]
                 if phase.until is not None:  # the phase ends as soon as the berth fixes the payload
                     place = msgspec.structs.replace(place, above=max(place.above, seat.distance))
                 poses[payload.name] = at_seat(seat, payload, place)
-                tip = composed(poses[payload.name], grip)
+                tip = composed(poses[payload.name], tip_in_payload)
             case InFrame(frame=name) if name in poses or name not in {payload.name for payload in cargo}:
                 tip = composed(poses[name], phase.target.pose) if name in poses else phase.target.pose
         if tip is not None and (phase.until is None or isinstance(phase.target, AtSeat)):
@@ -87,17 +88,18 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
 
 
 def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:
-    """Return why the arm cannot reach a pose in the scene inside its soft stops; "" if it can."""
+    """Return as text why the arm cannot reach a pose in the scene inside its soft stops; "" if it can."""
     arm = _at(scenario, stand)
     low, high = arm.limits.soft.T
     try:
-        found = arm.inverse(composed(_scene(scenario), tip), near=scenario.start.angles)
+        solutions = arm.inverse(composed(_scene(scenario), tip), near=scenario.start.angles)
     except AftdeckError as error:
         return str(error)
-    if ((low <= found) & (found <= high)).all(axis=1).any():
+    if ((low <= solutions) & (solutions <= high)).all(axis=1).any():
         return ""
-    joint = int(np.maximum(low - found[0], found[0] - high).argmax())
-    return f"{arm.model.joints[joint]} would be at {math.degrees(found[0, joint]):.4g} deg, outside its soft stops"
+    nearest = solutions[0]
+    joint = int(np.maximum(low - nearest, nearest - high).argmax())
+    return f"{arm.model.joints[joint]} would be at {math.degrees(nearest[joint]):.4g} deg, outside its soft stops"
 
 
 def _at(scenario: Scenario, stand: float) -> Arm:

@@ -1,8 +1,8 @@
-"""Mode 2, automatic, closed-loop velocity: along a straight line and about one axis, which end together.
+"""Mode 2, automatic, closed-loop velocity: translation along a line and rotation about one axis, which end together.
 
 Inputs: the final tip pose; PROCEED and STOP.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: inside the end sphere and at rest; the phase's estimated end ETA is recomputed every step.
+Ends: when the tip is inside the end sphere and at rest. The estimated end ETA of the phase is recomputed every step.
 Source: JSC-12628, subroutines OPERIN (MODE = 2), LATRAJ, VCLOSE.
 """
 
@@ -36,7 +36,8 @@ from aftdeck.steering.profiles import vclose
 from aftdeck.steering.views import twist_at
 
 SLOW = 1.5
-"""In the end sphere, the arm counts as at rest up to this multiple of its speed gain in one control period [1]."""
+"""Speed up to which the arm counts as at rest inside the end sphere, in multiples of the speed that the maximum
+acceleration adds in one control period [1]."""
 
 
 @law
@@ -52,12 +53,15 @@ def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
 
 @law
 def note_arrival(rules: Array, state: Array, report: Array) -> None:
-    """Write into the report whether the motion has ended: tip inside the end sphere and slow; under `strict`, ETA."""
+    """Write into the report whether the motion has ended, that is, whether the tip is inside the end sphere and slow.
+
+    Under `strict` the motion ends when the remaining time is 0.
+    """
     t = twist_at(state, TWIST)
     w = math.sqrt(t.wx**2 + t.wy**2 + t.wz**2)
     v = math.sqrt(t.vx**2 + t.vy**2 + t.vz**2)
     near = report[DISTANCE] <= rules[NEAR] and report[ANGLE] <= rules[NEAR_TURN]
-    if rules[STRICT] != 0.0:  # in the source the phase ends when VCLOSE's time has run out
+    if rules[STRICT] != 0.0:  # in the source, the phase ends when VCLOSE's remaining time is 0
         report[ARRIVED] = 1.0 if report[REMAINING] == 0.0 else 0.0
         return
     slow = v <= SLOW * rules[SPEED_UP] * rules[DT] and w <= SLOW * rules[TURN_UP] * rules[DT]

@@ -1,8 +1,8 @@
-"""DIRECT: one joint, hard-wired, without steering or soft stops; the other joints stop at once.
+"""DIRECT: the drive switch moves one joint directly, without steering or soft stops; the other joints stop at once.
 
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
 Limits: that rate, without a ramp, and the hard stops.
-Ends: when the operator leaves it, or at a scripted phase's time.
+Ends: when the operator leaves the mode, or at the end time of a scripted phase.
 Source: the Shuttle Crew Operations Manual, section 2.21; JSC-12628 does not have this mode.
 """
 

@@ -3,7 +3,7 @@
 The axes are E, those of the wrist camera's picture; with `strict` they are frame 7's, as in the source.
 Inputs: THC and RHC, full deflection = POR limits.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: when the operator leaves it, or at a scripted phase's time.
+Ends: when the operator leaves the mode, or at the end time of a scripted phase.
 Source: JSC-12628, subroutine VOTRAN (MODE = 5).
 """
 

@@ -1,7 +1,7 @@
-"""The report's manual modes, 4 to 7, by number: the twist that they demand of the point of resolution.
+"""The report's manual modes, 4 to 7, by number: the twist of the point of resolution that each demands.
 
-`msteer` steers in these modes, and `way_out` evaluates their stick directions. Each such mode needs a file in this
-folder, a row in `steering.mode.MODES`, and a line in this module, which Numba compiles.
+`msteer` steers in these modes, and `way_out` evaluates their stick directions. Each manual mode has a file in this
+folder, a row in `steering.mode.MODES`, and a line in this module.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""Mode 3, automatic, open-loop velocity: mode 2's first solution, executed without correction.
+"""Mode 3, automatic, open-loop velocity: the line and axis of mode 2, planned once and executed without correction.
 
 Inputs: the final tip pose; PROCEED and STOP.
 Limits: POR limits for speed and acceleration, servo maxima and accelerations of the joints, soft stops, singularities;
 one factor for the whole twist.
-Ends: when its clock reaches ETA. The clock runs at that factor: if limits slow the arm, the arm follows the same path
-more slowly. Under `strict` the clock runs at full speed, as in the source, and the arm stops short of the target.
+Ends: when its clock reaches ETA. The clock is slowed by the same factor, so that limits slow the arm on its path but do
+not change the path. Under `strict` the clock is not slowed, as in the source, and the arm stops short of the target.
 Source: JSC-12628, subroutines OPERIN (MODE = 3), LATRAJ, VTOPEN, VOTRAN.
 
-Its plan: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1, t_w1 and ETAP [s].
+Plan of this mode: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1, t_w1 and ETAP [s].
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
 
 @law
 def _share(time: float, eta: float, ramp: float) -> float:
-    """Return VOTRAN's scaling during acceleration and deceleration, 0 to 1."""
+    """Return the share of full speed, 0 to 1, at a phase time, by VOTRAN's ramps of acceleration and deceleration."""
     if ramp <= 0.0:
         return 0.0
     return max(0.0, min(1.0, min(time, eta - time) / ramp))

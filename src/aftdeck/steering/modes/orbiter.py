@@ -1,9 +1,9 @@
 """Mode 4, manual augmented, orbiter frame: sticks along and about the orbiter's axes.
 
-ORB UNL applies it to the tip, ORB LD to the payload's point of resolution.
+ORB UNL applies this mode to the tip, ORB LD to the payload's point of resolution.
 Inputs: THC and RHC, full deflection = POR limits.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: when the operator leaves it, or at a scripted phase's time.
+Ends: when the operator leaves the mode, or at the end time of a scripted phase.
 Source: JSC-12628, subroutine VOTRAN (MODE = 4).
 """
 

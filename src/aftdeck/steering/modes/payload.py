@@ -3,7 +3,7 @@
 The commanded point is the payload's point of resolution; with `strict` it is the tip, as in the source.
 Inputs: THC and RHC, full deflection = POR limits for the payload's mass.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: when the operator leaves it, or at a scripted phase's time. Rejected without a payload.
+Ends: when the operator leaves the mode, or at the end time of a scripted phase. Rejected without a payload.
 Source: JSC-12628, subroutine VOTRAN (MODE = 6).
 """
 

@@ -1,15 +1,15 @@
 """Mode 1, automatic, position: all joints start and stop together.
 
 Inputs: the final tip pose (CMD CK chooses among the joint angles that reach it) or final joint angles; PROCEED, STOP.
-Limits: coarse or vernier joint rates, scaled by the load; the tip's speed and acceleration; joint accelerations; soft
-stops; one factor for all joints. Singularities do not act: no Jacobian is inverted. Under `strict` only the servo
-maxima (RATLMT), as in the source.
-Ends: when its clock reaches ETA = 1/RATIO + V_L/dV_L; the clock advances by the share of the path that the arm made.
-Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The ramps of V_L/dV_L at both ends are ours, and
-so is the triangle of a move that is too short for them; the source says that acceleration is accounted for.
+Limits: coarse or vernier joint rates, which are lower with a payload; the tip's speed and acceleration; joint
+accelerations; soft stops; one factor for all joints. Singularities do not act, because no Jacobian is inverted. Under
+`strict` only the servo maxima (RATLMT) act, as in the source.
+Ends: when its clock reaches ETA = 1/RATIO + V_L/dV_L. If limits slow the arm, the clock is slowed with it.
+Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The source says that acceleration is accounted
+for. The form is ours: ramps of V_L/dV_L at both ends, and a triangular profile for a motion that is too short for them.
 
-Its plan: the rotation of each joint (6) [rad], then ETA and ramp time [s], and the share of the rotation per second at
-full rate [1/s]. Before the plan is made, its first six values are the joints' final angles.
+Plan of this mode: the rotation of each joint (6) [rad], then ETA and ramp time [s], and the share of the rotation per
+second at full rate [1/s]. Before the plan is computed, its first six values are the joints' final angles.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from aftdeck.steering.layout import (
     SPEED_UP,
 )
 
-_WAY, _ETA, _RAMP, _FULL = PLAN, PLAN + 6, PLAN + 7, PLAN + 8
+_ROTATION, _ETA, _RAMP, _FULL = PLAN, PLAN + 6, PLAN + 7, PLAN + 8
 
 
 @law
@@ -43,11 +43,11 @@ def plan(rules: Array, command: Array, state: Array) -> None:
     ratio = 1.0
     moves = False
     for i in range(6):
-        command[_WAY + i] -= state[ANGLES + i]
-        way = abs(command[_WAY + i])
-        moves = moves or way > 0.0
-        if way * ratio > rules[RATE + i]:
-            ratio = rules[RATE + i] / way
+        command[_ROTATION + i] -= state[ANGLES + i]
+        rotation = abs(command[_ROTATION + i])
+        moves = moves or rotation > 0.0
+        if rotation * ratio > rules[RATE + i]:
+            ratio = rules[RATE + i] / rotation
     ramp = rules[SPEED] / rules[SPEED_UP]
     if 1.0 / ratio >= ramp:
         full, eta = ratio, 1.0 / ratio + ramp
@@ -60,8 +60,8 @@ def plan(rules: Array, command: Array, state: Array) -> None:
 
 
 @law
-def _made(command: Array, time: float) -> float:
-    """Return the share of the rotation, 0 to 1, that the plan has made at a phase time."""
+def _completed(command: Array, time: float) -> float:
+    """Return the share of the rotation, 0 to 1, that the plan completes by a phase time."""
     eta: float = command[_ETA]
     ramp: float = command[_RAMP]
     full: float = command[_FULL]
@@ -78,8 +78,8 @@ def _made(command: Array, time: float) -> float:
 
 
 @law
-def _when(command: Array, made: float) -> float:
-    """Return the phase time at which the plan has made a share of the rotation: the inverse of `_made`."""
+def _time_of(command: Array, made: float) -> float:
+    """Return the phase time by which the plan completes a share of the rotation: the inverse of `_completed`."""
     eta: float = command[_ETA]
     ramp: float = command[_RAMP]
     full: float = command[_FULL]
@@ -93,22 +93,28 @@ def _when(command: Array, made: float) -> float:
 
 @law
 def clock_after(command: Array, time: float, factor: float, period: float) -> float:
-    """Return the plan's time [s] for the joint angles after a step that made only a factor of the planned motion."""
+    """Return the phase time [s] after a step in which the arm made only the share `factor` of the planned motion.
+
+    It is the time at which the plan reaches the joint angles after this step.
+    """
     if factor >= 1.0 or command[MOTION_ACTIVE] == 0.0:
         return time + factor * period
-    here = _made(command, time)
-    return max(time, _when(command, here + factor * (_made(command, time + period) - here)))
+    here = _completed(command, time)
+    return max(time, _time_of(command, here + factor * (_completed(command, time + period) - here)))
 
 
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
-    """Return mode 1's joint rates [rad/s] for this step; before the motion starts, ramp all joints to rest together."""
+    """Return mode 1's joint rates [rad/s] for this step.
+
+    Before the motion starts, the rates bring all joints to rest at the same time.
+    """
     if command[MOTION_ACTIVE] != 0.0:
         time = state[CLOCK]
-        k = (_made(command, time + rules[DT]) - _made(command, time)) / rules[DT]
+        k = (_completed(command, time + rules[DT]) - _completed(command, time)) / rules[DT]
         report[REMAINING] = max(command[_ETA] - time, 0.0)
         report[ARRIVED] = 1.0 if time >= command[_ETA] - 1e-9 else 0.0
-        return _share(k, command, _WAY)
+        return _share(k, command, _ROTATION)
     share = 0.0
     for i in range(6):
         share = max(share, abs(state[MEASURED + i]) / rules[RATE + i])

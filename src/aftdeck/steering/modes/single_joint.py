@@ -1,11 +1,11 @@
-"""Mode 8, single joint rate: one joint by the drive switch, ramped, the others held at their initial angles.
+"""Mode 8, single joint rate: the drive switch moves one joint, with a ramp; the others hold their initial angles.
 
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
-Limits: that rate, ramped; hard stops, before which the joint slows to rest. Soft stops do not act: on the Shuttle this
-mode cradles and uncradles the arm, and leads back from a soft stop.
-Holds: every other joint at theta_0, its angle when the mode was entered or when another joint was selected. A joint
-that still moved at that time, or that is disturbed, returns to theta_0.
-Ends: when the operator leaves it, or at a scripted phase's time or angle.
+Limits: that rate, with a ramp; hard stops, before which the joint slows to rest. Soft stops do not act, because on the
+Shuttle this mode cradles and uncradles the arm, and moves a joint back from its soft stop.
+Holds: every other joint at theta_0, its angle when the mode or another joint was selected. A joint that was moving at
+that time, or that is disturbed, returns to theta_0.
+Ends: when the operator leaves the mode, or at the time or joint angle that ends a scripted phase.
 Source: JSC-12628, introduction (mode 8); section 3, subroutine OPERIN.
 """
 
@@ -22,7 +22,10 @@ from aftdeck.steering.views import rates_at
 
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
-    """Return this step's joint rates [rad/s]; write them into the state, a hard stop that acts into the report."""
+    """Return this step's joint rates [rad/s].
+
+    Also write the rates into the state, and a hard stop that acts into the report.
+    """
     selected = int(command[JOINT])
     for i in range(6):
         driven = command[DRIVE] * rules[RATE + i]
