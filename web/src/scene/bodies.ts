@@ -86,7 +86,7 @@ export class Body {
     }
   }
 
-  /** Draw this body after all others: its hidden pixels then cost nothing. */
+  /** Draw this body after all others, so that its hidden pixels are not computed. */
   drawLast(): void {
     for (const mesh of this.group.children) mesh.renderOrder = LAST;
   }

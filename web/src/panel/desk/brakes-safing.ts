@@ -9,7 +9,7 @@ import type { Desk, View } from '../parts/part';
 /** Time to hold the switch until the brakes release [s]; they are set at once. */
 const OFF_S = 0.5;
 
-export interface Standing {
+export interface BrakesSafing {
   readonly element: HTMLElement;
   /** The key or button of the brakes was pressed or released. */
   grip(action: GripAction): void;
@@ -21,12 +21,12 @@ export interface Standing {
   values(view: View): void;
 }
 
-export function standing(desk: Desk): Standing {
+export function brakesSafing(desk: Desk): BrakesSafing {
   let on = false;
   let safed = false;
   let holding = false;
-  const letGo = () => desk.send({ type: 'brakes', on: false });
-  const brakes = holdButton('Brakes', 'brakes', OFF_S, letGo, () => {
+  const release = () => desk.send({ type: 'brakes', on: false });
+  const brakes = holdButton('Brakes', 'brakes', OFF_S, release, () => {
     if (!on) desk.send({ type: 'brakes', on: true });
     return on;
   });

@@ -10,7 +10,7 @@ import { masterGroup } from '../joints/master';
 import { button, el, setClass } from '../parts/dom';
 import type { Desk, View } from '../parts/part';
 import { type TargetGroup, targetGroup } from '../target/target';
-import { standing } from './brakes-safing';
+import { brakesSafing } from './brakes-safing';
 import type { EventsGroup } from './events';
 import { limits } from './limits';
 import { lookAhead } from './look-ahead';
@@ -60,7 +60,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
   const ahead = lookAhead(desk);
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
-  const still = standing(desk);
+  const still = brakesSafing(desk);
   const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc()];
   const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
@@ -81,7 +81,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   setClass(resting, 'alone', cargo.element.hidden);
 
   /** Shows the groups of the present mode and objective in place of the others. */
-  function give(view: View): void {
+  function arrange(view: View): void {
     const kind = (position: string) => desk.welcome.modes.find((each) => each.position === position)?.kind;
     const entered = kind(view.frame.mode);
     const automatic = entered === 'automatic' || mode.inView()?.kind === 'automatic';
@@ -110,7 +110,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     },
     values(view) {
       for (const part of parts) part.values?.(view);
-      give(view);
+      arrange(view);
     },
   };
 }
