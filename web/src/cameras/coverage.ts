@@ -68,8 +68,8 @@ export class Survey {
   }
 
   /**
-   * Returns the first cameras of the two monitors: the best pair without cameras on the arm, because their views
-   * change when the arm moves. If the end effector is empty and its camera sees a payload, this camera is on the second monitor instead.
+   * Returns the first cameras of the two monitors: the best pair without cameras on the arm, because their views change
+   * when the arm moves. If the end effector is empty and its camera sees a payload, it is the second camera.
    */
   first(frame: Frame): readonly Camera[] {
     const { cameras } = this.welcome;

@@ -46,7 +46,7 @@ export class Exposure {
     this.atOnce = true;
   }
 
-  /** Changes the exposure up to `time` [s]; `base`: exposure when the light condition begins; `locked`: if it is fixed. */
+  /** Changes the exposure up to `time` [s]; `base`: exposure when the light condition begins; `locked`: fixed value. */
   follow(time: number, base: number, locked: number | null): void {
     const step = time - this.at;
     this.at = time;

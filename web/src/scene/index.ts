@@ -121,7 +121,7 @@ export class Scene {
     return [x, y, z];
   }
 
-  /** Draws the minimum clearance as a line in a colour `#rrggbb`, and the separating plane if `plane`; null hides both. */
+  /** Draws the minimum clearance in a colour `#rrggbb`, and on demand the separating plane; null hides both. */
   setGap(gap: ClosestPoints | null, colour: string, plane: boolean): void {
     this.gap.set(gap, colour, plane);
   }

@@ -1,4 +1,4 @@
-/** Groups of the desk, live and in a replay: their positions, and which one replaces another. */
+/** Groups of the desk, live and in a replay: their order, and which groups are visible in each mode. */
 
 import type { GripAction } from '../../input/keymap';
 import { clearanceGroup } from '../clearance/clearance';
@@ -32,7 +32,7 @@ export interface DeskListener {
 }
 
 export interface Groups {
-  /** The groups in the order of the focus: the upper row from the left, then the lower one. */
+  /** The groups in the order of the focus: the upper row from the left, then the lower row. */
   readonly elements: readonly HTMLElement[];
   readonly mode: ModeGroup;
   readonly target: TargetGroup;
@@ -80,7 +80,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   cargo.element.hidden = desk.welcome.work.cargo.length === 0;
   setClass(resting, 'alone', cargo.element.hidden);
 
-  /** Shows the groups of the present mode and objective in place of the others. */
+  /** Shows the groups that the present mode and objective need, and hides the others. */
   function arrange(view: View): void {
     const kind = (position: string) => desk.welcome.modes.find((each) => each.position === position)?.kind;
     const entered = kind(view.frame.mode);

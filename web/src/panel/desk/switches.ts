@@ -4,7 +4,7 @@ import type { Frame, LawChoice, ModeInfo } from '../../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
 import type { Desk } from '../parts/part';
 
-/** The keys for the law, and the number of the report's mode that each one selects. */
+/** The keys that select the steering law: value, label, and number of the law in the report. */
 const LAWS: readonly (readonly [LawChoice, string, number])[] = [
   ['position', 'Position', 1],
   ['closed loop', 'Closed', 2],
