@@ -34,7 +34,7 @@ WATCH = """() => {
         observer.disconnect();
     }).observe(document, { attributes: true, characterData: true, childList: true, subtree: true });
 }"""
-"""Check CONDITION after every change of the page; set `window.shown` when it held once."""
+"""Check CONDITION after every change of the page; set `window.shown` when it is true for the first time."""
 
 
 class Flight:

@@ -68,7 +68,7 @@ def page(open_page: OpenPage) -> Flight:
 
 
 def ages(page: Flight, count: int = 20) -> list[dict[str, float]]:
-    """Return `count` ages, each at least one picture after the one before."""
+    """Return `count` ages, measured at least one picture apart."""
     found = []
     for _ in range(count):
         found.append(page.script(AGES))

@@ -1,4 +1,4 @@
-"""The tutorial: flown with a pad, opened by itself and by its key, and its layout."""
+"""The tutorial: flown with a pad, opened on the first visit and by its button, and its layout."""
 
 from __future__ import annotations
 

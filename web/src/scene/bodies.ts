@@ -128,7 +128,7 @@ export class Body {
   }
 }
 
-/** Yield every shape as often as it is drawn, with groups expanded, and its pose in the body's frame. */
+/** Yield every drawn shape with its pose in the body's frame. A shape in a group is yielded once for each copy. */
 function* placed(
   shapes: readonly Shape[],
   frame: Matrix4,

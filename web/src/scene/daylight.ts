@@ -10,7 +10,7 @@ export interface Daylight {
   /** Colour times strength. Full sunlight has strength 4.1, on the scale of the lamps in files. */
   readonly sun: Color;
   readonly earthshine: Color;
-  /** Light from the half sphere above the orbiter, and from the one below it. */
+  /** Light from the half sphere above the orbiter (`above`), and from the half sphere below the orbiter (`below`). */
   readonly above: Color;
   readonly below: Color;
   /** Exposure when the light condition begins [stops over full sunlight]. */

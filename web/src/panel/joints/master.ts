@@ -27,7 +27,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
-  /** Returns the angles of the master: this page's, if set recently, else the station's; in other modes the arm's. */
+  /** Returns the master's angles: in MASTER, the last angles of this page or of the station; otherwise the arm's angles. */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;

@@ -15,7 +15,7 @@ export interface ScenarioChoice {
   readonly element: HTMLElement;
   /** Over the monitors: the question, or the name of the scenario that is being prepared. */
   readonly question: HTMLElement;
-  /** Takes the station's list of scenarios. */
+  /** Called for each list of scenarios that the station sends. */
   set(known: Scenarios): void;
   values(frame: Frame): void;
   /** Loads a scenario by its name; asks first if the arm has moved in this run. */
