@@ -27,7 +27,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
-  /** Returns the master's angles: in MASTER, the last angles of this page or of the station; otherwise the arm's angles. */
+  /** Returns the master's angles: in MASTER the last ones of this page or the station, else the arm's angles. */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;
