@@ -54,12 +54,12 @@ OpenPage = Callable[..., Flight]
 @pytest.fixture(scope="module")
 def station(request: pytest.FixtureRequest) -> Iterator[str]:
     """Address of a running `aftdeck fly`; a test module names its scenario in SCENARIO."""
-    with flown(getattr(request.module, "SCENARIO", "first-flight")) as address:
+    with running_station(getattr(request.module, "SCENARIO", "first-flight")) as address:
         yield address
 
 
 @contextmanager
-def flown(*options: str) -> Iterator[str]:
+def running_station(*options: str) -> Iterator[str]:
     """Run `aftdeck fly` with these options inside the `with` block; yields its address."""
     command = [sys.executable, "-m", "aftdeck.cli", "fly", *options, "--no-browser", "--port", "0"]
     with running(command, stdout=subprocess.PIPE, text=True) as process:

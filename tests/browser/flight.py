@@ -34,7 +34,7 @@ WATCH = """() => {
         observer.disconnect();
     }).observe(document, { attributes: true, characterData: true, childList: true, subtree: true });
 }"""
-"""Check CONDITION after every change of the page; set `window.shown` when it held once."""
+"""Check CONDITION after every change of the page; set `window.shown` when it is true for the first time."""
 
 
 class Flight:
@@ -59,7 +59,7 @@ class Flight:
     def until(self, condition: str, timeout_ms: float = WAIT_MS) -> Frame:
         """Wait for a JavaScript condition, in which `frame` is the last frame shown; return that frame.
 
-        It may miss a state that ends by itself: use `shows` for such a state.
+        It may miss a state that lasts only a short time: use `shows` for such a state.
         """
         expression = (
             f"() => {{ const frame = window.__aftdeck?.lastFrame; return frame && ({condition}) && {{ frame }}; }}"
@@ -68,7 +68,7 @@ class Flight:
 
     @contextmanager
     def shows(self, condition: str) -> Iterator[None]:
-        """Wait until the actions of the `with` block have met a JavaScript condition, however briefly."""
+        """Wait until a JavaScript condition was true, however briefly, since the start of the `with` block."""
         self.script(WATCH.replace("CONDITION", condition))
         yield
         self.until("window.shown")

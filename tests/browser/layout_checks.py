@@ -24,7 +24,7 @@ _CLASHES = """async () => {
             clashes.push(`${name(a)} leaves the page`);
         for (const b of parts.slice(i + 1)) {
             if (a.contains(b)) continue;
-            if (innerWidth < 1100 && a.matches('.monitor') && b.matches('.monitor')) continue; // one lies in the other
+            if (innerWidth < 1100 && a.matches('.monitor') && b.matches('.monitor')) continue; // MON 2 is inside MON 1
             const q = box(b);
             const apart = p.right <= q.left + .5 || q.right <= p.left + .5
                 || p.bottom <= q.top + .5 || q.bottom <= p.top + .5;
@@ -116,7 +116,7 @@ _COLLISIONS = """async () => {
         if (element.closest('.picture, .unseen, svg') || !element.closest('WITHIN')) continue;
         const range = document.createRange();
         range.selectNodeContents(node);
-        // A letter's box has room over and under it that is empty.
+        // The box of a text is higher than its letters: the parts above and below them are empty.
         const room = 0.18 * parseFloat(getComputedStyle(element).fontSize);
         for (const { left, top, right, bottom } of range.getClientRects()) {
             const box = { left, top: top + room, right, bottom: bottom - room };
@@ -140,7 +140,7 @@ _COLLISIONS = """async () => {
     for (const [i, a] of texts.entries()) {
         for (const b of texts.slice(i + 1)) {
             if (a.node === b.node) continue;
-            if (sheet && sheet.contains(a.element) !== sheet.contains(b.element)) continue; // it lies over the page
+            if (sheet && sheet.contains(a.element) !== sheet.contains(b.element)) continue; // the sheet covers the page
             const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
             const high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
             if (wide > 1 && high > 1) found.push(`“${a.text}” lies on “${b.text}”`);

@@ -1,4 +1,4 @@
-"""Whole missions flown manually: keys and keyed-in targets do on the page what the phases of the script do."""
+"""Whole missions flown manually: keys and keyed-in targets on the page replace the phases of the script."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import PhasePlan
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.messages.frame import Aim
-from tests.browser.conftest import OpenPage, flown
+from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import Flight
 from tests.scenario.missions import TOLD, TURNING_POINTS
 
@@ -54,7 +54,7 @@ def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def station(mission: str, recordings: Path) -> Iterator[str]:
     """Address of a station that records."""
-    with flown(mission, "--record", str(recordings)) as address:
+    with running_station(mission, "--record", str(recordings)) as address:
         yield address
 
 

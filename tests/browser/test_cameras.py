@@ -17,7 +17,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "concept-1972"
 CAMERAS = [*"ABCDEFGHI", "P1", "P2", "CAE2", "W", "AFT", "ENG"]
-"""The first press of a digit selects one of the first ten, the second press one of the rest."""
+"""The first press of a digit selects one of the cameras 1 to 10, the second press one of the cameras 11 to 20."""
 
 
 def lens(flight: Flight) -> str:
@@ -201,7 +201,7 @@ def test_engineering_view_turns_about_its_target_and_can_be_shifted(
         pictures.append(drawn(flight))
         round_.click()
     assert len(set(pictures[:3])) == 3
-    first.get_by_role("button", name="Round place", exact=True).wait_for()
+    first.get_by_role("button", name="Round start", exact=True).wait_for()
     steady(flight)
     before = drawn(flight)
     box = flight.page.locator(".picture").first.bounding_box()
@@ -306,18 +306,18 @@ def test_drag_pans_and_tilts_and_the_wheel_zooms_the_camera(flight: Flight) -> N
 
 
 def test_drag_of_an_observer_turns_no_camera(flight: Flight, open_page: OpenPage) -> None:
-    watcher = open_page()
-    watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
-    watcher.press("3")
-    picture = watcher.page.locator(".picture").first
+    observer = open_page()
+    observer.until("document.querySelector('.who').textContent.startsWith('Observing')")
+    observer.press("3")
+    picture = observer.page.locator(".picture").first
     picture.hover()
     picture.get_by_text("observing: only the operator moves cameras").wait_for(state="visible")
-    before = watcher.frame().views
-    watcher.page.mouse.down()
+    before = observer.frame().views
+    observer.page.mouse.down()
     box = picture.bounding_box()
     assert box is not None
-    watcher.page.mouse.move(box["x"] + 30, box["y"] + 30, steps=3)
-    watcher.until_logged("Observing: only the operator can move cameras.")
-    watcher.page.mouse.up()
-    steady(watcher)
-    assert watcher.frame().views == before
+    observer.page.mouse.move(box["x"] + 30, box["y"] + 30, steps=3)
+    observer.until_logged("Observing: only the operator can move cameras.")
+    observer.page.mouse.up()
+    steady(observer)
+    assert observer.frame().views == before

@@ -60,7 +60,7 @@ def test_keys_capture_and_unlatch_the_payload(flight: Flight) -> None:
         flight.hold(key)
         flight.until(f"{there} || frame.work.arm_inhibit")
         flight.release(key)
-    flight.until(f"{TITLE}.endsWith('all met: squeeze, hold G') && {LIT} === 'EXTEND,OPEN,DERIGID'")
+    flight.until(f"{TITLE}.endsWith('all met: capture, hold G') && {LIT} === 'EXTEND,OPEN,DERIGID'")
     assert_tidy(flight)
 
     flight.hold("g")

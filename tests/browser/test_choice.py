@@ -26,17 +26,17 @@ def choose(flight: Flight, title: str) -> None:
 
 
 def test_scenario_chosen_from_the_list_opens_on_every_page(flight: Flight, open_page: OpenPage) -> None:
-    watcher = open_page()
-    for page in (flight, watcher):  # a new scenario opens with the desk, whatever was shown
+    observer = open_page()
+    for page in (flight, observer):  # a new scenario opens with the desk, whatever was shown
         page.press("c")
         page.until("document.querySelector('.matrix').checkVisibility()")
     choose(flight, "Three singularities")
-    for page in (flight, watcher):
+    for page in (flight, observer):
         page.until(f"frame && {TITLE} === 'Three singularities' && frame.time_s < 30")
-    for page in (flight, watcher):
+    for page in (flight, observer):
         page.until("document.querySelector('.desk').checkVisibility()")
     flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
-    watcher.until("document.querySelector('.who').textContent === 'You watch · page 1 flies'")
+    observer.until("document.querySelector('.who').textContent === 'Observing · page 1 flies'")
     flight.hold("s")
     flight.until("frame.translation[0] < -0.9")
     flight.release("s")

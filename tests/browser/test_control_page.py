@@ -89,12 +89,12 @@ def test_arm_can_be_flown_while_the_control_page_is_open(flight: Flight) -> None
 
 
 def test_observer_reads_the_control_page_but_cannot_switch(flight: Flight, open_page: OpenPage) -> None:
-    watcher = open_page()
-    watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
-    sheet = open_control_page(watcher)
+    observer = open_page()
+    observer.until("document.querySelector('.who').textContent.startsWith('Observing')")
+    sheet = open_control_page(observer)
     expect(sheet.locator(".payload-table tr.held")).to_contain_text("no payload")
     sheet.get_by_role("button", name="Key in").click()
-    watcher.until_logged("Observing: only the operator can do that.")
+    observer.until_logged("Observing: only the operator can do that.")
     assert flight.frame().display.aim is None
 
 

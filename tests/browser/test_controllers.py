@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from aftdeck.recording.reader import Recording
-from tests.browser.conftest import SIZES, OpenPage, flown
+from tests.browser.conftest import SIZES, OpenPage, running_station
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.layout_checks import assert_readable
 
@@ -50,7 +50,7 @@ def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def station(recordings: Path) -> Iterator[str]:
     """Address of a station that records."""
-    with flown("first-flight", "--record", str(recordings)) as address:
+    with running_station("first-flight", "--record", str(recordings)) as address:
         yield address
 
 
@@ -166,7 +166,7 @@ def test_lost_device_zeroes_the_sticks_and_is_named(padded: Flight) -> None:
     padded.until("frame.rate_hold")
     padded.script("window.kept = window.testPad; window.testPad = null")
     padded.until(f"{STICKS_AT_ZERO} && frame.position_hold && !frame.rate_hold")
-    padded.until(f"{GONE}.every((words) => words === 'Test pad is gone') && {CROSSED}")
+    padded.until(f"{GONE}.every((words) => words === 'Test pad lost') && {CROSSED}")
     padded.until_lit("CONTROLLER")
     padded.press("m")
     padded.until(f"{GONE}.every((words) => words === '') && !({CROSSED})")
@@ -187,7 +187,7 @@ def test_hidden_page_zeroes_a_pad_until_it_was_centred(padded: Flight) -> None:
     padded.until("/^Centre: /.test(document.querySelector('.device').textContent)")
     assert padded.frame().translation == (0, 0, 0)
     padded.pad_axes(0, 0, 0, 0)
-    padded.until("/keyboard fly/.test(document.querySelector('.device').textContent)")
+    padded.until("/keyboard in use/.test(document.querySelector('.device').textContent)")
     padded.pad_axes(0, -1, 0, 0)
     padded.until("frame.translation[0] === 1")
 
@@ -273,7 +273,7 @@ def test_spacemouse_flies_and_its_loss_is_shown(open_page: OpenPage) -> None:
     flown = flight.until("frame.translation[0] === 1 && frame.rotation[2] > 0")
     assert 0 < flown.rotation[2] < 0.5
     flight.script("window.unplugCap()")
-    flight.until(f"{STICKS_AT_ZERO} && {GONE}.every((words) => words === 'Test SpaceMouse is gone')")
+    flight.until(f"{STICKS_AT_ZERO} && {GONE}.every((words) => words === 'Test SpaceMouse lost')")
 
 
 def test_missing_webhid_is_reported(open_page: OpenPage) -> None:

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Browser
 
 import aftdeck
-from tests.browser.conftest import OpenPage, flown
+from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import Flight
 
 pytestmark = pytest.mark.browser
@@ -55,7 +55,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     file = tmp_path_factory.mktemp("late") / "late.toml"
     delays = f"telemetry_delay = {TELEMETRY_S}\ncamera_delay = {CAMERA_S}\n"
     file.write_text(delays + first.read_text(encoding="utf-8"), encoding="utf-8")
-    with flown(str(file)) as address:
+    with running_station(str(file)) as address:
         yield address
 
 
@@ -68,7 +68,7 @@ def page(open_page: OpenPage) -> Flight:
 
 
 def ages(page: Flight, count: int = 20) -> list[dict[str, float]]:
-    """Return `count` ages, each at least one picture after the one before."""
+    """Return `count` ages, measured at least one picture apart."""
     found = []
     for _ in range(count):
         found.append(page.script(AGES))

@@ -34,7 +34,7 @@ def brightness(flight: Flight) -> float:
 
 
 def switch(flight: Flight, *names: str) -> None:
-    """Press buttons of the open list, each after the one before has acted."""
+    """Press buttons of the open list. Each press waits until the previous press has had its effect."""
     for name in names:
         key = flight.page.locator(".choices.light").get_by_role("button", name=name, exact=True)
         before = key.get_attribute("aria-pressed")

@@ -13,41 +13,41 @@ STICK_NAMES = "['thc', 'rhc'].map((hand) => document.querySelector(`.${hand} h2 
 
 
 def test_name_replaces_the_number_of_the_page(flight: Flight, open_page: OpenPage) -> None:
-    watcher = open_page()
-    watcher.until(f"{WHO} === 'You watch · page 1 flies'")
+    observer = open_page()
+    observer.until(f"{WHO} === 'Observing · page 1 flies'")
     flight.give_name("Wanda Berg")
-    watcher.until(f"{WHO} === 'You watch · Wanda Berg flies'")
-    watcher.until(f"{STICK_NAMES} === 'Wanda Berg,Wanda Berg'")
-    assert watcher.page.locator(".standing .device").inner_text() == "Wanda Berg flies"
+    observer.until(f"{WHO} === 'Observing · Wanda Berg flies'")
+    observer.until(f"{STICK_NAMES} === 'Wanda Berg,Wanda Berg'")
+    assert observer.page.locator(".standing .device").inner_text() == "Wanda Berg flies"
     flight.until(f"!({NAMING}) && !{TYPING}")
     assert flight.frame().translation == (0, 0, 0), "typed letters do not fly"
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
     flight.release("w")
-    watcher.give_name("Ben")
-    flight.until(f"{WHO} === 'You fly · Ben watches'")
-    watcher.page.get_by_role("button", name="Ask for the sticks").click()
+    observer.give_name("Ben")
+    flight.until(f"{WHO} === 'You fly · Ben observes'")
+    observer.page.get_by_role("button", name="Ask for the sticks").click()
     flight.page.get_by_text("Ben asks for the sticks.").wait_for()
-    with watcher.shows(f"{WHO} === 'Wanda Berg ▸ Ben'"):
+    with observer.shows(f"{WHO} === 'Wanda Berg ▸ Ben'"):
         flight.page.get_by_role("button", name="Give").click()
-    flight.until(f"{WHO} === 'You watch · Ben flies'")
-    for page in (flight, watcher):
+    flight.until(f"{WHO} === 'Observing · Ben flies'")
+    for page in (flight, observer):
         page.until_logged("Wanda Berg gives the sticks to Ben")
 
 
 def test_browser_stores_the_name_until_it_is_deleted(flight: Flight, open_page: OpenPage) -> None:
     other = open_page()
     flight.give_name("Anna")
-    other.until(f"{WHO} === 'You watch · Anna flies'")
+    other.until(f"{WHO} === 'Observing · Anna flies'")
     flight.page.reload()
-    other.until(f"{WHO} === 'You fly · Anna watches'")
-    flight.until(f"{WHO} === 'You watch · page 2 flies'")
+    other.until(f"{WHO} === 'You fly · Anna observes'")
+    flight.until(f"{WHO} === 'Observing · page 2 flies'")
     flight.page.locator(".rail .who").click()
     flight.press("Delete", "Enter")  # the field contains the name, selected
-    other.until(f"{WHO} === 'You fly · 1 watches'")
+    other.until(f"{WHO} === 'You fly · 1 observes'")
     flight.page.reload()
-    flight.until(f"{WHO} === 'You watch · page 2 flies'")
-    other.until(f"{WHO} === 'You fly · 1 watches'")
+    flight.until(f"{WHO} === 'Observing · page 2 flies'")
+    other.until(f"{WHO} === 'You fly · 1 observes'")
 
 
 def test_invalid_name_is_rejected_and_escape_closes_the_field(flight: Flight) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from aftdeck.station.session.unattended import CAUSES
-from tests.browser.conftest import NARROW, OpenPage, flown
+from tests.browser.conftest import NARROW, OpenPage, running_station
 from tests.browser.flight import Flight, shows
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
@@ -22,7 +22,7 @@ TABLET = (768, 1024)
 GROUPS = ["thc", "rhc", "mode", "resolution", "joints", "clearance", "effector", "look-ahead", "events", "singularity"]
 RAIL_KEYS = ["Restart", "Light", "Dim", "Tutorial", "Controllers"]
 FLIES = "document.querySelector('.who').textContent.startsWith('You fly')"
-WATCHES = "document.querySelector('.who').textContent.startsWith('You watch')"
+OBSERVES = "document.querySelector('.who').textContent.startsWith('Observing')"
 IS_TOO_NARROW = "document.querySelector('.too-narrow').checkVisibility()"
 SCROLLS = "((desk) => desk.scrollHeight > desk.clientHeight)(document.querySelector('.desk'))"
 FORWARD = "frame.translation[0] > 0.9"
@@ -61,7 +61,7 @@ COVERED = """() => {
 @pytest.fixture(scope="module")
 def station(request: pytest.FixtureRequest) -> Iterator[str]:
     """Address of a station that runs SCENARIO, or the scenario of the test's parameter."""
-    with flown(getattr(request, "param", SCENARIO)) as address:
+    with running_station(getattr(request, "param", SCENARIO)) as address:
         yield address
 
 
@@ -126,8 +126,8 @@ def test_only_the_desk_scrolls_in_a_low_window(open_page: OpenPage) -> None:
 
 def test_phone_observes_and_never_gets_the_sticks(open_page: OpenPage) -> None:
     phone = open_page(*PHONE)
-    phone.until(f"{WATCHES} && {IS_TOO_NARROW} && frame.time_s > 0.5")
-    assert phone.script("document.querySelector('.who').textContent") == "You watch · unattended"
+    phone.until(f"{OBSERVES} && {IS_TOO_NARROW} && frame.time_s > 0.5")
+    assert phone.script("document.querySelector('.who').textContent") == "Observing · unattended"
     assert phone.page.locator(".too-narrow").is_visible()
     for shown in (".monitor .picture", ".clearance .gap-value", ".master", ".lamp", ".rail .met"):
         assert phone.page.locator(shown).first.is_visible(), shown
@@ -142,7 +142,7 @@ def test_phone_observes_and_never_gets_the_sticks(open_page: OpenPage) -> None:
     assert after.translation == (0.0, 0.0, 0.0) and after.brakes == before.brakes
     other = open_page()
     other.until(FLIES)  # the phone came first, but cannot get control
-    phone.until("document.querySelector('.who').textContent === 'You watch · page 1 flies'")
+    phone.until("document.querySelector('.who').textContent === 'Observing · page 1 flies'")
     assert not phone.page.get_by_role("button", name="Ask for the sticks").is_visible()
 
 
@@ -151,7 +151,7 @@ def test_page_made_too_narrow_loses_the_sticks_until_it_is_wide(open_page: OpenP
     flight.hold("w")
     flight.until(FORWARD)
     _resize(flight, PHONE)
-    flight.until(f"{WATCHES} && {IS_TOO_NARROW} && frame.translation[0] === 0 && frame.position_hold")
+    flight.until(f"{OBSERVES} && {IS_TOO_NARROW} && frame.translation[0] === 0 && frame.position_hold")
     flight.until_logged(CAUSES["page narrow"])
     flight.release("w")
     _resize(flight, TABLET)
@@ -165,11 +165,11 @@ def test_page_made_too_narrow_loses_the_sticks_until_it_is_wide(open_page: OpenP
 def test_observer_keeps_control_after_the_operator_page_was_too_narrow(open_page: OpenPage) -> None:
     first = open_page(*TABLET).from_the_start()
     second = open_page()
-    second.until(WATCHES)
+    second.until(OBSERVES)
     _resize(first, PHONE)
     second.until(FLIES)
     _resize(first, TABLET)
-    first.until(f"{WATCHES} && !({IS_TOO_NARROW})")
+    first.until(f"{OBSERVES} && !({IS_TOO_NARROW})")
     assert second.script(FLIES)
     first.page.get_by_role("button", name="Ask for the sticks").wait_for(state="visible")
 

@@ -63,13 +63,13 @@ def test_tab_order_is_monitors_then_spine_then_desk(flight: Flight) -> None:
 
 
 def test_second_page_observes(flight: Flight, open_page: OpenPage) -> None:
-    watcher = open_page()
-    watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
-    watcher.hold("w")
-    tick = watcher.frame().tick
-    watcher.until(f"frame.tick > {tick + 25}")
-    assert watcher.frame().translation == (0, 0, 0)
-    flight.until("document.querySelector('.who').textContent.includes('1 watches')")
+    observer = open_page()
+    observer.until("document.querySelector('.who').textContent.startsWith('Observing')")
+    observer.hold("w")
+    tick = observer.frame().tick
+    observer.until(f"frame.tick > {tick + 25}")
+    assert observer.frame().translation == (0, 0, 0)
+    flight.until("document.querySelector('.who').textContent.includes('1 observes')")
 
 
 def test_units_button_changes_the_units(flight: Flight) -> None:
@@ -126,18 +126,18 @@ def test_pictures_are_equal_on_a_graphics_card_and_when_read_back(open_page: Ope
 
 
 def test_observer_asks_for_the_sticks_and_flies_after_they_are_given(flight: Flight, open_page: OpenPage) -> None:
-    watcher = open_page()
+    observer = open_page()
     who = "document.querySelector('.who').textContent"
-    watcher.until(f"{who}.startsWith('You watch')")
-    watcher.page.get_by_role("button", name="Ask for the sticks").click()
+    observer.until(f"{who}.startsWith('Observing')")
+    observer.page.get_by_role("button", name="Ask for the sticks").click()
     flight.page.get_by_text("asks for the sticks").wait_for()
     flight.page.get_by_role("button", name="Keep").click()
-    watcher.until_logged("keeps the sticks")
-    watcher.page.get_by_role("button", name="Ask for the sticks").click()
+    observer.until_logged("keeps the sticks")
+    observer.page.get_by_role("button", name="Ask for the sticks").click()
     flight.page.get_by_role("button", name="Give").click()
-    watcher.until(f"{who}.startsWith('You fly')")
-    flight.until(f"{who}.startsWith('You watch')")
-    watcher.hold("w")
-    watcher.until("frame.translation[0] === 1")
-    watcher.release("w")
-    watcher.until_logged("gives the sticks to page")
+    observer.until(f"{who}.startsWith('You fly')")
+    flight.until(f"{who}.startsWith('Observing')")
+    observer.hold("w")
+    observer.until("frame.translation[0] === 1")
+    observer.release("w")
+    observer.until_logged("gives the sticks to page")

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import aftdeck
-from tests.browser.conftest import NARROW, SIZES, OpenPage, flown
+from tests.browser.conftest import NARROW, SIZES, OpenPage, running_station
 from tests.browser.flight import WHO, Flight
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -52,7 +52,7 @@ def station(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     folder = tmp_path_factory.mktemp("rail")
     file = (str(folder / "flights"),) if option == "--record" else ()
     given = late(folder, LATE_BY[scenario]) if scenario in LATE_BY else scenario
-    with flown(given, option, *file) as address:
+    with running_station(given, option, *file) as address:
         yield address
 
 
@@ -101,5 +101,5 @@ def test_rail_shows_a_set_and_a_longer_measured_delay(open_page: OpenPage, delay
     page.until_lit("LINK")
     assert_whole(page)
     open_page(width, height)
-    page.until(f"{WHO} === 'You fly · 1 watches'")
+    page.until(f"{WHO} === 'You fly · 1 observes'")
     assert_whole(page)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.browser.conftest import OpenPage, flown
+from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import WHO, Flight
 from tests.browser.layout_checks import collisions
 
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.browser
 @pytest.fixture(scope="module")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Address of a station that records."""
-    with flown("first-flight", "--record", str(tmp_path_factory.mktemp("flights"))) as address:
+    with running_station("first-flight", "--record", str(tmp_path_factory.mktemp("flights"))) as address:
         yield address
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from aftdeck.scenario.load import built_in
-from tests.browser.conftest import OpenPage, flown
+from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import shows
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -16,7 +16,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 @pytest.fixture(scope="module", params=built_in())
 def station(request: pytest.FixtureRequest) -> Iterator[str]:
     """Address of a station that runs the scenario."""
-    with flown(str(request.param)) as address:
+    with running_station(str(request.param)) as address:
         yield address
 
 

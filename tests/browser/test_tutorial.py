@@ -1,4 +1,4 @@
-"""The tutorial: flown with a pad, opened by itself and by its key, and its layout."""
+"""The tutorial: flown with a pad, opened on the first visit and by its button, and its layout."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
 
     # Capture: held, not tapped.
     flight.until(f"{STEP} === '5 of 6' && {WORDS}.includes('Hold North until')")
-    flight.until("document.querySelector('.conditions h2').textContent.includes('squeeze, hold North')")
+    flight.until("document.querySelector('.conditions h2').textContent.includes('capture, hold North')")
     flight.pad_buttons(NORTH)
     flight.until("frame.work.cargo[0].held")
     flight.pad_buttons()

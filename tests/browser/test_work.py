@@ -20,7 +20,7 @@ pytestmark = pytest.mark.browser
 NORTH, MENU = 3, 9
 """Buttons of the standard mapping."""
 
-Sited = Callable[..., tuple[Flight, Worksite]]
+OpenWorksite = Callable[..., tuple[Flight, Worksite]]
 
 BEFORE_CAPTURE = (
     condition("off axis", 0.124, 0.1016, "4.9 in off the axis, at most 4 in allowed"),
@@ -51,7 +51,7 @@ GRASPING = work(
 
 
 @pytest.fixture
-def sited(open_page: OpenPage) -> Sited:
+def open_worksite(open_page: OpenPage) -> OpenWorksite:
     """Function that opens a page of a station with the worksite of the test."""
 
     def open_one(
@@ -64,8 +64,8 @@ def sited(open_page: OpenPage) -> Sited:
     return open_one
 
 
-def test_pair_of_minimum_clearance_is_named_lit_and_drawn(sited: Sited) -> None:
-    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.021))))
+def test_pair_of_minimum_clearance_is_named_lit_and_drawn(open_worksite: OpenWorksite) -> None:
+    flight, _ = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.021))))
     flight.until("document.querySelector('.clearance .number').textContent.trim() === '15 in'")
     group = flight.page.locator(".clearance").inner_text()
     assert "Lower boom to bay wall port" in group
@@ -76,8 +76,8 @@ def test_pair_of_minimum_clearance_is_named_lit_and_drawn(sited: Sited) -> None:
     flight.until("document.querySelector('.gap').getAttribute('visibility') === 'visible'")
 
 
-def test_acknowledged_caution_alarms_again_as_a_warning(sited: Sited) -> None:
-    flight, site = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
+def test_acknowledged_caution_alarms_again_as_a_warning(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
     master = flight.page.locator(".master")
     flight.page.locator(".master.caution").wait_for()
     master.click()
@@ -91,16 +91,16 @@ def test_acknowledged_caution_alarms_again_as_a_warning(sited: Sited) -> None:
     flight.until("!document.querySelector('.master').matches('.caution, .warning')")
 
 
-def test_large_increasing_clearance_lights_no_lamp(sited: Sited) -> None:
-    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 4.1, -0.021))))
+def test_large_increasing_clearance_lights_no_lamp(open_worksite: OpenWorksite) -> None:
+    flight, _ = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 4.1, -0.021))))
     flight.until("/opening/.test(document.querySelector('.clearance').textContent)")
     assert "contact in" not in flight.page.locator(".clearance").inner_text()
     assert flight.page.locator(".lamp.caution", has_text="CLEARANCE").count() == 0
     assert flight.script("document.querySelector('.gap').getAttribute('visibility')") == "hidden"
 
 
-def test_contact_is_marked_and_shows_its_escape(sited: Sited) -> None:
-    flight, site = sited(Worksite(info("prong", stand=True), GRASPING))
+def test_contact_is_marked_and_shows_its_escape(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info("prong", stand=True), GRASPING))
     site.ways_out = (WayOut("contact", "telescope longer", "telescope", 0, 1),)
     flight.page.locator(".flag.lit", has_text="Arm inhibit").wait_for()
     flight.page.locator(".lamp.warning", has_text="CLEARANCE").wait_for()
@@ -115,8 +115,8 @@ def test_contact_is_marked_and_shows_its_escape(sited: Sited) -> None:
     flight.until(f"{marks}.length === 0 && !document.querySelector('.inhibits .lit')")
 
 
-def test_conditions_keep_their_order_and_show_when_all_hold(sited: Sited) -> None:
-    flight, site = sited(
+def test_conditions_keep_their_order_and_show_when_all_hold(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(
         Worksite(info(), work(objective=Objective("capture", "capture payload"), conditions=BEFORE_CAPTURE))
     )
     names = "[...document.querySelectorAll('.cells li:not([hidden]) .name')].map((name) => name.textContent).join()"
@@ -126,19 +126,19 @@ def test_conditions_keep_their_order_and_show_when_all_hold(sited: Sited) -> Non
     flight.until("document.querySelectorAll('.cells .holds').length === 2")
     met = tuple(condition(each.name, 0.3 * each.limit, each.limit, "", each.unit) for each in BEFORE_CAPTURE)
     site.work = work(objective=Objective("capture", "capture payload"), conditions=met)
-    flight.until(f"{title} === 'capture payloadall met: squeeze, hold G'")
+    flight.until(f"{title} === 'capture payloadall met: capture, hold G'")
     assert flight.script(names) == "off axis,distance,tilt,roll"
 
 
-def test_payloads_are_listed_without_an_objective(sited: Sited) -> None:
-    flight, _ = sited(Worksite(info(), work()))
+def test_payloads_are_listed_without_an_objective(open_worksite: OpenWorksite) -> None:
+    flight, _ = open_worksite(Worksite(info(), work()))
     flight.until("document.querySelector('.cargo tr').textContent === 'payloadCargo bay'")
     assert flight.script("document.querySelectorAll('.cargo tr')[1].textContent") == "free flyerfree0.5 in/s"
     assert not flight.page.locator(".conditions").is_visible()
 
 
-def test_capture_and_release_act_only_when_held(sited: Sited) -> None:
-    flight, site = sited(Worksite(info(), work()))
+def test_capture_and_release_act_only_when_held(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info(), work()))
     full = "document.querySelectorAll('.grips .fill')[{}].style.transform === 'scaleX(1)'"
     flight.press("r")
     flight.hold("g")
@@ -153,23 +153,23 @@ def test_capture_and_release_act_only_when_held(sited: Sited) -> None:
     assert [m["switch"] for m in site.sent if m["type"] == "effector"] == ["close", "open"]
 
 
-def test_key_press_stops_the_moving_prong(sited: Sited) -> None:
-    flight, site = sited(Worksite(info("prong", stand=True), work(hand=PRONG, stand=3.6)))
+def test_key_press_stops_the_moving_prong(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info("prong", stand=True), work(hand=PRONG, stand=3.6)))
     flight.until("document.querySelector('.effector [aria-pressed=true]').textContent.startsWith('Close')")
     flight.press("g")
     site.until_sent(flight, "effector", switch="stop")
 
 
-def test_north_of_a_pad_captures_and_menu_north_releases(sited: Sited) -> None:
-    flight, site = sited(Worksite(info(), work()), pad=True)
+def test_north_of_a_pad_captures_and_menu_north_releases(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info(), work()), pad=True)
     flight.pad_buttons(NORTH)
     site.until_sent(flight, "effector", switch="close")
     flight.pad_buttons(MENU, NORTH)
     site.until_sent(flight, "effector", switch="open")
 
 
-def test_thc_switched_to_the_orbiter_moves_only_the_orbiter(sited: Sited) -> None:
-    flight, site = sited(Worksite(info(), work(orbiter=(1.2, 0.0, -0.1), orbiter_velocity=(0.06, 0.0, 0.0))))
+def test_thc_switched_to_the_orbiter_moves_only_the_orbiter(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info(), work(orbiter=(1.2, 0.0, -0.1), orbiter_velocity=(0.06, 0.0, 0.0))))
     flight.press("`")
     flight.until("document.querySelector('.thc .about').textContent === 'moves the orbiter'")
     flight.until("document.querySelector('.orbiter').textContent.includes('+3.9')")
@@ -183,18 +183,18 @@ def test_thc_switched_to_the_orbiter_moves_only_the_orbiter(sited: Sited) -> Non
     flight.until("document.querySelector('.thc .about').textContent === 'left hand'")
 
 
-def test_telescope_has_a_row_and_keys(sited: Sited) -> None:
-    flight, site = sited(Worksite(info("prong", stand=True), work(hand=SNARES, stand=3.6)))
+def test_telescope_has_a_row_and_keys(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info("prong", stand=True), work(hand=SNARES, stand=3.6)))
     flight.until("document.querySelector('.stand .angle').textContent === '141.7'")
     flight.hold("y")
     site.until_sent(flight, "sticks", telescope=1)
     flight.release("y")
 
 
-def test_master_slider_sends_one_changed_angle(sited: Sited) -> None:
+def test_master_slider_sends_one_changed_angle(open_worksite: OpenWorksite) -> None:
     site = Worksite(info(), work())
     site.mode = "MASTER"
-    flight, _ = sited(site)
+    flight, _ = open_worksite(site)
     joints = flight.frame().angles
     elbow = flight.page.get_by_role("slider", name="Master Elbow")
     elbow.wait_for()
@@ -208,8 +208,8 @@ def test_master_slider_sends_one_changed_angle(sited: Sited) -> None:
     site.until_sent(flight, "stop")
 
 
-def test_task_phase_is_initialised_from_the_rail(sited: Sited) -> None:
-    flight, site = sited(Worksite(info("prong", stand=True), work(task=2)))
+def test_task_phase_is_initialised_from_the_rail(open_worksite: OpenWorksite) -> None:
+    flight, site = open_worksite(Worksite(info("prong", stand=True), work(task=2)))
     flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
     flight.press_key("Initialise")
     flight.press_key("extraction")
@@ -217,8 +217,8 @@ def test_task_phase_is_initialised_from_the_rail(sited: Sited) -> None:
     assert not flight.page.get_by_role("button", name="extraction").is_visible()
 
 
-def test_plane_button_shows_the_separating_plane(sited: Sited) -> None:
-    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
+def test_plane_button_shows_the_separating_plane(open_worksite: OpenWorksite) -> None:
+    flight, _ = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
     key = flight.page.get_by_role("button", name="Plane")
     flight.press("f")
     flight.page.get_by_role("button", name="Plane", pressed=True).wait_for()
@@ -227,10 +227,10 @@ def test_plane_button_shows_the_separating_plane(sited: Sited) -> None:
 
 
 @pytest.mark.parametrize("mode", ["ORB UNL", "OPR CMD", "SINGLE", "MASTER"])
-def test_page_with_contacts_and_conditions_is_tidy_and_readable(sited: Sited, mode: str) -> None:
+def test_page_with_contacts_and_conditions_is_tidy_and_readable(open_worksite: OpenWorksite, mode: str) -> None:
     site = Worksite(info("prong", stand=True), GRASPING)
     site.mode = mode
-    flight, _ = sited(site)
+    flight, _ = open_worksite(site)
     flight.until("document.querySelector('.inhibits .lit') && frame.work.contacts.length === 2")
     _assert_looks(flight)
     site.work = work(
@@ -243,8 +243,8 @@ def test_page_with_contacts_and_conditions_is_tidy_and_readable(sited: Sited, mo
     _assert_looks(flight)
 
 
-def test_page_with_snares_and_payloads_is_tidy_and_readable(sited: Sited) -> None:
-    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.02))))
+def test_page_with_snares_and_payloads_is_tidy_and_readable(open_worksite: OpenWorksite) -> None:
+    flight, _ = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.02))))
     flight.until("document.querySelector('.cargo td').textContent !== ''")
     _assert_looks(flight)
     flight.press("`")

@@ -1,4 +1,4 @@
-"""A station with the worksite of a test: frames are changed on their way to the page, commands are only stored."""
+"""A station with the worksite of a test: it changes frames before the page receives them, and only stores commands."""
 
 from __future__ import annotations
 

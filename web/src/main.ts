@@ -1,4 +1,4 @@
-/** Boot: choose how to draw; play where there is a recording, else fly. */
+/** Starts the page: chooses the drawing profile, then plays the recording if there is one, or else the live run. */
 
 import '@fontsource/barlow-semi-condensed/latin-500.css';
 import '@fontsource/barlow-semi-condensed/latin-600.css';

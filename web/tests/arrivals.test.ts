@@ -4,7 +4,7 @@ import type { Frame, Event as LogEvent } from '../src/link/protocol';
 import { type Knows, ownLamps } from '../src/panel/spine/own-lamps';
 
 const DELAYS = { command_delay_s: 0.5, telemetry_delay_s: 1, camera_delay_s: 2 };
-/** Steps of 100 ms. */
+/** A frame every 100 ms. */
 const frame = (tick: number) => ({ tick, time_s: tick / 10 }) as Frame;
 const line = (time_s: number): LogEvent => ({ time_s, kind: 'mode', level: 'info', text: `at ${time_s}` });
 

@@ -26,7 +26,7 @@ test('the best pair sees the clearance from the most different directions', () =
   expect(names([a, b, c, square])).toEqual(['A', 'C']);
   expect(bestPair([a, b, c, square], at)?.targets).toEqual(['gap']);
   expect(bestPair([a, b, c], at)?.apart).toBeCloseTo(Math.atan2(6, 9));
-  // Where no two see the gap, those that see tip and payload, then the tip.
+  // If no two cameras see the gap, the pair sees tip and payload, or else the tip.
   const two = sighting('E', [5, 5, 0], ['tip', 'payload']);
   expect(bestPair([a, square, two], at)?.targets).toEqual(['tip', 'payload']);
   expect(bestPair([a, square], at)?.targets).toEqual(['tip']);
@@ -34,7 +34,7 @@ test('the best pair sees the clearance from the most different directions', () =
   expect(bestPair([a, b], { ...at, gap: null })).toBeNull();
 });
 
-test('among nearly square pairs the least rotated pictures win', () => {
+test('among pairs with angles near 90° the pair with the least turned pictures is best', () => {
   const at = { gap: [0, 0, 0], tip: null, payload: null } as const;
   const angle = (degrees: number): Vec3 => [Math.cos(degrees * degree), Math.sin(degrees * degree), 0];
   const pair = bestPair(

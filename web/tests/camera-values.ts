@@ -1,7 +1,7 @@
 import { expect } from 'vitest';
 import type { Camera } from '../src/link/protocol';
 
-/** A camera, and comparison of vectors. */
+/** A camera, and a comparison of vectors. */
 
 export const degree = Math.PI / 180;
 export const still = { pan: 0, tilt: 0, zoom: 0 };

@@ -8,14 +8,14 @@ function look(axes: readonly number[], ...down: number[]): Reading {
   return { axes, buttons };
 }
 
-test('the axis that moved farthest is captured, wherever it rested', () => {
+test('the axis that moved farthest is captured, whatever its rest position', () => {
   const capture = new Capture(DEFAULTS.pad);
   expect(capture.look(look([0, -1]))).toBeNull();
   expect(capture.look(look([0.2, -0.8]))).toBeNull();
   expect(capture.look(look([0.2, -0.3]))).toEqual({ source: 'a1', sign: 1 });
 });
 
-test('a captured button was pressed anew; Menu counts when released alone', () => {
+test('a button is captured when it is pressed; Menu when it is released alone', () => {
   const capture = new Capture(DEFAULTS.pad);
   capture.look(look([], 3));
   expect(capture.look(look([], 3, 9))).toBeNull();

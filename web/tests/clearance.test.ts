@@ -147,7 +147,7 @@ test('distances are in the small units of the operator', () => {
 
 test('the title names the next action once all conditions hold', () => {
   const now = (action: Objective['action']) => whatNow(work({ objective: { action, text: '' } }), KEYS);
-  expect(now('capture')).toBe(': squeeze, hold G');
+  expect(now('capture')).toBe(': capture, hold G');
   expect(now('acquire')).toBe('');
   expect(now('berth')).toBe(': latch, hold T');
   expect(now('insert')).toBe(': release, hold R');

@@ -8,16 +8,16 @@ describe('control', () => {
     return control;
   };
 
-  it('is with the operator alone', () => {
+  it('belongs only to the operator', () => {
     expect(new Control().flies).toBe(false);
     expect(operator().flies).toBe(true);
   });
 
   it.each<[string, (control: Control) => void]>([
     ['the link is lost', (control) => (control.link = { kind: 'lost', attempt: 1 })],
-    ['another scenario is being made ready', (control) => (control.leaving = true)],
+    ['another scenario is being prepared', (control) => (control.leaving = true)],
     ['the window is too narrow', (control) => (control.tooNarrow = true)],
-  ])('rests while %s', (_, change) => {
+  ])('is off while %s', (_, change) => {
     const control = operator();
     change(control);
     expect(control.flies).toBe(false);

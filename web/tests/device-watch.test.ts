@@ -21,7 +21,7 @@ it('devices are reported once for each change', () => {
   expect(sent).toEqual(['controllers']);
   devices.revision = 'keys, pad';
   watch.watch(true, true);
-  watch.tellAgain();
+  watch.reportAgain();
   watch.watch(true, true);
   expect(sent).toHaveLength(3);
 });

@@ -7,7 +7,7 @@ import { mappingOf, restore, save } from '../src/input/store';
 import { NO_AXES, reading } from './gamepads';
 
 const PAD = mappingOf('pad');
-/** The seven stick axes that a reading of one pad deflects. */
+/** Returns the deflections of the seven stick axes for a reading of one pad. */
 function flown(axes: readonly number[], pressed: Record<number, number> = {}): readonly number[] {
   return deflection(reading(axes, pressed), PAD).slice(0, 7);
 }
@@ -30,14 +30,14 @@ test('the right stick commands pitch and yaw, the bumpers command roll', () => {
   expect(flown(NO_AXES, { 4: 1 })).toEqual([0, 0, 0, -1, 0, 0, 0]);
 });
 
-test('the cross drives the telescope with Menu, else tilts the camera', () => {
+test('the cross with Menu drives the telescope; without Menu it tilts the camera', () => {
   expect(flown(NO_AXES, { 9: 1, 12: 1 })).toEqual([0, 0, 0, 0, 0, 0, 1]);
   expect(flown(NO_AXES, { 9: 1, 13: 1 })).toEqual([0, 0, 0, 0, 0, 0, -1]);
   expect(deflection(reading(NO_AXES, { 12: 1 }), PAD)).toEqual([0, 0, 0, 0, 0, 0, 0, 0, 1, 0]);
   expect(deflection(reading(NO_AXES, { 9: 1, 12: 1 }), PAD).slice(7)).toEqual([0, 0, 0]);
 });
 
-/** A pad whose buttons a test presses; `press` returns the names of its actions, a grip with + or -. */
+/** A pad whose buttons a test presses. `press` returns the names of the actions; + and - mark start and end of a hold. */
 function pressed() {
   const acted: string[] = [];
   const device = new Device('pad', (action: Action) =>
@@ -73,7 +73,7 @@ test('Menu alone steps the camera when it is released', () => {
   expect([press(9), press(9, 12), press()]).toEqual([[], [], []]);
 });
 
-test('a lost or disarmed pad ends its held grips', () => {
+test('a lost or disarmed pad ends its held functions', () => {
   const first = pressed();
   first.press(3);
   expect(first.unplug()).toEqual(['close-']);

@@ -15,7 +15,7 @@ test('a payload is captured, berthed, both, or free', () => {
   expect(whereIs(true, 'Cargo bay')).toBe('held, fixed');
 });
 
-test('the end effector shows its payload and speed limit, else a distance', () => {
+test('the end effector shows its payload and speed limit, or the distance to a fixture', () => {
   const payloads = [
     { id: 0, mass: 0, translation: [0.6, 0.1] },
     { id: 2, mass: 1000, translation: [0.06, 0.03] },
@@ -23,8 +23,8 @@ test('the end effector shows its payload and speed limit, else a distance', () =
   const words = (cargo: readonly Cargo[], fixture: number | null, rate: Frame['rate'] = 'coarse') =>
     graspWords({ work: { cargo }, display: { fixture, payload_id: 2 }, rate }, payloads, SI);
   const beacon = { ...CARGO, name: 'beacon', held: true };
-  expect(words([CARGO, beacon], null)).toBe('beacon, 1000 kg, to 0.060 m/s');
-  expect(words([CARGO, beacon], null, 'vernier')).toBe('beacon, 1000 kg, to 0.030 m/s');
+  expect(words([CARGO, beacon], null)).toBe('beacon, 1000 kg, max 0.060 m/s');
+  expect(words([CARGO, beacon], null, 'vernier')).toBe('beacon, 1000 kg, max 0.030 m/s');
   expect(words([CARGO], 4.2)).toBe('empty, fixture 420 cm away');
   expect(words([CARGO], 2.9)).toBe('empty');
   expect(words([CARGO], null)).toBe('empty');
@@ -39,7 +39,7 @@ test('the prong moves until it reaches its commanded position', () => {
   expect(onItsWay({ switch: 'open', opening: 1 })).toBe(false);
 });
 
-test('the latch row is for the captured payload, else the berthed one', () => {
+test('the latch row is for the captured payload, or else for the berthed payload', () => {
   const seated = { ...CARGO, seat: 'bay' };
   expect(seatNow({ cargo: [seated, { ...CARGO, held: true }] })).toBe('');
   expect(seatNow({ cargo: [CARGO, seated] })).toBe('bay');

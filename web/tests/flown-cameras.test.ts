@@ -28,7 +28,7 @@ it('monitors show the cameras of the run at the playhead', () => {
   expect(cameras.state).toBe(true);
 });
 
-it('a camera of the user stays until the run’s cameras are asked for', () => {
+it('a camera that the user chose stays until the user requests the run’s cameras', () => {
   const { cameras, shown } = replay(RECORDED);
   cameras.show(0);
   cameras.changed();

@@ -63,7 +63,7 @@ test('each axis has a unique short name on every device', () => {
   }
 });
 
-test('a lost device or one off centre is not named', () => {
+test('a device that is lost or off centre is not named', () => {
   const pad = (kind: 'thc pad' | 'rhc pad') => ({
     kind,
     state: 'flying',

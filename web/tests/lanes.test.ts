@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { marksOf, stretchAt } from '../src/replay/lanes';
 
-test('the stretch at a time is found, also at its ends', () => {
+test('stretchAt returns the stretch at a time, also at its ends', () => {
   const stretch = (start_s: number, end_s: number) => ({ start_s, end_s, label: '', level: 'info' }) as const;
   const stretches = [stretch(0, 1), stretch(1, 5), stretch(5, 6)];
   expect([0.02, 1, 1.02, 5, 5.5, 6, 7].map((time) => stretchAt(stretches, time))).toEqual([

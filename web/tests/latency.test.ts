@@ -36,7 +36,7 @@ describe('stick to picture', () => {
   it('excludes the camera delay of the scenario', () => {
     const latency = new Latency(2);
     latency.sent(1, 100);
-    expect(latency.due(0, 110)).toBe(false); // no picture waits for a frame that is long under way
+    expect(latency.due(0, 110)).toBe(false); // no picture waits for a frame that needs longer than a normal answer
     latency.drawn(1, 2160);
     expect(latency.percentile95(2160)).toBe(60);
   });

@@ -38,9 +38,9 @@ test('a predicted contact or joint past its limit is named', () => {
 });
 
 test('the label names the stick command of the prediction', () => {
-  expect(about({ held: true, moves: true })).toBe('sticks held');
-  expect(about({ held: false, moves: true })).toBe('last axis, full');
-  expect(about({ held: false, moves: false })).toBe('sticks centred');
+  expect(about({ held: true, moves: true })).toBe('deflected');
+  expect(about({ held: false, moves: true })).toBe('last axis');
+  expect(about({ held: false, moves: false })).toBe('centred');
 });
 
 test('the look-ahead time cycles from 2 to 20 s', () => {

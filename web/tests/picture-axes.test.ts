@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { stickToPicture } from '../src/panel/monitors/axes';
 
-test('sticks and picture agree with +X into the picture, +Y right, +Z down', () => {
+test('the angle of the picture is zero with +X into the picture, +Y right, +Z down', () => {
   expect(
     stickToPicture([
       [0, 0, -1],

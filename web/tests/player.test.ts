@@ -88,23 +88,23 @@ test('the playhead waits for frames that have not arrived', () => {
 });
 
 test('blocks are requested once and ahead, and few are kept', async () => {
-  const { player: made, asked } = await player({ ticks: 100_000 });
-  expect(asked.toSorted()).toEqual([0, 1]);
+  const { player: made, requested } = await player({ ticks: 100_000 });
+  expect(requested.toSorted()).toEqual([0, 1]);
   for (let second = 0; second < 600; second += 1) {
     made.seek(second);
     await settled();
   }
-  expect(new Set(asked).size).toBe(asked.length);
+  expect(new Set(requested).size).toBe(requested.length);
   const kept = Reflect.get(made, 'blocks') as ReadonlyMap<number, Block>;
   expect(kept.size).toBeLessThanOrEqual(9);
   expect(made.moment?.frame.tick).toBe(599 * 50);
 });
 
 test('the last block of a recording is the last one requested', async () => {
-  const { player: made, asked } = await player({ ticks: 250, stride: 1 });
+  const { player: made, requested } = await player({ ticks: 250, stride: 1 });
   made.seek(5);
   await settled();
-  expect(Math.max(...asked)).toBe(2);
+  expect(Math.max(...requested)).toBe(2);
 });
 
 test('a recording that does not answer is reported', async () => {

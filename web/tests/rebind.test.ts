@@ -4,7 +4,7 @@ import { USES } from '../src/input/keymap';
 import { parseMapping, sourcesOf } from '../src/input/mapping';
 import { bind, isFixed, keyRefusal, movers, unbind, zeroed } from '../src/input/rebind';
 
-test('a key assigned to any use survives JSON and frees the former keys', () => {
+test('a key assigned to any function survives JSON and frees the former keys', () => {
   const mapping = DEFAULTS.keyboard;
   for (const use of USES.keys()) {
     if (isFixed('keyboard', use)) continue;
@@ -17,7 +17,7 @@ test('a key assigned to any use survives JSON and frees the former keys', () => 
   }
 });
 
-test('a key in use is rejected by the name of its use', () => {
+test('a key that has a function is rejected by the name of this function', () => {
   for (const [source, its] of Object.entries(DEFAULTS.keyboard.bindings)) {
     for (const use of ['+X', 'rate', 'close']) {
       const put = () => bind('keyboard', DEFAULTS.keyboard, use, { source, sign: 1 });
@@ -37,7 +37,7 @@ test('a stick assigned to +X inverted replaces both sides of X', () => {
   expect(movers(changed, '-X')).toEqual([{ source: 'a3', sign: 1 }]);
 });
 
-test('an axis is rejected for a use that needs a button, or if in use', () => {
+test('an axis is rejected for a function of a button, or if it has another function', () => {
   expect(() => bind('pad', DEFAULTS.pad, 'rate', { source: 'a5', sign: 1 })).toThrow('needs a button');
   expect(() => bind('pad', DEFAULTS.pad, '+X', { source: 'a3', sign: 1 })).toThrow('RHC −pitch');
 });

@@ -5,12 +5,12 @@ import { Player } from '../src/replay/player';
 
 export const EXTENT = { period_s: 0.02, ticks: 1000, stride: 1, block: 100 };
 
-/** Make a player of a recording whose blocks arrive at once. `asked` lists the numbers of the requested blocks. */
+/** Make a player of a recording whose blocks arrive at once. `requested` lists the numbers of the requested blocks. */
 export async function player(extent: Partial<typeof EXTENT> = {}) {
   const all = { ...EXTENT, ...extent };
-  const asked: number[] = [];
+  const requested: number[] = [];
   const load = async (number: number): Promise<Block> => {
-    asked.push(number);
+    requested.push(number);
     return Array.from({ length: all.block }, (_, i) => {
       const tick = 1 + (number * all.block + i) * all.stride;
       return { frame: { tick } as Frame, values: [], worst: '' } satisfies Moment;
@@ -18,7 +18,7 @@ export async function player(extent: Partial<typeof EXTENT> = {}) {
   };
   const made = new Player(all, load);
   await settled();
-  return { player: made, asked };
+  return { player: made, requested };
 }
 
 export const settled = () => new Promise((resolve) => setTimeout(resolve));

@@ -9,7 +9,7 @@ test('an active limit is named at the bar of the axis that it limits', () => {
   const joint = frameOf({ limits: [{ kind: 'joint rate', joint: 1, text: '' }] });
   expect(limitTags(joint, named)[1]).toEqual({ text: 'Sho pitch', caution: true });
   const turning = frameOf({ limits: [{ kind: 'POR rotation', joint: -1, text: '' }] });
-  expect(limitTags(turning, named)[5]).toEqual({ text: 'POR most', caution: false });
+  expect(limitTags(turning, named)[5]).toEqual({ text: 'POR max', caution: false });
   const building = frameOf({ limits: [{ kind: 'POR acceleration', joint: -1, text: '' }] });
   expect(limitTags(building, named)[1]).toEqual({ text: 'POR accel', caution: false });
 });

@@ -3,7 +3,7 @@ import { leaving } from '../src/panel/rail/scenarios';
 
 test('the question before a change of scenario names the recording', () => {
   expect(leaving('First flight', 'Tutorial', true)).toBe(
-    'Leave “First flight” for “Tutorial”? Its recording is complete and kept.',
+    'Leave “First flight” for “Tutorial”? The recording of this run is kept.',
   );
   expect(leaving('First flight', 'Tutorial', false)).toContain('not recorded');
 });

@@ -164,7 +164,7 @@ function cameraAt(pose: readonly number[]): Cameras {
 test('the field of view is the horizontal one at every aspect ratio', () => {
   const cameras = cameraAt([0, 0, 0, 1, 0, 0, 0]);
   for (const aspect of [4 / 3, 5 / 3]) {
-    // Seen aft with the upper side up, port is on the right; y is starboard.
+    // The camera looks aft with its upper side up. Port is then on the right; y is starboard.
     expect(cameras.project('X', aspect, [10, -9.99, 1])).toMatchObject({
       x: expect.closeTo(1, 2),
       visible: true,

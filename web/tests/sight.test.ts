@@ -87,7 +87,7 @@ test('a clearance line is visible if any part of it is unobstructed', () => {
 test('a window sees through its pane; bodies before the pane hide nothing', () => {
   const ahead = place(body('payload', [10, 0, 0]), body('wall', [0.5, 0, 0], [0.2, 8, 8]));
   expect(ahead.sight.body(eye, 'payload')).toBe(true);
-  // 0.2 m beside the middle at 1 m is 2 m beside it at 10 m.
+  // A pane edge 0.2 m from the axis, 1 m away, limits the view to 2 m from the axis at 10 m.
   expect(place(body('payload', [10, 4, 0])).sight.body(eye, 'payload')).toBe(false);
   expect(
     place(body('wall', [1.5, 0, 0], [0.2, 8, 8]), body('payload', [10, 0, 0])).sight.body(eye, 'payload'),

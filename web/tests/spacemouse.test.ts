@@ -32,7 +32,7 @@ async function connected(vendorId = 0x256f, usage = 8) {
   };
 }
 
-test('a permitted SpaceMouse connects by itself and is lost when unplugged', async () => {
+test('a permitted SpaceMouse connects without a question and is lost when unplugged', async () => {
   const { mouse, report, unplug } = await connected();
   report(1, 0, -350, 0);
   expect(mouse.reading(0)?.axes).toEqual([0, -1, 0, 0, 0, 0]);

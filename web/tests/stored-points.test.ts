@@ -9,7 +9,7 @@ test('a long list of points shows the next one and the one before it', () => {
   expect(firstShown(0, 0)).toBe(0);
 });
 
-test('a sequence starts at its next point, else at its first', () => {
+test('a sequence starts at its next point, or else at its first point', () => {
   expect(startPoint('AUTO 1', { mode: 'AUTO 1', point: 3 }, 4)).toBe(3);
   expect(startPoint('AUTO 1', { mode: 'AUTO 1', point: 5 }, 4)).toBe(1);
   expect(startPoint('AUTO 2', { mode: 'AUTO 1', point: 3 }, 2)).toBe(1);

@@ -108,7 +108,7 @@ describe('tones', () => {
   });
 
   it.each(['', '{', '{"volume": 3, "muted": true}', '{"volume": "loud"}', 'null', '[]'])(
-    'begin anew where nothing sensible was kept: %s',
+    'use the defaults if the stored settings are invalid: %s',
     (text) => {
       expect(kept(text)).toEqual({ volume: 0.5, muted: false });
     },

@@ -17,7 +17,7 @@ interface Flown {
   readonly x?: number;
   readonly stick?: number;
   readonly offAxis?: boolean;
-  /** Distance from the exact pose, within the capture envelope. */
+  /** Distance from the axis of the pin, within the capture envelope. */
   readonly aside?: number;
   readonly depth?: boolean;
   readonly held?: boolean;
@@ -69,7 +69,7 @@ function at(name: string): Progress {
   return { ...BEGIN, at: STEPS.findIndex((step) => step.name === name), tick: 0 };
 }
 
-/** Panel components of each state that has texts. */
+/** One frame for each state in which a step has another text. */
 const STATES: readonly Frame[] = [
   frame(),
   frame({ offAxis: true }),
@@ -117,7 +117,7 @@ test('texts are in the operator’s units', () => {
   expect(closing('lift', { held: true, flags: ['RIGID'], seat: '' })).toContain('is 1 m above');
 });
 
-test('the lift step names the key that lifts, and an alarm of its berth', () => {
+test('the lift step names the key that lifts, and explains an alarm near the berth', () => {
   const lift = STEPS.at(-1);
   const free = { held: true, flags: ['RIGID'], seat: '' };
   expect(lift?.caps(frame({ ...free, seat: 'bay' }))).toEqual([['latch', 'unlatch']]);
@@ -204,7 +204,7 @@ test('a step that was skipped and then flown counts as done', () => {
   expect([STEPS[progress.at]?.name, progress.skipped.size]).toEqual(['line up', 0]);
 });
 
-test('an axis counts as held past its deadband on the named side', () => {
+test('an axis counts as held if it is past its deadband on the given side', () => {
   const buttons = Array.from({ length: 17 }, (_, i) => ({ pressed: i === 9 || i === 3, value: 0 }));
   const device = { reading: { axes: [0.02, -0.5], buttons }, mapping: DEFAULTS.pad };
   expect([isDown(device, 'a1', -1), isDown(device, 'a1', 1), isDown(device, 'a0', 1)]).toEqual([

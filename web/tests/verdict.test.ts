@@ -7,7 +7,7 @@ afterEach(() => void vi.useRealTimers());
 
 const verdict = (state: Verdict['state']) => ({ state, text: '' }) as Verdict;
 
-it('the result is asked for until it is complete, also after a failed request', async () => {
+it('the result is requested until it is complete, also after a failed request', async () => {
   const answers = [
     Promise.resolve(verdict('checking')),
     Promise.reject(new Error('no answer')),
@@ -27,7 +27,7 @@ it('the result is asked for until it is complete, also after a failed request', 
   expect(asked).toBe(3);
 });
 
-it('a source without a result is asked once', async () => {
+it('a source without a result is requested once', async () => {
   let asked = 0;
   const verdict = () => {
     asked += 1;

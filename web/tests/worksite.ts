@@ -1,4 +1,4 @@
-/** Values of the worksite that tests make, with only what they are about. */
+/** Functions that make values of the worksite; a test sets only the fields that it needs. */
 
 import type { Condition, Near, Work } from '../src/link/protocol';
 import { unitsOf } from '../src/words/units';
@@ -10,7 +10,7 @@ export function near(parts: Partial<Near>): Near {
 }
 
 export function condition(parts: Partial<Condition>): Condition {
-  const given = {
+  const values = {
     name: 'palm height',
     unit: 'm' as const,
     value: 0,
@@ -21,7 +21,7 @@ export function condition(parts: Partial<Condition>): Condition {
     numbers: [],
     ...parts,
   };
-  return { ...given, holds: given.margin >= 0 };
+  return { ...values, holds: values.margin >= 0 };
 }
 
 export function work(parts: Partial<Work>): Work {

@@ -1,4 +1,4 @@
-/** All cameras at once: the view of each, the pair that sees most, and a plan of their positions. */
+/** Updates the view of all cameras: the targets that each one sees, the best pair, and the plan of their positions. */
 
 import type { Camera, ClosestPoints, Frame } from '../link/protocol';
 import type { Matrix } from '../panel/monitors/matrix';
@@ -7,7 +7,7 @@ import type { Scene } from '../scene';
 import type { Rect } from '../scene/drawn';
 import { pairWords, type Survey } from './coverage';
 
-/** One camera is surveyed once in this many pictures. */
+/** Number of drawings of the page between the surveys of two cameras. */
 const SURVEYED = 3;
 
 /** A monitor's label and cameras. */
@@ -23,14 +23,14 @@ export interface Drawn {
   readonly monitors: readonly Showing[];
   /** Number of pictures drawn. */
   readonly count: number;
-  /** Redraw everything. */
+  /** Whether everything must be drawn again. */
   readonly wiped: boolean;
 }
 
 export class AllCameras {
   private readonly televised: readonly Camera[];
 
-  /** `pace`: the plan is drawn once in this many pictures. */
+  /** `pace`: number of drawings of the page between two drawings of the plan. */
   constructor(
     private readonly matrix: Matrix,
     private readonly scene: Scene,

@@ -1,8 +1,8 @@
-/** The best two cameras: both see the same target, from directions as different as possible. */
+/** The best two cameras: both see the same target, and their directions of view differ as much as possible. */
 
 import type { Vec3 } from '../link/protocol';
 
-/** Targets of a view, the most important last. */
+/** What a camera should see, the most important last: tip, payload, minimum clearance. Not the target of a motion. */
 export const TARGETS = ['tip', 'payload', 'gap'] as const;
 export type Target = (typeof TARGETS)[number];
 
@@ -12,33 +12,35 @@ export interface Sighting {
   readonly sees: ReadonlySet<Target>;
   /** Position of its lens in the scene [m]. */
   readonly lens: Vec3;
-  /** Angle by which its picture is turned against the sticks [rad]. */
+  /** Angle between the directions in its picture and those of the sticks [rad]. */
   readonly turned: number;
 }
 
 export interface Pair {
-  /** Targets that both see. */
+  /** Targets that both cameras see. */
   readonly targets: readonly Target[];
-  /** The two cameras; first the one whose picture is turned less against the sticks. */
+  /** The two cameras; the first one has the smaller `turned`. */
   readonly cameras: readonly [Sighting, Sighting];
-  /** Angle between their lines of sight, 0 to 90° [rad]. */
+  /** Angle between the two lines of sight, at most 90° [rad]. */
   readonly apart: number;
 }
 
-/** Sets of targets for a pair, the most important first; the angle is computed at the first target of a set. */
+/** Sets of targets for a pair, the most important first. The angle is measured at the first target of a set. */
 const PURPOSES: readonly (readonly [Target, ...Target[]])[] = [
   ['gap'],
   ['tip', 'payload'],
   ['tip'],
   ['payload'],
 ];
-/** Angles above this count as equally good [rad]. */
+/** All angles above this count as equally good [rad]. */
 const GOOD = (70 * Math.PI) / 180;
 
 /**
- * The best pair of cameras. Only pairs that both see the same targets count, and of these only the pairs for the most
- * important targets. The best has the greatest angle between the lines of sight. Of several with more than `GOOD`, it
- * is the one whose more turned picture is turned least against the sticks.
+ * Returns the best pair of cameras, or null if no two cameras see the same target.
+ *
+ * It takes the first set of `PURPOSES` that at least two cameras see. Among their pairs, the pair with the greatest
+ * angle between the lines of sight is best. If several pairs have more than `GOOD`, the greater `turned` of each pair
+ * decides: the pair with the smallest value is best.
  *
  * @param at positions of the targets in the scene; null if there is no such target.
  */
@@ -55,7 +57,7 @@ export function bestPair(
     seeing.forEach((a, i) => {
       for (const b of seeing.slice(i + 1)) {
         const apart = between(a.lens, b.lens, place);
-        // The turn of the pictures counts only among pairs that are equally good.
+        // `turned` is at most π, so it decides only between pairs with equally good angles.
         const missing = 1e3 * Math.max(0, GOOD - apart) + Math.max(a.turned, b.turned);
         if (missing >= least) continue;
         least = missing;
@@ -67,7 +69,7 @@ export function bestPair(
   return null;
 }
 
-/** Angle between the lines from a point to two lenses, 0 to 90° [rad]. */
+/** Returns the angle between the lines from a point to two lenses, at most 90° [rad]. */
 export function between(a: Vec3, b: Vec3, place: Vec3): number {
   const [u, v] = [a, b].map((lens) => lens.map((value, i) => value - (place[i] ?? 0)));
   if (!u || !v) return 0;

@@ -1,4 +1,4 @@
-/** Survey of all cameras, one after the other: the targets that each one sees, and the best cameras for the monitors. */
+/** Survey of all cameras, one after the other: the targets that each sees, and the best cameras for the monitors. */
 
 import type { Camera, ClosestPoints, Frame, Vec3, Welcome } from '../link/protocol';
 import { stickToPicture } from '../panel/monitors/axes';
@@ -24,7 +24,7 @@ export class Survey {
     this.payloads = welcome.bodies.map(({ name }) => name).filter((name) => names.has(name));
   }
 
-  /** Surveys the next `count` cameras, in the scene of a frame. */
+  /** Surveys the next `count` cameras at a frame, which the scene must show already. */
   look(frame: Frame, gap: ClosestPoints | null, count: number): void {
     const { cameras } = this.welcome;
     this.at = {
@@ -39,7 +39,7 @@ export class Survey {
     }
   }
 
-  /** Position of a target in the scene; null if there is no such target. */
+  /** Returns the position of a target in the scene; null if there is no such target. */
   place(target: Target, gap: ClosestPoints | null): Vec3 | null {
     if (target === 'tip') return this.scene.middle(TIP);
     if (target === 'gap') return gap?.plane ?? null;
@@ -51,7 +51,7 @@ export class Survey {
     this.look(frame, gap, this.welcome.cameras.length);
   }
 
-  /** Targets that a camera saw in its last survey. */
+  /** Returns the targets that a camera saw in its last survey. */
   sees(camera: Camera): readonly Target[] {
     const seen = this.seen.get(camera.name)?.sees;
     return TARGETS.filter((target) => seen?.has(target));
@@ -68,8 +68,8 @@ export class Survey {
   }
 
   /**
-   * First cameras of the two monitors: the best pair of those that are not on the arm, whose views change when it moves.
-   * If the end effector is empty and its camera sees a payload, this camera replaces the second one.
+   * Returns the first cameras of the two monitors: the best pair without cameras on the arm, because their views change
+   * when the arm moves. If the end effector is empty and its camera sees a payload, it is the second camera.
    */
   first(frame: Frame): readonly Camera[] {
     const { cameras } = this.welcome;
@@ -103,7 +103,7 @@ export class Survey {
   }
 }
 
-/** Description of the best pair, in a few sentences. */
+/** Returns a description of the best pair, in a few sentences. */
 export function pairWords(pair: Pair | null): readonly string[] {
   if (!pair) return ['No two cameras see the same target.'];
   const [a, b] = pair.cameras;

@@ -1,10 +1,10 @@
-/** The two monitors: which camera each shows, and which picture the camera keys act on. */
+/** The two monitors: the cameras that they show, and the selected picture, on which the camera keys act. */
 
 import type { Turning } from '../input/camera-hand';
 import type { Camera } from '../link/protocol';
 import { Monitor } from '../panel/monitors/monitor';
 
-/** A digit pressed again within this time selects from the second bank [ms]. */
+/** A digit that is pressed again within this time selects one of the cameras 11 to 20 [ms]. */
 const AGAIN_MS = 700;
 const BANK = 10;
 
@@ -13,10 +13,10 @@ export interface MonitorsListener {
   changed(): void;
   /** A camera was chosen for a monitor. */
   chosen(): void;
-  /** The next target of the engineering views is selected. */
+  /** The user asked for the next centre of the engineering views. */
   round(): void;
   orbited(camera: Camera, right: number, upwards: number, nearer: number, aside?: boolean): void;
-  /** Opens a monitor in a secondary window; absent if there are no such windows. */
+  /** Opens a monitor in a secondary window; absent if the page opens no secondary windows. */
   tearOff?: (index: 0 | 1) => void;
   /** Whether dragging a picture turns its camera. */
   readonly turns: boolean;
@@ -51,17 +51,17 @@ export class Monitors {
     this.take(0);
   }
 
-  /** The selected monitor, which camera keys act on. */
+  /** The selected monitor, on which the camera keys act. */
   get hand(): Monitor {
     return this.both[this.selected === 0 ? 0 : 1];
   }
 
-  /** The camera that camera keys act on. */
+  /** The selected camera, on which the camera keys act. */
   get camera(): Camera {
     return this.hand.picture.camera;
   }
 
-  /** Deflections of the selected camera's switches by a drag or the wheel. */
+  /** Deflections of the selected camera's switches that a drag or the wheel commands. */
   get turning(): Turning {
     return this.hand.picture.turning(performance.now());
   }
@@ -90,7 +90,7 @@ export class Monitors {
     });
   }
 
-  /** Selects the next picture: the other half of a split monitor, then the other monitor. */
+  /** Selects the next picture: the right half of a split monitor, or else the other monitor. */
   takeOther(): void {
     const { hand } = this;
     if (hand.split && hand.picture === hand.halves[0]) this.take(this.selected, 1);
@@ -105,7 +105,7 @@ export class Monitors {
     this.listener.changed();
   }
 
-  /** Puts the camera of a digit on the selected monitor; a digit pressed again means the second bank. */
+  /** Puts the camera of a digit on the selected monitor; a digit that is pressed again means the cameras 11 to 20. */
   chooseDigit(index: number, now: number): void {
     const again = index === this.digit.index && now - this.digit.at < AGAIN_MS;
     this.digit = { index: again ? -1 : index, at: now };
@@ -120,7 +120,7 @@ export class Monitors {
     this.listener.changed();
   }
 
-  /** Shows cameras on a monitor, one or two halves, unless it shows them already. */
+  /** Shows one camera, or two in halves, on a monitor, unless it shows them already. */
   show(index: number, names: readonly string[]): void {
     if (this.shown[index]?.join() === names.join()) return;
     this.both[index === 0 ? 0 : 1].show(names);

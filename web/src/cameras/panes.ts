@@ -1,4 +1,4 @@
-/** The pictures on the canvas: their positions on the page, how often each one is drawn, and which are due. */
+/** The pictures on the canvas: their positions on the page, how often each is drawn, and which are due now. */
 
 import type { Camera } from '../link/protocol';
 import type { Drawing } from '../page/quality';
@@ -58,12 +58,12 @@ export class Panes {
   }
 
   /**
-   * The pictures to draw now, and whether all others are of this frame too.
+   * Returns the pictures to draw now, and whether all other pictures already show this frame.
    *
-   * @param state everything that a picture depends on, except its exposure.
+   * @param state text that changes with everything on which the pictures depend, except exposures.
    * @param stops exposure of a camera.
    * @param count number of drawings of the page so far.
-   * @param wiped whether the canvas was wiped, so that every picture is due.
+   * @param wiped whether the canvas was wiped; every picture is then due.
    */
   due(
     panes: readonly Pane[],
@@ -74,7 +74,7 @@ export class Panes {
     wiped: boolean,
   ): { readonly due: readonly Pane[]; readonly complete: boolean } {
     const look = ({ camera: { name } }: Pane) => `${name} ${stops(name)}`;
-    // A picture inside another one is drawn whenever the outer one is.
+    // If MON 2 is in a corner of MON 1, drawing MON 1 overwrites it: all pictures are then drawn together.
     const looks = this.inset(open) ? panes.map(look).join() : null;
     let complete = true;
     const due = panes.filter((pane, i) => {
@@ -90,7 +90,7 @@ export class Panes {
     return { due, complete };
   }
 
-  /** Takes over the page's layout; returns whether pictures were added, removed or moved. */
+  /** Stores the page's present layout; returns whether pictures were added, removed or moved since the last call. */
   takeLayout(panes: readonly Pane[], open: boolean): boolean {
     const layout = this.laidOut(panes, open);
     const changed = layout !== this.layout;
@@ -98,12 +98,12 @@ export class Panes {
     return changed;
   }
 
-  /** Whether the pictures' positions are still those of the layout. */
+  /** Returns whether the pictures still have the positions of the stored layout. */
   isLaidOut(panes: readonly Pane[], open: boolean): boolean {
     return this.laidOut(panes, open) === this.layout;
   }
 
-  /** Position of an element on the canvas. */
+  /** Returns the position of an element on the canvas. */
   rectOf(element: HTMLElement): Rect {
     const over = this.canvas.getBoundingClientRect();
     const { left, top, width, height } = element.getBoundingClientRect();
@@ -115,7 +115,7 @@ export class Panes {
     return inset() && !open && this.monitors.both.every(({ element }) => element.isConnected);
   }
 
-  /** Description of all that the pictures' positions depend on. */
+  /** Returns a text that changes with everything on which the pictures' positions depend. */
   private laidOut(panes: readonly Pane[], open: boolean): string {
     const { clientWidth, clientHeight } = this.canvas;
     return [clientWidth, clientHeight, open, ...panes.map(({ element }) => element.clientWidth)].join();

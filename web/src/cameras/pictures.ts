@@ -20,7 +20,7 @@ import { Monitors } from './monitors';
 import { overlay } from './overlay';
 import { PACES, type Pane, Panes } from './panes';
 
-/** Colours of the line of minimum clearance, as `--caution` and `--ink`. */
+/** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
 /** Time between two checks whether the pictures are on the page [ms]. */
 const LOOK_MS = 3;
@@ -52,9 +52,9 @@ export class Pictures {
   private open = false;
   private count = 0;
   private orbits = 0;
-  /** Centre of the engineering views; null for their start. */
+  /** Centre of the engineering views; null for their initial centre. */
   private round: Target | null = null;
-  /** Completes the last pictures once they are on the page; null if they are complete. */
+  /** Called when the last pictures are on the page; null after the call. */
   private finish: (() => void) | null = null;
   private looking = 0;
 
@@ -91,7 +91,7 @@ export class Pictures {
     return this.scene.stops(name);
   }
 
-  /** Number of moves of engineering views. */
+  /** Number of times that an engineering view was moved. */
   get moved(): number {
     return this.orbits;
   }
@@ -120,13 +120,13 @@ export class Pictures {
     this.listener.opened?.(on);
   }
 
-  /** Rotates an engineering view to the right and upwards [rad], or shifts it if `aside`, and brings it nearer by a factor. */
+  /** Rotates an engineering view [rad], or shifts it if `aside`; divides its distance by `nearer`. */
   orbit({ name }: Camera, right: number, upwards: number, nearer: number, aside = false): void {
     this.orbits += 1;
     this.scene.cameras.orbit(name, right, upwards, nearer, aside || this.monitors.slow);
   }
 
-  /** Selects the next centre of the engineering views: the initial one, the tip, the payload, the minimum clearance. */
+  /** Selects the next centre of the engineering views: initial centre, tip, payload, minimum clearance. */
   private turnRound(): void {
     const all = [null, ...TARGETS];
     this.round = all[(all.indexOf(this.round) + 1) % all.length] ?? null;
@@ -141,13 +141,13 @@ export class Pictures {
     return this.plane;
   }
 
-  /** Whether the last pictures are not on the page yet; until then no others are drawn. */
+  /** Whether the last pictures are not on the page yet. Meanwhile no other pictures are drawn. */
   get drawing(): boolean {
     return this.finish !== null;
   }
 
   /**
-   * Draws the pictures that are due; returns whether all pictures will show this frame.
+   * Draws the pictures that are due; returns whether then all pictures show this frame with a metered exposure.
    *
    * @param clearance level of the minimum clearance.
    * @param done called once the pictures are on the page, if its layout has not changed.
@@ -186,7 +186,7 @@ export class Pictures {
     return drawn.complete && metered;
   }
 
-  /** Puts the pictures on the page with their overlays, or checks again soon. */
+  /** Puts the pictures and their overlays on the page; if the pictures are not drawn yet, tries again soon. */
   private put(): void {
     const { finish } = this;
     if (!finish) return;
@@ -198,7 +198,7 @@ export class Pictures {
     finish();
   }
 
-  /** Writes time codes and figures; `age` of the pictures, null in a replay. */
+  /** Writes time codes and figures; `age`: age of the pictures, null in a replay. */
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
     const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {
@@ -239,7 +239,7 @@ export class Pictures {
   }
 }
 
-/** The minimum clearance if it is drawn as a line; null if it is large, or if the parts are in contact. */
+/** Returns the minimum clearance to draw as a line; null if it is large, or if the parts are in contact. */
 export function drawnGap({ work: { nearest }, display: { gap } }: Frame): ClosestPoints | null {
   return nearest && nearest.clearance > 0 && nearest.clearance < FARTHEST ? gap : null;
 }

@@ -1,4 +1,4 @@
-/** The device in use: the keyboard, or the device that was moved last; and the names of uses on it. */
+/** The device in use (the keyboard, or the device that was moved last), and which of its parts has which function. */
 
 import type { Device } from './device';
 import type { Keyboard } from './keyboard';
@@ -10,10 +10,10 @@ import { mappingOf } from './store';
 /** Least deflection of an axis that counts as moved. */
 const MOVED = 0.3;
 
-/** Name of the key, button or axis direction for a use; empty if there is none. */
+/** Names of the key, button or axis direction to which a function (`use`) is assigned; empty if there is none. */
 export interface Names {
   name(use: string): string;
-  /** The same, abbreviated for devices with long names. */
+  /** The name, abbreviated on devices with long names. */
   short(use: string): string;
 }
 
@@ -40,7 +40,7 @@ export class InHand implements Names {
     this.device = moved ?? (keyboard.held.size > 0 ? null : kept) ?? null;
   }
 
-  /** Kinds of device in which a use is looked up: first the one in use, then the others. */
+  /** Kinds of device in which a function is looked up: first the device in use, then the others. */
   get kinds(): readonly Kind[] {
     const { device } = this;
     if (!device) return ['keyboard'];
@@ -56,7 +56,7 @@ export class InHand implements Names {
     return called(this.kinds, use, shortOfSource);
   }
 
-  /** Whether a key, button or axis of this use is held. */
+  /** Returns whether a key, button or axis with this function is held. */
   holds(use: string): boolean {
     const { devices, keyboard } = this.controllers;
     if (movers(mappingOf('keyboard'), use).some(({ source }) => keyboard.held.has(source))) return true;
@@ -65,7 +65,7 @@ export class InHand implements Names {
     );
   }
 
-  /** Buttons and axes of the device in use that have one of these uses. */
+  /** Returns the buttons and axes of the device in use that have one of these functions. */
   sources(uses: readonly string[]): ReadonlySet<string> {
     const { device } = this;
     if (!device) return new Set();
@@ -74,7 +74,7 @@ export class InHand implements Names {
   }
 }
 
-/** Name of a use on the first of these kinds of device that has the use. */
+/** Returns the name of the part with this function, on the first of these kinds of device that has such a part. */
 function called(
   kinds: readonly Kind[],
   use: string,
@@ -89,20 +89,20 @@ function called(
 
 type Read = Pick<Device, 'reading' | 'mapping'>;
 
-/** True if an assigned axis or button is moved; an unassigned throttle may have any position. */
+/** Returns whether an assigned axis or button is moved. Unassigned parts do not count: a throttle may rest anywhere. */
 function isMoved(device: Read): boolean {
   const parts = Object.keys(device.mapping.bindings).flatMap((source) => source.split('+'));
-  return parts.some((part) => Math.abs(standing(device, part)) > MOVED);
+  return parts.some((part) => Math.abs(deflectionOf(device, part)) > MOVED);
 }
 
-/** Whether a button is pressed, or an axis is deflected to that side. */
+/** Returns whether a button is pressed, or an axis is deflected to the side `sign`. */
 export function isDown(device: Read, source: string, sign: 1 | -1): boolean {
-  if (indexOf(source, 'a') !== null) return sign * standing(device, source) > device.mapping.deadband;
-  return source.split('+').every((part) => standing(device, part) === 1);
+  if (indexOf(source, 'a') !== null) return sign * deflectionOf(device, source) > device.mapping.deadband;
+  return source.split('+').every((part) => deflectionOf(device, part) === 1);
 }
 
-/** Deflection of an axis from its rest; 1 for a pressed button. */
-function standing({ reading, mapping }: Read, part: string): number {
+/** Returns the deflection of an axis from its rest position, or 1 for a pressed button and 0 for another one. */
+function deflectionOf({ reading, mapping }: Read, part: string): number {
   if (!reading) return 0;
   const axis = indexOf(part, 'a');
   if (axis !== null) return centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0);

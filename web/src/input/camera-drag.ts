@@ -1,4 +1,4 @@
-/** Turns a camera by its picture: the length of a drag sets the deflection of the camera's switches. */
+/** Turns a camera by a drag in its picture: the length of the drag sets the deflection of the camera's switches. */
 
 import { clamp } from '../basics/clamp';
 import { STILL, type Turning } from './camera-hand';
@@ -27,7 +27,7 @@ export class CameraDrag {
   private height = 1;
   private wheel = { zoom: 0, until: 0 };
 
-  /** Takes a press of a finger or a mouse button on a picture of that height [px]. */
+  /** Starts a drag by a finger or a mouse button; `height`: height of the picture [px]. */
   press(id: number, at: Place, height: number): void {
     this.height = height;
     this.fingers.set(id, { begun: at, at });
@@ -48,13 +48,13 @@ export class CameraDrag {
     this.wheel = { zoom: 0, until: 0 };
   }
 
-  /** Takes a notch of the wheel at `now` [ms]; `zoom`: 1 in, -1 out. */
+  /** Adds a notch of the wheel at `now` [ms]; `zoom`: 1 in, -1 out. */
   turnWheel(zoom: 1 | -1, now: number): void {
     const left = this.wheel.zoom === zoom ? Math.max(0, this.wheel.until - now) : 0;
     this.wheel = { zoom, until: now + Math.min(MOST_MS, left + NOTCH_MS) };
   }
 
-  /** Start and end of the present drag by one finger; null if there is none, or if two fingers pinch. */
+  /** Start and end of the present drag by one finger; null without a drag, or if two fingers pinch. */
   get line(): { readonly from: Place; readonly to: Place } | null {
     const [finger, other] = this.fingers.values();
     return finger && !other ? { from: finger.begun, to: finger.at } : null;
@@ -71,7 +71,7 @@ export class CameraDrag {
   }
 }
 
-/** Logarithm of the present distance of two fingers over their first distance. */
+/** Returns the logarithm of a ratio: the present distance of two fingers over their first distance. */
 function pinched(a: Finger, b: Finger): number {
   const apart = (one: Place, two: Place) => Math.max(1, Math.hypot(one.x - two.x, one.y - two.y));
   return Math.log(apart(a.at, b.at) / apart(a.begun, b.begun));

@@ -12,10 +12,10 @@ export interface Turning {
   readonly zoom: number;
 }
 
-/** Time between two readings of the switches; deflected ones are sent at least every `REPEAT_MS` [ms]. */
+/** Time between two readings of the switches, and greatest time between two messages for deflected switches [ms]. */
 const TICK_MS = 15;
 const REPEAT_MS = 100;
-/** Rate of rotation of an engineering view [rad/s], and factor of its distance in a second. */
+/** Rate of rotation of an engineering view [rad/s], and factor by which its distance changes in a second. */
 const ROUND = 0.8;
 const NEARER = 2.5;
 const LONGEST_S = 0.1;
@@ -26,7 +26,7 @@ export interface CameraHandListener {
   hand(): { readonly camera: Camera; readonly slow: boolean };
   /** Reason why this page cannot turn cameras, in a sentence; empty if it can. */
   barred(): string;
-  /** Logs a sentence, once when the switches are deflected. */
+  /** Adds a sentence to the log; called once for each deflection of the switches. */
   say(text: string): void;
   send(command: Command): void;
   /** Rotates an engineering view to the right and upwards [rad], and brings it nearer by a factor. */
@@ -77,7 +77,7 @@ export class CameraHand {
     clearInterval(this.timer);
   }
 
-  /** Sends the deflections of a camera's switches if they changed, or if the last message is old; null stops the camera. */
+  /** Sends the deflections of a camera's switches if they have changed or the last message is old; null: all zero. */
   private drive(turned: typeof this.sent, now: number): void {
     const { sent } = this;
     if (!turned) {
@@ -96,7 +96,7 @@ export class CameraHand {
   }
 }
 
-/** Deflections of the switches by held keys, with the keyboard's mapping. */
+/** Returns the deflections of the switches that the held keys command. */
 export function turningOf(held: ReadonlySet<string>, { bindings }: Pick<Mapping, 'bindings'>): Turning {
   const turning = { ...STILL };
   for (const code of held) {
@@ -107,7 +107,7 @@ export function turningOf(held: ReadonlySet<string>, { bindings }: Pick<Mapping,
   return turning;
 }
 
-/** Sum of two deflections of the same switches, limited to full deflection. */
+/** Returns the sum of two deflections of the same switches, limited to full deflection. */
 export function together(a: Turning, b: Turning): Turning {
   return { pan: clamp(a.pan + b.pan), tilt: clamp(a.tilt + b.tilt), zoom: clamp(a.zoom + b.zoom) };
 }

@@ -4,17 +4,17 @@ import type { Reading } from './device';
 import type { Mapping } from './mapping';
 import type { Source } from './rebind';
 
-/** Least motion of an axis that counts as a choice. */
+/** Least motion by which an axis is chosen. */
 const MEANT = 0.5;
 
 export class Capture {
   private before: Reading | null = null;
-  /** A pressed button that, like Shift, changes the uses of others; chosen only if released before another press. */
+  /** A pressed button that, like Shift, changes the functions of others. It is chosen only if they are not pressed. */
   private changer: number | null = null;
 
   constructor(private readonly mapping: Mapping) {}
 
-  /** The source that was pressed or moved since the first reading; null if there is none. */
+  /** Returns the button or axis that was pressed or moved since the first reading; null if there is none. */
   look(reading: Reading | null): Source | null {
     if (!reading) return null;
     const before = this.before ?? reading;

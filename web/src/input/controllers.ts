@@ -12,14 +12,14 @@ import { SpaceMouse } from './spacemouse';
 import { mappingOf, revision } from './store';
 import { TouchSticks } from './touch';
 
-/** Longest name of a device that is reported [characters]. */
+/** Greatest length of a device's name in a report [characters]. */
 const LONGEST_NAME = 80;
 
 /** Description of the devices for the desk. */
 export interface ControllersShown {
   /** The devices in use, or the reason why there are none. */
   readonly words: string;
-  /** Lost device of each hand controller; null if there is none. */
+  /** Lost device of each hand controller; null if no device is lost. */
   readonly gone: Readonly<Record<Hand, string | null>>;
   /** Widest deadband among the devices of each hand controller. */
   readonly deadband: Readonly<Record<Hand, number>>;
@@ -75,7 +75,7 @@ export class Controllers {
     return this.devices.filter(({ state }) => state === 'waiting');
   }
 
-  /** Returns all deflections at `now` [ms], `dt` [s] after the last call; a lost device makes them zero. */
+  /** Returns the deflections at `now` [ms], `dt` [s] after the last call. While a device is lost, all are zero. */
   poll(now: number, dt: number): Deflection {
     const gone = this.lost.length;
     const parts = [this.pads.poll(now), this.readCap(now), this.readScreen(now)];
@@ -91,7 +91,7 @@ export class Controllers {
     return this.paused ? ZERO : sum(keys, others);
   }
 
-  /** Centres all devices: keys must be pressed again, and devices must return to zero first. */
+  /** Centres all devices. Keys act again when they are pressed again, other devices after they have been at zero. */
   release(): void {
     this.keyboard.release();
     this.pads.disarm();
@@ -116,7 +116,7 @@ export class Controllers {
     };
   }
 
-  /** Changes whenever `inUse` changes. */
+  /** A text that changes whenever the result of `inUse` changes. */
   get revision(): string {
     return `${revision()} ${this.devices.map(({ kind, name }) => `${kind} ${name}`).join()}`;
   }
@@ -134,11 +134,11 @@ export class Controllers {
 
   private get words(): string {
     const [lost] = this.lost;
-    if (lost) return `${lost.short} is gone; use the keys`;
+    if (lost) return `${lost.short} lost; use the keys`;
     const [waiting] = this.waiting;
     if (waiting) return waiting.resting ? 'Off centre: see Controllers' : `Centre: ${waiting.short}`;
     const names = this.devices.map(({ short }) => short);
-    return names.length === 0 ? 'Keyboard flies' : `${names.join(', ')} and keyboard fly`;
+    return names.length === 0 ? 'Keyboard in use' : `${names.join(', ')} and keyboard in use`;
   }
 
   private lostOf(hand: Hand): string | null {

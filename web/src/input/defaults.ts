@@ -1,4 +1,4 @@
-/** The mappings that the station comes with. */
+/** Default mappings of all kinds of device. */
 
 import type { Kind, Mapping } from './mapping';
 
@@ -64,7 +64,7 @@ const KEYBOARD = {
   ...Object.fromEntries(digits),
 };
 
-/** A pad's cross, stick presses, View and Menu, in the browser's standard mapping. */
+/** A pad's cross (D-pad), stick presses, View and Menu, in the browser's standard mapping. */
 const PAD_CAMERAS = {
   b15: '+pan',
   b14: '-pan',
@@ -76,7 +76,7 @@ const PAD_CAMERAS = {
   b9: 'cameraStep +',
 };
 
-/** Axes are positive to the right and towards the operator; a stick pushed away means +X and nose up. */
+/** Axes are positive to the right and towards the operator. A stick pushed away commands +X or nose up. */
 const PAD = {
   a1: '-X',
   a0: '+Y',
@@ -125,11 +125,11 @@ const RHC_PAD = {
   ...PAD_CAMERAS,
 };
 
-/** Joysticks have no standard; most give x, y, twist, and trigger, thumb, pinkie first. */
+/** Joysticks have no standard mapping. Most begin with the axes x, y, twist and the buttons trigger, thumb, pinkie. */
 const THC_JOYSTICK = { a1: '-X', a0: '+Y', a2: '+Z', b1: 'stop' };
 const RHC_JOYSTICK = { a1: '-pitch', a0: '+roll', a2: '+yaw', b0: 'close', b1: 'rate hold', b2: 'rate' };
 
-/** x to the right, y to the operator, z down, right-handed rotations about them (HID Usage Tables, 4.2). */
+/** Axes: x to the right, y to the operator, z down, and right-handed rotations about them (HID Usage Tables, 4.2). */
 const SPACEMOUSE = {
   a1: '-X',
   a0: '+Y',
@@ -141,7 +141,7 @@ const SPACEMOUSE = {
   b1: 'rate',
 };
 
-/** Left stick and slider, right stick and slider; drawn axes are positive to the right and downwards. */
+/** Touch sticks: left stick and slider, right stick and slider. Their axes are positive to the right and downwards. */
 const TOUCH = { a1: '-X', a0: '+Y', a2: '+Z', a4: '-pitch', a3: '+yaw', a5: '+roll' };
 
 function mapping(bindings: Readonly<Record<string, string>>): Mapping {

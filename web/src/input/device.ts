@@ -18,16 +18,16 @@ export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
 
 /** Time without motion after which an axis off zero counts as at rest [ms]. */
 const REST_MS = 1500;
-/** A sensor's noise. */
+/** Changes of an axis below this are noise of its sensor, not motion. */
 const STILL = 0.02;
 
-/** Depth to which a button is pressed; some drivers report only whether it is pressed. */
+/** Returns how far a button is pressed, 0 to 1. Some drivers report only whether it is pressed. */
 function travel(reading: Reading, index: number): number {
   const button = reading.buttons[index];
   return button ? button.value || Number(button.pressed) : 0;
 }
 
-/** Value of a source before deadband and expo; zero for a button while a second one gives it another use. */
+/** Value of a source before deadband and expo; zero for a button to which a held button gives another function. */
 function raw(reading: Reading, source: string, { bindings, centres }: Mapping): number {
   const axis = indexOf(source, 'a');
   if (axis !== null) return centred(reading.axes[axis] ?? 0, centres[axis] ?? 0);
@@ -39,7 +39,7 @@ function raw(reading: Reading, source: string, { bindings, centres }: Mapping): 
   return other ? 0 : travel(reading, first ?? 0);
 }
 
-/** Deflections by a reading, before (`shaped` false) or after deadband and expo. */
+/** Returns the deflections of a reading, before (`shaped` false) or after deadband and expo. */
 export function deflection(reading: Reading, mapping: Mapping, shaped = true): Deflection {
   const values = ZERO.map(() => 0);
   for (const [source, use] of Object.entries(mapping.bindings)) {
@@ -53,15 +53,15 @@ export function deflection(reading: Reading, mapping: Mapping, shaped = true): D
 
 export class Device {
   state: DeviceState = 'none';
-  /** The browser's name for it; empty before it was first seen. */
+  /** The browser's name for the device; empty before it is connected for the first time. */
   name = '';
-  /** Its present reading; null if it is not connected. */
+  /** Present reading; null if the device is not connected. */
   reading: Reading | null = null;
-  /** Whether it is off zero without motion: a sensor's offset, not a deflection. */
+  /** Whether the device is off zero without motion. This is a sensor's offset, not a deflection. */
   resting = false;
-  /** Pressed buttons, each with the use that it was pressed for. */
+  /** Pressed buttons, each with the function that it had when it was pressed. */
   private readonly down = new Map<number, string | undefined>();
-  /** A pressed button that changes the uses of others, if no other one was pressed with it. */
+  /** A pressed button that changes the functions of others, until another button is pressed with it. */
   private alone: number | null = null;
   private still: { axes: readonly number[]; since: number } = { axes: [], since: 0 };
 
@@ -79,19 +79,19 @@ export class Device {
     return this.name.replace(/\s*\(.*$/, '').slice(0, 26) || this.kind;
   }
 
-  /** Whether it moves this hand controller. */
+  /** Returns whether the device moves this hand controller. */
   moves(hand: Hand): boolean {
     const axes = HANDS[hand].map((axis) => AXES[axis]);
     return Object.values(this.mapping.bindings).some((use) => axes.some((axis) => axis === use.slice(1)));
   }
 
-  /** Takes its reading at `now` [ms]; a device that is not in use is at zero. */
+  /** Stores the device's reading at `now` [ms] and returns its deflections, which are zero if it is not in use. */
   read(reading: Reading | null, now: number): Deflection {
     this.reading = reading;
     if (!reading) {
       if (this.state !== 'none') this.state = 'lost';
       this.resting = false;
-      this.letGo();
+      this.releaseAll();
       return ZERO;
     }
     if (this.state === 'none' || this.state === 'lost') this.wait();
@@ -103,7 +103,7 @@ export class Device {
     return ZERO;
   }
 
-  /** Centres the device until it has been at zero; a held button must be pressed again. */
+  /** Centres the device until it has been at zero. A held button acts again only when it is pressed again. */
   disarm(): void {
     if (this.state === 'flying') this.wait();
     for (const [index, use] of this.down) {
@@ -113,7 +113,7 @@ export class Device {
     this.alone = null;
   }
 
-  /** Takes the device out of use at the operator's wish; its absence is not reported. */
+  /** Takes the device out of use; it is not reported as lost. */
   forget(): void {
     this.read(null, 0);
     this.state = 'none';
@@ -175,7 +175,7 @@ export class Device {
   }
 
   /** Releases all buttons of a device that is disconnected. */
-  private letGo(): void {
+  private releaseAll(): void {
     const uses = [...this.down.values()];
     this.down.clear();
     this.alone = null;

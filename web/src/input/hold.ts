@@ -9,19 +9,19 @@ export class Hold {
     private readonly act: () => void,
   ) {}
 
-  /** Takes a press at `now` [ms]. */
+  /** Starts the time; called when the switch is pressed at `now` [ms]. */
   press(now: number): void {
     this.since ??= now;
   }
 
-  /** Takes a release at `now` [ms]. If no picture was drawn in time, the key may have been held long enough. */
+  /** Called when the switch is released at `now` [ms]. Acts if the time is over and no call of `tick` has acted yet. */
   lift(now: number): void {
     this.tick(now);
     this.since = null;
     this.done = false;
   }
 
-  /** The elapsed part of the time at `now` [ms], 0 to 1; acts once at 1. */
+  /** Returns the elapsed fraction of the time at `now` [ms]; acts once when it reaches 1. */
   tick(now: number): number {
     if (this.since === null) return 0;
     const part = (now - this.since) / (1000 * this.seconds);

@@ -1,4 +1,4 @@
-/** Keys pressed in a secondary window, sent to its page, which handles them as its own. */
+/** Sends the keys pressed in a secondary window to its page, which handles them like keys pressed in the page. */
 
 import { isControl, isTyping } from './keyboard';
 import { mappingOf } from './store';
@@ -11,14 +11,14 @@ export type Relayed =
       readonly key: string;
       readonly shift: boolean;
     }
-  /** Keys are still held. */
+  /** At least one key is still held. */
   | { readonly kind: 'holding' }
   /** The window lost the focus: all keys are released. */
   | { readonly kind: 'released' };
 
-/** Interval of the messages while keys are held [ms]. */
+/** Time between two messages while keys are held [ms]. */
 const HOLDING_MS = 100;
-/** Without a message for this time, a window's keys count as released [ms]; the station's time for sticks is the same. */
+/** Without a message for this time, a window's keys count as released [ms]. The station zeroes sticks after as long. */
 const SILENT_MS = 500;
 
 /** Sender in the secondary window. */
@@ -27,7 +27,7 @@ export class KeyRelay {
   private readonly ended = new AbortController();
   private readonly timer: number;
 
-  /** `passes`: whether there is a page that handles this key. */
+  /** `passes` returns whether there is a page that handles this key. */
   constructor(
     private readonly passes: (code: string) => boolean,
     private readonly say: (message: Relayed) => void,
@@ -61,7 +61,7 @@ export class KeyRelay {
 
   private up(event: KeyboardEvent): void {
     const { code, key, shiftKey: shift } = event;
-    if (code === 'Space') event.preventDefault(); // otherwise it would click the button in focus
+    if (code === 'Space') event.preventDefault(); // otherwise Space would click the button in focus
     if (!this.held.delete(code)) return;
     event.stopImmediatePropagation();
     this.say({ kind: 'key', down: false, code, key, shift });

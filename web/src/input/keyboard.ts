@@ -1,4 +1,4 @@
-/** The keyboard as two hand controllers and switches, with the keyboard's mapping. */
+/** The keyboard as two hand controllers and switches, according to its mapping. */
 
 import { clamp } from '../basics/clamp';
 import { type Deflection, ZERO } from './deflection';
@@ -6,11 +6,11 @@ import { type Action, USES, type Use } from './keymap';
 import { learnLetter } from './layout';
 import { mappingOf } from './store';
 
-/** Time from zero to full deflection while a key is held, and back after its release [s]. */
+/** Time from zero to full deflection while a key is held, and time back to zero after its release [s]. */
 const FULL_S = 0.35;
 const RETURN_S = 0.15;
 
-/** Value of an axis after `dt` [s], between `value` and `target`; a change of sign stops at zero first. */
+/** Returns the axis' value `dt` [s] after `value`, on the way to `target`. A change of sign stops at zero first. */
 export function ramp(value: number, target: number, dt: number): number {
   const crossing = value * target < 0;
   const goal = crossing ? 0 : target;
@@ -23,7 +23,7 @@ export interface KeyboardListener {
   /** A stick's key was pressed or released at `at` [ms, as performance.now()]. */
   moved(at: number): void;
   acted(action: Action): void;
-  /** Gets every key first; returns true if it used the key for something else. */
+  /** Called first with every key event; returns true if it has used the event, which then has no other effect. */
   taken(event: KeyboardEvent): boolean;
 }
 
@@ -94,7 +94,7 @@ export class Keyboard {
   }
 
   private up(event: KeyboardEvent): void {
-    // Space must only stop: a button would take its release as a click.
+    // Space must only stop: its release would also click a button in focus.
     if (event.code === 'Space') event.preventDefault();
     if (!this.held.delete(event.code)) return;
     if (!this.grip(event.code, false, event.timeStamp)) this.listener.moved(event.timeStamp);
@@ -115,17 +115,17 @@ function useOf(code: string): Use | undefined {
   return name === undefined ? undefined : USES.get(name);
 }
 
-/** Whether an element is a field that takes letters, unlike a slider or a check box. */
+/** Returns whether an element is a field into which letters can be typed, unlike a slider or a check box. */
 export function isTyping(target: EventTarget | null): target is HTMLInputElement {
   return target instanceof HTMLInputElement && !/^(?:range|checkbox|radio|button)$/.test(target.type);
 }
 
-/** Whether an element is a field for words, in which Space is typed, too. */
+/** Returns whether an element is a text field into which spaces can be typed. */
 function takesSpaces(target: EventTarget | null): boolean {
   return isTyping(target) && target.inputMode === 'text';
 }
 
-/** Whether an element in focus, such as a slider or a list, uses the arrow keys itself. */
+/** Returns whether the element in focus uses the key itself, as a slider or a list uses the arrow keys. */
 function isOwn({ code, target }: KeyboardEvent): boolean {
   const arrows = /^(Arrow|Page|Home|End)/.test(code);
   return (

@@ -1,11 +1,12 @@
 /**
- * All uses of keys, buttons and axes. A new use needs a line in `USES`, its key in `defaults.ts`, and for an action its
- * case in `page/commands.ts`; sheet, storage, rebinding and recording follow from the table.
+ * All functions that can be assigned to keys, buttons and axes; the code calls a function a `use`. A new function needs
+ * an entry in `USES`, its key in `defaults.ts`, and for an action a case in `page/commands.ts`. The sheet, the storage,
+ * the rebinding and the recording take it from `USES`.
  */
 
 import { AXES } from './deflection';
 
-/** Uses that act only when held: close or open the end effector, latch or unlatch its payload, release the brakes. */
+/** Functions that act after a hold: close or open the end effector, latch or unlatch a payload, release the brakes. */
 export type Grip = 'close' | 'open' | 'latch' | 'brakes';
 
 export type Action =
@@ -43,7 +44,7 @@ export interface GripAction {
   readonly at: number;
 }
 
-/** What a use does: it deflects an axis to one side, acts once at each press, or acts while it is held (`Grip`). */
+/** Effect of a function: it deflects an axis to one side, acts once at each press, or acts after a hold (`Grip`). */
 export type Does =
   | { readonly kind: 'axis'; readonly axis: number; readonly sign: 1 | -1 }
   | { readonly kind: 'once'; readonly action: Exclude<Action, GripAction> }
@@ -88,7 +89,7 @@ function held(grip: Grip, label: string): Use {
   return { name: grip, label, does: { kind: 'grip', grip } };
 }
 
-/** Number of cameras with a key of their own. */
+/** Number of cameras that have a key. */
 const CAMERAS = 10;
 
 const ACTIONS: readonly Use[] = [
@@ -125,17 +126,17 @@ const ACTIONS: readonly Use[] = [
   ),
 ];
 
-/** All uses by name, in the order of the sheet. */
+/** All functions by name, in the order of the sheet. */
 export const USES: ReadonlyMap<string, Use> = new Map(
   [...axisUses(), ...ACTIONS].map((use) => [use.name, use]),
 );
 
-/** The use of an axis to one side. */
+/** Returns the name of the function that deflects an axis to one side. */
 export function axisUse(axis: number, sign: number): string {
   return `${sign < 0 ? '-' : '+'}${AXES[axis]}`;
 }
 
-/** Name of a use on the page: `THC +X`, `rate hold`. */
+/** Returns the name of a function on the page: `THC +X`, `rate hold`. */
 export function labelOf(use: string): string {
   return USES.get(use)?.label ?? use;
 }

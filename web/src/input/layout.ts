@@ -1,6 +1,6 @@
 /**
- * Names of keys, buttons and axes. Keys have the letters of the user's keyboard, as the browser reports them or as they
- * were written when pressed.
+ * Names of keys, buttons and axes. A letter key is named by the letter on the user's keyboard. The browser reports the
+ * letters, or else they are learned when the keys are pressed.
  */
 
 import { keeper } from '../page/local-storage';
@@ -37,7 +37,7 @@ const NAMES: Readonly<Record<string, string>> = {
   PageDown: 'Page ↓',
 };
 
-/** The browser's standard mapping. */
+/** Names of a pad's buttons, in the order of the browser's standard mapping. */
 const BUTTONS = [
   'South',
   'East',
@@ -58,7 +58,7 @@ const BUTTONS = [
   'Home',
 ];
 
-/** Abbreviations of these names. */
+/** Abbreviations of the names in `BUTTONS`. */
 const SHORT_BUTTONS = 'S E W N LB RB LT RT View Menu LP RP ✚↑ ✚↓ ✚← ✚→ Home'.split(' ');
 
 /** Names of each axis, its two directions, and their abbreviations. */
@@ -85,21 +85,21 @@ const CAP_AXES: readonly AxisWords[] = [
   ['Cap twist', 'Cap twist ↺', 'Cap twist ↻', '↺', '↻'],
 ];
 
-/** Characters that the keys wrote, for a browser that reports no layout; kept for the next visit. */
+/** Storage key of the learned letters, for browsers that do not report the layout. */
 const KEY = 'aftdeck.letters';
 let letters: ReadonlyMap<string, string> = new Map();
 let learned: Map<string, string> | null = null;
 
-/** Returns the legend of the key at that position, if known. */
+/** Returns the name of the key with this position code. */
 export function nameOf(code: string): string {
   return (
     NAMES[code] ??
-    (letters.get(code) ?? pressed().get(code))?.toUpperCase() ??
+    (letters.get(code) ?? learnedLetters().get(code))?.toUpperCase() ??
     code.replace(/^(Key|Digit)/, '').replace(/^Numpad/, 'Num ')
   );
 }
 
-/** Name of a source; `sign`: direction of an axis. */
+/** Returns the name of a key, button or axis; `sign`: direction of an axis. */
 export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string {
   if (kind === 'keyboard') return nameOf(source);
   if (source.includes('+'))
@@ -115,7 +115,7 @@ export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string 
   return (kind.endsWith('pad') ? BUTTONS[number] : undefined) ?? `Button ${number + 1}`;
 }
 
-/** Abbreviated name of a source. */
+/** Returns the abbreviated name of a key, button or axis. */
 export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string {
   if (kind === 'keyboard')
     return nameOf(source)
@@ -133,7 +133,7 @@ export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string 
   return words ? words[sign < 0 ? 3 : 4] : `${number}${sign < 0 ? '−' : '+'}`;
 }
 
-/** Name of the key for a use; empty if there is none. */
+/** Returns the name of the key with a function; empty if there is none. */
 export function keyOf(use: string): string {
   const code = sourcesOf(mappingOf('keyboard'), use)[0];
   return code === undefined ? '' : nameOf(code);
@@ -149,16 +149,16 @@ export async function learnLayout(): Promise<void> {
 
 type Pressed = Pick<KeyboardEvent, 'code' | 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>;
 
-/** Stores the legend of a key that was pressed alone. */
+/** Learns the letter of a key that was pressed without Shift, Ctrl, Alt and Meta. */
 export function learnLetter({ code, key, shiftKey, ctrlKey, altKey, metaKey }: Pressed): void {
   if (shiftKey || ctrlKey || altKey || metaKey || !/^Key[A-Z]$/.test(code) || !/^\S$/u.test(key)) return;
-  if (letters.size > 0 || pressed().get(code) === key.toLowerCase()) return;
-  pressed().set(code, key.toLowerCase());
-  keeper.setItem(KEY, JSON.stringify([...pressed()]));
+  if (letters.size > 0 || learnedLetters().get(code) === key.toLowerCase()) return;
+  learnedLetters().set(code, key.toLowerCase());
+  keeper.setItem(KEY, JSON.stringify([...learnedLetters()]));
 }
 
-/** Legends learned in this or an earlier visit. */
-function pressed(): Map<string, string> {
+/** Returns the letters learned in this and earlier visits. */
+function learnedLetters(): Map<string, string> {
   learned ??= new Map(saved());
   return learned;
 }
@@ -168,7 +168,7 @@ function saved(): [string, string][] {
     const kept: unknown = JSON.parse(keeper.getItem(KEY) ?? '[]');
     return Array.isArray(kept) ? kept.filter(isPair) : [];
   } catch {
-    return []; // invalid: it is rewritten as keys are pressed
+    return []; // invalid data is replaced when letters are learned
   }
 }
 

@@ -1,7 +1,7 @@
 /**
- * Mapping of a kind of device, as plain data. A binding assigns a use to a source, so that no source can have two uses.
- * Sources are keys by their position (`KeyW`), buttons (`b3`), axes (`a1`), and a button while another one is held
- * (`b9+b12`).
+ * Mapping of a kind of device, as plain data. Each binding assigns one function to a source, so no source can have two
+ * functions. A source is a key by its position (`KeyW`), a button (`b3`), an axis (`a1`), or a button while another
+ * button is held (`b9+b12`).
  */
 
 import { clamp } from '../basics/clamp';
@@ -20,12 +20,12 @@ export const KINDS = [
 export type Kind = (typeof KINDS)[number];
 
 export interface Mapping {
-  /** Part of an axis' travel about its centre that counts as zero. */
+  /** Fraction of an axis' travel, on both sides of its centre, that counts as zero. */
   readonly deadband: number;
-  /** Share of the cubic response to a deflection x: 0 is linear, 1 is x³. */
+  /** Fraction of the cubic response to a deflection x: 0 is linear, 1 is x³. */
   readonly expo: number;
   readonly bindings: Readonly<Record<string, string>>;
-  /** Rest position of each axis, as the operator has confirmed; absent: 0. */
+  /** Rest position of each axis that the operator has set as zero; a missing position is 0. */
   readonly centres: readonly number[];
 }
 
@@ -37,25 +37,25 @@ export const MOST_BINDINGS = 64;
 
 const SOURCE = /^(?:[ab]\d{1,2}|b\d{1,2}\+b\d{1,2}|[A-Z][A-Za-z0-9]{1,15})$/;
 
-/** The number in `a1` or `b3`; null for another kind of source. */
+/** Returns the number in `a1` or `b3`; null for another kind of source. */
 export function indexOf(source: string, letter: 'a' | 'b'): number | null {
   const index = source[0] === letter ? Number(source.slice(1)) : Number.NaN;
   return Number.isNaN(index) ? null : index;
 }
 
-/** Deflection of an axis from its rest position, scaled to full deflection at both ends. */
+/** Returns the deflection of an axis from its rest position, scaled to full deflection at both ends. */
 export function centred(raw: number, centre: number): number {
   const from = clamp(raw) - centre;
   return from === 0 ? 0 : from / (from > 0 ? 1 - centre : 1 + centre);
 }
 
-/** An axis in [-1, 1] after deadband and expo. */
+/** Returns a deflection in [-1, 1] after deadband and expo. */
 export function shape(value: number, { deadband, expo }: Pick<Mapping, 'deadband' | 'expo'>): number {
   const size = Math.min(1, Math.max(0, (Math.abs(value) - deadband) / (1 - deadband)));
   return size === 0 ? 0 : Math.sign(value) * ((1 - expo) * size + expo * size ** 3);
 }
 
-/** The sources of a use. */
+/** Returns the sources that have a function. */
 export function sourcesOf(mapping: Mapping, use: string): readonly string[] {
   return Object.keys(mapping.bindings).filter((source) => mapping.bindings[source] === use);
 }
@@ -73,8 +73,9 @@ export function parseMapping(data: unknown): Mapping {
   if (entries.length > MOST_BINDINGS) throw new Error(`a mapping has at most ${MOST_BINDINGS} bindings`);
   for (const [source, use] of entries) {
     if (!SOURCE.test(source)) throw new Error(`“${source}” is not a key, button or axis`);
-    if (typeof use !== 'string' || !USES.has(use)) throw new Error(`“${use}” is not a use`);
-    if (source[0] === 'a' && USES.get(use)?.does.kind !== 'axis') throw new Error(`an axis cannot ${use}`);
+    if (typeof use !== 'string' || !USES.has(use)) throw new Error(`“${use}” is not a function`);
+    if (source[0] === 'a' && USES.get(use)?.does.kind !== 'axis')
+      throw new Error(`an axis cannot have the function “${use}”`);
   }
   if (!Array.isArray(centres)) throw new Error('a mapping must have centres');
   return {

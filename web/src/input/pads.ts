@@ -1,6 +1,6 @@
 /**
- * Gamepads and joysticks: one device is both THC and RHC; of two, the one moved first is the THC, the other one the RHC.
- * A device that was not moved is not in use and not reported.
+ * Gamepads and joysticks. A single device is both THC and RHC. Of two devices, the device that was moved first is the
+ * THC, and the other is the RHC. A device that was never moved is neither in use nor reported.
  */
 
 import { type Deflection, sum, ZERO } from './deflection';
@@ -10,13 +10,13 @@ import type { Kind } from './mapping';
 
 /** Least change of an axis from its first position that counts as moved. */
 const MOVED = 0.3;
-/** Hands. */
+/** Greatest number of devices in use: a THC and an RHC. */
 const MOST = 2;
 
 interface Seat {
   readonly id: string;
   readonly standard: boolean;
-  /** The browser's number for it, which changes when it is plugged in again. */
+  /** The browser's number for the device, which may change when the device is plugged in again. */
   index: number;
   device: Device;
 }
@@ -30,19 +30,19 @@ export class Pads {
 
   constructor(private readonly acted: (action: Action) => void) {}
 
-  /** Devices in use: the one for both, or THC and RHC. */
+  /** Devices in use: one device that is both THC and RHC, or first the THC and then the RHC. */
   get devices(): readonly Device[] {
     return this.seats.map(({ device }) => device);
   }
 
   /** Reads all devices at `now` [ms]. */
   poll(now: number): Deflection {
-    const there = navigator.getGamepads().filter((pad): pad is Gamepad => pad?.connected === true);
-    const free = new Set(there);
+    const connected = navigator.getGamepads().filter((pad): pad is Gamepad => pad?.connected === true);
+    const free = new Set(connected);
     const found = this.seats.map((seat) => {
-      const own = there.find(({ id, index }) => id === seat.id && index === seat.index);
-      const pad = own ?? there.find((each) => each.id === seat.id && !this.taken(each));
-      // Two devices that are plugged in again may have been exchanged.
+      const own = connected.find(({ id, index }) => id === seat.id && index === seat.index);
+      const pad = own ?? connected.find((each) => each.id === seat.id && !this.taken(each));
+      // If two devices are plugged in again, the browser may have exchanged them.
       if (pad && seat.device.state === 'lost') this.asks = this.seats.length === MOST;
       if (pad) seat.index = pad.index;
       if (pad) free.delete(pad);
@@ -84,12 +84,12 @@ export class Pads {
     return this.seats.some((seat) => seat.index === index);
   }
 
-  /** Takes a device into use if it was moved; a standard pad also without motion, if no device is in use. */
+  /** Takes a device into use if it was moved; the first device also without motion if it has the standard mapping. */
   private joins(pad: Gamepad): boolean {
     const standard = pad.mapping === 'standard';
     const first = this.first.get(pad.index) ?? copied(pad);
     this.first.set(pad.index, first);
-    // Some devices have switches that are always on, and levers that rest anywhere.
+    // Compare with the first reading: some devices have switches that are always on, and levers that rest anywhere.
     const moved =
       pad.axes.some((value, i) => Math.abs(value - (first.axes[i] ?? 0)) > MOVED) ||
       pad.buttons.some(({ pressed }, i) => pressed !== first.buttons[i]?.pressed);
@@ -102,7 +102,7 @@ export class Pads {
     return true;
   }
 
-  /** Assigns each device to THC, RHC or both; a device whose assignment has changed must return to zero first. */
+  /** Assigns each device to THC, RHC or both. A device with a changed assignment acts after it has been at zero. */
   private assign(): void {
     this.seats.forEach((seat, i) => {
       const kind = kindOf(seat.standard, this.seats.length === 1 ? null : i === 0 ? 'thc' : 'rhc');

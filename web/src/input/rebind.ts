@@ -10,7 +10,7 @@ export interface Source {
   readonly sign: 1 | -1;
 }
 
-/** Keys whose use never changes. */
+/** Keys with a fixed function, and the sentence that rejects another function. */
 const FIXED: Readonly<Record<string, string>> = {
   Space: 'Space always stops',
   Escape: 'Esc always closes sheets',
@@ -32,12 +32,12 @@ const BROWSERS = new Set([
 const BROWSERS_PATTERN =
   /^(?:F\d{1,2}|(?:Control|Alt|Meta|OS|Shift)(?:Left|Right)?|Print.*|Pause|Browser.*|Media.*|Audio.*)$/;
 
-/** Whether another key can be assigned to a use. */
+/** Returns whether the keys of a function are fixed, so that no other key can have this function. */
 export function isFixed(kind: Kind, use: string): boolean {
   return kind === 'keyboard' && FIXED_USES.has(use);
 }
 
-/** Reason why a key cannot be assigned, in a sentence; null if it can. */
+/** Returns the reason why a key cannot be assigned, in a sentence; null if it can. */
 export function keyRefusal(
   event: Pick<KeyboardEvent, 'code' | 'ctrlKey' | 'altKey' | 'metaKey'>,
 ): string | null {
@@ -52,13 +52,13 @@ export function keyRefusal(
 }
 
 /**
- * Returns a mapping in which a use is assigned to the source that was pressed or moved.
+ * Returns a mapping in which the source that was pressed or moved has this function.
  *
  * Throws an Error with the reason for a rejection.
  */
 export function bind(kind: Kind, mapping: Mapping, use: string, { source, sign }: Source): Mapping {
   const does = USES.get(use)?.does;
-  if (!does) throw new Error(`“${use}” is not a use.`);
+  if (!does) throw new Error(`“${use}” is not a function.`);
   const analogue = indexOf(source, 'a') !== null;
   const name = nameOfSource(kind, source);
   if (analogue && does.kind !== 'axis')
@@ -76,15 +76,15 @@ export function bind(kind: Kind, mapping: Mapping, use: string, { source, sign }
   return { ...mapping, bindings };
 }
 
-/** Returns a mapping in which no source has this use. */
+/** Returns a mapping in which no source has this function. */
 export function unbind(mapping: Mapping, use: string): Mapping {
-  const gone = new Set(sourcesOf(mapping, use));
-  for (const source of wholeAxes(mapping, use)) gone.add(source);
-  const kept = Object.entries(mapping.bindings).filter(([source]) => !gone.has(source));
+  const removed = new Set(sourcesOf(mapping, use));
+  for (const source of wholeAxes(mapping, use)) removed.add(source);
+  const kept = Object.entries(mapping.bindings).filter(([source]) => !removed.has(source));
   return { ...mapping, bindings: Object.fromEntries(kept) };
 }
 
-/** Sources of a use: its keys, buttons and axes, and with sign −1 the axes that are bound to the opposite use. */
+/** Returns the sources of a function. An axis with the opposite function is included, with the sign −1. */
 export function movers(mapping: Mapping, use: string): readonly Source[] {
   const own = sourcesOf(mapping, use).map((source): Source => ({ source, sign: 1 }));
   const others = wholeAxes(mapping, use)
@@ -116,7 +116,7 @@ function wholeAxes(mapping: Mapping, use: string): readonly string[] {
     .map(([source]) => source);
 }
 
-/** Whether two uses are the same, or if `either`, move the same axis. */
+/** Returns whether two functions are equal. If `either`, the two functions of one axis also count as equal. */
 function sameAxis(a: string, b: string, either: boolean): boolean {
   const [one, other] = [USES.get(a)?.does, USES.get(b)?.does];
   return a === b || (either && one?.kind === 'axis' && other?.kind === 'axis' && one.axis === other.axis);

@@ -1,7 +1,8 @@
 /**
- * A SpaceMouse through WebHID. Report 1 holds three translations, or all six axes; report 2 three rotations; report 3
- * the buttons, a bit each; little-endian 16 bit, full deflection about 350. Layouts as in PySpaceMouse's table of
- * devices and spacenavd. A report of unknown length is reported to the user, and moves nothing.
+ * A SpaceMouse, read by WebHID. Report 1 contains three translations or all six axes, report 2 three rotations, and
+ * report 3 the buttons, one bit for each. An axis is a little-endian 16-bit number; full deflection is about 350.
+ * Sources of these layouts: PySpaceMouse's table of devices, and spacenavd. A report of unknown length is reported to
+ * the user and moves nothing.
  */
 
 import { clamp } from '../basics/clamp';
@@ -15,10 +16,10 @@ const USAGE = 0x08;
 const FULL = 350;
 const AXES = 6;
 const MOST_BUTTONS = 32;
-/** A deflected cap reports continuously; after this time without a report the device is lost [ms]. */
+/** A deflected cap sends reports continuously. After this time without a report it is lost [ms]. */
 const SILENCE_MS = 500;
-/** Greatest time that counts between two readings, because reports also wait while the page is busy [ms]. */
-const MOST_OF_A_LOOK_MS = 50;
+/** Greatest part of the time between two readings that counts as silence [ms]: a busy page receives reports late. */
+const MOST_SILENCE_MS = 50;
 
 const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
 
@@ -29,7 +30,7 @@ export interface Cap {
 
 export const CAP_AT_REST: Cap = { axes: Array<number>(AXES).fill(0), buttons: [] };
 
-/** Reading of the cap after a report; null if the report has an unknown length. Reports other than the three are ignored. */
+/** Returns the cap's reading after a report; null if the report has an unknown length. Other reports are ignored. */
 export function parsed(cap: Cap, report: number, data: DataView): Cap | null {
   if (report === BUTTONS) return { ...cap, buttons: bits(data) };
   if (report !== TRANSLATION && report !== ROTATION) return cap;
@@ -72,9 +73,9 @@ function hid(): Hid | undefined {
 }
 
 export class SpaceMouse {
-  /** Its product name; empty before it is connected. */
+  /** Product name; empty before a SpaceMouse is connected. */
   name = '';
-  /** Why it is not in use, in a sentence; empty if there is no problem. */
+  /** Reason why the SpaceMouse is not in use, in a sentence; empty if there is no problem. */
   problem = '';
   private device: HidDevice | null = null;
   private cap = CAP_AT_REST;
@@ -92,7 +93,7 @@ export class SpaceMouse {
       },
     );
     hid()?.addEventListener('connect', () => void this.find((all) => all.getDevices()), { signal });
-    // A device that the user allowed before needs no second question.
+    // A device that the user has allowed in an earlier visit is used without asking again.
     void this.find((all) => all.getDevices());
   }
 
@@ -107,11 +108,11 @@ export class SpaceMouse {
     await this.find((all) => all.requestDevice({ filters }));
   }
 
-  /** Its reading at `now` [ms]; null if it is not connected, lost, or sends unknown reports. */
+  /** Returns the reading at `now` [ms]; null if the SpaceMouse is not connected, is lost, or sends unknown reports. */
   reading(now: number): Reading | null {
     if (!this.device || this.problem) return null;
     const { axes, buttons } = this.cap;
-    this.silent += Math.min(MOST_OF_A_LOOK_MS, now - this.looked);
+    this.silent += Math.min(MOST_SILENCE_MS, now - this.looked);
     this.looked = now;
     if (axes.some((value) => value !== 0) && this.silent > SILENCE_MS) return null;
     return { axes, buttons: buttons.map((pressed) => ({ pressed, value: Number(pressed) })) };

@@ -22,16 +22,16 @@ import {
   ZOOM,
 } from './deflection';
 
-/** Deflected or held sticks are sent at least this often [ms]; the station zeroes silent ones after 0.5 s. */
+/** Greatest time between two messages while sticks are deflected or RATE HOLD is on [ms]; the station waits 0.5 s. */
 const REPEAT_MS = 100;
 
 /** The sticks at zero, without the camera. */
 const REST: Deflection = ZERO.slice(0, PAN);
 
 export class Sticks {
-  /** X drives the selected joint (SINGLE, DIRECT). */
+  /** Whether X drives the selected joint (SINGLE, DIRECT). */
   driving = false;
-  /** Whether RATE HOLD is on, so that the station needs regular messages. */
+  /** Whether RATE HOLD is on; the station then needs regular messages also from centred sticks. */
   kept = false;
   /** Deflections for the selected camera. */
   camera: Turning = STILL;
@@ -62,7 +62,7 @@ export class Sticks {
     this.orbiter = on;
   }
 
-  /** Takes an input at `at` [ms] and sends at once, not at the next tick. */
+  /** Called for an input at `at` [ms]: reads the devices and sends changes at once, not at the next tick. */
   moved(at: number): void {
     this.read(Math.max(performance.now(), this.last + 16), at);
   }
@@ -72,7 +72,7 @@ export class Sticks {
     this.read(now, null);
   }
 
-  /** `inputAt`: time of a key's press or release [ms]; null if there was none, so that a device's change counts from now. */
+  /** `inputAt`: time of a key's press or release [ms]. If it is null, a change of a device counts from `now`. */
   private read(now: number, inputAt: number | null): void {
     const dt = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = Math.max(now, this.last);
@@ -84,11 +84,11 @@ export class Sticks {
     if (!changed && !(speaks && now - this.sentAt >= REPEAT_MS)) return;
     const seq = this.transmit(value, now);
     const from = inputAt ?? (this.controllers.moved ? now : null);
-    // An input without a change of the sticks, such as a camera's key, has no picture to measure.
+    // A latency is measured only if the sticks have changed: a camera key, for example, changes no stick.
     if (changed && from !== null) this.latency.sent(seq, from);
   }
 
-  /** Centres the sticks at once; keys must be pressed again, and devices must return to zero first. */
+  /** Centres the sticks at once. Keys act again when pressed again, other devices after they have been at zero. */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;
@@ -102,7 +102,7 @@ export class Sticks {
   }
 }
 
-/** Channels of the stick axes; `driving`: X drives one joint; `orbiter`: the THC translates the orbiter. */
+/** Returns the stick axes by channel. `driving`: X drives one joint; `orbiter`: the THC translates the orbiter. */
 export function routed(value: Deflection, driving: boolean, orbiter: boolean) {
   const at = (axis: number) => value[axis] ?? 0;
   const none: Vec3 = [0, 0, 0];

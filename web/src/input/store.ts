@@ -1,4 +1,4 @@
-/** The present mappings, stored in the browser for each kind of device; and the number of their changes. */
+/** The present mapping of each kind of device, stored in the browser, and the number of changes. */
 
 import { keeper } from '../page/local-storage';
 import { DEFAULTS } from './defaults';
@@ -10,12 +10,12 @@ const present = new Map<Kind, Mapping>();
 let changes = 0;
 let troubles: string[] = [];
 
-/** Grows with each change, so that displays of the mappings know when to update. */
+/** Number of changes of all mappings. A display of a mapping updates when this number changes. */
 export function revision(): number {
   return changes;
 }
 
-/** Present mapping of a kind: the saved one, or else the default. */
+/** Returns the present mapping of a kind: the saved mapping, or else the default. */
 export function mappingOf(kind: Kind): Mapping {
   const known = present.get(kind);
   if (known) return known;
@@ -24,7 +24,7 @@ export function mappingOf(kind: Kind): Mapping {
   return read;
 }
 
-/** Uses a mapping from now on; returns false if the browser cannot store it. */
+/** Replaces the present mapping of a kind; returns false if the browser cannot store it. */
 export function save(kind: Kind, mapping: Mapping): boolean {
   present.set(kind, mapping);
   changes += 1;

@@ -3,17 +3,17 @@
 import { clamp } from '../basics/clamp';
 import type { Reading } from './device';
 
-/** Left stick right, down; left slider down; right stick right, down; right slider right. */
+/** Number of axes: left stick (right, down), left slider (down), right stick (right, down), right slider (right). */
 export const TOUCH_AXES = 6;
 
 export class TouchSticks {
-  /** Whether they are on the screen. */
+  /** Whether the touch sticks are on the screen. */
   shown = false;
-  /** Whether the user hid them, so that a touch does not show them again. */
+  /** Whether the user has hidden the touch sticks; a touch then does not show them again. */
   private refused = false;
   private readonly axes: number[] = Array<number>(TOUCH_AXES).fill(0);
 
-  /** Shows the touch sticks because the screen was touched, unless the user hid them. */
+  /** Called when the screen is touched; shows the touch sticks unless the user has hidden them. */
   touched(): void {
     if (!this.refused) this.shown = true;
   }
@@ -28,7 +28,7 @@ export class TouchSticks {
     this.release();
   }
 
-  /** Puts an axis to a value in [-1, 1]. */
+  /** Sets an axis to a value in [-1, 1]. */
   put(axis: number, value: number): void {
     this.axes[axis] = clamp(value);
   }
@@ -42,7 +42,7 @@ export class TouchSticks {
     this.axes.fill(0);
   }
 
-  /** Their reading; null if they are not on the screen. */
+  /** Returns the reading of the touch sticks; null if they are not on the screen. */
   reading(): Reading | null {
     return this.shown ? { axes: [...this.axes], buttons: [] } : null;
   }

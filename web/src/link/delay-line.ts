@@ -2,7 +2,7 @@
 
 import type { Frame } from './protocol';
 
-/** Excess of age over the set delay from which data is stale [s]. */
+/** Data is stale if its age exceeds the set delay by more than this [s]. */
 const STALE_S = 0.5;
 
 export interface Seen {
@@ -17,7 +17,7 @@ export interface Age {
   readonly set: number;
 }
 
-/** Whether data is so much older than the set delay that the page must show it. */
+/** Returns whether data is stale, which the page must show. */
 export function isStale({ s, set }: Age): boolean {
   return s > set + STALE_S;
 }
@@ -29,7 +29,7 @@ export class DelayLine {
   /** `delay`: delay of every frame [s]. */
   constructor(readonly delay: number) {}
 
-  /** Takes a frame. The first frame of a run is displayed at once, because there is none to display before it. */
+  /** Adds a frame. The first frame of a run is displayed at once, because there is no earlier frame to display. */
   put(seen: Seen): void {
     const before = this.underWay.at(-1) ?? this.shown;
     if (!before || this.delay === 0 || seen.frame.tick < before.frame.tick) {

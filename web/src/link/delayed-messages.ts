@@ -1,4 +1,4 @@
-/** Frames and log lines of the station, displayed after the scenario's delays, and measurements of these delays. */
+/** Stores frames and log lines until the scenario's delays are over, and measures the actual delays. */
 
 import type { Delays } from '../panel/rail/delays';
 import { type Age, DelayLine, type Seen } from './delay-line';
@@ -10,7 +10,7 @@ export type Shows = 'telemetry' | 'camera';
 
 interface Line {
   readonly line: DelayLine;
-  /** Ages of frames when they were displayed first [s]. */
+  /** Age of each frame when it was displayed for the first time [s]. */
   readonly ages: Samples;
   last: Seen | null;
 }
@@ -30,7 +30,7 @@ export class Arrivals {
     this.lines = { telemetry: line(welcome.telemetry_delay_s), camera: line(welcome.camera_delay_s) };
   }
 
-  /** Takes a frame that arrived at `now` [ms]; returns whether the run restarted with it. */
+  /** Adds a frame that arrived at `now` [ms]; returns whether it is the first frame after a restart. */
   put(frame: Frame, now: number): boolean {
     const anew = this.newest !== null && frame.tick < this.newest.frame.tick;
     if (anew) this.restarts += 1;
@@ -58,7 +58,7 @@ export class Arrivals {
     return (now - (this.newest?.at ?? now)) / 1000;
   }
 
-  /** Records that a frame is displayed at `now` [ms]; one displayed before its delay was over does not count. */
+  /** Records that a frame is displayed at `now` [ms]. A frame displayed before its delay is over does not count. */
   show(shows: Shows, seen: Seen, now: number): void {
     const line = this.lines[shows];
     const age = (now - seen.at) / 1000;
@@ -66,7 +66,7 @@ export class Arrivals {
     line.last = seen;
   }
 
-  /** The delays; `answer`: measured time from a stick to the frame that used it [s]. */
+  /** Returns the delays as set and as measured; `answer`: time from a stick to the frame that used it [s]. */
   delays(answer: number | null, now: number): Delays {
     const { telemetry, camera } = this.lines;
     const shown = ({ line, ages }: Line) => ({ set: line.delay, measured: ages.part(0.5, now) });
@@ -77,12 +77,12 @@ export class Arrivals {
     };
   }
 
-  /** Takes lines of the log, which are due with the figures of their time. */
+  /** Adds lines of the log. Each is due together with the figures of the same time. */
   addEvents(events: readonly LogEvent[]): void {
     this.log.push(...events);
   }
 
-  /** The lines that are due at `now` [ms]. */
+  /** Removes and returns the lines that are due at `now` [ms]. */
   dueEvents(now: number): readonly LogEvent[] {
     const { line } = this.lines.telemetry;
     const until = line.delay > 0 ? (line.at(now)?.frame.time_s ?? 0) : Infinity;
@@ -90,7 +90,7 @@ export class Arrivals {
     return this.log.splice(0, later < 0 ? Infinity : later);
   }
 
-  /** Takes all lines that are not due yet. */
+  /** Removes and returns all lines that are not due yet. */
   takeEvents(): readonly LogEvent[] {
     return this.log.splice(0);
   }

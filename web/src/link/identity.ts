@@ -1,10 +1,10 @@
-/** Name of this page among those of one browser: the same after a reload, but another one in a copy of its tab. */
+/** Name that distinguishes this page from others of the browser. A reload keeps it; a copy of the tab gets another. */
 
 const KEY = 'aftdeck page';
 
 let own: string | null = null;
 
-/** The page's name. The browser stores it only during a reload, so that a duplicated page gets a name of its own. */
+/** Returns the page's name. The browser stores it only during a reload, so that a copy of the tab gets another name. */
 export function pageName(): string {
   if (own !== null) return own;
   const name = kept(() => sessionStorage.getItem(KEY)) ?? Math.random().toString(36).slice(2);
@@ -16,7 +16,7 @@ export function pageName(): string {
   return name;
 }
 
-/** Null also if storage is unavailable. */
+/** Returns the result of `act`, or null if storage is unavailable. */
 function kept<T>(act: () => T): T | null {
   try {
     return act();

@@ -1,11 +1,12 @@
 /**
- * Latency from an input event to the first picture of a frame that received it, and to the arrival of the first frame that
- * used it, after the scenario's command delay.
+ * Two latencies of an input event. The first one ends with the picture of the first frame that the station sent after
+ * it received the input. The second one ends when the first frame arrives that used the input, so it includes the
+ * scenario's command delay.
  */
 
 import { Samples } from './samples';
 
-/** Normal time of an answer: a control period and the transmission [ms]. */
+/** Normal time from an input to its frame: a control period and the transmission [ms]. */
 const ANSWERED_MS = 40;
 /** Least time between two inputs for which pictures wait [ms]. */
 const HELD_MS = 150;
@@ -21,13 +22,13 @@ export class Latency {
   /** `cameraDelay`: the scenario's delay of pictures, which is not counted [s]. */
   constructor(private readonly cameraDelay = 0) {}
 
-  /** Records a sticks message for an input event at `at` [ms, as performance.now()]. */
+  /** Records a sticks message that was sent because of an input event at `at` [ms, as performance.now()]. */
   sent(seq: number, at: number): void {
     this.waiting.push({ seq, at });
     this.unanswered.push({ seq, at });
   }
 
-  /** Records the picture at `now` [ms] of a frame that received `stickSeq`. */
+  /** Records that a picture was drawn at `now` [ms]; `stickSeq`: last sticks message received before its frame. */
   drawn(stickSeq: number, now: number): void {
     for (const { seq, at } of this.waiting) {
       if (seq <= stickSeq) this.samples.add(now - at - 1000 * this.cameraDelay, now);
@@ -35,7 +36,7 @@ export class Latency {
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
 
-  /** Records the arrival at `now` [ms] of a frame that used `flownSeq`. */
+  /** Records that a frame arrived at `now` [ms]; `flownSeq`: number of the sticks message that it used. */
   answered(flownSeq: number, now: number): void {
     for (const { seq, at } of this.unanswered) {
       if (seq <= flownSeq) this.answers.add(now - at, now);
@@ -50,8 +51,9 @@ export class Latency {
   }
 
   /**
-   * Whether the frame that used an input will arrive soon, so that a picture of `stickSeq` begun now would delay it.
-   * During continuous inputs, pictures wait only for some of them.
+   * Whether the next picture should wait, because a frame with a newer input than `stickSeq` will arrive soon. A
+   * picture that is started now would delay that frame's picture. During continuous inputs, pictures wait only
+   * for some inputs.
    */
   due(stickSeq: number, now: number): boolean {
     if (this.cameraDelay > 0) return false;
@@ -61,7 +63,7 @@ export class Latency {
     return true;
   }
 
-  /** Forgets inputs without an answer, because none will arrive. */
+  /** Discards the inputs that no frame has contained yet, because no frame will contain them. */
   forget(): void {
     this.waiting = [];
     this.unanswered = [];

@@ -12,11 +12,11 @@ import { tornHere } from '../windows/opened';
 import type { Role, Scenarios, Welcome } from './protocol';
 import { type FromSession, Link, type LinkState } from './socket';
 
-/** Sentence on the page while there is no run yet. */
+/** Sentence that fills the page before the first run is available. */
 function words(link: LinkState): string {
   if (link.kind === 'preparing') return link.text;
   return link.kind === 'lost'
-    ? `No answer from the station, try ${link.attempt}.`
+    ? `No answer from the station, attempt ${link.attempt}.`
     : 'Connecting to the station.';
 }
 

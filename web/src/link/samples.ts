@@ -10,7 +10,7 @@ export class Samples {
     this.kept.push({ at, value });
   }
 
-  /** Quantile of the values at `now` [ms]; null if there are none. */
+  /** Returns the quantile `share` (0 to 1) of the values of the 10 s before `now` [ms]; null if there are no values. */
   part(share: number, now: number): number | null {
     this.kept = this.kept.filter(({ at }) => now - at <= WINDOW_MS);
     const sorted = this.kept.map(({ value }) => value).sort((a, b) => a - b);

@@ -8,7 +8,7 @@ type WithoutSeq<M> = M extends unknown ? Omit<M, 'seq'> : never;
 /** Commands of the page, which the link numbers. */
 export type Command = WithoutSeq<FromPage>;
 
-/** Messages that come once the station has its session. */
+/** Messages that the server sends after the session is prepared. */
 export type FromSession = Exclude<FromServer, Preparing>;
 
 export type LinkState =
@@ -37,14 +37,14 @@ export class Link {
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
-    /** State that the page reports: whether it only observes (a secondary window, or too narrow), and whether it draws strips. */
+    /** State that the page reports: whether it only observes (secondary or narrow window), whether it draws strips. */
     private readonly itself: () => Pick<Hello, 'shows' | 'strips'>,
   ) {
     listener.state({ kind: 'connecting' });
     this.socket = this.connect();
   }
 
-  /** Sends a command and returns its number; without a connection it is dropped. */
+  /** Sends a command and returns its number. Without a connection the command is dropped. */
   send(command: Command): number {
     this.seq += 1;
     if (this.welcomed) this.socket.send(JSON.stringify({ ...command, seq: this.seq }));
@@ -83,7 +83,7 @@ export class Link {
     if (message.type === 'welcome') {
       if (message.protocol !== PROTOCOL) {
         this.refuse(
-          `This page speaks protocol ${PROTOCOL}, the station speaks ${message.protocol}: reload the page.`,
+          `This page uses protocol ${PROTOCOL}, the station uses ${message.protocol}: reload the page.`,
         );
         return;
       }
@@ -120,7 +120,7 @@ export class Link {
   }
 }
 
-/** The message in a text frame; its fields are trusted once its type is known. */
+/** Returns the message in a text of the WebSocket. Its type is checked, its fields are not. */
 export function parse(data: unknown): FromServer {
   if (typeof data !== 'string') throw new Error('The station sent a message that is not text.');
   const message = JSON.parse(data) as FromServer;

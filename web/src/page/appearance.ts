@@ -1,4 +1,4 @@
-/** Appearance of the page and its pictures, stored in the browser and the same in all its windows. */
+/** Appearance of the page and its pictures, stored in the browser and equal in all windows of this browser. */
 
 import type { Keeper } from './local-storage';
 
@@ -7,13 +7,13 @@ const KEPT = 'aftdeck.appearance';
 export interface Looks {
   /** Television of the early flights: black and white, with noise. */
   readonly early: boolean;
-  /** Dim for a dark room: the page at 55 %, pictures at 75 % of their brightness. */
+  /** Dim for a dark room: the page at 55 % and the pictures at 75 % of their brightness. */
   readonly night: boolean;
 }
 
 const FRESH: Looks = { early: false, night: false };
 
-/** The stored appearance; the default if it cannot be decoded. */
+/** Returns the stored appearance, or the default if `text` cannot be decoded. */
 export function looksOf(text: string | null): Looks {
   if (text === null) return FRESH;
   try {
@@ -27,7 +27,7 @@ export function looksOf(text: string | null): Looks {
 export class Appearance {
   private looks: Looks;
 
-  /** `changed` is called with the appearance, now and after each change. */
+  /** `changed` is called with the appearance by the constructor and after each change. */
   constructor(
     private readonly store: Keeper,
     private readonly changed: (looks: Looks) => void,
@@ -50,7 +50,7 @@ export class Appearance {
     this.changed(this.looks);
   }
 
-  /** Follows changes by other windows of this browser, until the signal. */
+  /** Applies changes that other windows of this browser make, until `signal` is aborted. */
   follow(signal: AbortSignal): void {
     window.addEventListener(
       'storage',

@@ -39,14 +39,14 @@ import { WindowLink } from './window-link';
 
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
 
-/** `transmit` sends a command to the station and returns its number. */
+/** `transmit` sends a command to the station and returns the command's number. */
 export function buildParts(
   root: HTMLElement,
   welcome: Welcome,
   drawing: Drawing,
   transmit: (command: Command) => number,
 ): Parts {
-  // `operations`, made last, is used only in callbacks, which no constructor calls.
+  // `operations` is made last. The other parts use it only in callbacks, and no constructor calls a callback.
   const tones = new Tones(keeper, () => new AudioContext());
   const control = new Control();
   const spine = new Spine({
@@ -135,8 +135,8 @@ export function buildParts(
   return parts;
 }
 
-/** A line of the log that lists the keys for the sticks, as they are mapped when the page opens. */
+/** Returns a line of the log with the keys of the sticks, according to the mapping when the page opens. */
 function keysHint(): string {
   const list = (uses: string) => uses.split(' ').map(keyOf).join(' ');
-  return `${list(MOVE)} move the point, ${list(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;
+  return `${list(MOVE)} move the arm, ${list(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;
 }

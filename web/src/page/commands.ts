@@ -1,4 +1,4 @@
-/** Calls the effect of each action of keys and buttons. */
+/** Carries out the actions that keys and buttons request. */
 
 import { assertUnreachable } from '../basics/assert';
 import type { Pictures } from '../cameras/pictures';

@@ -1,4 +1,4 @@
-/** Whether this page's sticks move the arm: its role, its link to the station, and what prevents control. */
+/** Whether this page's sticks move the arm. This depends on its role, its link to the station, and two obstacles. */
 
 import type { Role } from '../link/protocol';
 import type { LinkState } from '../link/socket';
@@ -15,9 +15,9 @@ export class Control {
     names: [],
   };
   link: LinkState = { kind: 'open' };
-  /** Whether another scenario is in preparation, so that the sticks are centred. */
+  /** Whether the station prepares another scenario; meanwhile the sticks are centred. */
   leaving = false;
-  /** Whether the window is too narrow for the controls, so that the page only observes. */
+  /** Whether the window is too narrow for the controls; the page then only observes. */
   tooNarrow = false;
 
   get flies(): boolean {

@@ -1,4 +1,4 @@
-/** Reports the devices in use and lost devices to the station and to the log. */
+/** Reports the devices in use to the station, and lost devices to the station and to the page's log. */
 
 import type { Controllers } from '../input/controllers';
 import type { Level } from '../link/protocol';
@@ -11,7 +11,7 @@ export interface DeviceWatchListener {
 }
 
 export class DeviceWatch {
-  /** Devices that were last reported to the station. */
+  /** `Controllers.revision` at the last report to the station; empty if a report is required. */
   private sentRevision = '';
   /** Names of the lost devices at the last call. */
   private lost: ReadonlySet<string> = new Set();
@@ -21,23 +21,23 @@ export class DeviceWatch {
     private readonly listener: DeviceWatchListener,
   ) {}
 
-  /** Report the devices again: the station has lost its copy. */
-  tellAgain(): void {
+  /** Lets the next call of `watch` report the devices again, because the station may have lost its copy. */
+  reportAgain(): void {
     this.sentRevision = '';
   }
 
   /**
-   * Checks the devices; if one is lost, the station holds position.
+   * Checks the devices. If a device was lost, it sends `hands_off` to the station, which then holds position.
    *
    * @param ours whether this page is in control.
-   * @param flying whether its sticks also move the arm.
+   * @param flying whether the sticks of this page also move the arm.
    */
   watch(ours: boolean, flying: boolean): void {
     const { controllers, listener } = this;
     const lost = new Set(controllers.lost.map(({ short }) => short));
-    const gone = [...lost].filter((short) => !this.lost.has(short));
-    if (gone.length > 0 && ours) listener.send({ type: 'hands_off', cause: 'device lost' });
-    for (const short of gone) listener.say(`${short} is gone: sticks at zero`, 'caution');
+    const newlyLost = [...lost].filter((short) => !this.lost.has(short));
+    if (newlyLost.length > 0 && ours) listener.send({ type: 'hands_off', cause: 'device lost' });
+    for (const short of newlyLost) listener.say(`${short} lost: sticks at zero`, 'caution');
     for (const short of this.lost) if (!lost.has(short)) listener.say(`${short}: loss cleared`, 'info');
     this.lost = lost;
     const { revision } = controllers;

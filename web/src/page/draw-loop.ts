@@ -1,4 +1,4 @@
-/** Schedule of pictures, bars and figures, and their frames: pictures first, figures ten times a second. */
+/** Decides when pictures, bars and figures are drawn, and from which frame. Figures change ten times a second. */
 
 import type { Pictures } from '../cameras/pictures';
 import { isStale, type Seen } from '../link/delay-line';
@@ -30,18 +30,18 @@ export interface Drawn {
 export class DrawLoop {
   /** Number of pictures drawn. */
   drawn = 0;
-  /** Frame and restarts that the whole page shows: pictures, lamps and figures. */
+  /** Last frame that pictures, lamps and figures have all shown, with the number of restarts before it. */
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** Frame and restarts of the figures. */
+  /** Last frame that the figures have shown, with the number of restarts before it. */
   private figures = this.shown;
   /** Whether a frame has arrived since the last picture. */
   private fresh = false;
-  /** Whether the next picture waits for the frame that answers a stick. */
+  /** Whether the next picture waits for the frame that contains the newest stick motion. */
   private held = false;
   private valuesAt = 0;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
 
-  /** `barPace`: pictures for each movement of the bars. */
+  /** `barPace`: number of pictures between two movements of the bars. */
   constructor(
     welcome: Welcome,
     private readonly barPace: number,
@@ -53,37 +53,37 @@ export class DrawLoop {
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
   }
 
-  /** Takes the arrival of a frame. */
+  /** Called when a frame has arrived, at `now` [ms]. */
   arrived(now: number): void {
     this.fresh = true;
     if (this.held) this.draw(now);
   }
 
-  /** Draws what is due, once the previous pictures are on the page. */
+  /** Draws what is due. While the previous pictures are not on the page yet, it draws only figures that are overdue. */
   draw(now: number): void {
     const [telemetry, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
     if (!telemetry || !seen) return;
     const { pictures, groups } = this.parts;
     const view = this.parts.viewOf(telemetry.frame);
     if (pictures.drawing) {
-      // Figures, lamps and tones do not wait for a picture that takes long.
+      // Figures, lamps and tones do not wait longer than OVERDUE_MS for slow pictures.
       if (now - this.valuesAt >= OVERDUE_MS) this.values(view, now);
       return;
     }
     this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
     this.operator.sticks.driving = this.modes.get(telemetry.frame.mode) === 'single';
-    // At half pace, bars move with the pictures that do not include MON 2.
+    // If the bars move at every second picture, these are the pictures without MON 2.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
     this.fresh = false;
-    // Pictures first: they read the page's layout, which the desk's bars invalidate.
+    // Pictures first: they read the page's layout, and moving the desk's bars forces the browser to compute it again.
     pictures.draw(seen.frame, seen.frame.work.clearance_level, () => this.pictured(seen));
     if (barsMove) groups.bars(view);
     this.parts.bars();
     if (barsMove && now - this.valuesAt >= VALUES_MS) this.values(view, now);
   }
 
-  /** Counts and times pictures that are on the page. */
+  /** Called when the pictures of a frame are on the page: counts them and measures their latency. */
   private pictured(seen: Seen): void {
     const now = performance.now();
     this.drawn += 1;

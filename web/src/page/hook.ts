@@ -4,14 +4,14 @@ import type { Frame } from '../link/protocol';
 import type { DrawnBody } from '../scene/bodies';
 
 export interface Hook {
-  /** Pictures drawn, and how many in the last whole second. */
+  /** Number of pictures drawn, in total (`frames`) and in the last whole second (`fps`). */
   frames: number;
   fps: number;
-  /** The last frame that the whole page shows: pictures, lamps and figures. */
+  /** Last frame that pictures, lamps and figures have all shown. */
   lastFrame: Frame | null;
-  /** Number of restarts of the displayed run, counted from the messages, so that none is missed. */
+  /** Number of restarts before this frame. Restarts are counted when frames arrive, so that none is missed. */
   restarts: number;
-  /** Stick to picture, 95th percentile of the last 10 s [ms]. */
+  /** Latency from a stick to its picture, 95th percentile of the last 10 s [ms]; null if no stick moved. */
   latency95: number | null;
   /** The bodies of the scene as they are drawn now. */
   readonly bodies: readonly DrawnBody[];
@@ -25,7 +25,7 @@ declare global {
   }
 }
 
-/** Publishes the hook, which calls `read` at each access. */
+/** Publishes the hook; `read` returns its present values and is called at each access. */
 export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'renderer'>): void {
   let fps = 0;
   let before = 0;

@@ -1,4 +1,4 @@
-/** Wrapper of localStorage, which returns null and false if storage is unavailable (private mode, blocked, full). */
+/** Wrapper of localStorage. If storage is unavailable (private mode, blocked, full), it returns null or false. */
 
 /** Returns whether `act` did not throw. */
 function done(act: () => void): boolean {

@@ -1,11 +1,11 @@
-/** The page's log: the station's lines, added with the figures of their time, the page's own lines, and the last rejection. */
+/** The page's log: lines of the station, each shown with the figures of the same time, and lines of the page itself. */
 
 import type { Arrivals } from '../link/delayed-messages';
 import type { Level, Event as LogEvent } from '../link/protocol';
 import type { EventsGroup } from '../panel/desk/events';
 import type { LampName } from '../panel/spine/lamps';
 
-/** Greatest age of a rejection that lights a lamp, because a page that reconnects receives old ones [s]. */
+/** Greatest age of a rejection that lights a lamp [s]. A page that reconnects also receives old rejections. */
 const RECENT_S = 2;
 
 export class Log {
@@ -31,18 +31,18 @@ export class Log {
     this.group.add(events);
   }
 
-  /** Adds a line of the page's own. */
+  /** Adds a line that comes from the page, not from the station. */
   say(text: string, kind = 'page', level: Level = 'caution'): void {
     this.group.add([{ time_s: this.arrivals.telemetry?.time_s ?? 0, kind, level, text }]);
   }
 
-  /** Adds the reason for a rejected command; CHECK CRT points to it. */
+  /** Adds the reason for a rejected command, and lights CHECK CRT. */
   refuse(text: string): void {
     this.refusedAt = performance.now();
     this.say(text);
   }
 
-  /** Shows only the lines of these kinds, for a lamp; all again at the second call for it. */
+  /** Shows only the lines of these kinds, which belong to a lamp. The second call for the same lamp shows all again. */
   keepTo(lamp: LampName, kinds: readonly string[]): void {
     this.group.keepTo(lamp, kinds);
   }

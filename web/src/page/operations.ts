@@ -18,7 +18,7 @@ export class Operations {
     private readonly transmit: (command: Command) => number,
   ) {}
 
-  /** Sends a command; an observer's is not sent but logged as rejected. */
+  /** Sends a command if this page is in control; otherwise logs that only the operator can do that. */
   send(command: Command): void {
     const { control, log } = this.parts;
     if (control.role.flying) this.transmit(command);
@@ -30,14 +30,14 @@ export class Operations {
     this.parts.spine.acknowledge();
   }
 
-  /** Filters the log by the cause of a lamp that was pressed, and outlines the groups that it concerns. */
+  /** Shows only the log lines that belong to the pressed lamp, and outlines the groups that the lamp concerns. */
   explain(lamp: LampName): void {
     const concern = LAMPS[lamp];
     this.parts.log.keepTo(lamp, concern.kinds);
     outline(concern);
   }
 
-  /** Stops all motion that this page commands; the master arm is set to the arm's angles. */
+  /** Sends STOP if this page is in control. In MASTER it also sets the master arm to the arm's angles. */
   stop(): void {
     const { control, arrivals, groups, welcome } = this.parts;
     if (!control.role.flying) return;
@@ -83,18 +83,20 @@ export class Operations {
     if (!tearOff(what)) this.parts.log.say(BLOCKED);
   }
 
-  /** Assigns the THC to the orbiter if the worksite has a payload, or to the arm. */
+  /** Assigns the THC to the orbiter (`on`) or to the arm; without a payload in the worksite always to the arm. */
   flyOrbiter(on: boolean): void {
     const { control, log, operator, welcome } = this.parts;
     if (!control.role.flying) log.say(OBSERVING);
     else operator.sticks.flyOrbiter(on && welcome.work.cargo.length > 0);
   }
 
-  /** Why camera switches have no effect; empty if they have one. */
+  /** Reason why camera switches have no effect, in a sentence; empty if they have an effect. */
   cameraBar(): string {
     const { operator, arrivals } = this.parts;
     if (!operator.flying) return 'Observing: only the operator can move cameras.';
-    return arrivals.telemetry?.by === 'script' ? 'The script flies: take control to turn cameras.' : '';
+    return arrivals.telemetry?.by === 'script'
+      ? 'The script is in control: move a stick to take over, then turn cameras.'
+      : '';
   }
 
   act(action: Action): void {

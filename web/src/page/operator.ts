@@ -1,4 +1,4 @@
-/** The operator's inputs: devices to sticks and actions, and every cause that centres the sticks. */
+/** The operator's inputs: converts the devices' readings to sticks and actions, and centres the sticks if required. */
 
 import { STILL, type Turning, turningOf } from '../input/camera-hand';
 import { Controllers } from '../input/controllers';
@@ -13,7 +13,7 @@ import { setClass } from '../panel/parts/dom';
 /** Time between two readings of the devices, even if pictures take longer [ms]. */
 const TICK_MS = 15;
 
-/** Time without a tick or a frame after which the sticks are centred; the station does the same [ms]. */
+/** Time without a tick or a frame after which the page centres the sticks [ms]; the station centres them, too. */
 export const LOST_MS = 2000;
 
 /** Whether an action is allowed while the sheet of controllers is open. */
@@ -23,7 +23,7 @@ const always = (action: Action) =>
 export interface OperatorListener {
   acted(action: Action): void;
   send(command: Command): number;
-  /** Gets every key first; returns true if it used the key for something else. */
+  /** Called first with every key event; returns true if it has used the event, which then has no other effect. */
   taken(event: KeyboardEvent): boolean;
 }
 
@@ -70,11 +70,11 @@ export class Operator {
     else this.sticks.zero();
   }
 
-  /** Deflections of the selected camera's switches; an observer's keyboard moves engineering views. */
+  /** Deflections of the selected camera's switches. An observer's keyboard also has them, for engineering views. */
   get turning(): Turning {
     if (this.controllers.paused) return STILL;
-    const watched = turningOf(this.controllers.keyboard.held, mappingOf('keyboard'));
-    return this.flying ? this.sticks.camera : watched;
+    const byKeyboard = turningOf(this.controllers.keyboard.held, mappingOf('keyboard'));
+    return this.flying ? this.sticks.camera : byKeyboard;
   }
 
   /** Centres the sticks at once; a held key acts only when it is pressed again. */

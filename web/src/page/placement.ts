@@ -4,11 +4,11 @@ import { el, setClass } from '../panel/parts/dom';
 import type { Parts } from './parts';
 import { TOO_NARROW_WORDS } from './room';
 
-/** Fills the page. The order of the document is that of the focus: monitors, spine, desk, rail. */
+/** Fills the page. The order in the document is also the order of the focus: monitors, spine, desk, rail. */
 export function place(root: HTMLElement, parts: Parts): void {
   const { pictures, spine, groups, tutorial, rail } = parts;
   const [first, second] = pictures.monitors.both;
-  setClass(root, 'all-cameras', false); // the station of the scenario before may have set it
+  setClass(root, 'all-cameras', false); // the station of the previous scenario may have set it
   root.replaceChildren(
     pictures.canvas,
     el('main', { class: 'monitors' }, first.element, second.element, spine.element),

@@ -6,11 +6,11 @@ export interface Drawing {
   readonly quality: Quality;
   /** Renderer's name in WebGL. */
   readonly renderer: string;
-  /** Whether the processor draws. */
+  /** Whether the processor computes the pictures, because there is no graphics card. */
   readonly software: boolean;
 }
 
-/** The profile of `?quality=`, or else the low one without a graphics card; null without WebGL 2. */
+/** Returns the profile that `?quality=` names, or else low without, full with a graphics card. Null without WebGL 2. */
 export function chooseDrawing(search: string): Drawing | null {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) return null;

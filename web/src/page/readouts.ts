@@ -1,4 +1,4 @@
-/** Marks, figures, lamps and sounds of a frame, except the desk's and the pictures'. */
+/** Marks, figures, lamps and sounds of a frame outside the desk and the pictures. */
 
 import type { Frame, Lamp } from '../link/protocol';
 import { clearanceCause } from '../panel/clearance/clearance';
@@ -63,7 +63,7 @@ export class Readouts implements Drawn {
   }
 }
 
-/** The frame's lamps, with the minimum clearance in the operator's units on CLEARANCE. */
+/** Returns the frame's lamps. The text of CLEARANCE has the minimum clearance in the operator's units. */
 export function inUnits({ frame, units }: Pick<View, 'frame' | 'units'>): readonly Lamp[] {
   const { nearest } = frame.work;
   return frame.display.lamps.map((lamp) =>

@@ -2,7 +2,7 @@
 
 import type { Command } from '../link/socket';
 
-/** Time between two reports [ms]; a change of the monitors is reported at once. */
+/** Time between two reports [ms]; a change of the cameras is reported at once. */
 const REPORT_MS = 1000;
 
 export class Report {

@@ -1,17 +1,17 @@
-/** Sizes of the page: the condition of each name, for `@container page (--NAME)` in the style sheets and for code. */
+/** Named conditions on the page's size, for code and for `@container page (--NAME)` in the style sheets. */
 
 export const ROOM = {
   /** MON 2 is in a corner of MON 1, and the desk has more rows. */
   inset: '(width < 1100px)',
-  /** The desk's two tables have a row of their own. */
+  /** The desk's two tables have a separate row. */
   upright: '(width < 956px)',
   /** The page can only observe. */
   watching: '(width < 720px)',
   /** Lamps are in two columns. */
   low: '((height < 860px) or ((width < 956px) and (height < 1020px)))',
-  /** A replay shows either its figures or its log. */
+  /** A replay shows either the figures of the run or its log. */
   short: '(height <= 870px)',
-  /** A lamp's small text has one line. */
+  /** A lamp's small text has only one line. */
   shallow: '(height <= 809px)',
 } as const;
 

@@ -1,4 +1,4 @@
-/** Sounds of a frame: alarms until they are acknowledged, and clicks for a mode entered and a payload captured. */
+/** Sounds of a frame: alarms until they are acknowledged, and clicks when a mode is entered or a payload captured. */
 
 import type { Frame } from '../link/protocol';
 import type { Spine } from '../panel/spine/spine';

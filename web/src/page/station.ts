@@ -12,7 +12,7 @@ import { place } from './placement';
 import type { Drawing } from './quality';
 import { Readouts } from './readouts';
 
-/** The bars move once in this many pictures. */
+/** Number of pictures between two movements of the bars. */
 const BAR_PACE = { full: 1, low: 2 } as const;
 
 export class Station {
@@ -53,12 +53,12 @@ export class Station {
     return this.parts.latency.percentile95(performance.now());
   }
 
-  /** Takes a newer frame, which figures and pictures show when they are due. */
+  /** Stores a newer frame. Figures and pictures show it when it is due. */
   setFrame(frame: Frame): void {
     const now = performance.now();
     const { arrivals, latency, log, operator } = this.parts;
     if (arrivals.put(frame, now)) {
-      latency.forget(); // no frame will answer the sticks in the command delay
+      latency.forget(); // after a restart, no frame will use stick messages that were in the command delay
       log.add(arrivals.takeEvents());
     }
     operator.sticks.kept = frame.rate_hold;
@@ -92,7 +92,7 @@ export class Station {
     if (link.kind !== 'open') this.parts.latency.forget();
   }
 
-  /** Takes lines of the log, which appear with the figures of their time. */
+  /** Stores lines of the log. Each line appears together with the figures of the same time. */
   addEvents(events: readonly LogEvent[]): void {
     this.parts.arrivals.addEvents(events);
     this.parts.log.addDue(performance.now());
@@ -102,7 +102,7 @@ export class Station {
     this.parts.log.clear();
   }
 
-  /** Logs why a command was rejected, or shows it where a name was entered. */
+  /** Shows why a command was rejected: below the name field if the command has set a name, otherwise in the log. */
   refuse(text: string, number: number): void {
     if (!this.parts.naming.refuse(number, text)) this.parts.log.refuse(text);
   }
@@ -114,13 +114,13 @@ export class Station {
     for (const part of [tones, operator, cameraHand, windows, tutorial, pictures]) part.dispose();
   }
 
-  /** Lets the sticks move the arm, or holds them at zero, as `Control` decides. */
+  /** Lets the sticks move the arm, or keeps them at zero, as `Control` decides. */
   private updateControl(): void {
     const { devices, operator, control, latency } = this.parts;
-    devices.tellAgain();
+    devices.reportAgain();
     const { flying } = operator;
     operator.flying = control.flies;
-    if (flying && !operator.flying) latency.forget(); // no frame will answer the sticks that are still on their way
+    if (flying && !operator.flying) latency.forget(); // no frame will use the stick messages that have not arrived yet
   }
 
   private tick(): void {

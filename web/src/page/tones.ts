@@ -1,16 +1,16 @@
-/** The station's sounds: alarms until they are acknowledged, and clicks for modes and captures. */
+/** Generates the station's sounds: tones for alarms, and clicks for entered modes and captured payloads. */
 
 import type { Keeper } from './local-storage';
 
 export type Alarm = 'none' | 'caution' | 'warning';
 
-/** One tone [Hz], this long [s]. */
+/** Caution: one tone. Pitch [Hz] and duration [s]. */
 const CAUTION = { pitch: 500, seconds: 0.25 };
-/** Two tones in turn [Hz], until acknowledged; each lasts half a turn, 2.5 turns a second. */
+/** Warning: two alternating tones until it is acknowledged. Pitches [Hz], and duration of each tone (`half`) [s]. */
 const WARNING = { pitches: [375, 1000], half: 0.2 } as const;
-/** Clicks [Hz], how long each is and how far apart they are [s]. */
+/** Clicks: duration of each, time between the starts of two [s]; pitches for an entered mode and a capture [Hz]. */
 const CLICK = { seconds: 0.03, apart: 0.11, entered: [1200], captured: [900, 1500] } as const;
-/** So loud at full volume [1]. */
+/** Gain at full volume, 0 to 1. */
 const LOUD = 0.25;
 const KEPT = 'aftdeck.tones';
 
@@ -19,7 +19,7 @@ export interface Kept {
   readonly muted: boolean;
 }
 
-/** The stored volume and mute; the defaults if they cannot be decoded. */
+/** Returns the stored settings, or the defaults if `text` cannot be decoded. */
 export function kept(text: string | null): Kept {
   const fresh = { volume: 0.5, muted: false };
   if (text === null) return fresh;
@@ -40,7 +40,7 @@ export class Tones {
   private alarm: Alarm = 'none';
   private settings: Kept;
 
-  /** `open` makes the audio context, which browsers let sound only after the first key or click. */
+  /** `open` makes the audio context. Browsers allow its sound only after the first key or click. */
   constructor(
     private readonly store: Keeper,
     private readonly open: () => AudioContext,
@@ -62,7 +62,7 @@ export class Tones {
     if (this.master) this.master.gain.value = this.level;
   }
 
-  /** Starts the sound, at the first use of a key or a pointer. */
+  /** Makes the sound possible; called at each key and each press of a pointer. */
   wake(): void {
     if (this.context) {
       if (this.context.state === 'suspended') void this.context.resume();
@@ -74,7 +74,7 @@ export class Tones {
     this.master.connect(this.context.destination);
   }
 
-  /** Sounds the unacknowledged alarm; called ten times a second. `more`: another alarm was added. */
+  /** Sounds the unacknowledged alarm; called ten times a second. `more`: an alarm was added since the last call. */
   sound(alarm: Alarm, more: boolean): void {
     if (alarm === 'caution' && (this.alarm === 'none' || more)) this.tone(CAUTION.pitch, 0, CAUTION.seconds);
     this.alarm = alarm;

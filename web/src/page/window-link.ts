@@ -1,4 +1,4 @@
-/** The page's secondary windows: they follow the page, and their keys act in it while it is in control. */
+/** Link to the page's secondary windows. They follow the page; their keys act on the page while it is in control. */
 
 import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';
@@ -36,7 +36,7 @@ export class WindowLink {
     });
   }
 
-  /** Sends the windows the page's cameras, plane, units and role. */
+  /** Sends the page's state to the windows: cameras, separating plane, units, and whether it handles their keys. */
   update(): void {
     const { showsPlane: plane } = this.pictures;
     const { shown: monitors } = this.pictures.monitors;

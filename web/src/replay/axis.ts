@@ -4,18 +4,18 @@ import { el } from '../panel/parts/dom';
 import { minutes } from './quantity';
 import { lengthOf, partOf, type Span } from './span';
 
-/** Possible distances between marks [s]. */
+/** Possible distances between two marks [s]. */
 const STEPS = [0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400];
 const MOST_MARKS = 10;
 
-/** Least distance of a labelled mark from the end, as a part of the axis. */
+/** Least distance of a labelled mark from the end of the axis, as a fraction of the axis. */
 const ROOM = 0.02;
 
 function stepOf(length: number): number {
   return STEPS.find((each) => length / each <= MOST_MARKS) ?? length / MOST_MARKS;
 }
 
-/** Times of the axis' marks [s]; a run begins at zero. */
+/** Returns the times of the marks [s]. There are none before zero, the start of a run. */
 export function marks(span: Span): number[] {
   const step = stepOf(lengthOf(span));
   const first = Math.ceil(Math.max(0, span.from) / step);
@@ -26,7 +26,7 @@ export function marks(span: Span): number[] {
   );
 }
 
-/** The marks' labels. */
+/** Returns the labels of the marks. */
 export function labels(span: Span): readonly HTMLElement[] {
   const decimals = stepOf(lengthOf(span)) < 1 ? 1 : 0;
   return marks(span).map((time) => {

@@ -1,4 +1,4 @@
-/** The desk as flown: the same groups, drawn from the recorded frame, without effect of their controls. */
+/** The desk as flown: the groups of the desk, drawn from recorded frames. Their controls have no effect. */
 
 import { NO_CONTROLLERS } from '../input/controllers';
 import type { Frame, PlaybackIndex } from '../link/protocol';

@@ -2,18 +2,18 @@
 
 import type { Event as LogEvent } from '../link/protocol';
 
-/** Greatest time between the playhead and an event at the playhead [s]. */
+/** An event counts as at the playhead if it is within this time of the playhead [s]. */
 export const AT = 1e-3;
 
 type Timed = Pick<LogEvent, 'time_s'>;
 
-/** Number of events up to a position [s]; `events` are in the order of time. */
+/** Returns the number of events up to a position [s]. `events` must be in the order of time. */
 export function eventsUntil(events: readonly Timed[], position: number): number {
   const after = events.findIndex(({ time_s }) => time_s > position + AT);
   return after < 0 ? events.length : after;
 }
 
-/** The next event after a position (`by` 1), or the last one before it (`by` −1); undefined if there is none. */
+/** Returns the first event after a position (`by` 1) or the last event before it (`by` −1); undefined without one. */
 export function eventBeside<T extends Timed>(
   events: readonly T[],
   position: number,

@@ -1,4 +1,4 @@
-/** Cameras on the monitors of a replay: those of the run, until the user chooses one. */
+/** Cameras on the monitors of a replay: the cameras of the run, until the user chooses one. */
 
 import type { Monitors } from '../cameras/monitors';
 import type { PlaybackIndex } from '../link/protocol';
@@ -7,9 +7,9 @@ import { AT } from './event-steps';
 type Recorded = PlaybackIndex['pictures'];
 
 export class FlownCameras {
-  /** The user has chosen a camera. */
+  /** Whether the user has chosen a camera. */
   private chosen = false;
-  /** This class, not the user, changes the monitors. */
+  /** Whether a change of the monitors comes from this class, not from the user. */
   private following = false;
 
   constructor(
@@ -17,14 +17,14 @@ export class FlownCameras {
     private readonly monitors: Pick<Monitors, 'show'>,
   ) {}
 
-  /** Whether the monitors show the run's cameras; null if the recording contains none. */
+  /** Whether the monitors show the cameras of the run; null if the recording does not contain them. */
   get state(): boolean | null {
     return this.recorded.some(({ monitors }) => monitors.some((names) => names.length > 0))
       ? !this.chosen
       : null;
   }
 
-  /** A monitor has changed. */
+  /** Called when a monitor has changed. */
   changed(): void {
     this.chosen ||= !this.following;
   }

@@ -7,7 +7,7 @@ import { Replay } from './replay';
 import { follow } from './second';
 import type { Source } from './source';
 
-/** Fills the page with a recording, or with the reason why it cannot be played. */
+/** Fills the page with a recording, or with the reason why the recording cannot be played. */
 export function play(root: HTMLElement, drawing: Drawing, source: Source): void {
   notice(root, 'Opening the recording.');
   source.index().then(

@@ -20,7 +20,7 @@ export interface ReplayKeys {
   close(): void;
 }
 
-/** Action of a key; undefined for other keys. */
+/** Returns the action of a key; undefined for a key without an action. */
 export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardEvent, 'code' | 'shiftKey'>) {
   const digit = /^Digit([0-9])$/.exec(event.code)?.[1];
   if (digit) return () => keys.camera((Number(digit) + 9) % 10);
@@ -54,7 +54,7 @@ export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardE
   return actions[event.code];
 }
 
-/** Listens to the keys from now on. */
+/** Starts listening to the keys. */
 export function listen(player: Player, keys: ReplayKeys): void {
   const options = { capture: true };
   const down = (event: KeyboardEvent) => {
@@ -64,7 +64,7 @@ export function listen(player: Player, keys: ReplayKeys): void {
     event.preventDefault();
     act();
   };
-  // Space must only play: a button would take its release as a click.
+  // Space must only play or pause: its release would also click a button in focus.
   const up = (event: KeyboardEvent) => {
     if (event.code === 'Space') event.preventDefault();
   };

@@ -1,13 +1,13 @@
-/** Lanes: stretches of time with a name, and events as marks. */
+/** Lanes over the time axis: one with events as marks, the others with labelled stretches of time. */
 
 import type { Lane, Event as LogEvent, Stretch } from '../link/protocol';
 import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';
 import { lengthOf, partOf, type Span } from './span';
 
-/** Least length of a stretch with a name, as a part of the axis. */
+/** A shorter stretch has no visible name [fraction of the axis]. */
 const ROOM = 0.035;
 
-/** Gap between two stretches, as parts of the axis and of the stretch, so that a short one stays visible. */
+/** Greatest gap after a stretch, as fractions of the axis and of the stretch, so that short stretches stay visible. */
 const GAP = 0.0008;
 const GAP_OF_STRETCH = 0.15;
 
@@ -17,7 +17,7 @@ export interface Row {
   at(position: number): void;
 }
 
-/** A drawing over time to the right [s] and 0 to 1 downwards, stretched to its element. */
+/** Makes an SVG that is stretched to its element. Its x is time [s], and its y is 0 at the top and 1 at the bottom. */
 export function stretched(span: Span, ...drawn: SVGElement[]): SVGElement {
   const attributes = {
     viewBox: `${span.from} 0 ${lengthOf(span)} 1`,
@@ -27,7 +27,7 @@ export function stretched(span: Span, ...drawn: SVGElement[]): SVGElement {
   return svg('svg', attributes, ...drawn);
 }
 
-/** Index of the stretch at a time. */
+/** Returns the index of the stretch at a time. */
 export function stretchAt(stretches: readonly Stretch[], position: number): number {
   let [low, high] = [0, stretches.length - 1];
   while (low < high) {
@@ -38,7 +38,7 @@ export function stretchAt(stretches: readonly Stretch[], position: number): numb
   return low;
 }
 
-/** End of a stretch as drawn, with a gap before the next one. */
+/** Returns the end at which a stretch is drawn, so that there is a gap before the next stretch. */
 function endOf({ start_s, end_s }: Stretch, span: Span): number {
   return end_s - Math.min(GAP * lengthOf(span), GAP_OF_STRETCH * (end_s - start_s));
 }
@@ -105,7 +105,7 @@ export interface Mark {
   readonly text: string;
 }
 
-/** Marks of capture, release, docking and latching; two equal log lines of a step are one mark. */
+/** Returns the marks of capture, release, docking and latching. Two equal log lines of a step are one mark. */
 export function marksOf(events: readonly LogEvent[]): readonly Mark[] {
   const marks: Mark[] = [];
   for (const { kind, time_s, text } of events) {
@@ -144,7 +144,7 @@ export function eventRow(events: readonly LogEvent[], span: Span): Row {
   return { element: el('div', { class: 'lane events-lane row' }, el('b', {}, 'Events'), plot), at() {} };
 }
 
-/** Places a tag at the playhead, on the side where there is room. */
+/** Places a tag beside the playhead, on the side with enough room. */
 export function placeAt(tag: HTMLElement, part: number): void {
   setClass(tag, 'before', part > 0.8);
   const percent = `${(part * 100).toFixed(3)}%`;

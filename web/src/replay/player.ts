@@ -3,9 +3,9 @@
 import type { Block, Moment, PlaybackIndex } from '../link/protocol';
 
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8] as const;
-/** Blocks kept decoded, so that memory does not grow with the recording. */
+/** Greatest number of stored blocks, so that memory does not grow with the length of the recording. */
 const MOST_KEPT = 8;
-/** Number of blocks fetched ahead at more than normal speed. */
+/** Number of blocks that are requested in advance at more than normal speed; otherwise one. */
 const AHEAD = 2;
 /** Time after which a failed block is requested again [ms]. */
 const AGAIN_MS = 1000;
@@ -19,7 +19,7 @@ export class Player {
   position: number;
   speed = 1;
   playing = false;
-  /** Why frames are missing, in a sentence; empty if they are not. */
+  /** Reason why frames are missing, in a sentence; empty if no frames are missing. */
   failure = '';
   private readonly blocks = new Map<number, Block>();
   private readonly waiting = new Set<number>();
@@ -41,19 +41,19 @@ export class Player {
     return this.extent.period_s * this.extent.ticks;
   }
 
-  /** Number of the recorded frame at the playhead, or else of the last one before it. */
+  /** Index of the last recorded frame at or before the playhead. */
   get number(): number {
     const tick = Math.floor(this.position / this.extent.period_s + ROUNDING);
     return Math.floor((Math.min(Math.max(tick, 1), this.extent.ticks) - 1) / this.extent.stride);
   }
 
-  /** The moment at the playhead; null until it is loaded. */
+  /** Frame and values at the playhead; null until they are loaded. */
   get moment(): Moment | null {
     const { block } = this.extent;
     return this.blocks.get(Math.floor(this.number / block))?.[this.number % block] ?? null;
   }
 
-  /** Plays, from the start if the playhead is at the end. */
+  /** Starts playing; from the start if the playhead is at the end. */
   play(): void {
     if (this.position >= this.duration) this.seek(this.start);
     this.playing = true;
@@ -68,7 +68,7 @@ export class Player {
     else this.play();
   }
 
-  /** Moves the playhead to a time [s], within the recording. */
+  /** Moves the playhead to a time [s], limited to the recording. */
   seek(position: number): void {
     this.position = Math.min(Math.max(position, this.start), this.duration);
     this.fetch();
@@ -89,7 +89,7 @@ export class Player {
     this.speed = SPEEDS.findLast((speed) => speed < this.speed) ?? this.speed;
   }
 
-  /** Advances the playhead by `dt` [s of the clock]; it waits for frames that are not loaded. */
+  /** Advances the playhead by `dt` [s of the clock] times the speed. It waits for frames that are not loaded. */
   advance(dt: number): void {
     if (this.playing && this.moment) {
       this.seek(this.position + dt * this.speed);
@@ -99,7 +99,7 @@ export class Player {
     }
   }
 
-  /** Requests the block at the playhead and the next ones, and drops those that were unused longest. */
+  /** Requests the block at the playhead and the next blocks; deletes the blocks whose last use is longest ago. */
   private fetch(): void {
     const { block, ticks, stride } = this.extent;
     const last = Math.floor((Math.ceil(ticks / stride) - 1) / block);

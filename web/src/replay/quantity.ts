@@ -1,4 +1,4 @@
-/** Numbers of strips and measures with their units, for display. */
+/** Formats of the numbers in strips and measures, with their units. */
 
 import type { Measure, Quantity } from '../link/protocol';
 import { degrees, fixed } from '../words/format';
@@ -6,14 +6,14 @@ import type { Units } from '../words/units';
 
 interface Shown {
   readonly unit: string;
-  /** Shown value of one in SI. */
+  /** Displayed value of one SI unit. */
   readonly perSi: number;
   readonly text: (value: number) => string;
 }
 
 const DEGREE = 180 / Math.PI;
 
-/** Format of a quantity. */
+/** Returns the format of a quantity. */
 export function shown(quantity: Quantity, units: Units): Shown {
   const si = units.name === 'SI';
   const scaled = (unit: string, perSi: number, decimals: number): Shown => ({
@@ -53,7 +53,7 @@ export function shown(quantity: Quantity, units: Units): Shown {
   }
 }
 
-/** A value with its unit; a dash if there is none. */
+/** Returns a value with its unit; a dash if there is no value. */
 export function withUnit(quantity: Quantity, value: number | null, units: Units): string {
   if (value === null) return '–';
   const { unit, text } = shown(quantity, units);
@@ -66,7 +66,7 @@ export function figure(measure: Measure, units: Units): string {
   return measure.angle === null ? value : `${value}, ${withUnit('angle', measure.angle, units)}`;
 }
 
-/** Seconds as `mm:ss`, with hours if needed; tenths or hundredths on demand. */
+/** Returns seconds as `mm:ss`, with hours if necessary, and with `decimals` decimals of the second. */
 export function minutes(seconds: number, decimals = 0): string {
   const scale = 10 ** decimals;
   const whole = Math.floor(Math.max(0, seconds) * scale + 1e-6);

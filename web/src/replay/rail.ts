@@ -11,8 +11,8 @@ export interface ReplayRail {
   setUnits(units: Units): void;
 }
 
-const CUT = 'The recording ends before the run; it plays up to its last frame';
-const THINNED = 'Fewer frames keep the file small; lanes, strips and log are complete';
+const CUT = 'The recording ends before the end of the run; it plays up to its last frame';
+const THINNED = 'The file contains fewer frames, so that it is small; lanes, strips and log are complete';
 
 /** `flying`: address of the station with the present run; null if there is none. */
 export function replayRail(index: PlaybackIndex, flying: string | null, changeUnits: () => void): ReplayRail {
@@ -20,7 +20,7 @@ export function replayRail(index: PlaybackIndex, flying: string | null, changeUn
   const units = button({ title: 'Change the units of the read-outs' }, [], changeUnits);
   const fact = (name: string, value: string | HTMLElement, title = '') =>
     el('span', { class: 'fact', title }, `${name} `, typeof value === 'string' ? el('b', {}, value) : value);
-  /** Text of any length, cut off where the rail has no room; the tooltip has the whole text. */
+  /** Makes a fact with a text of any length. If there is no room, the text is cut; the tooltip has the whole text. */
   const words = (name: string, text: string) =>
     text === '' ? [] : [el('span', { class: 'fact words', title: text }, `${name} `, el('b', {}, text))];
   const note = (text: string, title: string, kind = 'note') => el('span', { class: kind, title }, text);
@@ -57,7 +57,7 @@ export function replayRail(index: PlaybackIndex, flying: string | null, changeUn
   };
 }
 
-/** The delays of the run; empty if there were none. */
+/** Returns a text with the delays of the run; empty if there were none. */
 function delayed(welcome: Welcome): string {
   const delay = (set: number) => ({ set, measured: null });
   const { label, text } = delayWords({
@@ -68,12 +68,12 @@ function delayed(welcome: Welcome): string {
   return text && `${label} ${text}. The replay is not delayed`;
 }
 
-/** `2026-03-01 14:05 UTC` of an ISO time. */
+/** Returns an ISO time in the form `2026-03-01 14:05 UTC`. */
 export function began(iso: string): string {
   return `${iso.slice(0, 16).replace('T', ' ')} UTC`;
 }
 
-/** Rate of the frames in a thinned recording. */
+/** Returns a text with the rate of the frames in a thinned recording. */
 export function drawnRate({ period_s, stride }: Pick<PlaybackIndex, 'period_s' | 'stride'>): string {
   const rate = 1 / (period_s * stride);
   if (rate < 1) return `Drawn every ${(1 / rate).toFixed(1)} s`;

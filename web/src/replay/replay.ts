@@ -1,4 +1,4 @@
-/** The page of a replay: monitors, figures of the run, and the time axis below, drawn as the playhead moves. */
+/** The page of a replay: monitors, figures of the run, and below them the time axis. It follows the playhead. */
 
 import { Pictures } from '../cameras/pictures';
 import type { Frame, PlaybackIndex } from '../link/protocol';
@@ -23,9 +23,9 @@ import { ReplayWindows } from './windows';
 
 /** Time between two updates of the figures [ms]. */
 const VALUES_MS = 100;
-/** Greatest step of the playhead between two pictures, whatever pause the browser made [s]. */
+/** Greatest time by which the playhead advances between two pictures, also after a longer pause of the browser [s]. */
 const LONGEST_STEP_S = 0.25;
-/** Time for which a blocked window is reported [ms]. */
+/** Time for which the page displays that a window was blocked [ms]. */
 const BLOCKED_MS = 8000;
 
 export class Replay {
@@ -38,7 +38,7 @@ export class Replay {
   private before = performance.now();
   private valuesAt = 0;
   private pictured = '';
-  /** All pictures are of the frame at the playhead. */
+  /** Whether all pictures show the frame at the playhead. */
   private complete = false;
   private blockedUntil = 0;
   private readonly windows: ReplayWindows;
@@ -167,7 +167,7 @@ export class Replay {
     }
   }
 
-  /** Whether the pictures have to change, because of another frame, camera or size of the window. */
+  /** Returns whether the pictures must be drawn again, because the frame, a camera or the window's size has changed. */
   private isNew(frame: Frame): boolean {
     const { canvas, monitors, showsPlane, matrixOpen, moved } = this.pictures;
     const { clientWidth, clientHeight } = canvas;

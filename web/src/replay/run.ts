@@ -1,4 +1,4 @@
-/** At the right of the monitors: figures of the run, and its log up to the playhead. */
+/** Figures of the run, and its log up to the playhead, at the right of the monitors. */
 
 import type { PlaybackIndex } from '../link/protocol';
 import { button, el, group, setClass, setText } from '../panel/parts/dom';
@@ -6,7 +6,7 @@ import { clock } from '../words/format';
 import type { Units } from '../words/units';
 import { figure } from './quantity';
 
-/** Height of a line [rem], as `.log li`. */
+/** Height of a line [rem], equal to that of `.log li`. */
 const LINE = 1.28;
 const HINTS = [
   'Space: play, pause. Home, End: start, end.',
@@ -33,7 +33,7 @@ export class RunColumn {
     const table = el('table', {}, el('tbody', {}, ...this.figures.map(({ row }) => row)));
     const [figures, log] = [group('measures', 'This run', table), group('run-log', 'Log', this.log)];
     this.element = el('aside', { class: 'run' }, figures, log);
-    // If the window is too low for both, one replaces the other.
+    // If the window is too low for figures and log, only one of them is visible.
     const turn = (from: HTMLElement, to: HTMLElement, name: string, showsLog: boolean) => {
       const key = button({ class: 'more' }, [name], () => {
         setClass(this.element, 'shows-log', showsLog);

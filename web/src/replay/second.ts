@@ -14,7 +14,7 @@ import { minutes } from './quantity';
 import type { Source } from './source';
 import { STEP } from './span';
 
-/** Keys that act in the strips' window itself, not in its page: zoom of the time axis. */
+/** Keys that zoom the time axis. They act in the window of the strips, not in its page. */
 const ZOOMS: Readonly<Record<string, 1 | -1>> = { Equal: 1, NumpadAdd: 1, Minus: -1, NumpadSubtract: -1 };
 
 /** Fills a secondary window with one view of a recording. */

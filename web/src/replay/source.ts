@@ -1,4 +1,4 @@
-/** Source of a recording: the server of `aftdeck replay --open`, or the page's own file. */
+/** Source of a recording: the server of `aftdeck replay --open`, or the HTML file that contains page and recording. */
 
 import type { Block, PlaybackIndex, Verdict } from '../link/protocol';
 
@@ -9,12 +9,12 @@ export interface Source {
   verdict(): Promise<Verdict> | null;
 }
 
-/** Address of the station with the present run; null if there is none. */
+/** Returns the address of the station with the present run; null if there is none. */
 export function flyingHere(page: Document): string | null {
   return page.querySelector<HTMLMetaElement>('meta[name=flying]')?.content ?? null;
 }
 
-/** The recording of this page; null if the page shows a live run. */
+/** Returns the recording of this page; null if the page shows a live run. */
 export function recordingHere(page: Document): Source | null {
   const served = page.querySelector<HTMLMetaElement>('meta[name=recording]');
   if (served) return fromServer(served.content);

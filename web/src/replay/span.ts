@@ -8,27 +8,27 @@ export interface Span {
 
 /** Shortest span of the axis, at which single frames can be distinguished [s]. */
 export const LEAST_S = 2;
-/** Factor of the span's length for one step of zoom. */
+/** Factor by which one step of zoom changes the length of the span. */
 export const STEP = 2;
-/** Position of the playhead in a span that moved with it, from the end that it came from. */
+/** Position of the playhead in a span that has followed it: distance from the end at which it entered. */
 const AHEAD = 0.1;
 
 export function lengthOf({ from, to }: Span): number {
   return to - from;
 }
 
-/** Position of a time: 0 at the span's start, 1 at its end. */
+/** Returns the position of a time: 0 at the start of the span, 1 at its end. */
 export function partOf(span: Span, time: number): number {
   return (time - span.from) / lengthOf(span);
 }
 
-/** Shortens the span by a factor around the playhead; not below `LEAST_S`, and not above the run's length. */
+/** Returns the span, shortened by a factor around the playhead. Its length is at least `LEAST_S`, at most the run's. */
 export function zoomed(span: Span, by: number, position: number, duration: number): Span {
   const length = Math.min(Math.max(lengthOf(span) / by, LEAST_S), duration);
   return within(position - partOf(span, position) * length, length, duration);
 }
 
-/** The span itself if it contains the playhead, or else one of the same length that does. */
+/** Returns the span if it contains the playhead, or else a span of the same length that contains the playhead. */
 export function following(span: Span, position: number, duration: number): Span {
   if (position >= span.from && position <= span.to) return span;
   const length = lengthOf(span);

@@ -1,4 +1,4 @@
-/** The key that opens the list of strips, from which the user chooses. */
+/** Button that opens a list of strips; the user chooses from the list. */
 
 import type { Strip } from '../link/protocol';
 import { button, el, setPressed } from '../panel/parts/dom';

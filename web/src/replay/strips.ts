@@ -1,4 +1,4 @@
-/** Strips: quantities over the run, with their values at the playhead. */
+/** Strips: curves of quantities over the run, with the values at the playhead. */
 
 import type { Curve, Strip } from '../link/protocol';
 import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';
@@ -7,18 +7,18 @@ import { placeAt, stretched } from './lanes';
 import { shown, withUnit } from './quantity';
 import { partOf, type Span } from './span';
 
-/** Margin above and below the curves, as a part of their range. */
+/** Margin above and below the curves, as a fraction of their range. */
 const MARGIN = 0.08;
-/** Half the height of the curve's value, which stays within its strip. */
+/** Half the height of the tag with the value. The tag stays within its strip. */
 const HALF_TAG = '0.6rem';
 
 export interface StripRow {
   readonly element: HTMLElement;
-  /** Draws the playhead at that time [s], with the curves' values and a word for the last one. */
+  /** Draws the playhead at that time [s], and the values of the curves; `word` is written after the last value. */
   at(position: number, values: readonly (number | null)[], word: string, units: Units): void;
 }
 
-/** A curve as an SVG path, time to the right [s] and from 1 (low) to 0 (high); gaps stay gaps. */
+/** Returns a curve as an SVG path: x is time [s], y is `height` of the value. Missing values are gaps. */
 export function path({ times_s, values }: Curve, height: (value: number) => number): string {
   let pen = 'M';
   let text = '';
@@ -33,14 +33,14 @@ export function path({ times_s, values }: Curve, height: (value: number) => numb
   return text;
 }
 
-/** Position of a value: 0 at the top, 1 at the bottom. */
+/** Returns the function from a value to its position in the strip: 0 at the top, 1 at the bottom. */
 export function heights({ low, high, limit }: Strip): (value: number) => number {
   const top = limit !== null && high > limit / 2 ? Math.max(high, limit) : high;
   const range = top - low || Math.abs(top) || 1;
   return (value) => (1 + MARGIN - (value - low) / range) / (1 + 2 * MARGIN);
 }
 
-/** Reference values of a strip, and how they are drawn. */
+/** Returns the reference values of a strip, each with the class of its line. */
 export function boundsOf({ limit, caution, warning }: Pick<Strip, 'limit' | 'caution' | 'warning'>) {
   const all = [
     { level: 'limit', value: limit },

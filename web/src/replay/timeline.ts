@@ -9,7 +9,7 @@ import { minutes } from './quantity';
 import { following, lengthOf, partOf, type Span, zoomed } from './span';
 import { type StripRow, stripRow } from './strips';
 
-/** The strip that names the joint concerned. */
+/** The strip whose value is followed by the name of a joint. */
 const NAMES_JOINT = 'Joint rate';
 
 /** Lanes and strips over the time axis. */
@@ -29,7 +29,7 @@ export class Timeline {
   private readonly head = el('div', { class: 'playhead' });
   private readonly slider: HTMLElement;
 
-  /** `duration` of the run [s]; `sought`: called when the playhead is moved, null if it cannot be. */
+  /** `duration`: length of the run [s]; `sought`: called when the user moves the playhead, null if that is fixed. */
   constructor(
     private index: Timed,
     private readonly duration: number,
@@ -40,7 +40,7 @@ export class Timeline {
       this.firsts.set(name, first);
       first += curves.length;
     }
-    // A lane without an end is redrawn at once, over the time that is available.
+    // For a live run, the duration is infinite. `renew` then sets the span before anything is visible.
     this.span = { from: 0, to: Number.isFinite(this.duration) ? this.duration : 1 };
     this.slider = el(
       'div',
@@ -77,7 +77,7 @@ export class Timeline {
     this.look(zoomed(this.span, by, position, this.duration));
   }
 
-  /** Draws the present data of another part of the run. */
+  /** Replaces data and span, and draws them. */
   renew(index: Timed, span: Span): void {
     this.index = index;
     this.span = span;
@@ -130,7 +130,7 @@ export class Timeline {
   private seekBy(sought: (position: number) => void): void {
     const seek = (event: PointerEvent) => {
       const { left, width } = this.slider.getBoundingClientRect();
-      const along = Math.min(1, Math.max(0, (event.clientX - left) / width)); // beyond an edge the playhead stays at the edge
+      const along = Math.min(1, Math.max(0, (event.clientX - left) / width)); // limited to the axis
       sought(this.span.from + along * lengthOf(this.span));
     };
     this.slider.addEventListener('pointerdown', (event) => {

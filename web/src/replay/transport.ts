@@ -1,4 +1,4 @@
-/** Play, pause, speed, time, and the choice of what is below: strips, or the desk as flown. */
+/** Controls of a replay: play, pause, speed, and the choice of strips or desk below; and the time of the playhead. */
 
 import type { PlaybackIndex } from '../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/parts/dom';
@@ -7,7 +7,7 @@ import { minutes } from './quantity';
 import { StripChoice } from './strip-choice';
 
 const SPEED_NAMES: Readonly<Record<number, string>> = { 0.25: '¼', 0.5: '½' };
-/** Number of strips. */
+/** Greatest number of strips. */
 const MOST_STRIPS = 4;
 
 export interface TransportListener {
@@ -40,7 +40,7 @@ export class Transport {
     listener: TransportListener,
   ) {
     this.strips = new StripChoice(index.strips, MOST_STRIPS, (names) => listener.strips(names));
-    this.toggle = button({ class: 'play', title: 'Space' }, [], () => player.toggle());
+    this.toggle = button({ class: 'play', title: 'Play or pause: Space' }, [], () => player.toggle());
     this.speeds = SPEEDS.map((speed) => {
       const name = SPEED_NAMES[speed] ?? String(speed);
       return {
@@ -99,7 +99,7 @@ export class Transport {
     listener.strips(this.strips.chosen);
   }
 
-  /** `status`: the last line of the log before the playhead, or the reason why playback stopped. */
+  /** `status`: a problem, such as missing frames or a blocked window; empty if there is none. `troubled`: a caution. */
   show(status: string, troubled: boolean): void {
     setText(this.toggle, this.player.playing ? 'Pause' : 'Play');
     setPressed(this.toggle, this.player.playing);
@@ -111,7 +111,7 @@ export class Transport {
     setClass(this.status, 'caution', troubled);
   }
 
-  /** Whether the monitors follow the recording; null if it does not contain their cameras. */
+  /** Shows whether the monitors follow the recording; null if the recording does not contain their cameras. */
   setFollowing(on: boolean | null): void {
     setPressed(this.asFlown, on === true);
     this.asFlown.disabled = on === null;

@@ -6,7 +6,7 @@ import type { Source } from './source';
 /** Time between two requests [ms]. */
 const AGAIN_MS = 1000;
 
-/** Asks for the result until it is complete; `shown` gets each one. */
+/** Requests the result repeatedly until it is complete; `shown` is called with each answer. */
 export function pollVerdict(source: Pick<Source, 'verdict'>, shown: (verdict: Verdict) => void): void {
   const again = () => setTimeout(() => pollVerdict(source, shown), AGAIN_MS);
   source.verdict()?.then((verdict) => {

@@ -1,4 +1,4 @@
-/** Secondary windows of a replay: they receive its pictures and playhead, and control it. */
+/** Link to the secondary windows of a replay. They receive its cameras and playhead, and their keys act on it. */
 
 import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';
@@ -22,7 +22,7 @@ export class ReplayWindows {
     window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }));
   }
 
-  /** Sends the windows the page's cameras, plane and units. */
+  /** Sends the page's state to the windows: cameras, separating plane and units. */
   tell(): void {
     const { showsPlane: plane } = this.pictures;
     const { shown: monitors } = this.pictures.monitors;

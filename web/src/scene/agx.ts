@@ -1,11 +1,11 @@
-/** The tone map of the full profile, AgX as three.js has it, for grey light; and back. */
+/** Tone map of the full profile for grey light, AgX as in three.js, and the inverse map. */
 
 const [DARKEST, BRIGHTEST] = [-12.47393, 4.026069];
-/** Its matrices keep grey unchanged. */
+/** Coefficients of AgX's contrast curve. AgX's colour matrices are omitted: they leave grey unchanged. */
 const CONTRAST = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5] as const;
 const GAMMA = 2.2;
 
-/** Displayed value, linear, 0 to 1, of a light times its exposure. */
+/** Returns the displayed value (linear, 0 to 1) of exposed light, which is light times exposure. */
 export function agx(light: number): number {
   const stops = Math.log2(Math.max(light, 1e-10));
   const x = Math.min(1, Math.max(0, (stops - DARKEST) / (BRIGHTEST - DARKEST)));
@@ -17,7 +17,7 @@ export function agx(light: number): number {
   );
 }
 
-/** Exposed light by the byte that shows it: the least that gives as much. */
+/** Exposed light for each displayed byte: the least light that is displayed with at least this byte. */
 export const LIGHT_OF: readonly number[] = (() => {
   const found: number[] = [];
   let [low, high] = [0, 0];
@@ -34,7 +34,7 @@ export const LIGHT_OF: readonly number[] = (() => {
   return found;
 })();
 
-/** Constants of sRGB's transfer function. */
+/** Returns the linear value of an sRGB value, by sRGB's transfer function. */
 function linear(value: number): number {
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }

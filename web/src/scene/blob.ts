@@ -48,7 +48,7 @@ export class Blob {
   private readonly across = new Vector3();
   private readonly up = new Vector3();
 
-  /** Shadows of `casters` on the mesh `ground`. The geometry of `ground` is shared, so `dispose` leaves it. */
+  /** Shadows of `casters` on the mesh `ground`. The geometry of `ground` is shared, so `dispose` does not free it. */
   constructor(scene: Scene, ground: Mesh, casters: readonly Body[]) {
     this.rods = casters.flatMap(rodOf);
     this.ends = this.rods.flatMap(() => [new Vector2(), new Vector2()]);

@@ -86,7 +86,7 @@ export class Body {
     }
   }
 
-  /** Draw this body after all others: its hidden pixels then cost nothing. */
+  /** Draw this body after all others, so that its hidden pixels are not computed. */
   drawLast(): void {
     for (const mesh of this.group.children) mesh.renderOrder = LAST;
   }
@@ -128,7 +128,7 @@ export class Body {
   }
 }
 
-/** Yield every shape as often as it is drawn, with groups expanded, and its pose in the body's frame. */
+/** Yield every drawn shape with its pose in the body's frame. A shape in a group is yielded once for each copy. */
 function* placed(
   shapes: readonly Shape[],
   frame: Matrix4,

@@ -5,7 +5,7 @@ import type { Body } from './bodies';
 import { Orbit } from './orbit';
 import { settingOf, type View, viewOf } from './view';
 
-/** Near plane [m]; behind a window, beyond its pane. */
+/** Near plane [m]. For a camera behind a window, the near plane is beyond the window's pane. */
 const NEAR = 0.01;
 const FAR = 400;
 const ORIGIN = new Vector3();
@@ -32,7 +32,7 @@ class Mounted {
   private readonly inBody = new Matrix4();
   private aspect = 0;
   private angle = 0;
-  /** Pan, tilt, horizontal field of view [rad], as set last. */
+  /** Present pan, tilt and horizontal field of view [rad]. */
   setting: Vec3;
 
   constructor(
@@ -65,7 +65,7 @@ class Mounted {
     this.angle = angle;
   }
 
-  /** The camera at its body's present pose; the given field of view is the horizontal one at every aspect. */
+  /** Returns the camera at its body's present pose. The setting's field of view is horizontal for every aspect. */
   at(aspect: number): PerspectiveCamera {
     const { picture } = this;
     if (this.aspect !== aspect) {
@@ -103,12 +103,12 @@ export class Cameras {
     });
   }
 
-  /** Settings of a camera's drives, or those commanded: pan, tilt, horizontal field of view [rad]. */
+  /** Returns the present setting of a camera's drives: pan, tilt, horizontal field of view [rad]. */
   setting(name: string): Vec3 {
     return this.one(name).setting;
   }
 
-  /** Sets the centre of the engineering views, in the scene; null for their start. */
+  /** Sets the centre of the engineering views, in the scene; null for their initial centre. */
   turnTo(at: Vec3 | null): void {
     for (const [name, orbit] of this.orbits) {
       const one = this.one(name);
@@ -126,7 +126,7 @@ export class Cameras {
     }
   }
 
-  /** Rotates an engineering view to the right and upwards [rad], or shifts it if `aside`, and brings it nearer by a factor. */
+  /** Rotates an engineering view [rad], or shifts it if `aside`; divides its distance by `nearer`. */
   orbit(name: string, right: number, upwards: number, nearer: number, aside: boolean): void {
     const orbit = this.orbits.get(name);
     if (!orbit) return;
@@ -136,7 +136,7 @@ export class Cameras {
     this.one(name).look(orbit.view);
   }
 
-  /** The camera at present; `aspect`: the picture's width over its height. */
+  /** Returns the camera at its present pose and setting; `aspect`: the picture's width over its height. */
   at(name: string, aspect: number): PerspectiveCamera {
     return this.one(name).at(aspect);
   }
@@ -156,8 +156,8 @@ export class Cameras {
   }
 
   /**
-   * Ends of a straight line of the scene in a camera's picture, 0 to 1 from the left and from the top. The part behind the
-   * camera is cut off, parts outside the picture are not; null if the whole line is behind the camera.
+   * Returns the ends of a straight line of the scene in a camera's picture, 0 to 1 from the left and from the top. The
+   * part behind the camera is cut off; parts outside the picture are kept. Null if the whole line is behind the camera.
    */
   segment(name: string, aspect: number, a: Vec3, b: Vec3): readonly [Place, Place] | null {
     const camera = this.at(name, aspect);
@@ -174,7 +174,7 @@ export class Cameras {
     return [seen(start), seen(end)];
   }
 
-  /** A frame's three axes as a camera sees them: x right, y up, z towards the viewer. */
+  /** Returns the three axes of a coordinate frame as a camera sees them: x right, y up, z towards the viewer. */
   directions(name: string, [w, x, y, z]: Quat): [Vec3, Vec3, Vec3] {
     const camera = this.at(name, 1);
     turn.set(x, y, z, w);

@@ -2,25 +2,25 @@ import { Color, Vector3 } from 'three';
 import { present } from '../basics/assert';
 import type { LightCondition } from '../link/protocol';
 
-/** Light of sun, Earth and sky: unit directions in the scene, and colours times strength. */
+/** Light of sun, Earth and sky. Directions are unit vectors in the scene; a colour includes the light's strength. */
 export interface Daylight {
   readonly name: string;
   readonly toSun: Vector3;
   readonly nadir: Vector3;
-  /** Colour times strength; full sunlight has strength 4.1, on the same scale as lamps in files. */
+  /** Colour times strength. Full sunlight has strength 4.1, on the scale of the lamps in files. */
   readonly sun: Color;
   readonly earthshine: Color;
-  /** Light from the half sphere above the orbiter, and from the one below it. */
+  /** Light from the half sphere above the orbiter (`above`), and from the half sphere below the orbiter (`below`). */
   readonly above: Color;
   readonly below: Color;
-  /** Exposure at the start of the condition [stops over full sunlight]. */
+  /** Exposure when the light condition begins [stops over full sunlight]. */
   readonly exposure: number;
 }
 
 /** Strength of full sunlight. */
 export const FULL_SUN = 4.1;
 
-/** Light of the condition with this name. */
+/** Returns the light of the condition with this name. */
 export function daylightOf(conditions: readonly LightCondition[], name: string): Daylight {
   const condition = present(
     conditions.find((each) => each.name === name),

@@ -1,6 +1,6 @@
-/** Drawing profile, and pictures with their positions. */
+/** Drawing profile, and the pictures to draw with their positions. */
 
-/** `full` is for graphics hardware; `low` is quick where the processor draws. */
+/** `full` needs a graphics card; `low` is fast also if the processor computes the pictures. */
 export type Quality = 'full' | 'low';
 
 export interface Rect {
@@ -10,7 +10,7 @@ export interface Rect {
   readonly height: number;
 }
 
-/** One picture: the camera's name, and the position on the canvas [CSS px from its top left]. */
+/** One picture: the camera's name, and the picture's position on the canvas [CSS px from its top left]. */
 export interface View {
   readonly camera: string;
   readonly rect: Rect;

@@ -20,11 +20,11 @@ const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
 export const LIMB = Math.asin(EARTH / ORBIT);
-/** Brightness of the night side over full daylight; many times moonlight, so that the limb is just visible. */
+/** Brightness of the night side over full daylight. It is many times moonlight, so that the limb is just visible. */
 const NIGHT = '0.004';
 const UP = new Vector3(0, 0, 1);
 
-/** Directions of the sky, independent of the camera's position; drawn behind everything. */
+/** Computes the directions of the sky, which do not depend on the camera's position; drawn behind everything. */
 const vertexShader = /* glsl */ `
   varying vec3 ray;
   #ifdef PAINTED
@@ -48,7 +48,7 @@ const vertexShader = /* glsl */ `
     gl_Position.z = gl_Position.w * 0.999999;
   }`;
 
-/** Sea, land and clouds where the ray meets the sphere, with haze towards the limb, and a thin blue limb. */
+/** Draws sea, land and clouds where the ray intersects the sphere, haze towards the limb, and a thin blue limb. */
 const fragmentShader = /* glsl */ `
   varying vec3 ray;
   uniform vec3 nadir, sun, sunlight;
@@ -116,7 +116,7 @@ const paintedShader = /* glsl */ `
     gl_FragColor = vec4(tint * texture2D(clouds, place).rgb, 1.0);
   }`;
 
-/** The Earth: computed in the shader, or in the low profile a painted cap of the sky. */
+/** The Earth: in the full profile computed by a shader, in the low profile a painted cap of the sky. */
 export class Earth {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly texture: Texture | null;

@@ -1,17 +1,17 @@
-/** Automatic exposure of a camera from its picture. All exposures are in stops over that of full sunlight. */
+/** Automatic exposure of a camera from its picture. All exposures are in stops over the exposure of full sunlight. */
 
-/** Greatest difference from the exposure at which the light condition begins [stops]. */
+/** Greatest difference from the exposure with which the light condition begins [stops]. */
 export const RANGE = 2;
 /** Time in which the exposure's error decreases by the factor e [s]. */
 export const TIME_CONSTANT_S = 0.8;
 /** Light for which 0 stops is the right exposure: four tenths of the light from a white blanket in sunlight. */
 export const KEY = 0.4;
-/** Pause after which the exposure changes at once, as after a jump back in time [s]. */
+/** After a step of time longer than this, or a step back, the exposure changes at once [s]. */
 const PAUSE_S = 2;
 
 /**
- * Exposure that brings a picture's mean light to `KEY`. Each sample is weighted with itself, so that black space does not
- * count. Null if the picture is black.
+ * Returns the exposure at which a picture's mean light is `KEY`. Each sample has its own light as weight, so that black
+ * space does not count. Null if the picture is black.
  */
 export function metered(lights: Iterable<number>): number | null {
   let [sum, squares] = [0, 0];
@@ -26,7 +26,7 @@ export function metered(lights: Iterable<number>): number | null {
 export class Exposure {
   private now: number | null = null;
   /** Whether the next picture sets the exposure at once, not gradually. */
-  private anew = true;
+  private atOnce = true;
   private wanted: number | null = null;
   private at = 0;
   private base = 0;
@@ -38,34 +38,34 @@ export class Exposure {
 
   /** Whether the exposure was set from a picture. */
   get settled(): boolean {
-    return !this.anew;
+    return !this.atOnce;
   }
 
   /** Lets the next picture set the exposure at once, because the light has changed. */
   renew(): void {
-    this.anew = true;
+    this.atOnce = true;
   }
 
-  /** Changes the exposure until a time [s]; `base`: exposure at which the light condition begins; `locked`: fixed exposure or null. */
+  /** Changes the exposure up to `time` [s]; `base`: exposure when the light condition begins; `locked`: fixed value. */
   follow(time: number, base: number, locked: number | null): void {
     const step = time - this.at;
     this.at = time;
     this.base = base;
-    if (step < 0 || step > PAUSE_S) this.anew = true;
+    if (step < 0 || step > PAUSE_S) this.atOnce = true;
     if (locked !== null) {
       this.now = locked;
-      this.anew = false;
+      this.atOnce = false;
     } else if (this.now !== null && this.wanted !== null) {
       const aim = this.held(this.wanted);
       this.now = aim + (this.now - aim) * Math.exp(-Math.max(0, step) / TIME_CONSTANT_S);
     }
   }
 
-  /** Takes the exposure that its picture needs; sets it at once the first time. */
+  /** Stores the exposure that the last picture needs, null if that picture is black; applies it at once if required. */
   meter(wanted: number | null): void {
     if (wanted !== null) this.wanted = wanted;
-    if (this.anew) this.now = this.held(wanted ?? this.base);
-    this.anew = false;
+    if (this.atOnce) this.now = this.held(wanted ?? this.base);
+    this.atOnce = false;
   }
 
   private held(stops: number): number {

@@ -6,13 +6,13 @@ import { Exposure, metered } from './exposure';
 import { Meter } from './meter';
 
 /**
- * Least time between two meterings of any pictures; twice that for one camera [ms]. To read a picture, the page waits
- * for all pending drawing, which takes long if the processor draws.
+ * Least time between two meterings of any pictures [ms]; for two meterings of one camera, twice this time. To read a
+ * picture, the page waits for all pending drawing, which takes long if the processor draws.
  */
 const METERED_MS = { full: 300, low: 1500 } as const;
 /** Steps of exposure per stop; a smaller change is invisible. */
 const STEPS = 50;
-/** Light times exposure, by the byte that the low profile displays for it. */
+/** Light times exposure, for each byte that the low profile displays. */
 const ROOTS: readonly number[] = Array.from({ length: 256 }, (_, byte) => (byte / 255) ** 2);
 
 /** Exposures of all cameras, each metered from the camera's own pictures. */
@@ -38,13 +38,13 @@ export class Exposures {
     return this.cameras.get(camera)?.exposure.settled === false;
   }
 
-  /** Discards what was metered in the light condition before. */
+  /** Discards the exposures that were metered before the light has changed. */
   renew(): void {
     this.meter.forget();
     for (const { exposure } of this.cameras.values()) exposure.renew();
   }
 
-  /** Changes all exposures up to the run's time `time` [s]; `base`: exposure at which the light condition begins. */
+  /** Changes all exposures up to the run's time `time` [s]; `base`: exposure when the light condition begins. */
   follow(time: number, base: number, locked: Lighting['locked']): void {
     const seen = this.meter.collect();
     if (seen) this.cameras.get(seen.camera)?.exposure.meter(metered(seen.lights));
@@ -52,7 +52,7 @@ export class Exposures {
       exposure.follow(time, base, locked.find(({ camera }) => camera === name)?.stops ?? null);
   }
 
-  /** Meters a picture just drawn with this factor of light, if it is due; `height` of the canvas [CSS px]. */
+  /** Meters the picture just drawn, if due; `factor`: its factor of light; `height`: height of the canvas [CSS px]. */
   measure(camera: string, rect: Rect, height: number, factor: number): void {
     const due = this.cameras.get(camera);
     if (!due || !this.meter.free) return;

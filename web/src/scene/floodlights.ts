@@ -4,14 +4,14 @@ import type { Body } from './bodies';
 
 const FLOOD = new Color('#ffe9c9');
 const SPOT = new Color('#fff2dc');
-/** Part of a spot's cone over which it fades. */
+/** Fraction of a spot's cone in which its light fades. */
 export const PENUMBRA = 0.7;
 
 /** A lamp on its body. */
 export interface Lamp {
   readonly light: Light;
   readonly body: Body;
-  /** In its body's frame; it looks along x. */
+  /** Pose in its body's frame. The lamp shines along x. */
   readonly place: Matrix4;
   readonly colour: Color;
 }
@@ -23,13 +23,13 @@ export function lampsOf(bodies: readonly Body[]): readonly Lamp[] {
   );
 }
 
-/** Whether it has a beam; else it shines all round. */
+/** Returns whether a lamp has a beam. A lamp without a beam shines in all directions. */
 export function isSpot({ cone }: Light): boolean {
   return cone <= Math.PI / 2;
 }
 
-/** Position of a lamp in the scene, and its direction. */
-export function standing({ body, place }: Lamp, at: Vector3, along: Vector3): void {
+/** Writes the position of a lamp in the scene to `at`, and its direction to `along`. */
+export function lampPose({ body, place }: Lamp, at: Vector3, along: Vector3): void {
   at.setFromMatrixPosition(place).applyMatrix4(body.group.matrixWorld);
   along.set(1, 0, 0).transformDirection(place).transformDirection(body.group.matrixWorld);
 }

@@ -16,10 +16,10 @@ import {
 import type { ClosestPoints } from '../link/protocol';
 import type { Body } from './bodies';
 
-/** Widths of the line and of its edge [CSS px]. */
+/** Widths of the line and of its dark edge [CSS px]. */
 const WIDTH = 2;
 const EDGE = 1.5;
-/** Greatest distance between a closest point and its body [m]. */
+/** A body within this distance of a closest point counts as the body of this point [m]. */
 const NEAR = 0.3;
 /** Least and greatest side length of the separating plane [m]. */
 const LEAST = 0.6;
@@ -58,7 +58,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(abs(side) < core ? colour : vec3(0.0), 1.0);
   }`;
 
-/** The visible part of the line of minimum clearance, and on demand the separating plane of its two parts. */
+/** The line of minimum clearance as far as nothing hides it, and on demand the separating plane of the two parts. */
 export class Gap {
   private readonly line = new Mesh(quad(), strokeMaterial());
   private readonly plane = new Object3D();
@@ -92,7 +92,7 @@ export class Gap {
     this.set(null, '#ffffff', false);
   }
 
-  /** Draws the minimum clearance in a colour; null hides it. `plane`: with the separating plane. */
+  /** Draws the minimum clearance in a colour; null hides it. `plane`: whether the separating plane is drawn, too. */
   set(gap: ClosestPoints | null, colour: string, plane: boolean): void {
     this.line.visible = gap !== null;
     this.plane.visible = plane && gap !== null && Math.hypot(...gap.normal) > 0;
@@ -119,7 +119,7 @@ export class Gap {
     this.plane.removeFromParent();
   }
 
-  /** Places the square halfway between the two bodies, as large as the smaller one. */
+  /** Places the square of the separating plane halfway between the two bodies, as large as the smaller body. */
   private turn(gap: ClosestPoints): void {
     const { plane } = this;
     const normal = new Vector3(...gap.normal);
@@ -131,7 +131,7 @@ export class Gap {
     plane.updateMatrixWorld(true);
   }
 
-  /** Length of the smallest body at a point of the scene. */
+  /** Returns the greatest dimension of the smallest body at a point of the scene [m]. */
   private sizeAt(at: ClosestPoints['point_a']): number {
     let least = Number.POSITIVE_INFINITY;
     this.bodies.forEach(({ group }, i) => {
@@ -145,7 +145,7 @@ export class Gap {
   }
 }
 
-/** x: which end; y: which side. */
+/** Makes the line's quad: x is 0 or 1 for the line's ends, y is −1 or 1 for its sides. */
 function quad(): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0], 3));
@@ -153,7 +153,7 @@ function quad(): BufferGeometry {
   return geometry;
 }
 
-/** A square of side 1 across z. */
+/** Makes a square with side 1, normal to z. */
 function square(): BufferGeometry {
   const geometry = new BufferGeometry();
   const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0];
@@ -181,7 +181,7 @@ function strokeMaterial(): ShaderMaterial {
   });
 }
 
-/** `#rrggbb` as the screen has it. */
+/** Returns the three values of a colour `#rrggbb`, 0 to 1, as displayed. */
 function rgb(colour: string): [number, number, number] {
   const part = (from: number) => Number.parseInt(colour.slice(from, from + 2), 16) / 255;
   return [part(1), part(3), part(5)];

@@ -13,17 +13,17 @@ import {
 } from 'three';
 import type { Body } from './bodies';
 
-/** Colour, as that of commanded values. */
+/** Colour of the ghost, equal to the page's colour of commanded values. */
 const BLUE = '#78bdf7';
-/** Opacity of faces seen straight on, of faces that turn away, and of edges. */
+/** Opacity of faces seen from the front, of faces seen from the side, and of edges. */
 const FILL = '0.16';
 const RIM = '0.9';
 const EDGE = 0.5;
-/** Time in which it appears and disappears [s]. */
+/** Time in which the ghost appears and disappears [s]. */
 const FADE_S = 0.15;
-/** Least angle between two faces with an edge [deg]. */
+/** Least angle between two faces at which an edge is drawn [deg]. */
 const CORNER = 30;
-/** Least motion for which a body has a ghost; below it the ghost would flicker on the body [m, rad]. */
+/** A body that moves less has no ghost, because the ghost would flicker on the body [m, rad]. */
 const STIRS = 0.02;
 /** Numbers for each body in the look-ahead's poses. */
 const POSE = 7;
@@ -42,7 +42,7 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * at;
   }`;
 
-/** Tubes have few edges, so that faces which turn away from the camera draw their outline. */
+/** Makes faces opaque that are seen from the side: they draw the outline of tubes, which have few edges. */
 const fragmentShader = /* glsl */ `
   varying vec3 ray, n;
   uniform vec3 colour;
@@ -56,7 +56,7 @@ const fragmentShader = /* glsl */ `
 export class Ghost {
   private readonly fill = new ShaderMaterial({
     defines: { FILL, RIM },
-    // Not lit and not converted: exactly this colour is shown.
+    // The colour is neither lit nor converted: exactly this colour is displayed.
     uniforms: { colour: { value: new Color().setStyle(BLUE, LinearSRGBColorSpace) }, shown: { value: 0 } },
     vertexShader,
     fragmentShader,
@@ -88,7 +88,7 @@ export class Ghost {
     this.setVisible(false);
   }
 
-  /** Sets its poses: seven numbers for each body, as in `Frame.poses`; null lets it fade. */
+  /** Sets the poses: seven numbers for each body, as in `Display.poses`; null lets the ghost fade. */
   set(poses: readonly number[] | null, now: number): void {
     const step = Math.max(0, now - this.at) / 1000 / FADE_S;
     this.at = now;
@@ -109,7 +109,7 @@ export class Ghost {
     });
   }
 
-  /** Sets whether the pictures drawn next show it. */
+  /** Sets whether the pictures that are drawn next show the ghost. */
   setVisible(on: boolean): void {
     for (const { part, moves } of this.parts) part.visible = on && moves && this.shown > 0;
   }

@@ -22,7 +22,7 @@ import { Sun } from './sun';
 /** Factor of light at an exposure of 0 stops. */
 const EXPOSED = 1.1;
 
-/** Sun, Earth and lamps, with the shadow and the reflections that they cause. */
+/** Sun, Earth and lamps, with their shadow and their reflections. */
 export class Illumination {
   private readonly lights: Lights | null;
   private readonly earth: Earth;
@@ -32,7 +32,7 @@ export class Illumination {
   private daylight: Daylight | null = null;
   private setting = '';
 
-  /** `bodies` begins with the fixed body; all others move. */
+  /** The first body of `bodies` is fixed, all others move. */
   constructor(
     private readonly stage: Stage,
     private readonly renderer: WebGLRenderer,
@@ -54,7 +54,7 @@ export class Illumination {
     this.blob = ground ? new Blob(stage, ground, moving) : null;
   }
 
-  /** Exposure at which the light condition begins [stops over full sunlight]. */
+  /** Exposure when the light condition begins [stops over full sunlight]. */
   get stops(): number {
     return this.daylight?.exposure ?? 0;
   }
@@ -110,7 +110,7 @@ export class Illumination {
   }
 }
 
-/** The Earth and the sun, as shiny surfaces reflect them. */
+/** Makes the texture of Earth and sun that shiny surfaces reflect. */
 function reflections(renderer: WebGLRenderer, earth: Earth, { toSun, sun: light }: Daylight): Texture {
   const stage = new Stage();
   const sphere = new SphereGeometry(3, 16, 12);

@@ -16,22 +16,22 @@ import { rendererFor } from './renderer';
 import { Sight } from './sight';
 import { Television } from './television';
 
-/** Number of values for each body in `Frame.poses`. */
+/** Number of values for each body in `Display.poses`. */
 const POSE = 7;
-/** Colour between the pictures, as the page's background. */
+/** Colour between the pictures, equal to the page's background. */
 const MARGIN = '#0c0d0e';
 const MARGIN_COLOUR = new Color(MARGIN);
 const SPACE = new Color('#000000');
-/** Background of the plan, as the page's plate. */
+/** Background of the plan, equal to the colour of the desk's plate. */
 const PLATE = new Color('#161719');
 
 /** The orbiter, the arm, the Earth and the light on them, drawn as the cameras see them. */
 export class Scene {
   readonly cameras: Cameras;
-  /** Visibility of the targets in each camera. */
+  /** Computes what each camera sees. */
   readonly sight: Sight;
   private readonly renderer: WebGLRenderer;
-  /** Brings the pictures to the page if the processor draws; null with a graphics card. */
+  /** Transfers the pictures to the page if the processor draws them; null with a graphics card. */
   private readonly relay: Relay | null;
   private readonly stage = new Stage();
   private readonly materials: Materials;
@@ -40,7 +40,7 @@ export class Scene {
   private readonly exposures: Exposures;
   private readonly gap: Gap;
   private readonly ghost: Ghost;
-  /** Cameras on the arm: the ghost would fill their pictures. */
+  /** Cameras on the arm. Their pictures do not show the ghost, because it would fill them. */
   private readonly onArm: ReadonlySet<string>;
   private readonly television: Television;
   private readonly overhead = new Overhead();
@@ -88,7 +88,7 @@ export class Scene {
     return this.bodies.map((body) => body.drawn);
   }
 
-  /** Sets all poses: seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene frame. */
+  /** Sets the poses of all `Welcome.bodies`, in this order: for each x, y, z [m], w, x, y, z in the scene frame. */
   setPoses(poses: readonly number[]): void {
     this.bodies.forEach((body, i) => {
       body.setPose(poses, POSE * i);
@@ -112,7 +112,7 @@ export class Scene {
     return this.exposures.metering(camera);
   }
 
-  /** Middle of a body in the scene; null if there is no such body, or if none of it is drawn. */
+  /** Returns the middle of a body in the scene; null if there is no such body, or if it has no drawn shape. */
   middle(name: string): Vec3 | null {
     const body = this.bodies.find(({ group }) => group.name === name);
     const box = body?.box();
@@ -121,7 +121,7 @@ export class Scene {
     return [x, y, z];
   }
 
-  /** Draws the minimum clearance as a line in a colour `#rrggbb`, and its separating plane on demand; null: neither. */
+  /** Draws the minimum clearance in a colour `#rrggbb`, and on demand the separating plane; null hides both. */
   setGap(gap: ClosestPoints | null, colour: string, plane: boolean): void {
     this.gap.set(gap, colour, plane);
   }
@@ -154,7 +154,7 @@ export class Scene {
       this.ghost.setVisible(!this.onArm.has(camera));
       const factor = this.illumination.expose(this.stops(camera));
       renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
-      this.exposures.measure(camera, rect, this.height, factor); // before the noise, which is not light of the scene
+      this.exposures.measure(camera, rect, this.height, factor); // before noise is added
       if (early) this.television.show(rect, this.height);
       this.relay?.add(rect, this.height);
     }
@@ -174,12 +174,12 @@ export class Scene {
     illumination.showEarth(true);
   }
 
-  /** Sends what was drawn to the page, once all that is due is drawn. */
+  /** Starts the transfer of the drawn pictures to the page; called after all pictures that are due were drawn. */
   send(): void {
     this.relay?.send();
   }
 
-  /** Returns whether what was drawn is on the page; if the processor draws, this puts it there once it is complete. */
+  /** Puts the drawn pictures on the page if they are complete; returns whether they are on the page. */
   put(): boolean {
     return this.relay?.put() ?? true;
   }
@@ -196,7 +196,7 @@ export class Scene {
     this.renderer.dispose();
   }
 
-  /** Directs drawing to a part of the canvas, and clears this part; false if it is too small. */
+  /** Directs drawing to a part of the canvas and clears this part; returns false if it is too small. */
   private aim({ left, top, width, height }: Rect): boolean {
     if (width < 1 || height < 1) return false;
     const bottom = this.height - top - height;
@@ -206,7 +206,7 @@ export class Scene {
     return true;
   }
 
-  /** Adapts the picture's size to the canvas' size on the page. */
+  /** Adapts the renderer's size to the size of the canvas on the page. */
   private fit(): void {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === this.width && clientHeight === this.height) return;

@@ -1,6 +1,6 @@
 import { Color, type IUniform, ShaderMaterial, type Texture, Vector2, Vector3, Vector4 } from 'three';
 import type { Daylight } from './daylight';
-import { isSpot, type Lamp, PENUMBRA, standing } from './floodlights';
+import { isSpot, type Lamp, lampPose, PENUMBRA } from './floodlights';
 
 /**
  * Sums the light of sun, Earth and sky at each vertex. Without lamps it also computes the displayed colour there, so
@@ -37,7 +37,7 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
-/** Sums the light of lamps at each pixel: a near lamp may light only the middle of a large face. */
+/** Sums the light of lamps at each pixel, not at vertices: a near lamp may light only the middle of a large face. */
 const fragmentShader = /* glsl */ `
   varying vec3 lit;
   #ifdef PATTERN
@@ -87,7 +87,7 @@ export class LambertLight {
   private readonly count = { value: 0 };
   /** Position of each lit lamp, and one over the square of its reach. */
   private readonly places: readonly Vector4[];
-  /** Beam direction of each lit lamp, and the slope of its fading with the cosine of the angle; 0 for a flood. */
+  /** Beam direction of each lit lamp, and how fast its light changes with the cosine of the angle; 0 for a flood. */
   private readonly beams: readonly Vector4[];
   private readonly glows: readonly Color[];
   private lamps: readonly Lamp[] = [];
@@ -114,7 +114,7 @@ export class LambertLight {
     };
   }
 
-  /** Make a material in this light, with vertex colours that a pattern dims. */
+  /** Make a material that this light illuminates, with vertex colours that a pattern dims. */
   material(pattern: Texture | null): ShaderMaterial {
     const made = new ShaderMaterial({
       vertexColors: true,
@@ -154,7 +154,7 @@ export class LambertLight {
     this.follow();
   }
 
-  /** Compile the shaders for this number of lamps. */
+  /** Set the number of lamps for which the shaders are compiled. */
   private shade(lamps: number): void {
     if (lamps === this.shaded) return;
     this.shaded = lamps;
@@ -169,7 +169,7 @@ export class LambertLight {
     this.lit.forEach((lamp, i) => {
       const [place, beam] = [this.places[i], this.beams[i]];
       if (!place || !beam) return;
-      standing(lamp, at, along);
+      lampPose(lamp, at, along);
       const { cone, reach, intensity } = lamp.light;
       place.set(at.x, at.y, at.z, 1 / reach ** 2);
       beam.set(along.x, along.y, along.z, isSpot(lamp.light) ? steepness(cone) : 0);
@@ -180,7 +180,7 @@ export class LambertLight {
 
 const [at, along] = [new Vector3(), new Vector3()];
 
-/** Return the slope of a linear fading in the cosine that is one half at the middle of the penumbra. */
+/** Return the slope of the fading, which is linear in the cosine and one half at the middle of the penumbra. */
 function steepness(cone: number): number {
   const middle = (Math.cos(cone) + Math.cos(cone * (1 - PENUMBRA))) / 2;
   return 0.5 / (1 - middle);

@@ -19,7 +19,8 @@ const DECAY = 1.8;
 
 /**
  * The full profile's lights: sun, earthshine, skylight, and the lamps that bodies carry. A light that
- * is off keeps intensity 0: another number of lights needs other shaders, which take seconds to compile.
+ * is off stays in the scene with intensity 0: another number of lights needs other shaders, which take
+ * seconds to compile.
  */
 export class Lights {
   private readonly sun = shadowing();

@@ -42,7 +42,7 @@ const GLOW = 'glow ';
 /** Brightness of the face of a lamp that is off. */
 const UNLIT = 0.08;
 
-/** Maker of the materials of the low profile. */
+/** Makes the materials of the low profile. */
 export interface Shading {
   material(pattern: Texture | null): Drawn;
 }
@@ -75,7 +75,7 @@ export class Materials {
     return !batch.startsWith(GLOW);
   }
 
-  /** Light the faces of the lamps whose switches are on, darken the others. */
+  /** Light the faces of the lamps whose switches are on, and darken the faces of the other lamps. */
   lightUp(on: ReadonlySet<string>): void {
     for (const [batch, material] of this.made) {
       if (material instanceof MeshBasicMaterial && batch.startsWith(GLOW))

@@ -1,7 +1,7 @@
 import type { WebGLRenderer } from 'three';
 import type { Rect } from './drawn';
 
-/** Metered middle of a picture, as a part of its width and height. */
+/** Metered middle part of a picture, as a fraction of its width and of its height. */
 const MIDDLE = 0.6;
 /** Number of metered rows, and of samples in each. */
 const ROWS = 9;
@@ -9,7 +9,7 @@ const PLACES = 16;
 
 interface Look {
   readonly camera: string;
-  /** Factor of light in that picture. */
+  /** Factor by which the picture multiplies light. */
   readonly factor: number;
   readonly width: number;
   readonly done: WebGLSync;
@@ -17,20 +17,20 @@ interface Look {
 
 export interface Seen {
   readonly camera: string;
-  /** Light of the scene at samples of the picture, for the strongest colour, so that no colour is overexposed. */
+  /** Light of the scene at samples of the picture: that of the strongest colour, so that no colour is overexposed. */
   readonly lights: readonly number[];
 }
 
 /**
- * Meters a few rows of a picture that was drawn. The rows are requested at once and collected at a later picture, when
- * they are available.
+ * Meters a few rows of a drawn picture. It requests the rows at once, and collects them at a later picture, when they
+ * are available.
  */
 export class Meter {
   private readonly gl: WebGL2RenderingContext;
   private buffer: WebGLBuffer | null = null;
   private look: Look | null = null;
 
-  /** `lightOf`: light times exposure, by the byte in the picture. */
+  /** `lightOf`: light times exposure, for each byte in a picture. */
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly lightOf: readonly number[],
@@ -43,7 +43,7 @@ export class Meter {
     return this.look === null;
   }
 
-  /** Requests the picture just drawn at `rect`; `canvas`: the canvas' height [CSS px]. */
+  /** Requests the rows of the picture just drawn at `rect`; `canvas`: height of the canvas [CSS px]. */
   ask(camera: string, { left, top, width, height }: Rect, canvas: number, factor: number): void {
     const { gl } = this;
     const ratio = this.renderer.getPixelRatio();
@@ -68,7 +68,7 @@ export class Meter {
     this.look = { camera, factor, width: wide, done };
   }
 
-  /** The requested light, once it is available; null before. */
+  /** Returns the requested light; null if it is not available yet, or if no request is pending. */
   collect(): Seen | null {
     const { gl, look } = this;
     if (!look) return null;

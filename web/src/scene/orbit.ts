@@ -1,18 +1,18 @@
-/** The engineering view: a camera that rotates around a centre, moved by mouse and keys. */
+/** The engineering view: a camera that mouse and keys rotate around a centre. */
 
 import { type Matrix4, Vector3 } from 'three';
 import { clamp } from '../basics/clamp';
 import type { Camera, Vec3 } from '../link/protocol';
 import type { View } from './view';
 
-/** Greatest elevation; at 90° left and right would be undefined [rad]. */
+/** Greatest elevation [rad]. At 90°, the directions left and right would be undefined. */
 const STEEPEST = 1.45;
 const UP = new Vector3(0, 0, 1);
 const [NEAREST, FARTHEST] = [1.5, 120];
 const [way, across] = [new Vector3(), new Vector3()];
 
 export class Orbit {
-  /** Its centre in its body's frame [m], and the shift of the view. */
+  /** Initial centre, present centre, and shift of the view, in the frame of the camera's body [m]. */
   private readonly place: Vector3;
   private readonly middle: Vector3;
   private readonly shifted = new Vector3();
@@ -20,7 +20,7 @@ export class Orbit {
   private heading: number;
   private rise: number;
 
-  /** Starts from the camera's pose; the centre is a point over the origin of its body. */
+  /** Starts at the camera's pose. The initial centre is on the camera's axis, near the origin of its body. */
   constructor(private readonly camera: Camera) {
     const eye = new Vector3(...camera.position);
     const look = way.set(...camera.boresight).normalize();
@@ -37,19 +37,19 @@ export class Orbit {
     this.rise = clamp(this.rise + upwards, -STEEPEST, STEEPEST);
   }
 
-  /** Sets the centre, and puts it into the middle of the picture; null for the start. */
+  /** Sets the centre, in the scene, and puts it into the middle of the picture; null for the initial centre. */
   turnTo(at: Vec3 | null, toBody: Matrix4): void {
     this.shifted.set(0, 0, 0);
     this.middle.copy(this.place);
     if (at) this.follow(at, toBody);
   }
 
-  /** Moves the centre, in the scene. */
+  /** Moves the centre to a position in the scene. */
   follow([x, y, z]: Vec3, toBody: Matrix4): void {
     this.middle.set(x, y, z).applyMatrix4(toBody);
   }
 
-  /** Shifts the view to the right and upwards, by a distance for which the centre seems to follow a drag of these angles. */
+  /** Shifts the view to the right and upwards, so that the centre follows the pointer; angles as for `turn` [rad]. */
   shift(right: number, upwards: number): void {
     const [x, y, z] = this.view.boresight;
     const wide = (2 * this.distance * Math.tan(this.camera.field_of_view / 2)) / Math.PI;

@@ -3,7 +3,7 @@ import { OrthographicCamera } from 'three';
 /** Height from which the plan is drawn [m]. */
 const HEIGHT = 150;
 
-/** Part of the scene that the plan shows [m], from its lower left corner; x: aft, to the right; y: starboard, upwards. */
+/** Part of the scene that the plan shows [m]. x, y: its lower left corner; x is aft (right), y starboard (up). */
 export interface Extent {
   readonly x: number;
   readonly y: number;
@@ -15,7 +15,7 @@ export interface Extent {
 export class Overhead {
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, 1, 2 * HEIGHT);
 
-  /** The camera above an extent, which fills its picture. */
+  /** Returns the camera above an extent; the extent fills its picture. */
   over({ x, y, width, height }: Extent): OrthographicCamera {
     const { camera } = this;
     camera.position.set(x + width / 2, y + height / 2, HEIGHT);

@@ -1,4 +1,4 @@
-/** Without a graphics card: pictures are read back once they are drawn, and then put on the page. */
+/** Without a graphics card, reads the pictures back when they are drawn, and puts them on the page. */
 
 import type { WebGLRenderer } from 'three';
 import { present } from '../basics/assert';
@@ -7,7 +7,7 @@ import type { Rect } from './drawn';
 /** Bytes of a pixel. */
 const PIXEL = 4;
 
-/** A part of the canvas [px from its bottom left], and where its bytes begin. */
+/** A part of the canvas [px from its bottom left], and the index of its first byte in the buffer. */
 interface Part {
   readonly x: number;
   readonly y: number;
@@ -17,8 +17,8 @@ interface Part {
 }
 
 /**
- * Brings WebGL pictures to the page if no graphics card draws them. A WebGL canvas would block its page until the
- * processor has drawn; with this class the page handles keys and texts meanwhile.
+ * Transfers WebGL pictures to the page if no graphics card draws them. A WebGL canvas on the page would block the page
+ * until the processor has drawn it. With this class, the page handles keys and texts meanwhile.
  */
 export class Relay {
   private readonly gl: WebGL2RenderingContext;
@@ -30,7 +30,7 @@ export class Relay {
   private done: WebGLSync | null = null;
   private readonly ended = new AbortController();
 
-  /** From the renderer's canvas to the page's canvas. */
+  /** Transfers from the renderer's canvas to the canvas `shown` on the page. */
   constructor(
     private readonly renderer: WebGLRenderer,
     shown: HTMLCanvasElement,
@@ -43,7 +43,7 @@ export class Relay {
     });
   }
 
-  /** Gives the page's canvas the renderer's size, and one colour. */
+  /** Sets the page's canvas to the renderer's size and to one colour. */
   wipe(colour: string): void {
     const { canvas, gl } = this;
     const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
@@ -53,7 +53,7 @@ export class Relay {
     canvas.fillRect(0, 0, width, height);
   }
 
-  /** Adds a part of the canvas that was drawn; `height` of the canvas [CSS px]. */
+  /** Adds a part of the canvas that was drawn; `canvas`: height of the canvas [CSS px]. */
   add({ left, top, width, height }: Rect, canvas: number): void {
     const ratio = this.renderer.getPixelRatio();
     const [x, y, wide, high] = [left, canvas - top - height, width, height].map((side) =>
@@ -73,7 +73,7 @@ export class Relay {
     if (this.bytes.length < size) this.bytes = new Uint8Array(size);
     this.buffer ??= gl.createBuffer();
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);
-    // Anew each time: Chromium warns of a buffer that is written twice.
+    // The buffer is allocated again each time, because Chromium warns if a buffer is written twice.
     gl.bufferData(gl.PIXEL_PACK_BUFFER, size, gl.STREAM_READ);
     this.size = size;
     for (const { x, y, width, height, first } of parts)
@@ -84,7 +84,7 @@ export class Relay {
     if (!this.done) this.lose();
   }
 
-  /** Puts the requested pixels on the page; returns false if they are still being drawn. */
+  /** Puts the requested pixels on the page; returns false if they are not drawn yet. */
   put(): boolean {
     const { gl, done } = this;
     if (!done) return true;
@@ -114,7 +114,7 @@ export class Relay {
     this.gl.deleteBuffer(this.buffer);
   }
 
-  /** Reverses the rows, which WebGL counts upwards and the page downwards. */
+  /** Copies a part to the page with its rows reversed: WebGL counts rows upwards, the page downwards. */
   private show({ x, y, width, height, first }: Part): void {
     const { canvas } = this;
     const picture = canvas.createImageData(width, height);

@@ -6,10 +6,10 @@ import type { Quality } from './drawn';
 export function rendererFor(canvas: HTMLCanvasElement, quality: Quality): WebGLRenderer {
   const full = quality === 'full';
   const context = canvas.getContext('webgl2', {
-    alpha: false, // the browser need not mix the canvas with the page behind it
+    alpha: false, // saves the browser from blending the canvas with the page behind it
     antialias: full,
     powerPreference: 'high-performance',
-    preserveDrawingBuffer: true, // not every picture is drawn every time
+    preserveDrawingBuffer: true, // pictures that are not drawn again must stay
   });
   const renderer = new WebGLRenderer({ canvas, context: present(context, 'WebGL 2 for the pictures') });
   renderer.setPixelRatio(full ? Math.min(window.devicePixelRatio, 2) : 0.75);

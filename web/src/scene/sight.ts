@@ -1,4 +1,4 @@
-/** Visibility from a camera: points of the scene that are in its picture and that nothing hides. */
+/** Computes what a camera sees: points of the scene that are in its picture and that nothing hides. */
 
 import { type Intersection, type Mesh, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
 import type { Camera, Vec3 } from '../link/protocol';
@@ -11,9 +11,9 @@ export const ASPECT = 1.5;
 const SPREAD = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [-0.7, 0, 0.7].map((y) => [x, y] as const));
 /** Range of visibility [m]. */
 const FARTHEST = 400;
-/** Sample points of a line, from one end to the other. */
+/** Sample points of a line, as fractions of its length. */
 const ALONG = [0.5, 0.2, 0.8] as const;
-/** Distance before a point within which a hit is the point's own surface [m]. */
+/** An obstacle less than this before a point is the surface to which the point belongs [m]. */
 const OWN = 0.02;
 
 const ray = new Raycaster();
@@ -32,7 +32,7 @@ export class Sight {
     );
   }
 
-  /** Bodies at sample points of the picture, which include near bodies of which only a part is in the picture. */
+  /** Returns the bodies at sample points of the picture, also near bodies that are only partly in the picture. */
   ahead(camera: Camera): ReadonlySet<string> {
     const seen = this.cameras.at(camera.name, ASPECT);
     const found = new Set<string>();
@@ -46,7 +46,7 @@ export class Sight {
     return found;
   }
 
-  /** Whether the camera sees any part of a line of the scene, except its ends, which are on their bodies. */
+  /** Returns whether the camera sees any part of a line of the scene; its ends do not count, as they are on bodies. */
   line(camera: Camera, a: Vec3, b: Vec3): boolean {
     return ALONG.some((part) => {
       const place = between(a, b, part);
@@ -54,7 +54,7 @@ export class Sight {
     });
   }
 
-  /** Whether each end of a line of the scene is visible. */
+  /** Returns for each end of a line of the scene whether no body hides the line near this end. */
   ends(camera: Camera, a: Vec3, b: Vec3): readonly [boolean, boolean] {
     const [, ...near] = ALONG;
     const [first = false, last = false] = near.map((part) => this.clear(camera, between(a, b, part), null));
@@ -92,7 +92,7 @@ export class Sight {
     return Math.abs(x) <= wide * pane.width && Math.abs(y) <= wide * pane.height;
   }
 
-  /** Whether nothing except `own` is between the lens and a point. */
+  /** Returns whether no body except `own` is between the lens and a point. */
   private clear(camera: Camera, place: Vec3, own: Body | null): boolean {
     const seen = this.cameras.at(camera.name, ASPECT);
     lens.setFromMatrixPosition(seen.matrixWorld);
@@ -103,7 +103,7 @@ export class Sight {
     return !first || first.object.parent === own?.group;
   }
 
-  /** Obstacle on the way from the lens, beyond the near plane and up to a distance [m]. */
+  /** Returns the obstacles along a ray from the lens, beyond the near plane and up to a distance [m]. */
   private cast(seen: PerspectiveCamera, distance: number): Intersection[] {
     axis.set(0, 0, -1).transformDirection(seen.matrixWorld);
     ray.set(lens, way);

@@ -4,11 +4,11 @@ import { LIMB } from './earth';
 
 /** Half the angle under which the sun is seen: 16 minutes of arc. */
 const RADIUS = (16 / 60) * (Math.PI / 180);
-/** Distance at which it is drawn, behind everything else [m]. */
+/** Distance at which the sun is drawn, behind everything else [m]. */
 const DISTANCE = 150;
 const FORWARD = new Vector3(0, 0, 1);
 
-/** The sun's disc on the sky: the same way from every camera. */
+/** The sun's disc on the sky, in the same direction for every camera. */
 export class Sun {
   readonly disc: Mesh<CircleGeometry, MeshBasicMaterial>;
   private readonly toSun = new Vector3();
@@ -27,7 +27,7 @@ export class Sun {
     stage.add(this.disc);
   }
 
-  /** Puts it; behind the Earth it is not seen. */
+  /** Sets the direction of the sun; hides the sun if it is behind the Earth. */
   set({ toSun, nadir }: Daylight): void {
     this.toSun.copy(toSun);
     this.disc.quaternion.setFromUnitVectors(FORWARD, this.eye.copy(toSun).negate());

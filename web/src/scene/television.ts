@@ -1,4 +1,4 @@
-/** Television of the early flights: a picture just drawn turns black and white, with noise. */
+/** Television of the early flights: makes a picture that was just drawn black and white, with noise. */
 
 import {
   BufferGeometry,
@@ -25,7 +25,7 @@ const vertexShader = /* glsl */ `
     gl_Position = vec4(position.xy, 0.0, 1.0);
   }`;
 
-/** Luminance by Rec. 601, as a television of that time made it; noise by the place on the canvas and a seed. */
+/** Luminance by Rec. 601, as in television of that time. The noise depends on the position on the canvas and a seed. */
 const fragmentShader = /* glsl */ `
   varying vec2 place;
   uniform sampler2D picture;
@@ -51,7 +51,7 @@ export class Television {
     depthWrite: false,
     blending: NoBlending,
   });
-  /** Textures by their size, because halves and whole monitors are drawn in turn. */
+  /** Textures by size, because pictures of different sizes, such as halves and whole monitors, are drawn in turn. */
   private readonly textures = new Map<string, FramebufferTexture>();
   private readonly corner = new Vector2();
 
@@ -63,7 +63,7 @@ export class Television {
     this.stage.add(mesh);
   }
 
-  /** Changes the picture just drawn in a part of the canvas so high [CSS px]. */
+  /** Changes the picture just drawn at a part of the canvas; `canvas`: height of the canvas [CSS px]. */
   show({ left, top, width, height }: Rect, canvas: number): void {
     const { renderer, corner } = this;
     const { picture, seed } = this.material.uniforms;
@@ -79,7 +79,7 @@ export class Television {
     renderer.render(this.stage, this.camera);
   }
 
-  /** Drops the textures, because pictures have other sizes from now on. */
+  /** Frees the textures, because the sizes of the pictures have changed. */
   forget(): void {
     for (const texture of this.textures.values()) texture.dispose();
     this.textures.clear();
@@ -96,7 +96,7 @@ export class Television {
     const known = this.textures.get(name);
     if (known) return known;
     const texture = new FramebufferTexture(width, height);
-    texture.format = RGBFormat; // as the canvas, which has no alpha
+    texture.format = RGBFormat; // the canvas has no alpha either
     texture.internalFormat = 'RGB8';
     this.textures.set(name, texture);
     return texture;

@@ -1,4 +1,4 @@
-/** View of a camera with its drives at a setting; the same formulas as `bodies/cameras.py`. */
+/** View of a camera at a setting of its drives, by the formulas of `bodies/cameras.py`. */
 
 import { Vector3 } from 'three';
 import type { Camera, Vec3 } from '../link/protocol';
@@ -15,7 +15,7 @@ export interface View {
 const [ahead, right, up] = [new Vector3(), new Vector3(), new Vector3()];
 const [level, boresight, lens] = [new Vector3(), new Vector3(), new Vector3()];
 
-/** The view of a setting: pan to the right, tilt upwards, horizontal field of view [rad]. */
+/** Returns the view at a setting: pan to the right, tilt upwards, horizontal field of view [rad]. */
 export function viewOf(camera: Camera, [pan, tilt, angle]: Vec3): View {
   axes(camera);
   level.copy(ahead).multiplyScalar(Math.cos(pan)).addScaledVector(right, Math.sin(pan));
@@ -33,7 +33,7 @@ export function viewOf(camera: Camera, [pan, tilt, angle]: Vec3): View {
   };
 }
 
-/** Settings of the drives at the start. */
+/** Returns the initial setting of the drives. */
 export function settingOf(camera: Camera): Vec3 {
   axes(camera);
   boresight.set(...camera.boresight);
@@ -41,7 +41,7 @@ export function settingOf(camera: Camera): Vec3 {
   return [Math.atan2(y, x), Math.atan2(z, Math.hypot(x, y)), camera.field_of_view];
 }
 
-/** Ahead at zero pan and tilt, to the right, and up. */
+/** Computes three directions: ahead at zero pan and tilt, to the right, and up. */
 function axes(camera: Camera): void {
   up.set(...camera.up).normalize();
   ahead

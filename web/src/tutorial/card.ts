@@ -1,4 +1,4 @@
-/** The tutorial's card, which covers groups that a beginner does not need. */
+/** The tutorial's card. It covers groups of the desk that a beginner does not need. */
 
 import type { InHand } from '../input/active-device';
 import { button, el, setClass, setText } from '../panel/parts/dom';
@@ -64,7 +64,7 @@ export class Card {
     );
   }
 
-  /** `words`: text of the present step; `astray`: the entered mode if the step needs another one. */
+  /** `words`: text of the present step; `astray`: the entered mode if the step needs another mode, else empty. */
   set(progress: Progress, words: string, title: string, astray: string): void {
     const { at, skipped } = progress;
     const over = isOver(progress);
@@ -85,7 +85,7 @@ export class Card {
     this.skip.disabled = over;
   }
 
-  /** Lights the caps of pressed keys, at picture rate. */
+  /** Lights the key caps whose keys are pressed, at picture rate. */
   light(): void {
     const { device } = this.inHand;
     for (const { use, cap } of this.lights) setClass(cap, 'held', this.inHand.holds(use));
@@ -94,7 +94,7 @@ export class Card {
     if (drawn && device) this.drawing.set(device, this.inHand.sources(this.lights.map(({ use }) => use)));
   }
 
-  /** Draws the caps of a step. */
+  /** Draws the key caps of a step. */
   setCaps(caps: readonly Cap[]): void {
     const there = caps.filter(([use]) => this.inHand.name(use) !== '');
     const keys = this.inHand.device === null;

@@ -1,4 +1,4 @@
-/** The tutorial: six steps of a first capture in a scenario of its own; each step ends when the operator has done it. */
+/** The tutorial: six steps of a first capture in a separate scenario. A step ends when the operator has done it. */
 
 import type { InHand } from '../input/active-device';
 import type { Action } from '../input/keymap';
@@ -12,10 +12,10 @@ import { Card } from './card';
 import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
 import { STEPS } from './steps';
 
-/** Its built-in scenario, and its mode. */
+/** Built-in scenario of the tutorial, and the mode that its steps need. */
 export const SCENARIO = 'tutorial';
 const MODE = 'END EFF';
-/** Stored in the browser: whether it was opened before. Without storage it opens at each visit. */
+/** Storage key: whether the tutorial was opened before. Without storage it opens at each visit. */
 const KEY = 'aftdeck.tutorial';
 const OPENED = 'opened';
 const LOOKS: ReadonlySet<Action['name']> = new Set([
@@ -34,7 +34,7 @@ export class Tutorial {
   private readonly payload: number;
   private progress: Progress = BEGIN;
   private open = false;
-  /** Whether the card may still open by itself. */
+  /** Whether the card may still open without a request by the user. */
   private unasked: boolean;
   private drawn = '';
 
@@ -66,14 +66,14 @@ export class Tutorial {
     return this.card.element;
   }
 
-  /** Takes the choice of a scenario; opens the guide for the tutorial's own, at once if it is loaded. */
+  /** Called when the user chooses a scenario. For the tutorial's, opens the guide: now, or when it is loaded. */
   chosen(scenario: string): void {
     if (scenario !== SCENARIO) return;
     if (this.offered) this.show(true);
     else keeper.setItem(KEY, 'asked');
   }
 
-  /** Takes an action of the operator. */
+  /** Called for each action of the operator. */
   acted({ name }: Action): void {
     if (LOOKS.has(name)) this.progress = looked(this.progress);
   }
@@ -138,12 +138,12 @@ export class Tutorial {
   }
 }
 
-/** Closing title and words; `flown`: time at which the payload was free [s], null if it is not. */
+/** Returns the closing title and text; `flown`: time at which the payload was free [s], null if it is not free. */
 export function farewell(flown: number | null): readonly [title: string, words: string] {
   if (flown === null)
     return [
       'Not complete yet',
-      'These were all steps, but the payload is still in the bay. Go back to a skipped step, or press *Restart* ' +
+      'These were all the steps, but the payload is still in the bay. Go back to a skipped step, or press *Restart* ' +
         'to begin again.',
     ];
   const [minutes, seconds] = [Math.floor(flown / 60), Math.floor(flown % 60)];

@@ -1,21 +1,21 @@
-/** Progress in the tutorial: plain data, updated from the frames. */
+/** Progress in the tutorial, as plain data; each frame updates it. */
 
 import type { Frame, Vec3 } from '../link/protocol';
 import { held, isFree, STEPS } from './steps';
 
 export interface Progress {
-  /** Index of the present step; the number of steps once all are complete. */
+  /** Index of the present step; equal to the number of steps when all are complete. */
   readonly at: number;
   /** Position of the tip at the start of this step; null if not known yet. */
   readonly from: Vec3 | null;
   readonly looked: boolean;
-  /** Whether this step was complete before; it then ends only when it is repeated. */
+  /** Whether the user went back to this step. Its condition may still hold; it ends only when it is done again. */
   readonly again: boolean;
   /** Steps that were skipped and not completed since. */
   readonly skipped: ReadonlySet<number>;
-  /** Height of the payload in its berth, or of its first position [m]; null if not known yet. */
+  /** Last height of the payload in its berth, or else its first height [m]; null if not known yet. */
   readonly seat: number | null;
-  /** Time at which everything was complete [s]; null before. */
+  /** Time at which all steps were complete and the payload was free [s]; null before. */
   readonly flown: number | null;
   /** The last frame. */
   readonly tick: number;
@@ -37,7 +37,7 @@ export function isOver({ at }: Progress): boolean {
   return at >= STEPS.length;
 }
 
-/** Takes the next frame, with the payload's `height` [m]. A restart of the run restarts the tutorial. */
+/** Returns the progress after the next frame; `height`: the payload's height [m]. A restart restarts the tutorial. */
 export function seen(before: Progress, now: Frame, height: number): Progress {
   if (now.tick < before.tick) return seen(BEGIN, now, height);
   const first = before.tick < 0 && held(now);
@@ -53,7 +53,7 @@ export function seen(before: Progress, now: Frame, height: number): Progress {
   return ended({ ...enter(after, at + 1), skipped }, now);
 }
 
-/** Records that the operator has changed a picture. */
+/** Returns the progress after the operator has changed a picture or selected another one. */
 export function looked(before: Progress): Progress {
   return { ...before, looked: true, again: false };
 }
@@ -67,7 +67,7 @@ export function back(before: Progress): Progress {
   return { ...enter(before, Math.max(0, before.at - 1)), again: true };
 }
 
-/** The time stops once all steps are complete and the payload is free. */
+/** Returns the progress with its final time, if all steps are complete and the payload is free. */
 function ended(progress: Progress, now: Frame): Progress {
   const { flown } = progress;
   return flown === null && isOver(progress) && isFree(now) ? { ...progress, flown: now.time_s } : progress;

@@ -1,6 +1,6 @@
 /**
  * The six steps of a first capture: their instructions, their controls, and how frames show that a step is complete.
- * `{+X}` in words is the control for +X on the device in use; `*…*` is a text on the desk.
+ * In a text, `{+X}` stands for the control for +X on the device in use; `*…*` quotes a text on the desk.
  */
 
 import type { Condition, Frame, Vec3 } from '../link/protocol';
@@ -8,9 +8,9 @@ import { conditionText } from '../words/condition-text';
 import { small } from '../words/format';
 import type { Units } from '../words/units';
 
-/** Progress since a step began. */
+/** Progress since the present step began. */
 export interface Since {
-  /** Position of the tip at its start, panel components [m]. */
+  /** Position of the tip when the step began, panel components [m]. */
   readonly from: Vec3;
   /** Whether the operator has changed a picture or selected the other monitor. */
   readonly looked: boolean;
@@ -23,9 +23,9 @@ export interface Step {
   readonly title: string;
   /** Instruction for the present state. */
   words(now: Frame, units: Units): string;
-  /** Uses for the present state, and their effects. */
+  /** Functions that the present state needs, and their effects. */
   caps(now: Frame): readonly Cap[];
-  /** The desk's groups concerned. */
+  /** Groups of the desk that the step needs. */
   readonly groups: readonly ('thc' | 'conditions' | 'effector')[];
   done(now: Frame, since: Since): boolean;
 }
@@ -36,10 +36,10 @@ export type Cap = readonly [use: string, does: string];
 export const MOVED = 0.3;
 /** Least height above its berth for which the payload counts as lifted [m]. */
 export const LIFTED = 1;
-/** Greatest distance from the axis that counts as aligned, as a part of the capture limit. */
+/** Greatest distance from the axis at which the step counts the end effector as aligned [fraction of the limit]. */
 export const MIDDLE = 0.5;
 
-/** In the order of their positions on the keyboard. */
+/** Key caps of the THC, in the order of their positions on the keyboard. */
 const MOVERS: readonly Cap[] = [
   ['-Z', 'up'],
   ['+X', 'closer'],
@@ -132,7 +132,7 @@ export const STEPS: readonly Step[] = [
       if (!now.work.hand.flags.includes('RIGID'))
         return 'The pin is captured, and the end effector rigidizes: wait for *RIGID*.';
       if (!isFree(now))
-        return 'Latches still hold the payload. Hold {latch} for a second: they release it, which takes half a minute.';
+        return 'Latches still hold the payload. Hold {latch} for a second: the latches open, which takes half a minute.';
       const high = units.name === 'SI' ? '1 m' : '40 in';
       const fast = now.rate === 'vernier' ? ' {rate} changes to fast rates.' : '';
       return (
@@ -156,12 +156,12 @@ export function held({ work }: Frame): boolean {
   return work.cargo.some((cargo) => cargo.held);
 }
 
-/** Whether the payload is captured and unlatched. */
+/** Returns whether the payload is captured and unlatched. */
 export function isFree(now: Frame): boolean {
   return held(now) && !now.work.cargo.some((cargo) => cargo.held && cargo.seat !== '');
 }
 
-/** Whether all conditions hold, except perhaps the distance to the pin. */
+/** Returns whether all conditions hold; the distance to the pin is ignored. */
 function lined({ work: { conditions } }: Frame): boolean {
   return conditions.length > 0 && conditions.every(({ name, holds }) => holds || name === 'pin depth');
 }
@@ -170,7 +170,7 @@ function met({ work: { conditions } }: Frame): boolean {
   return conditions.length > 0 && conditions.every(({ holds }) => holds);
 }
 
-/** Whether the end effector is aligned, with a margin for drift on the way to the pin. */
+/** Returns whether the end effector is aligned, with a margin for drift during the approach to the pin. */
 function centred(now: Frame): boolean {
   const off = offAxis(now);
   return lined(now) && off !== undefined && off.value <= MIDDLE * off.limit;
@@ -180,14 +180,14 @@ function offAxis({ work: { conditions } }: Frame): Condition | undefined {
   return conditions.find(({ name }) => name === 'pin off axis');
 }
 
-/** Explanation of what the desk shows about the berth just left, if that would mislead. */
+/** Returns an explanation if the desk displays something about the berth that would mislead a beginner; else empty. */
 function besides(now: Frame): string {
   if (now.work.clearance_level === 'warning')
     return ' *CLEARANCE* warns because the berth is close: press *MASTER ALARM* and continue.';
-  return met(now) ? ' The panel shows that it could be latched again: ignore this.' : '';
+  return met(now) ? ' The panel shows that the payload could be latched again: ignore this.' : '';
 }
 
-/** Condition that prevents a capture, as the panel displays it. */
+/** Returns the text of a condition that prevents a capture, as the panel displays it. */
 function wanting({ work: { conditions } }: Frame, units: Units): string {
   const fails = ({ holds, name }: Condition) => !holds && name !== 'pin depth';
   const first = conditions.find(fails) ?? conditions.find(({ holds }) => !holds);

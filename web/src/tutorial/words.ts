@@ -1,4 +1,4 @@
-/** Splits words with marks into pieces: `{+X}` is a key or a stick, `*RIGID*` a text on the desk. */
+/** Splits a text with marks into pieces: `{+X}` stands for a key or a stick, `*RIGID*` quotes a text on the desk. */
 
 export interface Piece {
   readonly kind: 'text' | 'use' | 'shown';

@@ -7,7 +7,7 @@ import type { Timed } from '../replay/timeline';
 import { roundRange } from '../words/round-range';
 import type { Units } from '../words/units';
 
-/** Longest time kept [s]. */
+/** Length of the stored data [s]. */
 export const KEPT_S = 300;
 
 export class LastMinutes {
@@ -31,12 +31,12 @@ export class LastMinutes {
     this.forgetEvents(before);
   }
 
-  /** Sets the displayed time [s]; later data is kept, but not displayed yet. */
+  /** Sets the displayed time [s]. Later data is stored, but not displayed yet. */
   reach(time: number): void {
     this.until = time;
   }
 
-  /** Adds lines of the log; an earlier time means a restart. */
+  /** Adds lines of the log. If a line is earlier than the last one, the run was restarted: older lines are deleted. */
   note(events: readonly LogEvent[]): void {
     for (const event of events) {
       const last = this.events.at(-1);
@@ -56,7 +56,7 @@ export class LastMinutes {
     return this.samples.findLast(({ time_s }) => time_s <= this.until) ?? null;
   }
 
-  /** Its time [s]. */
+  /** Time of the newest displayed sample [s]; 0 before the first one. */
   get now(): number {
     return this.newest?.time_s ?? 0;
   }
@@ -66,7 +66,7 @@ export class LastMinutes {
     return this.strips;
   }
 
-  /** All that lies over a part of the axis; of the strips, those chosen have their curves. */
+  /** Returns lanes, events and strips for a span of the time axis. Only the chosen strips have curves. */
   over(span: Span, chosen: readonly string[], units: Units): Timed {
     const begin = Math.max(
       0,
@@ -88,14 +88,14 @@ export class LastMinutes {
   }
 }
 
-/** A lane until now, up to which its last stretch goes on, without what ended before the span. */
+/** Returns a lane without the stretches that ended before the span; the last stretch is extended to `now`. */
 function goingOn({ name, stretches }: Lane, span: Span, now: number): Lane {
   const begun = stretches.filter(({ start_s }) => start_s <= now);
   const until = begun.map((each, i) => (i === begun.length - 1 ? { ...each, end_s: now } : each));
   return { name, stretches: until.filter(({ end_s }) => end_s >= span.from) };
 }
 
-/** A strip with its samples' values; `first` is the index of the first one. */
+/** Returns a strip with curves from the samples; `first` is the index of its first curve in a sample's values. */
 function drawn(strip: Strip, samples: readonly Sample[], first: number, units: Units): Strip {
   const times_s = samples.map(({ time_s }) => time_s);
   let [low, high] = strip.rests ? [0, strip.caution ?? 0] : [Infinity, -Infinity];

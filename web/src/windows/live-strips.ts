@@ -13,9 +13,9 @@ import { StripWindow } from './strip-window';
 
 /** Time between two updates of the figures [ms]. */
 const VALUES_MS = 100;
-/** Curves move on when that is a pixel's width or so: this part of the axis. */
+/** The curves are redrawn when they have moved by this fraction of the axis, about one pixel. */
 const PIXEL = 1 / 1200;
-/** Choices of the time span of the axis, and the first one [s]. */
+/** Lengths of the time axis from which the user chooses [s], and the index of the first one. */
 const LENGTHS = [30, 60, 120, KEPT_S];
 const FIRST = 2;
 

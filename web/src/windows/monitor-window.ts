@@ -19,21 +19,21 @@ const VALUES_MS = 100;
 /** The recording that is shown. */
 export interface Played {
   readonly file: string;
-  /** Gets the page's messages, among them the playhead. */
+  /** Receives the page's messages, among them the playhead. */
   heard(message: WindowMessage): void;
 }
 
 export class Display {
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** Frame and restarts of the figures. */
+  /** Last frame that the figures have shown, with the number of restarts before it. */
   private latest = this.shown;
   private newest: Frame | null = null;
   private restarts = 0;
   private readonly line: DelayLine;
   private valuesAt = 0;
   private request = 0;
-  /** Whether a message is being applied, whose changes are not sent back. */
+  /** Whether a change comes from the page or from the first drawing; such a change is not sent back to the page. */
   private hearing = false;
   private units: UnitName;
   private readonly pictures: Pictures;
@@ -97,7 +97,7 @@ export class Display {
     this.request = requestAnimationFrame(() => this.tick());
     const frame = this.line.at(performance.now())?.frame;
     if (!frame || this.pictures.drawing) return;
-    this.hearing = true; // its first cameras are its page's choice
+    this.hearing = true; // cameras chosen by the first drawing are not sent to the page
     this.pictures.draw(frame, frame.work.clearance_level, () => {
       this.drawn += 1;
       this.shown = this.latest;

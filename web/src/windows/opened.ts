@@ -12,7 +12,7 @@ export interface PageState {
   readonly monitors: readonly (readonly string[])[];
   readonly plane: boolean;
   readonly units: UnitName;
-  /** Whether it takes the keys of its windows: it is in control, or it plays. */
+  /** Whether keys pressed in the windows act on the page: true if it is in control, or plays a recording. */
   readonly takesKeys: boolean;
 }
 
@@ -28,9 +28,9 @@ export interface Playhead {
 export type WindowMessage =
   | PageState
   | Playhead
-  /** The page is closed or reloaded. */
+  /** The page is being closed or reloaded. */
   | { readonly kind: 'gone' }
-  /** A window asks for its page's state. */
+  /** A window requests the state of its page. */
   | { readonly kind: 'ask' }
   /** The window of a monitor has the focus: camera keys act on it. */
   | { readonly kind: 'take'; readonly monitor: 0 | 1 }
@@ -46,10 +46,10 @@ const VIEWS: readonly (readonly [string, Torn])[] = [
   ['matrix', 'matrix'],
   ['strips', 'strips'],
 ];
-/** Parameter with the name of a window's page. */
+/** Parameter of a window's address; its value is the name of the window's page. */
 const OF = 'of';
 
-/** Text for a browser that blocks the window. */
+/** Message to the user if the browser has blocked a window. */
 export const BLOCKED = 'Pop-ups are blocked: allow them for this page, then press ↗ again.';
 
 /** Channel between one page and its windows; each page of the browser has its own. */

@@ -4,15 +4,15 @@ import { KeyRelay } from '../input/key-relay';
 import { el, setClass, setText } from '../panel/parts/dom';
 import { type PageState, tornOff, type WindowMessage, Windows } from './opened';
 
-/** Time between two requests for the page's state, and time without an answer after which the page counts as closed [ms]. */
+/** Time between two requests for the page's state; time without answer after which the page counts as closed [ms]. */
 const ASK_MS = 1000;
 const SILENT_MS = 5000;
 
 export interface TetherListener {
   heard(message: WindowMessage): void;
-  /** Selects what a key acts on, before the key is sent to the page. */
+  /** Selects the window's monitor in the page, before a key is sent to the page. */
   take?(): void;
-  /** Whether a key acts in the window itself. */
+  /** Whether a key acts in the window itself, so that it is not sent to the page. */
   own?(code: string): boolean;
 }
 
@@ -22,19 +22,19 @@ export interface Words {
   readonly title: string;
   /** The recording's file; absent for a live run. */
   readonly file?: string;
-  /** Words if the page takes the keys. */
+  /** Text in the rail while the window's keys act on the page. */
   readonly keys: string;
-  /** Words if no page does. */
+  /** Text in the rail while they do not act on a page. */
   readonly alone: string;
 }
 
-/** Words of a window of a live run, and of a replay. */
+/** Texts of a window of a live run, and of a window of a replay. */
 export const FLOWN = { keys: 'Keys act here too', alone: 'Observing' };
-export const PLAYED = { keys: 'Keys act here too', alone: 'No page plays it' };
+export const PLAYED = { keys: 'Keys act here too', alone: 'Not linked to a page' };
 
 export class Tether {
   readonly rail: HTMLElement;
-  /** The page's last state; null before the first one. */
+  /** Last state that the page has sent; null before the first one, and after the page was closed. */
   page: PageState | null = null;
   private gone = false;
   private heardAt = performance.now();
@@ -94,7 +94,7 @@ export class Tether {
     this.windows?.say(message);
   }
 
-  /** `lost`: a word if the content is out of date; empty if it is not. */
+  /** Shows the time, and the state of the page or `lost`, a word that is not empty if the content is out of date. */
   show(time: string, lost = ''): void {
     setText(this.time, time);
     const { keys, alone } = this.words;

@@ -4,13 +4,13 @@ import { button, el, setText } from '../panel/parts/dom';
 import { StripChoice } from '../replay/strip-choice';
 import { type Timed, Timeline } from '../replay/timeline';
 
-/** Number of strips. */
+/** Greatest number of strips. */
 const MOST_STRIPS = 7;
 
 export interface StripWindowListener {
-  /** The user moves the playhead; null if it stays at the end. */
+  /** Called when the user moves the playhead; null if the playhead always stays at the end of the axis. */
   readonly sought: ((position: number) => void) | null;
-  /** The time axis: less of it, or more. */
+  /** Changes the length of the time axis: 1 shows less time, −1 shows more time. */
   zoom(way: 1 | -1): void;
 }
 
@@ -51,7 +51,7 @@ export class StripWindow {
     return this.choice.chosen;
   }
 
-  /** The time that the figures are of, and what belongs to it; whether there is more or less to show. */
+  /** Writes the time of the figures and a text after it. `wider`, `closer`: whether more or less time can be shown. */
   show(time: string, about: string, wider: boolean, closer: boolean): void {
     setText(this.time, time);
     setText(this.about, about);

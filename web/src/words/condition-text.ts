@@ -1,17 +1,17 @@
-/** The text of a condition in the operator's units, from its words and its numbers. */
+/** Text of a condition in the operator's units: its template with the numbers inserted. */
 
 import type { Condition } from '../link/protocol';
 import { fixed } from './format';
 import type { Units } from './units';
 
 const DEGREE = 180 / Math.PI;
-/** Figures of a number; more if the value would otherwise have the same text as a limit that it exceeds. */
+/** Significant figures of a number. If the value exceeds a limit but has the same text, more figures are written. */
 const FIGURES = 3;
 const MOST_FIGURES = 9;
-/** Decimals of a number with fewer figures. */
+/** Greatest number of decimals with this number of figures; each further figure allows one more. */
 const DECIMALS = 3;
 
-/** The text of a condition in these units, such as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */
+/** Returns the text of a condition in these units, such as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */
 export function conditionText(condition: Condition, units: Units): string {
   const { words, holds } = condition;
   for (let figures = FIGURES; ; figures += 1) {
@@ -21,7 +21,7 @@ export function conditionText(condition: Condition, units: Units): string {
   }
 }
 
-/** The words with numbers in their places; a range has its unit once. */
+/** Returns the template with numbers in place of `{}`. In a range, only the second number has the unit. */
 function filled(words: string, numbers: readonly string[], unit: string): string {
   const [first = '', ...parts] = words.split('{}');
   const rest = parts.map((part, i) => `${numbers[i] ?? ''}${part === ' to ' ? '' : unit}${part}`);

@@ -1,10 +1,10 @@
-/** Numbers and times as the panel writes them. */
+/** Formats of numbers and times on the panel. */
 
 import type { Unit } from './units';
 
 const DEGREE = 180 / Math.PI;
 
-/** Fixed decimals with a true minus sign; never a negative zero. `+` is written where `signed`. */
+/** A number with fixed decimals and a true minus sign, which zero never has. If `signed`, the others have a `+`. */
 export function fixed(value: number, decimals: number, signed = true): string {
   const digits = Math.abs(value).toFixed(decimals);
   const zero = Number(digits) === 0;
@@ -23,7 +23,7 @@ export function degrees(radians: number, decimals = 1, signed = true): string {
   return fixed(radians * DEGREE, decimals, signed);
 }
 
-/** A length or speed [SI] in small units: decimals only below ten, where they count; unsigned unless negative. */
+/** A length or speed [SI] in a unit for small values: no decimals from ten on, and a sign only if it is negative. */
 export function small(value: number, unit: Unit): string {
   const shown = value * unit.perSi;
   return fixed(shown, Math.abs(shown) < 9.95 ? unit.decimals : 0, false);
@@ -48,7 +48,7 @@ export function clock(seconds: number): string {
   return `${pad(Math.floor(minutes / 60), 2)}:${pad(minutes % 60, 2)}:${pad(whole % 60, 2)}`;
 }
 
-/** A keyed-in number, with a true minus sign or a hyphen, or null if the text is not a number. */
+/** Returns the number in a keyed-in text, with a true minus sign or a hyphen; null if the text is not a number. */
 export function parseNumber(text: string): number | null {
   const plain = text.trim().replace('−', '-');
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;

@@ -1,10 +1,10 @@
-/** Scale that rarely changes: its ends are round numbers in the displayed unit. */
+/** Range of a scale. Its ends are round numbers in the displayed unit, so that the scale rarely changes. */
 
 /** Greatest number of steps of a range. */
 const MOST_STEPS = 5;
 const ROUND = [1, 2, 5, 10];
 
-/** Smallest round range that contains both values; `perSi`: shown value of one. */
+/** Returns the smallest round range that contains both values [SI]; `perSi`: displayed value of one SI unit. */
 export function roundRange(low: number, high: number, perSi: number): readonly [number, number] {
   const size = (high - low || Math.abs(high) || 1) * perSi;
   const least = size / MOST_STEPS;

@@ -6,7 +6,7 @@ export type UnitName = Welcome['units'];
 
 export interface Unit {
   readonly name: string;
-  /** Shown value of one metre, one metre per second, or one kilogram. */
+  /** Displayed value of one metre, one metre per second, or one kilogram. */
   readonly perSi: number;
   readonly decimals: number;
 }

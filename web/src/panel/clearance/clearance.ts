@@ -13,7 +13,7 @@ import { lastMinute } from './minute';
 import { Trend } from './trend';
 
 export interface ClearanceGroup extends Part {
-  /** The separating plane is shown in the pictures. */
+  /** Marks the button of the separating plane; `on`: whether the pictures show the plane. */
   setPlane(on: boolean): void;
 }
 
@@ -71,7 +71,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setText(pair, nearest ? pairWords(nearest) : 'No pair is monitored');
       setAttribute(pair, 'title', pair.textContent);
       gauge.setUnits(units);
-      // Contacts take the room of the last minute.
+      // Contacts replace the curve of the last minute.
       history.element.hidden = contacts.set(frame, units, controllers.names);
       history.draw(trend, frame.time_s, units);
       setClass(arm, 'lit', arm_inhibit);
@@ -91,7 +91,7 @@ function closingWords({ closing, clearance }: Near, creep: Unit): string {
   return `${closing > 0 ? 'closing' : 'opening'} ${small(Math.abs(closing), creep)} ${creep.name}`;
 }
 
-/** Cause beside the lamp CLEARANCE: the pair and its clearance. */
+/** Returns the text beside the lamp CLEARANCE: the pair and its clearance. */
 export function clearanceCause(nearest: Near, { gap }: Units): string {
   return `${small(nearest.clearance, gap)} ${gap.name}, ${nearest.a} to ${nearest.b}`;
 }

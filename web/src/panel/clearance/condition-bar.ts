@@ -2,14 +2,14 @@
 
 import type { Condition } from '../../link/protocol';
 
-/** Scale of a condition whose bounds are all zero, by unit: 10 cm, 5°, 2 in/s, 1°/s. */
+/** Scale of a condition without a bound other than zero, by unit: 10 cm, 5°, 2 in/s, 1°/s. */
 const SCALES: Readonly<Record<string, number>> = { m: 0.1, rad: 0.087, 'm/s': 0.05, 'rad/s': 0.017 };
 
 export class ConditionBars {
-  /** The greatest bound seen of each condition, by name. */
+  /** Greatest bound that each condition has reported, by name. */
   private readonly bounds = new Map<string, number>();
 
-  /** A condition reports the nearer of its two bounds; the scale is the greatest bound that was reported. */
+  /** Stores the greatest bounds. A condition with two bounds reports only the nearer bound in a frame. */
   learn(conditions: readonly Condition[]): void {
     for (const { name, limit } of conditions) {
       const bound = Math.abs(limit);
@@ -17,12 +17,12 @@ export class ConditionBars {
     }
   }
 
-  /** The filled part of a condition's bar: the limit is at 0.5, and a condition that holds is below it. */
+  /** Returns the filled fraction of a condition's bar. The limit is at 0.5; a condition that holds is below 0.5. */
   part(condition: Condition): number {
     return Math.min(1, Math.max(0, 0.5 - 0.5 * this.margin(condition)));
   }
 
-  /** The margin as a fraction of the condition's scale; −1 (does not hold) if its value cannot be measured. */
+  /** Returns the margin as a fraction of the greatest bound; −1 (does not hold) if the value cannot be measured. */
   private margin({ name, unit, margin }: Condition): number {
     if (!Number.isFinite(margin)) return -1;
     return margin / (this.bounds.get(name) || SCALES[unit] || 1);

@@ -1,4 +1,4 @@
-/** Conditions of a capture, of docking or of latching: each with its limit, in a cell of its own. */
+/** Conditions of a capture, of docking or of latching; each is in a separate cell, with its limit. */
 
 import type { Names } from '../../input/active-device';
 import type { Condition, Work } from '../../link/protocol';
@@ -13,7 +13,7 @@ import { wayToFixture } from './way-to-fixture';
 
 /** Number of cells. */
 const MOST = 6;
-/** Abbreviations of the flown panels: a cell keeps the words that distinguish it. */
+/** Abbreviations in the cells, as on the Shuttle's panels, so that the words that distinguish a condition fit. */
 const SHORT = { forward: 'fwd', starboard: 'stbd', 'trunnion in guide': 'in guide' } as const;
 /** Length of a bar; its limit is in the middle. */
 const LENGTH = 100;
@@ -26,10 +26,10 @@ export function conditionsGroup(): Part {
     'Conditions',
     el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
   );
-  // The title contains the object's whole name, or no name.
-  const [deed, object] = [el('span'), el('span')];
+  // Two elements, so that the style sheet can hide the object's name if there is no room for the whole name.
+  const [action, object] = [el('span'), el('span')];
   const title = element.querySelector('h2 b');
-  title?.replaceChildren(deed, object);
+  title?.replaceChildren(action, object);
   const [places, lengths] = [new Places(MOST), new ConditionBars()];
   let shown: readonly Condition[] = [];
   return {
@@ -45,10 +45,10 @@ export function conditionsGroup(): Part {
     },
     values({ frame, units, controllers: { names } }) {
       const { objective, conditions } = frame.work;
-      const { action, text } = objective ?? { action: 'Conditions', text: 'Conditions' };
-      setText(deed, action);
-      setText(object, text.slice(action.length));
-      if (title) setAttribute(title, 'title', text);
+      const shownAs = objective ?? { action: 'Conditions', text: 'Conditions' };
+      setText(action, shownAs.action);
+      setText(object, shownAs.text.slice(shownAs.action.length));
+      if (title) setAttribute(title, 'title', shownAs.text);
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
@@ -60,13 +60,13 @@ export function conditionsGroup(): Part {
   };
 }
 
-/** Text of the first condition that fails; empty if all hold. */
+/** Returns the text of the first condition that fails; empty if all hold. */
 function failure(conditions: readonly Condition[], units: Units): string {
   const first = conditions.find(({ holds }) => !holds);
   return first ? conditionText(first, units) : '';
 }
 
-/** Action of the operator once all conditions hold; empty if the mechanism acts by itself. */
+/** Returns the next action of the operator when all conditions hold; empty if the mechanism acts automatically. */
 export function whatNow({ objective }: Pick<Work, 'objective'>, names: Names): string {
   switch (objective?.action) {
     case 'berth':
@@ -74,7 +74,7 @@ export function whatNow({ objective }: Pick<Work, 'objective'>, names: Names): s
     case 'insert':
       return `: release, hold ${names.name('open')}`;
     case 'capture':
-      return `: squeeze, hold ${names.name('close')}`;
+      return `: capture, hold ${names.name('close')}`;
     default:
       return '';
   }
@@ -101,7 +101,7 @@ function cell() {
   );
   return {
     element,
-    /** `part` of the bar; its middle is the limit. */
+    /** Fills the fraction `part` of the bar; 0.5 is the limit. */
     fill(part: number) {
       setAttribute(fill, 'width', (part * LENGTH).toFixed(1));
     },

@@ -1,4 +1,4 @@
-/** Contacts, and the escape directions from detrimental ones, in a few lines. */
+/** Contacts, and the escape directions from detrimental contacts, in a few lines. */
 
 import type { Names } from '../../input/active-device';
 import type { Frame, Welcome, Work } from '../../link/protocol';
@@ -39,7 +39,7 @@ export function touching({ joints }: Pick<Welcome, 'joints'>): Touching {
   };
 }
 
-/** Lines for detrimental contacts, deepest first; for escape directions; and one for all essential contacts. */
+/** Returns lines for the detrimental contacts, deepest first, for escape directions, and one for essential contacts. */
 export function linesOf(
   { work: { contacts }, ways_out }: { readonly work: Pick<Work, 'contacts'> } & Pick<Frame, 'ways_out'>,
   joints: Welcome['joints'],

@@ -1,4 +1,4 @@
-/** The logarithmic gauge of the clearance, with the thresholds' zones and the marks below it. */
+/** The logarithmic gauge of the clearance, with the zones of the thresholds, and marks below the gauge. */
 
 import type { WorkInfo } from '../../link/protocol';
 import { small } from '../../words/format';

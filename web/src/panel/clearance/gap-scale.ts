@@ -9,7 +9,7 @@ export function placeOf(clearance: number): number {
   return Math.min(1, Math.log(clearance / NEAREST) / Math.log(FARTHEST / NEAREST));
 }
 
-/** Time until contact at the present speed [s]; null if the clearance does not decrease, or if it takes more than ten minutes. */
+/** Returns the time to contact at the present speed [s]; null if the clearance grows, or if it is over ten minutes. */
 export function contactIn(clearance: number, closing: number): number | null {
   if (clearance <= 0 || closing < STEADY) return null;
   const seconds = clearance / closing;

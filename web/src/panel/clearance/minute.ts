@@ -7,7 +7,7 @@ import { el, setAttribute, setText, svg } from '../parts/dom';
 import { FARTHEST } from './gap-scale';
 import { SPAN_S, type Trend } from './trend';
 
-/** Heights of the picture [m]: the smaller one if all of the last minute fits into it. */
+/** Ranges of the linear scale [m]. The first one is used if all values of the last minute are within it. */
 const RANGES = [1, FARTHEST] as const;
 
 export interface LastMinute {

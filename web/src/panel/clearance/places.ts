@@ -1,4 +1,4 @@
-/** Cells of conditions: each condition keeps its cell as long as the set of conditions is the same. */
+/** Assigns conditions to cells. A condition keeps its cell while the set of conditions does not change. */
 
 import type { Condition } from '../../link/protocol';
 
@@ -8,8 +8,9 @@ export class Places {
   constructor(private readonly most: number) {}
 
   /**
-   * The displayed conditions, in the given order if there is a cell for each. Otherwise those that fail come first; one
-   * that fails later replaces one that holds, and no other condition moves.
+   * Returns the conditions to display, in the order of the cells. If there are enough cells, this is the order of the
+   * argument. If not, failing conditions are chosen before the others. A condition that fails later replaces one that
+   * holds, and all others keep their cells.
    */
   order(conditions: readonly Condition[]): readonly Condition[] {
     if (conditions.length <= this.most) {
@@ -29,7 +30,7 @@ export class Places {
     return places.flatMap((name) => known.get(name) ?? []);
   }
 
-  /** As many conditions as there are cells, those that fail before those that hold, in the given order. */
+  /** Returns as many names as there are cells, failing conditions preferred, in the order of the argument. */
   private first(conditions: readonly Condition[]): string[] {
     const wanted = [...conditions.filter(({ holds }) => !holds), ...conditions.filter(({ holds }) => holds)];
     const chosen = new Set(wanted.slice(0, this.most));

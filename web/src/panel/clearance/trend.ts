@@ -1,9 +1,9 @@
 /** The last minute of a quantity, as a curve that grows from the right. */
 
-/** Length of the curve [s], and the least time between two of its points. */
+/** Length of the curve, and least time between two of its points [s]. */
 export const SPAN_S = 60;
 const SPACING_S = 0.25;
-/** A greater step of time is a jump, by a restart or by a replay's playhead [s]. */
+/** A step of time greater than this is a jump, caused by a restart or by a replay's playhead [s]. */
 const LEAP_S = 5;
 
 interface Sample {
@@ -28,7 +28,7 @@ export class Trend {
     return Math.max(0, ...this.samples.map(({ value }) => value ?? 0));
   }
 
-  /** An SVG path over a width of 1, now at its right, and a height of 1, `top` at its upper edge. */
+  /** Returns an SVG path in a unit square: `now` is at the right edge, the value `top` at the upper edge. */
   path(now: number, top: number): string {
     let pen = 'M';
     let text = '';

@@ -1,6 +1,6 @@
 /**
- * The vector from the empty snares to the grapple pin, along the sticks' axes, with the key, button or axis for each
- * component.
+ * The vector from the empty snares to the grapple pin, in components along the axes of the sticks. Each component has
+ * the key, button or axis that moves the end effector towards the pin.
  */
 
 import type { Names } from '../../input/active-device';
@@ -9,12 +9,12 @@ import { small } from '../../words/format';
 import type { Units } from '../../words/units';
 import { el, setAttribute, setText } from '../parts/dom';
 
-/** A smaller component needs no motion [m]. */
+/** A component smaller than this needs no motion [m]. */
 const LEAST = 0.005;
 const AXES = ['X', 'Y', 'Z'] as const;
 
 export interface WayPart {
-  /** Stick and its direction, as `−Z`. */
+  /** Axis and direction of the stick, such as `−Z`. */
   readonly stick: string;
   /** Key, button or axis; empty if no motion is needed. */
   readonly handle: string;

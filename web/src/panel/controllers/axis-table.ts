@@ -1,4 +1,4 @@
-/** Every axis live: raw, and after deadband and expo; with the key, button or axis for either direction. */
+/** Table of all axes with their present values, raw and after deadband and expo, and the assigned keys and controls. */
 
 import { AXES, type Deflection, ZERO } from '../../input/deflection';
 import { type Device, deflection } from '../../input/device';
@@ -22,7 +22,7 @@ const NAMES = [
   'Camera tilt',
   'Camera zoom',
 ];
-/** Half the bar's length, in the units of its view box. */
+/** Half the length of a bar, in the units of its view box. */
 const HALF = 50;
 
 interface Row {
@@ -64,7 +64,7 @@ export class AxisTable {
     markAsked(this.caps, use);
   }
 
-  /** A key means full deflection, which the stick reaches in a third of a second. */
+  /** Shows the keyboard. `target` is full deflection while a key is held; `value` reaches it in 0.35 s. */
   keys(target: Deflection, value: Deflection, held: ReadonlySet<string>): void {
     this.rows.forEach((row, axis) => {
       row.show(target[axis] ?? 0, value[axis] ?? 0);

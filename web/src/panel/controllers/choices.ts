@@ -1,4 +1,4 @@
-/** Choice of the device that the sheet shows. */
+/** Buttons that select the device that the sheet shows. */
 
 import type { Controllers } from '../../input/controllers';
 import type { Kind } from '../../input/mapping';
@@ -21,7 +21,7 @@ export class Choices {
 
   constructor(private readonly chosen: (kind: Kind) => void) {}
 
-  /** Shows the connected devices, and those that can be connected. */
+  /** Shows the connected devices, and the kinds of device that can be connected. */
   show(controllers: Controllers, present: Kind): void {
     const pads = controllers.pads.devices.map(({ kind }) => kind);
     const kinds: readonly Kind[] = [

@@ -1,4 +1,4 @@
-/** The sheet “Controllers”: every device's axes live, and the use of each part, which can be changed. The sticks are centred meanwhile. */
+/** The sheet “Controllers”: live axes and assignments of each device. It changes assignments and centres the sticks. */
 
 import { Capture } from '../../input/capture';
 import type { Controllers } from '../../input/controllers';
@@ -13,21 +13,21 @@ import { AxisTable } from './axis-table';
 import { Choices } from './choices';
 import { UseTable } from './use-table';
 
-const NOTHING_FLIES =
+const WHILE_OPEN =
   'Sticks are centred while this sheet is open; STOP and BRAKES work. Press a cap to assign another key, button or axis.';
 
 export class ControllersSheet {
   readonly element: HTMLDialogElement;
   private kind: Kind = 'keyboard';
-  /** The use for which the sheet waits for a press or a movement. */
+  /** The function for which the sheet waits for a press or a movement; null if it does not wait. */
   private asked: { readonly use: string; readonly capture: Capture } | null = null;
   private drawn = '';
   private readonly choices;
   private readonly axes = new AxisTable((use) => this.ask(use));
   private readonly uses = new UseTable((use) => this.ask(use));
   private readonly state = el('span', { class: 'state' });
-  private readonly prompt = el('p', { class: 'told', role: 'status' }, NOTHING_FLIES);
-  private readonly cancel = button({ class: 'quiet' }, ['Cancel'], () => this.answer(NOTHING_FLIES));
+  private readonly prompt = el('p', { class: 'told', role: 'status' }, WHILE_OPEN);
+  private readonly cancel = button({ class: 'quiet' }, ['Cancel'], () => this.answer(WHILE_OPEN));
   private readonly empty = button({ class: 'quiet' }, ['Remove'], () => this.leave());
   private readonly deadband = range('Deadband', MOST_DEADBAND, 0.01, percent, (deadband) =>
     this.change({ deadband }),
@@ -94,11 +94,11 @@ export class ControllersSheet {
     this.left();
   }
 
-  /** Takes a key if the sheet waits for one; returns whether it was taken. */
+  /** Assigns a pressed key if the sheet waits for a key; returns whether it has used the key. */
   taken(event: KeyboardEvent): boolean {
     if (!this.element.open || !this.asked) return false;
     if (event.repeat) return true;
-    if (event.code === 'Escape') this.answer(NOTHING_FLIES);
+    if (event.code === 'Escape') this.answer(WHILE_OPEN);
     else if (event.code === 'Delete') this.leave();
     else if (this.kind === 'keyboard') {
       const refusal = keyRefusal(event);
@@ -108,7 +108,7 @@ export class ControllersSheet {
     return true;
   }
 
-  /** Display all present positions. */
+  /** Displays all present values. */
   tick(): void {
     if (!this.element.open) return;
     const device = this.device;
@@ -132,7 +132,7 @@ export class ControllersSheet {
   private choose(kind: Kind): void {
     this.kind = kind;
     this.drawn = '';
-    this.answer(NOTHING_FLIES);
+    this.answer(WHILE_OPEN);
     this.tick();
   }
 
@@ -219,7 +219,7 @@ export class ControllersSheet {
 
   private left(): void {
     if (!this.controllers.paused) return;
-    this.answer(NOTHING_FLIES);
+    this.answer(WHILE_OPEN);
     this.controllers.release();
     this.controllers.paused = false;
   }
@@ -229,7 +229,7 @@ function percent(value: number): string {
   return `${Math.round(100 * value)} %`;
 }
 
-/** Sources of the pressed buttons. */
+/** Returns the sources of the pressed buttons. */
 function pressed(device: Device | null): ReadonlySet<string> {
   const buttons = device?.reading?.buttons ?? [];
   return new Set(buttons.flatMap((each, i) => (each.pressed || each.value > 0.5 ? [`b${i}`] : [])));
@@ -239,7 +239,7 @@ const STATES = {
   none: '',
   waiting: 'centre all its sticks',
   flying: 'ready',
-  lost: 'is gone',
+  lost: 'lost',
 } as const;
 
 function stateWords(kind: Kind, device: Device | null, { spaceMouse }: Controllers): string {

@@ -1,4 +1,4 @@
-/** The key map over the monitors, for the present mappings; its caps light while their keys are pressed. */
+/** The key map over the monitors, for the present mappings. A key cap in it lights while its key is pressed. */
 
 import { keyOf, learnLayout, nameOfSource } from '../../input/layout';
 import { type Kind, sourcesOf } from '../../input/mapping';
@@ -26,9 +26,9 @@ const RIGHT: readonly Cap[] = [
   ['+yaw', 'right'],
 ];
 
-type Row = readonly [uses: readonly string[], does: string, pad?: 'untold'];
+type Row = readonly [uses: readonly string[], does: string, pad?: 'no pad'];
 
-/** Uses, and their effects. */
+/** Functions of the arm and the cameras, and their effects. */
 const FLYING: readonly Row[] = [
   [['stop'], 'stop: centre the sticks, stop a sequence'],
   [['brakes'], 'brakes on; held 0.5 s: off'],
@@ -46,12 +46,12 @@ const FLYING: readonly Row[] = [
   [['light', 'lock exposure'], 'sun and lamps; lock the exposure'],
 ];
 
-/** Uses, and their effects, for this arm's equipment and the rest of the panel. */
+/** Returns the functions of this arm's end effector, of the worksite and of the panel, and their effects. */
 export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): readonly Row[] {
   const prong: readonly Row[] = [
     [['close'], 'held 0.3 s: the prong closes'],
     [['open'], 'held 1 s: the prong opens'],
-    [['close', 'open'], 'while the prong moves: either stops it', 'untold'],
+    [['close', 'open'], 'while the prong moves: either stops it', 'no pad'],
   ];
   const snares: readonly Row[] = [
     [['close'], 'held 0.3 s: capture'],
@@ -78,7 +78,7 @@ export class KeyMap {
   });
   private caps = new Map<string, HTMLElement[]>();
 
-  /** `change` opens the sheet that changes the keys. */
+  /** `change` opens the sheet “Controllers”, which changes the assignments. */
   constructor(
     private readonly welcome: Welcome,
     private readonly change: () => void,
@@ -107,7 +107,7 @@ export class KeyMap {
     }
   }
 
-  /** Writes the sheet for the present mappings. */
+  /** Fills the sheet according to the present mappings. */
   private fill(): void {
     this.caps = new Map();
     this.element.replaceChildren(
@@ -151,8 +151,8 @@ export class KeyMap {
   }
 
   private table(rows: readonly Row[]): HTMLElement {
-    const lines = rows.map(([uses, does, untold]) => {
-      const pad = untold ? '' : together(uses.flatMap((use) => sources('pad', use)));
+    const lines = rows.map(([uses, does, noPad]) => {
+      const pad = noPad ? '' : together(uses.flatMap((use) => sources('pad', use)));
       return el(
         'tr',
         {},
@@ -182,7 +182,7 @@ function sources(kind: Kind, use: string): readonly string[] {
   return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
 }
 
-/** Joins names, with a common beginning written once: `Menu + Cross ↓ ↑`. */
+/** Joins names. Their common beginning is written once: `Menu + Cross ↓ ↑`. */
 export function together(names: readonly string[]): string {
   const [first = '', ...others] = names;
   if (others.length === 0) return first;

@@ -1,4 +1,4 @@
-/** The touch sticks: two sticks and two sliders over the pictures' lower corners; a touch alone moves nothing. */
+/** The touch sticks: two sticks and two sliders over the lower corners of the pictures. Only a drag moves them. */
 
 import type { TouchSticks } from '../../input/touch';
 import { button, el } from '../parts/dom';
@@ -47,7 +47,7 @@ export function touchView(sticks: TouchSticks): TouchView {
   };
 }
 
-/** A stick or slider for these axes; null for a direction in which it cannot move. */
+/** Makes a stick or slider for two axes; an axis is null if there is no motion in its direction. */
 function knob(sticks: TouchSticks, across: number | null, down: number | null, shape: string): Knob {
   const cap = el('i');
   const element = el('div', { class: `knob ${shape}` }, cap);

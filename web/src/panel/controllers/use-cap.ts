@@ -1,4 +1,4 @@
-/** Key cap that shows the key or button of a use; pressing it changes the assignment. */
+/** Key cap that shows the keys or buttons of a function. To change the assignment, the user presses the cap. */
 
 import { labelOf } from '../../input/keymap';
 import { nameOfSource } from '../../input/layout';
@@ -10,7 +10,7 @@ import { button, setClass } from '../parts/dom';
 export interface UseCap {
   readonly element: HTMLButtonElement;
   readonly use: string;
-  /** Sets its keys and buttons. */
+  /** Keys and buttons of the function. */
   readonly sources: readonly string[];
 }
 
@@ -30,12 +30,12 @@ export function useCap(kind: Kind, use: string, ask: (use: string) => void): Use
   return { element, use, sources: moving.map(({ source }) => source) };
 }
 
-/** Marks the cap that waits for a press or a movement. */
+/** Marks the cap for whose function the sheet waits for a press or a movement. */
 export function markAsked(caps: readonly UseCap[], asked: string | null): void {
   for (const { element, use } of caps) setClass(element, 'asked', use === asked);
 }
 
-/** Lights the caps whose keys or buttons are down. */
+/** Lights the caps whose keys or buttons are pressed. */
 export function lightCaps(caps: readonly UseCap[], down: ReadonlySet<string>): void {
   for (const { element, sources } of caps) {
     const held = sources.some((source) => source.split('+').every((part) => down.has(part)));

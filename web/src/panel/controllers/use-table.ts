@@ -1,4 +1,4 @@
-/** Uses that act once or while held, with a cap for each. */
+/** Table of the functions that act once or after a hold, with a key cap for each. */
 
 import { labelOf, USES } from '../../input/keymap';
 import type { Kind } from '../../input/mapping';

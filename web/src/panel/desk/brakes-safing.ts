@@ -1,4 +1,4 @@
-/** BRAKES, SAFING and POSITION HOLD, which stop the arm in every mode; and the device or page that moves the sticks. */
+/** BRAKES, SAFING and POSITION HOLD, and above them the device or the operator that moves the sticks. */
 
 import type { GripAction } from '../../input/keymap';
 import { keyOf } from '../../input/layout';
@@ -6,10 +6,10 @@ import { button, el, setAttribute, setClass, setPressed, setText } from '../part
 import { holdButton } from '../parts/hold-button';
 import type { Desk, View } from '../parts/part';
 
-/** Time to hold the switch until the brakes release [s]; they are set at once. */
+/** Time for which the switch must be held to release the brakes [s]. To set them, a press is sufficient. */
 const OFF_S = 0.5;
 
-export interface Standing {
+export interface BrakesSafing {
   readonly element: HTMLElement;
   /** The key or button of the brakes was pressed or released. */
   grip(action: GripAction): void;
@@ -21,12 +21,12 @@ export interface Standing {
   values(view: View): void;
 }
 
-export function standing(desk: Desk): Standing {
+export function brakesSafing(desk: Desk): BrakesSafing {
   let on = false;
   let safed = false;
   let holding = false;
-  const letGo = () => desk.send({ type: 'brakes', on: false });
-  const brakes = holdButton('Brakes', 'brakes', OFF_S, letGo, () => {
+  const release = () => desk.send({ type: 'brakes', on: false });
+  const brakes = holdButton('Brakes', 'brakes', OFF_S, release, () => {
     if (!on) desk.send({ type: 'brakes', on: true });
     return on;
   });
@@ -64,7 +64,7 @@ export function standing(desk: Desk): Standing {
     values({ frame, flying, flier, controllers }) {
       const lost = controllers.gone.thc ?? controllers.gone.rhc;
       const moved = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
-      const words = !flying ? flown(flier) : lost === null ? moved : `✕ ${lost} is gone`;
+      const words = !flying ? flown(flier) : lost === null ? moved : `✕ ${lost} lost`;
       setText(device, words);
       setAttribute(device, 'title', words);
       setClass(device, 'lost', flying && lost !== null);
@@ -87,6 +87,6 @@ export function standing(desk: Desk): Standing {
   };
 }
 
-/** The operator's name as a sentence; empty for a recording, which does not contain it. */
+/** Returns a sentence that names the operator; empty in a replay, because a recording does not contain the name. */
 const flown = (flier: string | null) =>
   flier === '' ? 'Unattended' : flier === null ? '' : `${flier} flies`;

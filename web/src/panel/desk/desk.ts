@@ -1,4 +1,4 @@
-/** Groups of the desk, live and in a replay: their positions, and which one replaces another. */
+/** Groups of the desk, live and in a replay: their order, and which groups are visible in each mode. */
 
 import type { GripAction } from '../../input/keymap';
 import { clearanceGroup } from '../clearance/clearance';
@@ -10,7 +10,7 @@ import { masterGroup } from '../joints/master';
 import { button, el, setClass } from '../parts/dom';
 import type { Desk, View } from '../parts/part';
 import { type TargetGroup, targetGroup } from '../target/target';
-import { standing } from './brakes-safing';
+import { brakesSafing } from './brakes-safing';
 import type { EventsGroup } from './events';
 import { limits } from './limits';
 import { lookAhead } from './look-ahead';
@@ -32,7 +32,7 @@ export interface DeskListener {
 }
 
 export interface Groups {
-  /** The groups in the order of the focus: the upper row from the left, then the lower one. */
+  /** The groups in the order of the focus: the upper row from the left, then the lower row. */
   readonly elements: readonly HTMLElement[];
   readonly mode: ModeGroup;
   readonly target: TargetGroup;
@@ -60,7 +60,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
   const ahead = lookAhead(desk);
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
-  const still = standing(desk);
+  const still = brakesSafing(desk);
   const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc()];
   const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
@@ -80,8 +80,8 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   cargo.element.hidden = desk.welcome.work.cargo.length === 0;
   setClass(resting, 'alone', cargo.element.hidden);
 
-  /** Shows the groups of the present mode and objective in place of the others. */
-  function give(view: View): void {
+  /** Shows the groups that the present mode and objective need, and hides the others. */
+  function arrange(view: View): void {
     const kind = (position: string) => desk.welcome.modes.find((each) => each.position === position)?.kind;
     const entered = kind(view.frame.mode);
     const automatic = entered === 'automatic' || mode.inView()?.kind === 'automatic';
@@ -110,7 +110,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     },
     values(view) {
       for (const part of parts) part.values?.(view);
-      give(view);
+      arrange(view);
     },
   };
 }

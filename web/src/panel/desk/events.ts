@@ -1,17 +1,17 @@
-/** The log, newest line first: three lines, or on demand every entry in full over the read-outs beside it. A pressed lamp filters it by cause. */
+/** The log, newest line first: three lines, or on demand all entries in full. A pressed lamp filters it by cause. */
 
 import type { Event as LogEvent } from '../../link/protocol';
 import { clock } from '../../words/format';
 import { button, el, group, setAbout, setText } from '../parts/dom';
 
 const LINES = 3;
-/** Number of entries kept, for scrolling and for the filter. */
+/** Number of stored entries. Older entries are deleted. */
 const KEPT = 200;
 
 export class EventsGroup {
   readonly element: HTMLElement;
   private readonly list = el('ol', { class: 'log' });
-  /** Every entry in full. It covers read-outs, never keys. */
+  /** All entries in full. This list covers read-outs, but no keys. */
   private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events in full', tabindex: '0' });
   private readonly more: HTMLButtonElement;
   private readonly all: HTMLButtonElement;
@@ -31,7 +31,7 @@ export class EventsGroup {
   /** Adds lines, oldest first. */
   add(events: readonly LogEvent[]): void {
     this.events = [...events].reverse().concat(this.events).slice(0, KEPT);
-    // No new line is hidden: a line that the filter excludes ends the filter.
+    // A new line that the filter would hide ends the filter.
     if (events.some((event) => !this.shows(event))) this.keptTo = null;
     this.draw();
   }
@@ -42,7 +42,7 @@ export class EventsGroup {
     this.draw();
   }
 
-  /** Shows only lines of these kinds, for the lamp of that name; shows all at the second call for it, or without a kind. */
+  /** Shows only lines of these kinds, for the lamp `name`. A second call for this lamp, or no kind, shows all lines. */
   keepTo(name: string, kinds: readonly string[]): void {
     this.keptTo = kinds.length === 0 || this.keptTo?.name === name ? null : { name, kinds };
     this.draw();
@@ -72,13 +72,13 @@ export class EventsGroup {
     const events = this.events.filter((event) => this.shows(event));
     const entries = (count = KEPT) => [...events.slice(0, count).map(entry), ...under.map(hint)];
     const lines = entries(LINES).slice(0, LINES);
-    // A text is wrapped if there is room for two lines.
+    // The newest caution or warning, or else the newest line, may take more than one line.
     const important = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
     const place = Math.max(0, important);
     lines[place]?.classList.add('whole');
     lines[place]?.style.setProperty('--lines', String(events.length > 0 ? LINES - 1 : LINES));
     this.list.replaceChildren(...lines);
-    // Lines without room beside the wrapped one stay for screen readers, but are invisible.
+    // Lines for which the wrapped line leaves no room become invisible, but screen readers still read them.
     const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
     for (const line of over) line.classList.add('unseen');
     this.whole.hidden = !this.open;

@@ -1,4 +1,4 @@
-/** Active limits, and the escape directions of joints that have reached one. */
+/** Active limits, and the escape directions of joints that have reached a limit. */
 
 import type { Names } from '../../input/active-device';
 import type { Frame, Limit, WayOut } from '../../link/protocol';
@@ -7,7 +7,7 @@ import { el, group, setAbout } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 
 const LINES = 3;
-/** A limit stays readable this long after it last acted [s]. */
+/** A limit stays visible for this time after it was active [s]. */
 const HOLD_S = 0.6;
 
 interface Line {
@@ -68,7 +68,7 @@ export function leadsAway(way: WayOut, names: Names): string {
   return `${name.charAt(0).toUpperCase()}${name.slice(1)}: ${wayOutText(way, '', names)} leads away`;
 }
 
-/** POR limits act in every motion and are information; the arm's limits are cautions. */
+/** Returns the level of a limit. POR limits are active in every motion and are information; others are cautions. */
 function level(kind: Limit['kind']): Line['level'] {
   switch (kind) {
     case 'POR translation':

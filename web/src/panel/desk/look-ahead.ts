@@ -1,4 +1,4 @@
-/** Look-ahead: result of the present stick command after some seconds, in figures; the ghost shows the same. */
+/** Look-ahead: figures of the arm that is predicted with the present stick command. The ghost shows this arm. */
 
 import type { Ahead } from '../../link/protocol';
 import { small } from '../../words/format';
@@ -56,15 +56,20 @@ export function lookAhead(desk: Desk): Part {
   };
 }
 
-const ABOUT = 'Prediction with the present stick command; the blue arm in the pictures is the predicted arm';
+const ABOUT =
+  'Prediction with the present stick command or, if the sticks are centred, full deflection of the last axis; ' +
+  'the blue arm in the pictures is the predicted arm';
 
-/** The stick command that is predicted: the present one, or full deflection of the last axis that was used. */
+/**
+ * Returns a word for the stick command of the prediction, short enough for the heading: the present deflection, or full
+ * deflection of the axis that was deflected last, or centred sticks.
+ */
 export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {
-  if (held) return 'sticks held';
-  return moves ? 'last axis, full' : 'sticks centred';
+  if (held) return 'deflected';
+  return moves ? 'last axis' : 'centred';
 }
 
-/** The next prediction time [s]. */
+/** Returns the prediction time after `seconds` in the cycle [s]. */
 export function next(seconds: number): number {
   return TIMES.find((each) => each > seconds) ?? TIMES[0];
 }

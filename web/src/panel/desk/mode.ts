@@ -1,4 +1,4 @@
-/** The MODE rotary with its ENTER, and the switches of the mode in view. */
+/** The MODE rotary with ENTER, and the switches of the selected mode. */
 
 import type { ModeInfo } from '../../link/protocol';
 import { group, setAbout, setClass } from '../parts/dom';

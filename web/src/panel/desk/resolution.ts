@@ -6,7 +6,7 @@ import { rateBar } from '../parts/bar';
 import { el, group, setAbout, setAttribute, setClass, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 
-/** The report's steering law that translates along the orbiter's axes and rotates in the payload's. */
+/** Steering law 7, which translates along the orbiter's axes and rotates about the payload's axes. */
 const IN_PAYLOAD_AXES = 7;
 const ROWS = ['X', 'Y', 'Z', 'Pitch', 'Yaw', 'Roll'] as const;
 
@@ -114,11 +114,11 @@ export function pointWords(mode: ModeInfo | undefined, frame: Frame, joints: rea
 
 interface Tag {
   readonly text: string;
-  /** POR limits act in every motion and are information; the arm's limits are cautions. */
+  /** Whether the limit is a caution. The POR's limits are active in every motion, so they are none. */
   readonly caution: boolean;
 }
 
-/** Names the active limit of each row, at the axis that it affects most. */
+/** Returns for each row the active limit to display there. A limit is displayed at the axis that it affects most. */
 export function limitTags(frame: Frame, joints: readonly JointInfo[]): readonly (Tag | null)[] {
   const tags: (Tag | null)[] = [null, null, null, null, null, null];
   const commanded = parts(frame.display.commanded);
@@ -131,10 +131,10 @@ export function limitTags(frame: Frame, joints: readonly JointInfo[]): readonly 
   for (const limit of frame.limits) {
     switch (limit.kind) {
       case 'POR translation':
-        put(largest(commanded, 0), 'POR most', false);
+        put(largest(commanded, 0), 'POR max', false);
         break;
       case 'POR rotation':
-        put(largest(commanded, 3), 'POR most', false);
+        put(largest(commanded, 3), 'POR max', false);
         break;
       case 'POR acceleration': {
         const [move, swing] = [largest(behind, 0), largest(behind, 3)];
@@ -160,7 +160,7 @@ export function limitTags(frame: Frame, joints: readonly JointInfo[]): readonly 
   return tags;
 }
 
-/** The row of the largest of three values from `first` on. */
+/** Returns the row of the largest of three values, starting at row `first`. */
 function largest(values: readonly number[], first: number): number {
   const sizes = values.slice(first, first + 3).map(Math.abs);
   return first + sizes.indexOf(Math.max(...sizes));

@@ -1,11 +1,11 @@
-/** The MODE rotary: twelve positions, and MASTER if the arm has one; the operator selects one, then enters it. */
+/** The MODE rotary: twelve positions, and MASTER if the arm has it. The operator selects a position, then enters it. */
 
 import { button, el, setAttribute, setClass, setPressed } from '../parts/dom';
 import type { Desk } from '../parts/part';
 
 export interface Rotary {
   readonly element: HTMLElement;
-  /** The selected position; the entered one if none is selected. */
+  /** The selected position, or the entered position if none is selected. */
   shown(): string;
   /** Sets the position that the station has entered; `grasping`: a payload is captured. */
   set(position: string, grasping: boolean): void;

@@ -1,6 +1,6 @@
 /**
- * Stick displays: the deflections used in the displayed frame, on the THC's square and the RHC's round. Under RATE HOLD
- * a second mark shows the rates held, and the first one the present deflection.
+ * Stick displays, a square for the THC and a circle for the RHC. A mark shows the deflection that the displayed frame
+ * used. Under RATE HOLD, this mark shows the present deflection, and a second mark the deflection of the kept rates.
  */
 
 import type { ControllersShown } from '../../input/controllers';
@@ -11,13 +11,13 @@ import type { View } from '../parts/part';
 
 const REACH = 40;
 
-/** A hollow mark with a stem, at (x, y), each in [-1, 1], y upwards. */
+/** A hollow mark with a stem, at (x, y); both in [-1, 1], y upwards. */
 interface Mark {
   readonly element: SVGGElement;
   set(x: number, y: number): void;
 }
 
-/** A `held` mark is dashed, has no stem, and is visible only off the middle. */
+/** Makes a mark. The mark of kept rates (`held`) is dashed, has no stem, and is invisible in the middle. */
 export function mark(held = false): Mark {
   const stem = svg('line', { class: 'stem', x1: '0', y1: '0', x2: '0', y2: '0' });
   const ring = svg('circle', { class: 'mark', r: held ? '8.5' : '5.5', cx: '0', cy: '0' });
@@ -35,7 +35,7 @@ export function mark(held = false): Mark {
   };
 }
 
-/** A stick display's deadband ring, and the cross and words that report a lost device. */
+/** Makes the deadband ring of a stick display, and the cross and the text that report a lost device. */
 export function gone(cross: string): {
   readonly ring: SVGElement;
   readonly cross: SVGElement;
@@ -52,15 +52,15 @@ export function gone(cross: string): {
       const name = shown.gone[hand];
       setAttribute(ring, 'r', (shown.deadband[hand] * REACH).toFixed(1));
       setClass(section, 'lost', name !== null);
-      setText(words, name === null ? '' : `${name} is gone`);
+      setText(words, name === null ? '' : `${name} lost`);
     },
   };
 }
 
-/** Three numbers in a row, each after its letter. */
+/** Makes a row of three numbers, each after its letter. */
 export function triple(letters: readonly [string, string, string]): {
   element: HTMLElement;
-  /** `first` renames the first number. */
+  /** `first` replaces the letter of the first number. */
   set(values: readonly [number, number, number], first?: string): void;
 } {
   const fields = letters.map((text) => ({
@@ -83,7 +83,7 @@ export function triple(letters: readonly [string, string, string]): {
   };
 }
 
-/** Writes after the group's title who moves the sticks. */
+/** Writes after the group's title who moves the sticks: the script, a hand of the user, or the operator. */
 export function setHand(
   section: HTMLElement,
   hand: string,

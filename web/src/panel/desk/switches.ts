@@ -1,10 +1,10 @@
-/** The switches under the MODE rotary; only those of the selected mode are visible. */
+/** The switches under the MODE rotary; only the switches that the selected mode has are visible. */
 
 import type { Frame, LawChoice, ModeInfo } from '../../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
 import type { Desk } from '../parts/part';
 
-/** The keys for the law, and the number of the report's mode that each one selects. */
+/** The keys that select the steering law: value, label, and number of the law in the report. */
 const LAWS: readonly (readonly [LawChoice, string, number])[] = [
   ['position', 'Position', 1],
   ['closed loop', 'Closed', 2],

@@ -1,4 +1,4 @@
-/** Translational hand controller: the arm's, with its rate and RATE HOLD, or the orbiter's. */
+/** Translational hand controller: it moves the arm, with rate setting and RATE HOLD, or the orbiter. */
 
 import { X, Y, Z } from '../../input/deflection';
 import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from '../parts/dom';
@@ -27,8 +27,13 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   const orbiter = button({ title: 'Translate the orbiter with the THC' }, ['Orbiter'], () =>
     flyOrbiter(true),
   );
-  const flies = el('div', { class: 'switch flies', role: 'group', 'aria-label': 'THC flies' }, arm, orbiter);
-  flies.hidden = desk.welcome.work.cargo.length === 0;
+  const assignment = el(
+    'div',
+    { class: 'switch flies', role: 'group', 'aria-label': 'THC moves' },
+    arm,
+    orbiter,
+  );
+  assignment.hidden = desk.welcome.work.cargo.length === 0;
   const reading = orbiterReading();
   const rates = el('div', { class: 'switch', role: 'group', 'aria-label': 'Rate' }, coarse, vernier);
   const element = group(
@@ -70,7 +75,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       ),
     ),
     numbers.element,
-    flies,
+    assignment,
     reading.element,
     rates,
     hold,
@@ -129,7 +134,7 @@ const OPPOSITES: Readonly<Record<string, string>> = {
   right: 'left',
 };
 
-/** `−X aft` for `+X fwd`; the axis alone if the word has no opposite. */
+/** Returns the opposite direction: `−X aft` for `+X fwd`; only the axis if the word has no opposite. */
 export function opposite(name: string): string {
   const [axis = '', word = ''] = name.replace('+', '−').split(' ');
   const other = OPPOSITES[word];

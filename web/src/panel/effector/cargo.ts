@@ -1,11 +1,11 @@
-/** The payloads of the worksite: to what each one is fixed, and its speed if it is free. */
+/** The payloads of the worksite: what each payload is fixed to, and the speed of a free payload. */
 
 import { small } from '../../words/format';
 import { el, group, setAbout, setAttribute, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 import { seatTitle } from './seat';
 
-/** Names of the report's task phases, from number 1 on. */
+/** Names of the report's task phases 1 to 4. */
 export const TASKS = ['Acquire', 'Extract', 'Manoeuvre', 'Docked'] as const;
 const DOING = ['acquisition', 'extraction', 'manoeuvring', 'docked'] as const;
 const ROWS = 3;
@@ -22,13 +22,13 @@ export function cargoGroup({ welcome }: Desk): Part {
   return {
     element,
     values({ frame, units: { creep } }) {
-      setAbout(element, `mode ${frame.work.task}, ${DOING[frame.work.task - 1] ?? ''}`);
+      setAbout(element, `phase ${frame.work.task}, ${DOING[frame.work.task - 1] ?? ''}`);
       for (const { name, state, speed } of rows) {
         const cargo = frame.work.cargo.find((each) => each.name === name);
         const seat = cargo ? seatTitle(welcome.work, cargo.seat) : '';
         setText(state, cargo ? whereIs(cargo.held, seat) : '–');
         setAttribute(state, 'title', seat);
-        // A held payload moves with the arm, a berthed one not at all.
+        // A held payload moves with the arm, and a berthed payload does not move: only a free payload shows a speed.
         const free = cargo && !cargo.held && cargo.seat === '';
         setText(speed, free ? `${small(Math.hypot(...cargo.velocity), creep)} ${creep.name}` : '');
       }
@@ -36,7 +36,7 @@ export function cargoGroup({ welcome }: Desk): Part {
   };
 }
 
-/** To what a payload is fixed: the arm, a berth of this title, both, or nothing. */
+/** Returns what a payload is fixed to: the arm, the berth with the title `seat`, both, or nothing. */
 export function whereIs(held: boolean, seat: string): string {
   if (!held) return seat === '' ? 'free' : seat;
   return seat === '' ? 'held' : 'held, fixed';

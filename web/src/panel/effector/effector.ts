@@ -1,4 +1,4 @@
-/** The end effector: its switches and flags, and the berth of a payload. Its buttons act only when held. */
+/** The end effector: its switches and flags, and the latches of a berth. The buttons act only after a hold. */
 
 import type { GripAction } from '../../input/keymap';
 import type { Display, Frame, PayloadInfo, Work } from '../../link/protocol';
@@ -11,7 +11,7 @@ import { seat } from './seat';
 import { snares } from './snares';
 
 export interface EffectorGroup extends Part {
-  /** The key or button of a grip was pressed or released. */
+  /** A key or button of the end effector or of the latches was pressed or released. */
   grip(action: GripAction): void;
 }
 
@@ -24,7 +24,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   let latest: Work | null = null;
 
   function grip({ grip: which, down, at }: GripAction): void {
-    if (which === 'brakes') return; // no part of the end effector
+    if (which === 'brakes') return; // the brakes are not in this group
     if (which === 'latch') {
       if (down) seats?.keyed().press(at);
       else seats?.lift(at);
@@ -36,7 +36,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
     }
     const moving = latest !== null && hand.moves(latest.hand);
     if (moving) desk.send({ type: 'effector', switch: 'stop' });
-    // While it moves, the key of the other direction, held, reverses it.
+    // While the prong moves, a press stops it. The key of the other direction, if held, then reverses it.
     if (!moving || latest?.hand.switch !== which) hand[which].press(at);
   }
 
@@ -56,10 +56,10 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   };
 }
 
-/** Below this distance, the conditions of a capture show the distance to the fixture [m]. */
+/** Below this distance to the fixture, the group of the conditions shows the distance [m]. */
 const CONDITIONS_M = 3;
 
-/** The held payload, its mass and the speed limit of its POR; or the distance to the nearest fixture. */
+/** Returns the held payload, its mass and the speed limit of its POR, or else the distance to the nearest fixture. */
 export function graspWords(
   {
     work: { cargo },
@@ -80,5 +80,5 @@ export function graspWords(
   if (!its) return held.name;
   const heavy = fixed(its.mass * mass.perSi, mass.decimals, false);
   const fast = fixed(its.translation[rate === 'coarse' ? 0 : 1] * speed.perSi, speed.decimals, false);
-  return `${held.name}, ${heavy} ${mass.name}, to ${fast} ${speed.name}`;
+  return `${held.name}, ${heavy} ${mass.name}, max ${fast} ${speed.name}`;
 }

@@ -9,7 +9,7 @@ import { CLOSE_S, type Hand, OPEN_S } from './hand';
 
 const LENGTH = 100;
 
-/** Whether the prong moves: its switch is not at stop, and the prong is not at the end of its travel. */
+/** Returns whether the prong moves: its switch is not at stop, and it has not reached the end of its travel. */
 export function isMoving({ switch: put, opening }: Pick<HandState, 'switch' | 'opening'>): boolean {
   return put !== 'stop' && opening !== (put === 'close' ? 0 : 1);
 }

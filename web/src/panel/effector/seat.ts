@@ -1,18 +1,18 @@
-/** The switch that latches a payload in its berth, or unlatches it: retention latches or docking port. */
+/** The buttons that latch a payload in its berth and unlatch it, for retention latches and docking ports. */
 
 import type { Work, WorkInfo } from '../../link/protocol';
 import { el, setAttribute, setClass, setText } from '../parts/dom';
 import { type HoldButton, holdButton } from '../parts/hold-button';
 import type { Desk } from '../parts/part';
 
-/** Time to hold a button to latch or to unlatch [s]. */
+/** Hold time of the buttons [s]. */
 const LATCH_S = 1;
 
 export interface Seat {
   readonly element: HTMLElement;
-  /** Presses the button that applies now, for the key. */
+  /** Returns the button that the key presses now: latch, or unlatch if a payload is latched. */
   keyed(): HoldButton;
-  /** Releases the button that the key pressed; meanwhile the other one may apply. */
+  /** Called when the key is released: releases both buttons, because `keyed` may have changed since the press. */
   lift(at: number): void;
   tick(): void;
   set(work: Work): void;
@@ -47,13 +47,13 @@ export function seat(desk: Desk): Seat {
   };
 }
 
-/** The berth of the held payload, or else of any payload; empty if it is in none. */
+/** Returns the name of the berth of the held payload, or else of any payload; empty if there is none. */
 export function seatNow({ cargo }: Pick<Work, 'cargo'>): string {
   const held = cargo.find((each) => each.held);
   return held ? held.seat : (cargo.find((each) => each.seat !== '')?.seat ?? '');
 }
 
-/** Title of a berth for display; empty if there is none. */
+/** Returns the title of a berth; empty if `name` is empty. */
 export function seatTitle({ seats }: Pick<WorkInfo, 'seats'>, name: string): string {
   return seats.find((seat) => seat.name === name)?.title ?? name;
 }

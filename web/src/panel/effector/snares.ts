@@ -1,4 +1,4 @@
-/** The SRMS's snares: the six flags of the panel, capture and release, and the switches of its manual mode. */
+/** The SRMS's end effector: the six flags of the panel, capture and release, and the switches of the manual mode. */
 
 import type { Hand as HandState } from '../../link/protocol';
 import { button, el, setClass, setPressed } from '../parts/dom';
@@ -6,7 +6,7 @@ import { holdButton } from '../parts/hold-button';
 import type { Desk } from '../parts/part';
 import { CLOSE_S, type Hand, OPEN_S } from './hand';
 
-/** The flags as on the panel: the row of a capture above that of a release. */
+/** The flags as on the panel: the upper row belongs to a capture, the lower row to a release. */
 const FLAGS = ['CAPTURE', 'CLOSE', 'RIGID', 'EXTEND', 'OPEN', 'DERIGID'] as const;
 
 const MODES = [

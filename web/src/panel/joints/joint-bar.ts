@@ -1,4 +1,4 @@
-/** A joint's bar: its limit zones at both ends, and its angle between them. */
+/** Bar of a joint: a pointer shows its angle; at both ends are the zones of its limits. */
 
 import type { JointInfo } from '../../link/protocol';
 import { degrees } from '../../words/format';
@@ -11,7 +11,7 @@ export interface JointBar {
   set(angle: number): void;
 }
 
-/** `marks` are drawn over the bar, in its own units. */
+/** `marks` are drawn over the bar, in the units of its view box. */
 export function jointBar(joint: JointInfo, ...marks: SVGElement[]): JointBar {
   const pointer = svg('path', { class: 'pointer', d: 'M0 11 L4.5 20 H-4.5 Z M-0.9 0 H0.9 V12 H-0.9 Z' });
   const zero = place(joint, 0).toFixed(1);
@@ -37,7 +37,7 @@ export function jointBar(joint: JointInfo, ...marks: SVGElement[]): JointBar {
   };
 }
 
-/** The joint's three ranges, in words. */
+/** Returns a text with the joint's three ranges. */
 export function range({ label, reach, soft, hard }: JointInfo): string {
   const pair = ([low, high]: readonly [number, number]) => `${degrees(low)}° to ${degrees(high)}°`;
   return `${label}: reach ${pair(reach)}, soft ${pair(soft)}, hard ${pair(hard)}`;

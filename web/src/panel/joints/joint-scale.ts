@@ -2,7 +2,7 @@
 
 import type { JointInfo } from '../../link/protocol';
 
-/** Length of the bar, and of each of its four limit zones, which would be invisible at true scale. */
+/** Length of the bar, and length of each of its four limit zones. At true scale, the zones would be invisible. */
 export const BAR = 170;
 const ZONE = 9;
 const PLACES = [0, ZONE, 2 * ZONE, BAR - 2 * ZONE, BAR - ZONE, BAR] as const;
@@ -14,17 +14,17 @@ function angles({ hard, soft, reach }: Limits): readonly number[] {
   return [hard[0], soft[0], reach[0], reach[1], soft[1], hard[1]];
 }
 
-/** Position of an angle [rad] on the bar: 0 at the lower hard stop, `BAR` at the upper one. */
+/** Returns the position of an angle [rad] on the bar: 0 at the lower hard stop, `BAR` at the upper hard stop. */
 export function place(joint: Limits, angle: number): number {
   return between(angles(joint), PLACES, angle);
 }
 
-/** The angle [rad] at a position on the bar. */
+/** Returns the angle [rad] at a position on the bar. */
 export function angleAt(joint: Limits, at: number): number {
   return between(PLACES, angles(joint), at);
 }
 
-/** Interpolate: the value in `to` that corresponds to `at` in `from`; both increase, and clamp at their ends. */
+/** Interpolates: returns the value in `to` that corresponds to `at` in `from`. Both lists increase; ends are limits. */
 function between(from: readonly number[], to: readonly number[], at: number): number {
   const above = from.findIndex((each) => at < each);
   if (above === 0) return to[0] ?? 0;

@@ -11,7 +11,7 @@ import { standRow } from './stand';
 
 export function joints(desk: Desk): Part {
   const rows = desk.welcome.joints.map((joint) => {
-    // Hollow, above the bar; it hides the pointer's stem if both are at the same position.
+    // A hollow mark above the bar. It hides the pointer's stem if both have the same position.
     const commanded = svg('path', { class: 'commanded', d: 'M-3.8 0 H3.8 L0 6.4 Z' });
     const scale = jointBar(joint, commanded);
     const angle = el('td', { class: 'angle' });

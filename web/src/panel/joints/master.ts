@@ -1,4 +1,4 @@
-/** The master arm: six sliders in place of the joints, which the sticks move as well; in MASTER the arm follows it. */
+/** The master arm: six sliders in place of the joints, which the sticks move, too. In MASTER the arm follows it. */
 
 import type { Frame, Six } from '../../link/protocol';
 import { degrees } from '../../words/format';
@@ -10,11 +10,11 @@ import { standRow } from './stand';
 
 /** Least time between two messages [ms]. */
 const PERIOD_MS = 50;
-/** Time after a change here, after which the station's angles of the master are displayed again [ms]. */
+/** For this time after the last change on this page, the page's own angles are displayed, not the station's [ms]. */
 const OWN_MS = 500;
 
 export interface MasterGroup extends Part {
-  /** Sets the master to the arm's angles, so that the arm stops. */
+  /** Sets the master to the arm's present angles, so that the arm stops. */
   meet(): void;
 }
 
@@ -27,7 +27,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
-  /** Angles of the master: as set last by this page or the station; in other modes those of the arm. */
+  /** Returns the master's angles: in MASTER the last ones of this page or the station, else the arm's angles. */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;

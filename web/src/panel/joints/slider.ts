@@ -1,4 +1,4 @@
-/** One joint of the master arm: a slider on the joint's bar, with the commanded angle above and the actual one below. */
+/** One joint of the master arm: a slider at the commanded angle, on a bar with a pointer at the actual angle. */
 
 import type { JointInfo } from '../../link/protocol';
 import { degrees } from '../../words/format';
@@ -42,7 +42,7 @@ export function slider(joint: JointInfo, moved: (angle: number) => void): Slider
     commanded = Math.min(greatest, Math.max(least, angle));
     moved(commanded);
   };
-  // A drag moves the master by the pointer's distance, so that a touch alone does not move the arm.
+  // A drag moves the slider by as much as the pointer moves, so that a press without motion does not move the arm.
   let grip = { from: 0, at: 0 };
   element.addEventListener('pointerdown', (event) => {
     element.setPointerCapture(event.pointerId);

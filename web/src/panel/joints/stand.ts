@@ -1,4 +1,4 @@
-/** The telescope under the arm: one more row below the joints. */
+/** The telescope under the arm: a row below the joints. */
 
 import { keyOf } from '../../input/layout';
 import type { StandInfo } from '../../link/protocol';

@@ -1,17 +1,17 @@
-/** Frame axes over a picture: +X +Y +Z of the control frame as that camera sees them. */
+/** Axes over a picture: the directions +X +Y +Z of the sticks as the camera sees them. */
 
 import { clamp } from '../../basics/clamp';
 import type { Vec3 } from '../../link/protocol';
 import { setAttribute, setClass, setText, svg } from '../parts/dom';
 
 const LENGTH = 34;
-/** Angle from which the ring is dashed: slightly more than 90°, so that a view straight down does not flicker [rad]. */
+/** The ring is dashed above this angle, slightly more than 90° so that a view straight down does not flicker [rad]. */
 const CROSSED = Math.PI / 2 + 0.04;
-/** An axis shorter than this in the picture points towards the viewer or away. */
+/** An axis shorter than this in the picture counts as pointing towards the viewer or away. */
 const END_ON = 0.2;
 
 const ABOUT =
-  'Axes of the sticks as this camera sees them. Dashed, with an angle: the picture is turned against the sticks by this angle';
+  'Axes of the sticks as this camera sees them. Dashed ring: picture and sticks differ in direction by the angle shown';
 
 export interface AxesOverlay {
   readonly element: SVGSVGElement;
@@ -64,8 +64,8 @@ export function axesOverlay(): AxesOverlay {
 }
 
 /**
- * Angle [rad] by which the picture is turned against the sticks: zero where +X goes into the picture,
- * +Y to its right and +Z down in it.
+ * Returns the angle between the directions in the picture and those of the sticks [rad]. It is zero if +X points into
+ * the picture, +Y to the right and +Z down.
  */
 export function stickToPicture([x, y, z]: readonly [Vec3, Vec3, Vec3]): number {
   const trace = -x[2] + y[0] - z[1];

@@ -1,6 +1,6 @@
 /**
  * Overlay of a picture: the minimum clearance as a dashed line with its ends and its value, and the contacts. The scene
- * fills the dashes where nothing hides the line, so that its visible part is solid.
+ * draws a solid line over the dashes where no body hides the line.
  */
 
 import { el, setAttribute, setClass, setText, svg } from '../parts/dom';
@@ -24,14 +24,14 @@ export interface GapOverlay {
   readonly elements: readonly [SVGSVGElement, HTMLElement];
   /** Draws line and contacts, at picture rate; `line` is null if the picture does not show the clearance. */
   show(line: GapLine | null, touches: readonly Touch[], picture: Size): void;
-  /** Writes the clearance; `seen`: for each end whether it is visible. */
+  /** Writes the clearance; `seen`: for each end of the line, whether it is visible. */
   setText(text: string, seen: readonly [boolean, boolean]): void;
 }
 
 /** Greatest number of marks for contacts, and their radius [px]. */
 const MOST = 8;
 const RADIUS = 14;
-const MEANT = 'Essential contact: no alarm';
+const ESSENTIAL = 'Essential contact: no alarm';
 
 function around({ x, y }: Point): Box {
   return { left: x - RADIUS, top: y - RADIUS, right: x + RADIUS, bottom: y + RADIUS };
@@ -53,7 +53,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
   });
   const label = el('p', { class: 'gap-label' });
   const element = svg('svg', { class: 'gaps', 'aria-hidden': 'true' }, gap, ...marks);
-  /** The label's sizes by its number of letters, because all figures have the same width, and measuring one lays out the page. */
+  /** Sizes of the label by number of characters: all digits are equally wide, and a measurement costs a layout. */
   const sizes = new Map<number, Size>();
   let room = 0;
   let placeLabel: () => void = () => undefined;
@@ -78,7 +78,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
         if (!touch) return;
         setAttribute(mark, 'transform', `translate(${touch.at.x.toFixed(1)} ${touch.at.y.toFixed(1)})`);
         setClass(mark, 'essential', touch.essential);
-        if (mark.firstElementChild) setText(mark.firstElementChild, touch.essential ? MEANT : 'Contact');
+        if (mark.firstElementChild) setText(mark.firstElementChild, touch.essential ? ESSENTIAL : 'Contact');
       });
       if (picture.width !== room) sizes.clear();
       room = picture.width;
@@ -115,7 +115,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       ends.forEach((end, i) => {
         setClass(end, 'hidden', !seen[i]);
       });
-      // A paused replay draws no further picture that would place the label.
+      // While a replay is paused, no further picture is drawn that would place the label.
       if (label.textContent.length !== letters && !label.hidden) placeLabel();
     },
   };

@@ -17,7 +17,7 @@ const APART = 12;
 /** Distance from the picture's edge. */
 const MARGIN = 6;
 
-/** The part of a line in a box; null if the line is outside. */
+/** Returns the part of a line that is in a box; null if the line is outside. */
 export function clipped(a: Point, b: Point, box: Box): readonly [Point, Point] | null {
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   let [from, to] = [0, 1];
@@ -40,9 +40,9 @@ export function clipped(a: Point, b: Point, box: Box): readonly [Point, Point] |
 }
 
 /**
- * Top left of a label beside the middle of a line. First choice is the side away from the picture's middle, where the
- * payload mostly is; otherwise any side on which the label fits and covers nothing of `taken`. At the picture's edge it
- * is moved into the picture, and off the boxes of `taken`.
+ * Returns the top left corner of a label beside the middle of a line. The first choice is the side away from the middle
+ * of the picture, because the payload is mostly in the middle. The next choice is any side on which the label fits and
+ * covers no box of `taken`. If there is no such side, the label is moved into the picture and off the boxes.
  */
 export function labelPlace(
   ends: readonly [Point, Point],
@@ -78,7 +78,7 @@ export function labelPlace(
   return places.find(fits) ?? inside.find(free) ?? nearest ?? inside[0] ?? middle;
 }
 
-/** Distance of the label's edge from the middle of the line, aside and above: past the line's end, or just clear of the line. */
+/** Returns the distances, aside and above, from the middle of the line to the edge of a label clear of the line. */
 function reachOf(a: Point, b: Point, label: Size): Point {
   const [wide, high] = [Math.abs(a.x - b.x), Math.abs(a.y - b.y)];
   const off = APART * Math.hypot(wide, high);
@@ -103,7 +103,7 @@ function overlap(a: Box, b: Box): boolean {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/** The nearest position in the picture. */
+/** Returns the nearest position in the picture. */
 function into({ x, y }: Point, label: Size, picture: Size): Point {
   const within = (value: number, most: number) => Math.max(MARGIN, Math.min(most - MARGIN, value));
   return { x: within(x, picture.width - label.width), y: within(y, picture.height - label.height) };

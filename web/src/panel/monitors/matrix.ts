@@ -1,4 +1,4 @@
-/** All cameras at once: a tile for each with the targets that it sees, and below them clearance and lamps. */
+/** All cameras at once: a tile for each camera with the targets that it sees; below the tiles, clearance and lamps. */
 
 import type { Target } from '../../cameras/best-pair';
 import { type Age, isStale } from '../../link/delay-line';
@@ -7,7 +7,7 @@ import { button, el, group, setAttribute, setClass, setText } from '../parts/dom
 import { fitPane } from './picture';
 import { type Plan, plan } from './plan';
 
-/** Columns and rows of tiles, which have one size whatever their number. */
+/** Columns and rows of tiles. The size of a tile does not depend on the number of cameras. */
 const [ACROSS, DOWN] = [5, 3];
 
 export interface Tile {
@@ -58,7 +58,7 @@ export class Matrix {
     );
     const across = Math.max(ACROSS, Math.ceil(cameras.length / DOWN));
     const places = group('places', 'Camera places', this.plan.element);
-    // The plan uses the free tiles if it is larger there than below the tiles.
+    // The plan is in the place of the missing tiles if it is larger there than below the tiles.
     const left = across * DOWN - cameras.length;
     const among = left >= 2 && left < across;
     if (among) {
@@ -85,7 +85,7 @@ export class Matrix {
     );
   }
 
-  /** Takes the desk's clearance and the lamps, until `close`. */
+  /** Moves the clearance group of the desk and the lamps into this view, until `close`. */
   open(clearance: HTMLElement | null, lamps: HTMLElement | null): void {
     for (const [node, place] of [
       [clearance, this.lentTo.clearance],
@@ -133,7 +133,7 @@ export class Matrix {
   }
 
   setAdvice(sentences: readonly string[]): void {
-    const lines = [...sentences, 'Under a picture: the targets in it.'];
+    const lines = [...sentences, 'Under each picture: the targets that its camera sees.'];
     if (this.views.childElementCount !== lines.length)
       this.views.replaceChildren(...lines.map(() => el('p')));
     lines.forEach((sentence, i) => {

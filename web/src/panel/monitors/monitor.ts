@@ -1,4 +1,4 @@
-/** One monitor: its picture, or two beside each other, and its selector. */
+/** One monitor: one picture, or two beside each other, and the selector of its cameras. */
 
 import type { Target } from '../../cameras/best-pair';
 import { nameOf } from '../../input/layout';
@@ -97,7 +97,7 @@ export class Monitor {
     this.setSplit(false);
   }
 
-  /** The picture that the camera keys act on. */
+  /** The selected picture, on which the camera keys act. */
   get picture(): Picture {
     return this.half === 1 && this.two ? this.halves[1] : this.halves[0];
   }
@@ -111,7 +111,7 @@ export class Monitor {
     return this.two;
   }
 
-  /** Shows other cameras: one, or two in halves; a name without a camera changes nothing. */
+  /** Shows one camera, or two in halves. Names without a camera are ignored. */
   show(names: readonly string[]): void {
     const cameras = names.flatMap((name) => this.cameras.filter((camera) => camera.name === name));
     if (cameras.length === 0) return;
@@ -157,9 +157,9 @@ export class Monitor {
     setPressed(this.slowKey, on);
   }
 
-  /** Shows the centre of the engineering views; null for their start. */
+  /** Shows the name of the centre of the engineering views; null for their initial centre. */
   setRound(target: Target | null): void {
-    setText(this.roundKey, `Round ${target ?? 'place'}`);
+    setText(this.roundKey, `Round ${target ?? 'start'}`);
   }
 
   private setSplit(on: boolean): void {

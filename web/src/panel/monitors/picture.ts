@@ -12,12 +12,12 @@ import { axesOverlay } from './axes';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
 
-/** Rotation of an engineering view by a drag across the whole picture [rad]; factor of distance for a notch of the wheel. */
+/** Rotation of an engineering view by a drag across the picture [rad]; factor of distance for a notch of the wheel. */
 const DRAGGED = Math.PI;
 const WHEEL = 1.15;
 /** Bit of a mouse's second button in `buttons`. */
 const SECOND = 2;
-/** Effects of mouse and fingers in a picture. */
+/** Hints about the effects of mouse and fingers in a picture. */
 const HINTS = {
   turns: 'drag: pan, tilt · wheel or pinch: zoom',
   zooms: 'wheel or pinch: zoom',
@@ -34,7 +34,7 @@ export interface PictureListener {
   readonly turns: boolean;
 }
 
-/** Selector of the touch sticks, over the pictures' lower corners. */
+/** Selector of the touch sticks, which are over the lower corners of the pictures. */
 const TOUCH = 'div.touch';
 
 export class Picture {
@@ -118,17 +118,17 @@ export class Picture {
     this.axes.set(directions);
   }
 
-  /** Draws the minimum clearance and the contacts in a picture of that size, at picture rate. */
+  /** Draws the minimum clearance and the contacts at picture rate; `picture`: size of the picture. */
   setGap(line: GapLine | null, touches: readonly Touch[], picture: Size): void {
     this.gap.show(line, touches, picture);
   }
 
-  /** Writes the minimum clearance; `seen`: which of its ends are visible in this picture. */
+  /** Writes the minimum clearance; `seen`: for each end of its line, whether it is visible in this picture. */
   setGapText(text: string, seen: readonly [boolean, boolean]): void {
     this.gap.setText(text, seen);
   }
 
-  /** Writes the picture's time code and age; null for a replay. */
+  /** Writes the picture's time code and its age, which is null in a replay. */
   setTime(frame: Frame, age: Age | null): void {
     const stale = age !== null && isStale(age);
     setText(this.time, timeCode(frame.time_s));
@@ -152,7 +152,7 @@ export class Picture {
     return boxes;
   }
 
-  /** The same if MON 2 is in a corner of MON 1. */
+  /** Boxes of the texts if MON 2 is in a corner of MON 1: in MON 1, the box that MON 2 covers is added. */
   private narrowCorners(picture: Size): readonly Box[] {
     const own = cornersOf(picture);
     if (this.element.closest('.monitor + .monitor')) return own;
@@ -160,7 +160,7 @@ export class Picture {
     return [...own, { left: 0.5 * width, top: 0, right: width, bottom: 0.5 * height }];
   }
 
-  /** Boxes of the touch sticks, from this picture's corner. */
+  /** Boxes of the touch sticks, measured from the top left of this picture. */
   private touchSticks(): readonly Box[] {
     const { left: x, top: y } = this.element.getBoundingClientRect();
     return [...document.querySelectorAll(`${TOUCH} > div`)].map((part) => {
@@ -230,7 +230,7 @@ export class Picture {
   }
 }
 
-/** Drives of a camera that a drag or the wheel moves. */
+/** Returns which drives of a camera a drag or the wheel moves. */
 function drives({ drive }: Camera): keyof typeof HINTS {
   if (!drive) return 'none';
   return drive.pan || drive.tilt ? 'turns' : 'zooms';

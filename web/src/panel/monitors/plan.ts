@@ -5,11 +5,11 @@ import type { Extent } from '../../scene/overhead';
 import { el, setAttribute, setClass, svg } from '../parts/dom';
 import type { Size } from './label-place';
 
-/** Length of a wedge, as a part of the plan's length. */
+/** Length of a camera's wedge, as a fraction of the plan's length. */
 const WEDGE = 0.11;
-/** Steepest view for which a wedge is drawn [sine]. */
+/** Sine of the steepest direction of view for which a wedge is drawn. */
 const STEEP = 0.97;
-/** Margin of the plan, as a part of its size. */
+/** Margin of the plan, as a fraction of its size. */
 const MARGIN = 0.16;
 
 export interface Mark {
@@ -18,7 +18,7 @@ export interface Mark {
   readonly ahead: Vec3;
   /** Horizontal field of view [rad]. */
   readonly angle: number;
-  /** Whether a monitor shows it. */
+  /** Whether a monitor shows the camera. */
   readonly used: boolean;
 }
 
@@ -44,7 +44,7 @@ export function plan(cameras: readonly Camera[]): Plan {
     picture,
     set({ x, y, width, height }, seen, at) {
       setAttribute(drawing, 'viewBox', `${x} ${-y - height} ${width} ${height}`);
-      // Text has the page's size at every scale.
+      // The text is as large as on the page, whatever the scale of the plan.
       const unit = height / Math.max(1, picture.clientHeight);
       const size = 12.5 * unit;
       marks.forEach((mark, i) => {
@@ -52,7 +52,7 @@ export function plan(cameras: readonly Camera[]): Plan {
         if (!one) return;
         const [px, up] = one.lens;
         const [dx, ahead, dz] = one.ahead;
-        const [py, dy] = [-up, -ahead]; // in a drawing, y points down
+        const [py, dy] = [-up, -ahead]; // in an SVG, y points down
         setClass(mark.element, 'used', one.used);
         setAttribute(
           mark.wedge,
@@ -65,7 +65,7 @@ export function plan(cameras: readonly Camera[]): Plan {
           ['r', 2.6 * unit],
         ] as const)
           setAttribute(mark.dot, name, value.toFixed(2));
-        // Behind the camera, clear of its wedge.
+        // The name is behind the camera, clear of its wedge.
         const back = Math.hypot(dx, dy) || 1;
         setAttribute(mark.label, 'x', (px - (dx / back) * size * 0.9).toFixed(2));
         setAttribute(mark.label, 'y', (py - (dy / back) * size * 0.9).toFixed(2));
@@ -89,7 +89,7 @@ function wedge(x: number, y: number, heading: number, angle: number, length: num
   return `M${x.toFixed(2)} ${y.toFixed(2)}L${corner(-1)}L${corner(1)}Z`;
 }
 
-/** Extent around some points of the scene, in the shape of a picture of that size. */
+/** Returns an extent that contains some points of the scene and has the aspect of a picture of this size. */
 export function extentOf(places: readonly Vec3[], { width, height }: Size): Extent {
   const sides = [0, 1].map((k) => places.map((place) => place[k] ?? 0));
   const [left = 0, right = 0, low = 0, high = 0] = sides.flatMap((values) => [

@@ -1,4 +1,4 @@
-/** A rate as a fraction of its limit, −1 to 1: commanded as a mark; below it, actual as a bar from the middle. */
+/** Bar of a rate as a fraction of its limit, −1 to 1. A mark shows the commanded rate, a bar below the actual rate. */
 
 import { clamp } from '../../basics/clamp';
 import { setAttribute, svg } from './dom';

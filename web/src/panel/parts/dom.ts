@@ -1,4 +1,4 @@
-/** Create and change elements; the document is written only if something changes. */
+/** Functions that create and change elements. They write to the document only if something changes. */
 
 type Child = Node | string;
 type Attributes = Readonly<Record<string, string>>;
@@ -25,7 +25,7 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return node;
 }
 
-/** A push button; after a click by pointer it has no focus, so that keys control the arm again. */
+/** Makes a push button. After a click by pointer it loses the focus, so that keys control the arm again. */
 export function button(attributes: Attributes, children: Child[], pressed: () => void): HTMLButtonElement {
   const node = el('button', { type: 'button', ...attributes }, ...children);
   node.addEventListener('click', (event) => {
@@ -35,7 +35,7 @@ export function button(attributes: Attributes, children: Child[], pressed: () =>
   return node;
 }
 
-/** A bracketed group of the desk. */
+/** Makes a group of the desk, with its title in a bracket. */
 export function group(name: string, title: string, ...children: Child[]): HTMLElement {
   const id = `group-${name}`;
   return el(
@@ -69,7 +69,7 @@ export function setClass(node: Element, name: string, on: boolean): void {
   if (node.classList.contains(name) !== on) node.classList.toggle(name, on);
 }
 
-/** A switch that is set: a white key with black text. */
+/** Shows whether a switch is set. A set switch is white with black text. */
 export function setPressed(node: Element, on: boolean): void {
   setAttribute(node, 'aria-pressed', String(on));
 }

@@ -1,4 +1,4 @@
-/** A button that acts after it was held for a set time, by pointer, by Enter, or by a key of its own. */
+/** A button that acts after it was held for a set time, by pointer, by Enter, or by its assigned key. */
 
 import { Hold } from '../../input/hold';
 import type { Grip } from '../../input/keymap';
@@ -7,14 +7,14 @@ import { el, setText } from './dom';
 
 export interface HoldButton {
   readonly element: HTMLButtonElement;
-  /** Takes a press or a release at `at` [ms, as performance.now()]. */
+  /** Called when the assigned key is pressed or released at `at` [ms, as performance.now()]. */
   press(at: number): void;
   lift(at: number): void;
-  /** Fills the bar with the elapsed time; acts when the time is over. */
+  /** Fills the button's bar with the elapsed time; acts when the time is over. */
   tick(): void;
 }
 
-/** `grip`: the use whose key has the effect of this button; `begins`: whether holding the button has an effect now. */
+/** `grip`: function of the assigned key; `begins`, called at a press, returns whether holding has an effect now. */
 export function holdButton(
   label: string,
   grip: Grip,
@@ -55,7 +55,7 @@ export function holdButton(
   });
   element.addEventListener('click', (event) => {
     if (event.detail > 0) element.blur();
-    else if (begins()) act(); // click without pointer or key, by an assistive device, which cannot hold
+    else if (begins()) act(); // a click without pointer or key comes from an assistive device, which cannot hold
   });
   return {
     element,

@@ -1,4 +1,4 @@
-/** Sends the newest of many values, at a limited rate. */
+/** Sends values at a limited rate. If values come faster, only the newest is sent. */
 
 export class Paced<T> {
   private newest: { readonly value: T } | null = null;
@@ -10,7 +10,7 @@ export class Paced<T> {
     private readonly send: (value: T) => void,
   ) {}
 
-  /** Sends the value now, or when the period is over, unless a newer value replaces it. */
+  /** Sends the value now, or else when the period is over, unless a newer value has replaced it. */
   put(value: T): void {
     this.newest = { value };
     if (this.timer === undefined) this.next();

@@ -1,4 +1,4 @@
-/** Interface of the desk's groups: they draw one frame, and keep no state of the arm. */
+/** Interface of the desk's groups. A group draws a frame and stores no state of the arm. */
 
 import type { ControllersShown } from '../../input/controllers';
 import type { Deflection } from '../../input/deflection';
@@ -12,9 +12,9 @@ export interface View {
   readonly units: Units;
   /** Deflections of this page's own sticks. */
   readonly hand: Deflection;
-  /** Description of the devices that move them. */
+  /** Description of the devices that move this page's sticks. */
   readonly controllers: ControllersShown;
-  /** Name of the operator, for the start of a sentence; empty if unattended; null for a recording, which contains no name. */
+  /** Name of the operator, for the start of a sentence; empty if unattended; null in a replay (no name is recorded). */
   readonly flier: string | null;
   /** Whether this page is in control. */
   readonly flying: boolean;
@@ -30,10 +30,10 @@ export interface Part {
   values?(view: View): void;
 }
 
-/** Services for the parts. */
+/** Functions and data that all groups use. */
 export interface Desk {
   readonly welcome: Welcome;
   send(command: Command): void;
-  /** Adds a line of the page's own to the log. */
+  /** Adds a line to the page's log. */
   say(text: string): void;
 }

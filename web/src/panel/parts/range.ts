@@ -1,4 +1,4 @@
-/** A slider for a number, with the value beside it. */
+/** Slider for a number, with the value as text beside it. */
 
 import { el, setText } from './dom';
 

@@ -1,14 +1,14 @@
-/** The three delays as set and as measured; and LINK DELAY, if commands take longer or the station is silent. */
+/** The three delays as set and as measured, and the lamp LINK DELAY. */
 
 import type { SpineLamp } from '../spine/lamps';
 
 /** A station that sends no message for this time is silent [s]. */
 const SILENT_S = 0.5;
 
-/** Normal time of an answer beyond the set delay: some control periods and the transmission [s]. */
+/** Commands may normally take this much longer than their set delay: some control periods and the transmission [s]. */
 const SLACK_S = 0.25;
 
-/** Greatest difference at which a measured delay counts as equal to the set one, because drawing takes time [s]. */
+/** Greatest difference at which a measured delay counts as equal to the set delay [s]. Drawing takes some time. */
 const USUAL_S = { command: 0.1, telemetry: 0.25, camera: 0.25 } as const;
 
 const NAMES = ['command', 'telemetry', 'camera'] as const;
@@ -18,19 +18,19 @@ const SHORT = { command: 'CMD', telemetry: 'TLM', camera: 'CAM' } as const;
 const LONG = { command: 'Command', telemetry: 'Telemetry', camera: 'Camera' } as const;
 const MANY = 'Delay';
 
-/** A delay as set by the scenario, and as measured in the last 10 s, null without a measurement [s]. */
+/** A delay as set by the scenario, and as measured in the last 10 s (null without a measurement) [s]. */
 export interface Delay {
   readonly set: number;
   readonly measured: number | null;
 }
 
 /**
- * From a stick to the frame that used it; from the arrival of a frame to its figures, lamps and log; and to its
- * pictures.
+ * `command`: from a stick to the frame that used it. `telemetry`: from the arrival of a frame to its figures, lamps and
+ * log. `camera`: from the arrival of a frame to its pictures.
  */
 export type Delays = Readonly<Record<Name, Delay>>;
 
-/** The delays for the rail, as set, and as measured if different; an empty text if there are none. */
+/** Returns the delays for the rail, as set, and as measured if different; the text is empty if there is no delay. */
 export function delayWords(delays: Delays): { readonly label: string; readonly text: string } {
   const listed = NAMES.filter((name) => delays[name].set > 0 || differs(name, delays[name]));
   const [only] = listed;
@@ -47,7 +47,7 @@ export function delayWords(delays: Delays): { readonly label: string; readonly t
   return { label: MANY, text: `${each.join(' · ')} s` };
 }
 
-/** Whether the text is longer than that of a single delay whose measured value equals its set value. */
+/** Returns whether the text is long: it contains several delays, or a measured delay. */
 export function areLong(delays: Delays): boolean {
   return (
     NAMES.filter((name) => delays[name].set > 0).length > 1 ||
@@ -60,7 +60,7 @@ function differs(name: Name, { set, measured }: Delay): boolean {
   return measured !== null && Math.abs(measured - set) > USUAL_S[name];
 }
 
-/** `silence`: time since the last frame [s]. */
+/** Returns the lamp LINK DELAY, or null if it is not lit; `silence`: time since the last frame [s]. */
 export function linkLamp(silence: number, { command, telemetry, camera }: Delays): SpineLamp | null {
   const name = 'LINK DELAY';
   if (silence > SILENT_S) return { name, level: 'caution', text: `silent for ${silence.toFixed(0)} s` };

@@ -1,4 +1,4 @@
-/** Hand-over of control between pages: an observer asks, the operator gives or keeps. */
+/** Hand-over of control between pages: an observer asks for control, the operator gives or keeps it. */
 
 import type { Role } from '../../link/protocol';
 import type { Command } from '../../link/socket';
@@ -11,7 +11,7 @@ const SEEN_MS = 1000;
 export interface HandOver {
   /** The question to the operator. */
   readonly question: HTMLElement;
-  /** The observer's key. */
+  /** The observer's button that asks for control. */
   readonly ask: HTMLButtonElement;
   /** Names of the operator and the observers. */
   words(role: Role, now: number): string;
@@ -46,16 +46,16 @@ export function handOver(send: (command: Command) => void): HandOver {
       ask.disabled = asking !== 0;
       setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
       if (now - given.at < SEEN_MS) return `${given.from} ▸ ${called(role, flier)}`;
-      if (!flying) return flier === 0 ? 'You watch · unattended' : `You watch · ${called(role, flier)} flies`;
-      const watching = watched(role);
-      return watching === '' ? 'You fly' : `You fly · ${watching}`;
+      if (!flying) return flier === 0 ? 'Observing · unattended' : `Observing · ${called(role, flier)} flies`;
+      const observers = observersOf(role);
+      return observers === '' ? 'You fly' : `You fly · ${observers}`;
     },
   };
 }
 
-/** The observers: one by name, several by their number. */
-function watched({ watchers, number, names }: Role): string {
+/** Returns a text about the observers: the name of a single observer, or the number of observers. */
+function observersOf({ watchers, number, names }: Role): string {
   if (watchers === 0) return '';
   const other = names.find((each) => each.number !== number);
-  return watchers === 1 ? `${other?.name ?? 1} watches` : `${watchers} watch`;
+  return watchers === 1 ? `${other?.name ?? 1} observes` : `${watchers} observe`;
 }

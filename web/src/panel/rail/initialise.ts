@@ -1,4 +1,4 @@
-/** The report's INITIALISE: task phases at which the run can start, in a list below the key. */
+/** INITIALISE of RMS-VS: a list of task phases at which the run can start, below the key. */
 
 import type { ProblemPart } from '../../link/protocol';
 import { button, el } from '../parts/dom';
@@ -6,10 +6,10 @@ import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
 
 const ABOUT: Readonly<Record<ProblemPart, string>> = {
-  'full problem': 'Start with the full problem',
-  acquisition: 'Start in mode 1, with the end effector over the payload',
-  extraction: 'Start in mode 2, with the payload captured in its berth',
-  manoeuvring: 'Start in mode 3, with the payload captured and clear of the bay',
+  'full problem': 'Start at the beginning of the full problem',
+  acquisition: 'Start at task phase 1, with the end effector over the payload',
+  extraction: 'Start at task phase 2, with the payload captured in its berth',
+  manoeuvring: 'Start at task phase 3, with the payload captured and clear of the bay',
 };
 
 export interface Initialise {

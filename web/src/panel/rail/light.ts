@@ -1,4 +1,4 @@
-/** Light on the worksite: sun and Earth, lamps, exposure lock, and early television, in a list below the key. */
+/** Light on the worksite, in a list below the key: sun and Earth, lamps, exposure lock, and early television. */
 
 import { keyOf } from '../../input/layout';
 import type { Camera, Frame, Lighting } from '../../link/protocol';
@@ -17,7 +17,7 @@ export interface LightControl {
   close(): void;
 }
 
-/** Pictures that the exposure lock acts on. */
+/** Pictures on which the exposure lock acts. */
 export interface Exposed {
   /** Monitors with the selected camera. */
   readonly monitors: { readonly camera: Camera };
@@ -97,7 +97,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
 
 const EARLY = 'Show all television cameras in black and white, with noise, in this browser';
 
-/** The lamps that are on after one is switched, in the order of `all`. */
+/** Returns the lamps that are on after the lamp `name` was switched, in the order of `all`. */
 export function toggled(all: readonly string[], on: readonly string[], name: string): readonly string[] {
   return all.filter((each) => (each === name ? !on.includes(each) : on.includes(each)));
 }

@@ -9,18 +9,18 @@ import { dropDown } from '../parts/drop-down';
 const KEPT = 'aftdeck.name';
 /** Greatest length of a name at the station [characters]. */
 const MOST = 24;
-/** Length of `You watch · page 1 flies`, for which there is always room [characters]. */
+/** Length of `Observing · page 1 flies`, for which there is always room [characters]. */
 const USUAL = 24;
 const OFFER = 'press to enter your name';
 
 export interface Naming {
   readonly element: HTMLElement;
-  /** Shows the operator; opens the field. */
+  /** Button that shows the names of operator and observers, and opens the field. */
   readonly key: HTMLButtonElement;
   say(text: string): void;
-  /** Takes the station's list of names; a page without a name sends the stored name. */
+  /** Called for the station's list of names. If this page has no name there, it sends the stored name. */
   set(role: Role): void;
-  /** Returns whether the station rejected the name that was typed, and shows the reason. */
+  /** Called for a rejected command. If it has set a name, shows the reason below the field and returns true. */
   refuse(number: number, text: string): boolean;
   close(): void;
 }
@@ -29,7 +29,7 @@ export interface Naming {
 export function naming(keeper: Keeper, send: (command: Command) => number): Naming {
   let asked: { readonly number: number; readonly name: string } | null = null;
   let now = '';
-  /** The user's stored name; another page of the browser may store another one. */
+  /** The user's stored name, read once: another page of the browser may store another name later. */
   let mine = keeper.getItem(KEPT) ?? '';
   const field = el('input', {
     type: 'text',
@@ -65,7 +65,7 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
     asked = { name: field.value, number: send({ type: 'set_name', name: field.value }) };
     if (asked.name === now) taken();
   };
-  /** Stores the name, which the station has accepted. */
+  /** Called when the station has accepted the name: stores it. */
   const taken = () => {
     asked = null;
     mine = now;

@@ -25,14 +25,14 @@ export interface RailListener {
   controllers(): void;
 }
 
-/** Parts of the page that have a key in the rail. */
+/** Parts of the page with a button in the rail. */
 export interface RailParts {
   readonly tones: Tones;
   readonly light: LightControl;
   readonly appearance: Appearance;
   readonly scenarios: ScenarioChoice;
   readonly naming: Naming;
-  /** Opens and closes the tutorial. */
+  /** Button that opens and closes the tutorial. */
   readonly tutorial: HTMLElement;
   /** The observer's button that asks for control. */
   readonly ask: HTMLElement;
@@ -59,10 +59,10 @@ export function rail(
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
-  // The script's phases; in a manual run the report's task phases, which can occur in any order.
+  // In a scripted run, the script's phases. In a manual run, the report's task phases, which can occur in any order.
   const scripted = welcome.phases.length > 0;
   const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
-  // There is room only for the name of the present phase.
+  // There is room for the name of one phase only, the present one.
   const phases = steps.map((name) => ({ name, step: el('li', { title: name, 'aria-label': name }) }));
   const parts = initialise(desk);
   for (const { classList } of [parts.element, light.element]) classList.add('fliers');
@@ -141,9 +141,9 @@ export function rail(
   };
 }
 
-/** Text in place of the operator's name while there is no session; null while there is one. */
+/** Returns the text in place of the operator's name if there is no connection or no session; null otherwise. */
 function linkWords(link: LinkState): string | null {
-  if (link.kind === 'lost') return `No connection, try ${link.attempt}`;
+  if (link.kind === 'lost') return `No connection, attempt ${link.attempt}`;
   return link.kind === 'preparing' ? link.text : null;
 }
 
@@ -152,4 +152,4 @@ const SOFTWARE =
 const DELAY =
   'CMD: delay from a stick to the arm. TLM: age of figures, lamps and log. CAM: age of pictures. ' +
   'Values of the scenario; in brackets the values of the last 10 s if they differ.';
-const DIM = 'Dim for a dark room: the page at 55 %, pictures at 75 % of their brightness';
+const DIM = 'Dim for a dark room: the page to 55 %, pictures to 75 % of their brightness';

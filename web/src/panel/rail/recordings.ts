@@ -1,4 +1,4 @@
-/** REC with its elapsed time, and below it the station's recordings, each a link to its replay. */
+/** REC with the elapsed time of the recording, and below it a list of the station's recordings with links. */
 
 import type { Frame, Recorded } from '../../link/protocol';
 import { clock } from '../../words/format';
@@ -31,7 +31,7 @@ export function recordings(): RecordingsControl {
     const answer = await fetch('recordings.json');
     if (!answer.ok) throw new Error(`The station does not list its recordings: ${answer.status}`);
     const all: readonly Recorded[] = await answer.json();
-    rows.replaceChildren(...all.map(row), ...(all.length === 0 ? [el('p', {}, 'None yet.')] : []));
+    rows.replaceChildren(...all.map(row), ...(all.length === 0 ? [el('p', {}, 'No recordings yet.')] : []));
   }
 
   return {

@@ -1,21 +1,21 @@
-/** The list of scenarios below the scenario's name, and a question before a run is left. */
+/** The list of scenarios below the scenario's name, and the question before the user leaves a run. */
 
 import type { Frame, Scenarios } from '../../link/protocol';
 import { button, el, setPressed, setText } from '../parts/dom';
 import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
 
-/** Least motion of a joint for which a run counts as flown [rad]. */
+/** A run counts as flown if a joint has moved by more than this [rad]. */
 const TURNED = 1e-3;
-/** A page that connects later than this has not seen the whole run [s]. */
+/** A page that connects later than this in a run cannot know whether the arm has moved [s]. */
 const BEGUN_S = 1;
 
 export interface ScenarioChoice {
   /** The list, for the rail. */
   readonly element: HTMLElement;
-  /** The question, or the scenario in preparation, over the monitors. */
+  /** Over the monitors: the question, or the name of the scenario that is being prepared. */
   readonly question: HTMLElement;
-  /** Takes the station's list of scenarios. */
+  /** Called for each list of scenarios that the station sends. */
   set(known: Scenarios): void;
   values(frame: Frame): void;
   /** Loads a scenario by its name; asks first if the arm has moved in this run. */
@@ -100,10 +100,11 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
   };
 }
 
-const FIRST_TIME = 'The first time on this machine takes about half a minute; meanwhile the arm stops.';
+const FIRST_TIME =
+  'The first preparation on this machine takes about half a minute; meanwhile the arm stops.';
 
-/** The question before a run is left in which the arm has moved. */
+/** Returns the question before the user leaves a run in which the arm has moved. */
 export function leaving(left: string, next: string, recorded: boolean): string {
-  const kept = recorded ? 'Its recording is complete and kept.' : 'It is not recorded.';
+  const kept = recorded ? 'The recording of this run is kept.' : 'This run is not recorded.';
   return `Leave “${left}” for “${next}”? ${kept}`;
 }

@@ -1,4 +1,4 @@
-/** TEST: every figure of the desk with all its segments lit. */
+/** TEST: all figures of the desk as eights, as on displays with all segments lit. */
 
 import { setText } from '../parts/dom';
 
@@ -14,12 +14,12 @@ const FIGURES = [
   '.lag b',
 ].join();
 
-/** Writes eights over the figures; the parts write their own at the next update. */
+/** Writes eights over the figures. The groups write their figures again at the next update. */
 export function lightSegments(): void {
   for (const figure of document.querySelectorAll(FIGURES)) setText(figure, segments(figure.textContent));
 }
 
-/** `±888.8` for `−12.5`: both strokes of the sign, and always three digits before the tenths. */
+/** Returns `±888.8` for `−12.5`: both strokes of the sign, and always three digits before the tenths. */
 export function segments(text: string): string {
   return text
     .replace(/\d/g, '8')

@@ -2,7 +2,7 @@
 
 import type { FlightLamp, Lamp } from '../../link/protocol';
 
-/** Lit by the simulation; by this page's own state; or only by TEST, because their cause is not simulated. */
+/** Lamps of the simulation; lamps of this page's state; lamps that only TEST lights, because nothing simulates them. */
 export type LampName =
   | FlightLamp
   | 'CHECK CRT'
@@ -23,12 +23,12 @@ export interface SpineLamp extends Omit<Lamp, 'name'> {
 export interface Concern {
   /** Kinds of log lines. */
   readonly kinds: readonly string[];
-  /** Selector of the elements concerned, and of the group to use if there are none. */
+  /** Selector of the elements that the lamp concerns, and selector of the group to outline if there are none. */
   readonly elements: string;
   readonly group: string;
 }
 
-/** Lamps in `arm` and `station` have their cause beside them, those in `pair` in their title. */
+/** Lamps of `arm` and `station` show their cause beside them, lamps of `pair` in their tooltip. */
 export type Row = 'arm' | 'pair' | 'station';
 
 const EFFECTOR = ['captured', 'missed', 'rigid', 'released'];
@@ -69,7 +69,7 @@ export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> 
   },
 };
 
-/** The lamps of a row, in their order. */
+/** Returns the lamps of a row, in display order. */
 export function lampsIn(row: Row): readonly LampName[] {
   return (Object.keys(LAMPS) as LampName[]).filter((name) => LAMPS[name].row === row);
 }

@@ -1,11 +1,11 @@
-/** Lamps that only the page can light: rejected command, link, age of pictures, controllers. */
+/** Lamps that the page lights: rejected command, link, age of pictures, controllers. */
 
 import type { Controllers } from '../../input/controllers';
 import { type Age, isStale } from '../../link/delay-line';
 import { type Delays, linkLamp } from '../rail/delays';
 import type { LampName, SpineLamp } from './lamps';
 
-/** Length of a device's name in a lamp [characters]. */
+/** Greatest length of a device's name in a lamp [characters]. */
 const LAMP_NAME = 16;
 /** Time for which a rejected command lights CHECK CRT [ms]. */
 const REFUSAL_MS = 5000;
@@ -37,8 +37,8 @@ export function ownLamps(
 }
 
 function controllerLamp({ lost, waiting }: Pick<Controllers, 'lost' | 'waiting'>): readonly SpineLamp[] {
-  const [gone, waits] = [lost[0], waiting[0]];
-  if (gone) return [caution('CONTROLLER', `${gone.short.slice(0, LAMP_NAME)} is gone`)];
+  const [missing, waits] = [lost[0], waiting[0]];
+  if (missing) return [caution('CONTROLLER', `${missing.short.slice(0, LAMP_NAME)} lost`)];
   if (!waits) return [];
   return [caution('CONTROLLER', waits.resting ? 'off centre: see Controllers' : 'centre both sticks')];
 }

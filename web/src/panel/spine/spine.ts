@@ -1,11 +1,11 @@
-/** The lamps between the monitors, each with its cause, below the master alarm. */
+/** The lamps between the monitors, below the master alarm. Lamps show their cause. */
 
 import { keyOf } from '../../input/layout';
 import type { Alarm } from '../../page/tones';
 import { button, el, setAttribute, setClass, setText } from '../parts/dom';
 import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
 
-/** Levels of alarm: an acknowledged caution sounds again when it becomes a warning. */
+/** Order of the levels: an acknowledged lamp sounds again when its level rises. */
 const RANK = { info: 0, caution: 1, warning: 2 } as const;
 
 export interface SpineListener {
@@ -73,7 +73,7 @@ export class Spine {
       );
   }
 
-  /** Unacknowledged lamps, and whether another lamp was lit since the last call. */
+  /** Returns the level of the unacknowledged lamps, and whether another lamp was lit since the last call. */
   takeAlarm(): { readonly alarm: Alarm; readonly more: boolean } {
     const levels = [...this.unseen].map((name) => this.lit.get(name)?.level);
     const alarm = levels.includes('warning') ? 'warning' : levels.length > 0 ? 'caution' : 'none';
@@ -111,7 +111,7 @@ export class Spine {
   }
 }
 
-/** `1 warning, 2 cautions`; empty if neither is lit. */
+/** Returns the number of lamps, such as `1 warning, 2 cautions`; empty if none is lit. */
 export function counted(lamps: readonly Pick<SpineLamp, 'level'>[]): string {
   return (['warning', 'caution'] as const)
     .map((name) => ({ name, count: lamps.filter(({ level }) => level === name).length }))

@@ -1,7 +1,7 @@
 /**
  * The page PDRS CONTROL over the monitors, modelled on the Shuttle's display SPEC 94: the target, the stored points,
- * the switches of position hold and of ORB LD, and the payload table. Items have the numbers of SPEC 94; items without a
- * function here are omitted.
+ * the switches of POSITION HOLD and of ORB LD, and the payload table. Items have the numbers of SPEC 94. Items
+ * without a function in this simulator are omitted.
  */
 
 import { keyOf } from '../../input/layout';
@@ -136,7 +136,7 @@ export class ControlPage {
     setAttribute(this.done, 'title', `${keyOf('control page')} or Esc`);
   }
 
-  /** The point of resolution of the present mode. */
+  /** Returns the name of the point of resolution of the present mode. */
   private pointOf({ mode }: Frame): string {
     const point = this.desk.welcome.modes.find(({ position }) => position === mode)?.point;
     return point === 'payload' ? 'payload' : 'tip';

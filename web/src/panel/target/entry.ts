@@ -1,4 +1,4 @@
-/** Fields for the end position and attitude of OPR CMD, and the keys that fill them and set the target. */
+/** Fields for the end position and attitude of OPR CMD, and the buttons that fill them and set the target. */
 
 import type { Frame, Vec3 } from '../../link/protocol';
 import { attitude, fixed, parseNumber } from '../../words/format';
@@ -13,7 +13,7 @@ export interface Entry {
   readonly element: HTMLElement;
   /** Whether a typed value is not keyed in yet. */
   edited(): boolean;
-  /** Whether nothing was typed or keyed in, so that the fields show the present point. */
+  /** Whether nothing was typed or keyed in; the fields then show the tip's present pose. */
   follows(): boolean;
   /** Sends the fields as the target; returns false if a field does not contain a number. */
   keyIn(): boolean;
@@ -80,14 +80,14 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     });
   }
 
-  /** Shows the present point, unless a field has the focus; nothing if it is the payload's point. */
+  /** Shows the tip's pose if no field has the focus. If the point of resolution is the payload's, clears them. */
   function follow(frame: Frame, shown: Units): void {
     if (element.contains(document.activeElement)) return;
     if (showsTip(frame)) write(frame.display.actual.position, frame.display.actual.attitude, shown);
     else fill([]);
   }
 
-  /** Whether the point of resolution is the tip, which OPR CMD moves. */
+  /** Returns whether the point of resolution is the tip. OPR CMD moves the tip. */
   function showsTip({ mode }: Frame): boolean {
     return desk.welcome.modes.find(({ position }) => position === mode)?.point !== 'payload';
   }
@@ -143,7 +143,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     set(frame, shown) {
       latest = frame;
       if (units && units !== shown) convert(units, shown);
-      // The typed values stay until the station has another target, so that a rejected one can be corrected.
+      // The typed values stay until the station has another target, so that rejected values can be corrected.
       const { aim } = frame.display;
       const key = aim ? JSON.stringify([aim.position, aim.attitude]) : '';
       if (!aim && aimed && !edited) follows = true; // the run was restarted

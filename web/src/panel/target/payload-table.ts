@@ -1,4 +1,4 @@
-/** The payload table of SPEC 94: the steering's limits with each payload captured, and the captured payload. */
+/** The payload table of SPEC 94: limits of the steering with each payload; the captured payload is marked. */
 
 import type { Display, Frame, PayloadInfo, Welcome } from '../../link/protocol';
 import { degrees, fixed } from '../../words/format';
@@ -74,7 +74,7 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
   };
 }
 
-/** Vector from the tip to the point of resolution, which is known once the payload is captured. */
+/** Returns the vector from the tip to the payload's point of resolution. It is known only while it is captured. */
 function offsetWords({ id }: PayloadInfo, { payload_id, por_offset }: Display, length: Unit): string {
   if (id === 0) return 'at the tip';
   if (id !== payload_id) return 'set by capture';

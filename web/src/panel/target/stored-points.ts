@@ -21,7 +21,7 @@ export interface StoredPoints {
 }
 
 export function storedPoints(sequences: readonly StoredSequence[]): StoredPoints {
-  /** The displayed sequence; null for the entered one, or else the first that has points. */
+  /** The displayed sequence; null for the sequence of the entered mode, or else the first sequence that has points. */
   let chosen: string | null = null;
   let entered = '';
   const keys = SLOTS.map(([item, position]) => {
@@ -104,17 +104,17 @@ export function storedPoints(sequences: readonly StoredSequence[]): StoredPoints
   };
 }
 
-/** The point to which a sequence moves, or with which it begins. */
+/** Returns the number of the point to which a sequence moves, or with which it will begin. */
 export function startPoint(
   position: string,
   { mode, point }: Pick<Frame, 'mode' | 'point'>,
   points: number,
 ): number {
   if (position !== mode) return Math.min(1, points);
-  return point > points ? 1 : point; // a complete sequence begins again
+  return point > points ? 1 : point; // a complete sequence begins again at its first point
 }
 
-/** Index of the first visible point (from 0) such that the next point (from 1) is visible. */
+/** Returns the index of the first visible row (from 0) at which the next point (its number from 1) is visible. */
 export function firstShown(next: number, points: number): number {
   return Math.max(0, Math.min(next - 2, points - ROWS));
 }

@@ -10,7 +10,7 @@ import { entry } from './entry';
 import { route } from './route';
 
 export interface TargetGroup extends Part {
-  /** Keys in the typed values, then starts the motion. */
+  /** Keys in the typed values if there are any, then sends PROCEED. */
   proceed(): void;
 }
 
