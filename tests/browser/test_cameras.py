@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page
 
 from tests.browser.conftest import NARROW, SIZES, OpenPage
-from tests.browser.flight import WAIT_MS, Flight, shows
+from tests.browser.flight import FLIES, WAIT_MS, WATCHES, Flight, shows
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -238,7 +238,7 @@ def test_monitor_window_shows_the_camera_of_its_monitor(flight: Flight) -> None:
     second.until(shows(0, "G"))
     page.get_by_role("button", name="P1", exact=True).click()
     flight.until(shows(1, "P1"))
-    assert "You fly" in flight.page.locator(".rail .who").inner_text()
+    assert flight.script(FLIES)
     assert errors == []
     page.close()
 
@@ -271,8 +271,8 @@ def test_nothing_scrolls_overlaps_or_fades(flight: Flight) -> None:
 
 def test_turning_a_fixed_camera_is_rejected_in_the_log(flight: Flight) -> None:
     flight.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="AFT", exact=True).click()
-    flight.hold("ArrowRight")
-    flight.until_logged("AFT is fixed.")
+    with flight.logs("page"):
+        flight.hold("ArrowRight")
     flight.release("ArrowRight")
 
 
@@ -307,7 +307,7 @@ def test_drag_pans_and_tilts_and_the_wheel_zooms_the_camera(flight: Flight) -> N
 
 def test_drag_of_an_observer_turns_no_camera(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
-    watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
+    watcher.until(WATCHES)
     watcher.press("3")
     picture = watcher.page.locator(".picture").first
     picture.hover()
@@ -316,8 +316,8 @@ def test_drag_of_an_observer_turns_no_camera(flight: Flight, open_page: OpenPage
     watcher.page.mouse.down()
     box = picture.bounding_box()
     assert box is not None
-    watcher.page.mouse.move(box["x"] + 30, box["y"] + 30, steps=3)
-    watcher.until_logged("Observing: only the operator can move cameras.")
+    with watcher.logs("page"):
+        watcher.page.mouse.move(box["x"] + 30, box["y"] + 30, steps=3)
     watcher.page.mouse.up()
     steady(watcher)
     assert watcher.frame().views == before

@@ -28,11 +28,12 @@ def test_name_replaces_the_number_of_the_page(flight: Flight, open_page: OpenPag
     flight.until(f"{WHO} === 'You fly · Ben watches'")
     watcher.page.get_by_role("button", name="Ask for the sticks").click()
     flight.page.get_by_text("Ben asks for the sticks.").wait_for()
-    with watcher.shows(f"{WHO} === 'Wanda Berg ▸ Ben'"):
+    with flight.logs("hand-over"), watcher.logs("hand-over"), watcher.shows(f"{WHO} === 'Wanda Berg ▸ Ben'"):
         flight.page.get_by_role("button", name="Give").click()
     flight.until(f"{WHO} === 'You watch · Ben flies'")
     for page in (flight, watcher):
-        page.until_logged("Wanda Berg gives the sticks to Ben")
+        line = page.page.locator(".log [data-kind=hand-over]").first.inner_text()
+        assert "Wanda Berg" in line and "Ben" in line
 
 
 def test_browser_stores_the_name_until_it_is_deleted(flight: Flight, open_page: OpenPage) -> None:
