@@ -286,7 +286,7 @@ def test_drag_pans_and_tilts_and_the_wheel_zooms_the_camera(flight: Flight) -> N
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     pan, tilt, angle = flight.frame().views[2]
     page.mouse.move(*middle)
-    page.locator(".picture").nth(1).get_by_text("drag: pan, tilt").wait_for(state="visible")
+    page.locator(".picture").nth(1).locator(".hint").wait_for(state="visible")
     page.mouse.down()
     flight.until("document.querySelectorAll('.monitor')[1].matches('.in-hand')")
     page.mouse.move(middle[0] + 60, middle[1] - 60, steps=3)
@@ -311,7 +311,7 @@ def test_drag_of_an_observer_turns_no_camera(flight: Flight, open_page: OpenPage
     watcher.press("3")
     picture = watcher.page.locator(".picture").first
     picture.hover()
-    picture.get_by_text("observing: only the operator moves cameras").wait_for(state="visible")
+    picture.locator(".barred").wait_for(state="visible")
     before = watcher.frame().views
     watcher.page.mouse.down()
     box = picture.bounding_box()
