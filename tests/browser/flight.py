@@ -21,10 +21,16 @@ ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
 
 WHO = "document.querySelector('.rail .who').textContent"
 """JavaScript: text of the rail that names the operator."""
+FLIES = "document.querySelector('.rail .who').matches('.flying')"
+"""JavaScript condition: the page is in control."""
+OBSERVES = "document.querySelector('.rail .who').matches(':not(.flying, .lost)')"
+"""JavaScript condition: the page observes."""
 NAMING = "!document.querySelector('.choices.naming').hidden"
 """JavaScript: the field for the name is open."""
 TYPING = "document.body.classList.contains('typing')"
 """JavaScript: keys write text and do not fly."""
+LOGGED = "[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.dataset.kind)"
+"""JavaScript: kinds of the lines of the log that are on the page, the newest first."""
 
 WATCH = """() => {
     window.shown = false;
@@ -46,7 +52,7 @@ class Flight:
 
     def from_the_start(self) -> Flight:
         """Wait until this page has control, then restart the scenario."""
-        self.until("document.querySelector('.who').textContent.startsWith('You fly') && frame.time_s > 1")
+        self.until(f"{FLIES} && frame.time_s > 1")
         before = self.script("window.__aftdeck.restarts")
         self.page.get_by_role("button", name="Restart").click()
         self.until(f"window.__aftdeck.restarts > {before}")
@@ -117,13 +123,24 @@ class Flight:
         """Press a button of the page by its name."""
         self.page.get_by_role("button", name=name, exact=True).click()
 
-    def until_logged(self, text: str) -> None:
-        """Wait for a line of the log. Opens the whole log meanwhile, because only the last three lines are shown."""
+    @contextmanager
+    def logs(self, kind: str) -> Iterator[None]:
+        """Wait until the actions of the `with` block have added a line of this kind to the log."""
+        lines = f"document.querySelectorAll('.log.wrapped [data-kind=\"{kind}\"]').length"
+        with self._whole_log():
+            before = self.script(lines)
+        yield
+        with self._whole_log():
+            self.until(f"{lines} > {before}")
+
+    @contextmanager
+    def _whole_log(self) -> Iterator[None]:
+        """Open the whole log inside the `with` block, because otherwise only the last three lines are on the page."""
         more = self.page.locator(".events .more")
         opened = more.get_attribute("aria-expanded") == "false"
         if opened:
             more.dispatch_event("click")  # does not move the pointer or the focus
-        self.page.locator(".log").get_by_text(text).first.wait_for(state="attached")
+        yield
         if opened:
             more.dispatch_event("click")
 

@@ -63,11 +63,11 @@ def test_keys_acquire_lift_and_release_the_payload(flight: Flight) -> None:
     flight.until(f"/fingers .* apart, at most .* allowed/.test({TITLE})")
 
     # The prong closes and acquires the payload.
-    flight.hold("g")
-    flight.until("frame.work.hand.switch === 'close'")
-    flight.release("g")
+    with flight.logs("acquired"):
+        flight.hold("g")
+        flight.until("frame.work.hand.switch === 'close'")
+        flight.release("g")
     flight.until(f"{HELD} && document.querySelector('.effector .about').textContent.startsWith('payload, ')")
-    flight.until_logged("Payload acquired")
     flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
     flight.until(f"{TITLE} === 'insert in the Cargo bayall met: release, hold R'")
 
@@ -82,10 +82,10 @@ def test_keys_acquire_lift_and_release_the_payload(flight: Flight) -> None:
     assert_readable(flight)
 
     # The released payload stays at its position.
-    flight.hold("r")
-    flight.until(f"!{HELD} && frame.work.cargo[0].seat === ''")
-    flight.release("r")
-    flight.until_logged("Payload released: it is free")
+    with flight.logs("released"):
+        flight.hold("r")
+        flight.until(f"!{HELD} && frame.work.cargo[0].seat === ''")
+        flight.release("r")
     assert _position(flight, "payload")[2] > lowest + 0.9
 
 

@@ -34,7 +34,7 @@ SEAT = "frame.work.cargo[0].seat"
 UNTIL = {
     "captured": "frame.work.cargo[0].held",
     "released": "!frame.work.cargo[0].held",
-    "latched": f"{SEAT} !== '' && /latched$|docked at/m.test(document.querySelector('.log').innerText)",
+    "latched": f"{SEAT} !== '' && document.querySelector('.log :is([data-kind=latched], [data-kind=docked])')",
     "unlatched": f"{SEAT} === ''",
 }
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import Flight
+from tests.browser.flight import FLIES, Flight
 from tests.browser.layout_checks import assert_readable
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -35,7 +35,7 @@ def test_scenario_chosen_from_the_list_opens_on_every_page(flight: Flight, open_
         page.until(f"frame && {TITLE} === 'Three singularities' && frame.time_s < 30")
     for page in (flight, observer):
         page.until("document.querySelector('.desk').checkVisibility()")
-    flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
+    flight.until(FLIES)
     observer.until("document.querySelector('.who').textContent === 'Observing · page 1 flies'")
     flight.hold("s")
     flight.until("frame.translation[0] < -0.9")

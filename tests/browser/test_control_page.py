@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.browser.conftest import OpenPage
-from tests.browser.flight import WAIT_MS, Flight
+from tests.browser.flight import OBSERVES, WAIT_MS, Flight
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 expect.set_options(timeout=WAIT_MS)
@@ -90,11 +90,11 @@ def test_arm_can_be_flown_while_the_control_page_is_open(flight: Flight) -> None
 
 def test_observer_reads_the_control_page_but_cannot_switch(flight: Flight, open_page: OpenPage) -> None:
     observer = open_page()
-    observer.until("document.querySelector('.who').textContent.startsWith('Observing')")
+    observer.until(OBSERVES)
     sheet = open_control_page(observer)
     expect(sheet.locator(".payload-table tr.held")).to_contain_text("no payload")
-    sheet.get_by_role("button", name="Key in").click()
-    observer.until_logged("Observing: only the operator can do that.")
+    with observer.logs("page"):
+        sheet.get_by_role("button", name="Key in").click()
     assert flight.frame().display.aim is None
 
 

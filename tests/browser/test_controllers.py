@@ -11,7 +11,7 @@ from playwright.sync_api import Locator, Page, expect
 
 from aftdeck.recording.reader import Recording
 from tests.browser.conftest import SIZES, OpenPage, running_station
-from tests.browser.flight import WAIT_MS, Flight
+from tests.browser.flight import FLIES, WAIT_MS, Flight
 from tests.browser.layout_checks import assert_readable
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -121,7 +121,7 @@ def test_reassigned_key_flies_and_is_stored_and_recorded(flight: Flight, recordi
         assert flight.until(f"frame.tick > {tick + 25}").translation == (0, 0, 0)
         flight.release("w")
         flight.page.reload()
-        flight.until("document.querySelector('.who')?.textContent.startsWith('You fly')")
+        flight.until(FLIES)
 
     newest = max(recordings.glob("*.mcap"), key=lambda path: path.stat().st_mtime)
     flown_with = [used for record in Recording(newest).controllers() for used in record.controllers]

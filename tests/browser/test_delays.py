@@ -86,10 +86,13 @@ def test_figures_and_pictures_have_the_delays_of_the_scenario(page: Flight) -> N
 
 @pytest.mark.slow
 def test_log_and_mode_have_the_telemetry_delay(page: Flight) -> None:
-    page.script("""() => new MutationObserver(() => {
-        const line = [...document.querySelectorAll('.log li')].some((line) => line.textContent.includes('END EFF'));
-        window.logged ??= line ? performance.now() : undefined;
-    }).observe(document.querySelector('.log'), { childList: true, subtree: true, characterData: true })""")
+    page.script("""() => {
+        const lines = () => document.querySelectorAll('.log [data-kind=mode]').length;
+        const before = lines();
+        new MutationObserver(() => {
+            window.logged ??= lines() > before ? performance.now() : undefined;
+        }).observe(document.querySelector('.log'), { childList: true, subtree: true, characterData: true });
+    }""")
     page.enter("END EFF")
     page.until("window.logged")
     entered = page.script("window.arrived.find(({ mode }) => mode === 'END EFF').came")

@@ -9,6 +9,7 @@ import pytest
 
 from tests.browser.conftest import SIZES
 from tests.browser.firefox import ESCAPE, Firefox, find_programs, started
+from tests.browser.flight import FLIES
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -45,7 +46,7 @@ def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
     with started(programs, tmp_path_factory.mktemp("profile")) as browser:
         browser.go(f"{station}?quality=low")
         browser.resize(1280, 720)
-        browser.until("frame?.time_s > 1 && document.querySelector('.who').textContent.startsWith('You fly')")
+        browser.until(f"frame?.time_s > 1 && {FLIES}")
         browser.until(TUTORIAL)  # the tutorial opens by itself on the first visit
         press_rail(browser, "Guide")
         browser.until(f"!{TUTORIAL}")

@@ -156,8 +156,8 @@ def test_target_that_is_not_a_number_is_rejected(flight: Flight) -> None:
     flight.turn_to("OPR CMD")
     field = flight.page.get_by_label("Target Y", exact=True)
     field.fill("far")
-    field.press("Enter")
-    flight.page.get_by_text("Target Y: “far” is not a number.").first.wait_for()
+    with flight.logs("page"):
+        field.press("Enter")
     assert flight.frame().display.aim is None
 
 

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Browser, Page, WebSocketRoute
 
 from aftdeck.station.messages.kinds import PROTOCOL
-from tests.browser.flight import WAIT_MS, Flight
+from tests.browser.flight import FLIES, WAIT_MS, Flight
 
 pytestmark = pytest.mark.browser
 
@@ -65,7 +65,7 @@ def test_reconnected_page_has_zero_sticks_and_position_hold(page: Page, station:
     page.get_by_text("No connection").wait_for()
     flight.until_lit("LINK")
     cut = False
-    flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
+    flight.until(FLIES)
     flight.until("!document.body.classList.contains('stale')")
     flight.until("frame.translation[0] === 0 && frame.position_hold && !frame.rate_hold")
 

@@ -6,9 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from aftdeck.station.session.unattended import CAUSES
 from tests.browser.conftest import NARROW, OpenPage, running_station
-from tests.browser.flight import Flight, shows
+from tests.browser.flight import FLIES, OBSERVES, Flight, shows
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -21,8 +20,6 @@ TABLET = (768, 1024)
 
 GROUPS = ["thc", "rhc", "mode", "resolution", "joints", "clearance", "effector", "look-ahead", "events", "singularity"]
 RAIL_KEYS = ["Restart", "Light", "Dim", "Tutorial", "Controllers"]
-FLIES = "document.querySelector('.who').textContent.startsWith('You fly')"
-OBSERVES = "document.querySelector('.who').textContent.startsWith('Observing')"
 IS_TOO_NARROW = "document.querySelector('.too-narrow').checkVisibility()"
 SCROLLS = "((desk) => desk.scrollHeight > desk.clientHeight)(document.querySelector('.desk'))"
 FORWARD = "frame.translation[0] > 0.9"
@@ -150,9 +147,9 @@ def test_page_made_too_narrow_loses_the_sticks_until_it_is_wide(open_page: OpenP
     flight = open_page(*TABLET).from_the_start()
     flight.hold("w")
     flight.until(FORWARD)
-    _resize(flight, PHONE)
-    flight.until(f"{OBSERVES} && {IS_TOO_NARROW} && frame.translation[0] === 0 && frame.position_hold")
-    flight.until_logged(CAUSES["page narrow"])
+    with flight.logs("hands off"):
+        _resize(flight, PHONE)
+        flight.until(f"{OBSERVES} && {IS_TOO_NARROW} && frame.translation[0] === 0 && frame.position_hold")
     flight.release("w")
     _resize(flight, TABLET)
     flight.until(FLIES)

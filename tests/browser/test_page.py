@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import Flight
+from tests.browser.flight import FLIES, OBSERVES, Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = pytest.mark.browser
@@ -64,7 +64,7 @@ def test_tab_order_is_monitors_then_spine_then_desk(flight: Flight) -> None:
 
 def test_second_page_observes(flight: Flight, open_page: OpenPage) -> None:
     observer = open_page()
-    observer.until("document.querySelector('.who').textContent.startsWith('Observing')")
+    observer.until(OBSERVES)
     observer.hold("w")
     tick = observer.frame().tick
     observer.until(f"frame.tick > {tick + 25}")
@@ -127,17 +127,15 @@ def test_pictures_are_equal_on_a_graphics_card_and_when_read_back(open_page: Ope
 
 def test_observer_asks_for_the_sticks_and_flies_after_they_are_given(flight: Flight, open_page: OpenPage) -> None:
     observer = open_page()
-    who = "document.querySelector('.who').textContent"
-    observer.until(f"{who}.startsWith('Observing')")
+    observer.until(OBSERVES)
     observer.page.get_by_role("button", name="Ask for the sticks").click()
-    flight.page.get_by_text("asks for the sticks").wait_for()
-    flight.page.get_by_role("button", name="Keep").click()
-    observer.until_logged("keeps the sticks")
+    with observer.logs("page"):
+        flight.page.get_by_role("button", name="Keep").click()
     observer.page.get_by_role("button", name="Ask for the sticks").click()
-    flight.page.get_by_role("button", name="Give").click()
-    observer.until(f"{who}.startsWith('You fly')")
-    flight.until(f"{who}.startsWith('Observing')")
+    with observer.logs("hand-over"):
+        flight.page.get_by_role("button", name="Give").click()
+    observer.until(FLIES)
+    flight.until(OBSERVES)
     observer.hold("w")
     observer.until("frame.translation[0] === 1")
     observer.release("w")
-    observer.until_logged("gives the sticks to page")

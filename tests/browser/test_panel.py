@@ -108,11 +108,11 @@ def test_rejection_and_task_are_not_cut_off_in_the_log(open_page: OpenPage, widt
         .map((line) => line.textContent)"""
     flight = open_page(width, height).from_the_start()
     flight.hold("g")
-    flight.until("document.querySelector('.log li.whole').textContent.includes('CAPTURE refused: ')")
+    flight.until("document.querySelector('.log li.whole').dataset.kind === 'refused'")
     flight.release("g")
     assert flight.script(cut_off.replace("LINES", ".events > .log li.whole > span")) == []
     flight.press_key("more")
-    flight.until("document.querySelector('.log.wrapped').textContent.includes('draw the arm clear.')")
+    flight.until("document.querySelector('.log.wrapped .hint')")
     assert flight.script(cut_off.replace("LINES", ".log.wrapped span")) == []
     pressed = flight.script("""[...document.querySelectorAll('.desk button:not(:disabled)')].filter((key) => {
         const { left, right, top, bottom } = key.getBoundingClientRect();

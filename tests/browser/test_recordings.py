@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.browser.conftest import OpenPage, running_station
-from tests.browser.flight import WHO, Flight
+from tests.browser.flight import FLIES, Flight
 from tests.browser.layout_checks import collisions
 
 pytestmark = pytest.mark.browser
@@ -39,4 +39,4 @@ def test_replay_opens_from_the_page_and_returns_to_the_flight(open_page: OpenPag
     assert replay.until("!(frame.time_s < 1.5)").time_s >= ended.time_s
     replay.page.get_by_role("link", name="Back to flight").click()
     flight.page.wait_for_url(station)
-    Flight(flight.page).until(f"{WHO} === 'You fly'")
+    Flight(flight.page).until(FLIES)

@@ -18,15 +18,15 @@ SEQUENCE_MS = 240_000
 
 def test_proceed_flies_the_sequence_to_its_pause_point(flight: Flight) -> None:
     flight.until(f"{POINT} === 'Point 1 of 4'")
-    flight.press("p")
-    flight.until("frame.sequence === 'in progress'")
-    flight.until("document.querySelectorAll('.sequence small')[1].matches('.lit')")
-    flight.until("Number(document.querySelectorAll('.route dd')[2].textContent) > 0")
-    flight.until(f"frame.point > 1 && {POINT} === `Point ${{frame.point}} of 4`", SEQUENCE_MS)
-    flight.until("frame.sequence === 'ready' && frame.point === 4", SEQUENCE_MS)
+    with flight.logs("sequence"):
+        flight.press("p")
+        flight.until("frame.sequence === 'in progress'")
+        flight.until("document.querySelectorAll('.sequence small')[1].matches('.lit')")
+        flight.until("Number(document.querySelectorAll('.route dd')[2].textContent) > 0")
+        flight.until(f"frame.point > 1 && {POINT} === `Point ${{frame.point}} of 4`", SEQUENCE_MS)
+        flight.until("frame.sequence === 'ready' && frame.point === 4", SEQUENCE_MS)
     flight.until("/PROCEED continues/.test(document.querySelector('.route .to-go').textContent)")
     flight.until("/GOOD/.test(document.querySelector('.check.good')?.textContent ?? '')")
-    flight.until_logged("pause point: PROCEED continues the sequence")
 
 
 def test_proceed_continues_a_stopped_sequence(flight: Flight) -> None:

@@ -27,7 +27,7 @@ def test_page_shows_the_progress_and_then_the_station(browser: Browser) -> None:
         page = opened(browser, port)
         page.get_by_text("Loading.").wait_for()
         slow.go.set()
-        page.get_by_text("You fly").wait_for()
+        page.locator(".rail .who.flying").wait_for()
         page.close()
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from aftdeck.station.messages.frame import Frame
 from tests.browser.conftest import NARROW, SIZES, OpenPage
-from tests.browser.flight import Flight
+from tests.browser.flight import FLIES, Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -94,8 +94,8 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
 
     # Lift: the latches open first, then the payload moves with the arm.
     flight.until(f"{WORDS}.includes('Hold Menu + South')")
-    flight.pad_buttons(MENU, SOUTH)
-    flight.until_logged("latches of the Payload bay latches opening")
+    with flight.logs("unlatch"):
+        flight.pad_buttons(MENU, SOUTH)
     flight.pad_buttons()
     flight.until(f"frame.work.cargo[0].seat === '' && {WORDS}.startsWith('The payload is free.')", LATCHES_MS)
     flight.pad_buttons(SOUTH)
@@ -126,7 +126,7 @@ def test_tutorial_opens_once_by_itself_and_by_its_key(open_page: OpenPage) -> No
 
     flight.page.reload()
     flight = Flight(flight.page)
-    flight.until("document.querySelector('.who').textContent.startsWith('You fly') && window.__aftdeck.frames > 20")
+    flight.until(f"{FLIES} && window.__aftdeck.frames > 20")
     assert not flight.script(OPEN)
     flight.press_key("Guide")
     flight.until(f"{OPEN} && {STEP} === '1 of 6'")

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, Page
 
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import WAIT_MS, Flight, shows
+from tests.browser.flight import FLIES, OBSERVES, WAIT_MS, Flight, shows
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -114,7 +114,7 @@ def test_window_of_a_closed_page_selects_cameras_by_itself(flight: Flight, secon
     second.press("1")
     second.until(shows(0, "A"))
     flight.page.go_back()
-    flight.until("frame && document.querySelector('.who').textContent.startsWith('You fly')")
+    flight.until(FLIES)
     second.until(HANDLES)
     second.hold("w")
     flight.until(FORWARD)
@@ -184,13 +184,13 @@ def test_two_pages_of_one_browser_have_separate_windows(flight: Flight) -> None:
     opened.value.set_default_timeout(WAIT_MS)
     other = Flight(opened.value)
     flight.press("1")
-    other.until("document.querySelector('.who').textContent.startsWith('Observing')")
+    other.until(OBSERVES)
     other.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="C", exact=True).click()
     first, second = open_window(flight, own_window(flight, 0)), open_window(other, own_window(other, 0))
     first.until(f"{shows(0, 'A')} && {HANDLES}")
     second.until(f"{shows(0, 'C')} && {who('Observing')}")
     other.page.reload()
-    other.until("document.querySelector('.who').textContent.startsWith('Observing')")
+    other.until(OBSERVES)
     other.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="D", exact=True).click()
     second.until(shows(0, "D"))
     flight.press("2")
@@ -205,6 +205,6 @@ def test_two_pages_of_one_browser_have_separate_windows(flight: Flight) -> None:
 
 def test_blocked_window_is_reported(open_page: OpenPage) -> None:
     flight = open_page(prepare=lambda page: page.add_init_script("window.open = () => null"))
-    flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
-    own_window(flight, 0).click()
-    flight.until_logged("Pop-ups are blocked")
+    flight.until(FLIES)
+    with flight.logs("page"):
+        own_window(flight, 0).click()

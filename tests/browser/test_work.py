@@ -11,7 +11,7 @@ import pytest
 from aftdeck.simulation.frame import WayOut
 from aftdeck.worksite.report import Objective
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import Flight
+from tests.browser.flight import FLIES, Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy
 from tests.browser.worksite import PRONG, SNARES, Worksite, condition, info, near, work
 
@@ -58,7 +58,7 @@ def open_worksite(open_page: OpenPage) -> OpenWorksite:
         worksite: Worksite, width: int = 1280, height: int = 720, pad: bool = False
     ) -> tuple[Flight, Worksite]:
         flight = open_page(width, height, pad, worksite.intercept)
-        flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
+        flight.until(FLIES)
         return flight, worksite
 
     return open_one

@@ -1,54 +1,253 @@
-import { expect, test } from 'vitest';
-import { clipped, labelPlace } from '../src/panel/monitors/label-place';
+import { afterEach, beforeEach, describe, expect, it, test, vi } from 'vitest';
+import { Monitors } from '../src/cameras/monitors';
+import type { Camera } from '../src/link/protocol';
+import { bay } from './camera-values';
+import { small, useSmallPage } from './small-page';
 
-const BOX = { left: 0, top: 0, right: 100, bottom: 80 };
+beforeEach(useSmallPage);
 
-test('a line is clipped at the edges of the picture', () => {
-  expect(clipped({ x: -50, y: 40 }, { x: 50, y: 40 }, BOX)).toEqual([
-    { x: 0, y: 40 },
-    { x: 50, y: 40 },
-  ]);
-  expect(clipped({ x: 10, y: -5 }, { x: 90, y: -1 }, BOX)).toBeNull();
-  expect(clipped({ x: -30, y: 70 }, { x: 30, y: 130 }, BOX)).toBeNull();
-  expect(clipped({ x: 10, y: 10 }, { x: 10, y: 10 }, BOX)).not.toBeNull();
+afterEach(() => {
+  vi.unstubAllGlobals();
 });
 
-test('a label is placed away from the centre and covers nothing', () => {
-  const picture = { width: 600, height: 400 };
-  const label = { width: 60, height: 20 };
-  const at = (x: number, y: number, taken: (typeof BOX)[] = []) =>
-    labelPlace(
+const NAMES = [...'ABCDEFGHIJKL'];
+const CAMERAS: readonly Camera[] = NAMES.map((name) => ({ ...bay, name }));
+const [A, B, C] = CAMERAS as [Camera, Camera, Camera, ...Camera[]];
+
+/** Both monitors with camera A; cameras A to L. */
+function made() {
+  const changed = vi.fn();
+  const chosen = vi.fn();
+  const monitors = new Monitors(CAMERAS, A, {
+    ...{ changed, chosen, turns: true },
+    round() {},
+    orbited() {},
+  });
+  return {
+    ...{ monitors, changed, chosen },
+    /** Cameras of each monitor, and the position of the selected picture among all. */
+    state: () => {
+      const pictures = monitors.both.flatMap((monitor) => monitor.pictures);
+      const selected = pictures.indexOf(monitors.hand.picture);
+      return `${monitors.shown.map((names) => names.join('')).join(' ')} ${selected}`;
+    },
+  };
+}
+
+test('MON 1 is selected first, and no camera is chosen', () => {
+  const { monitors, state } = made();
+  expect(state()).toBe('A A 0');
+  expect(monitors.chosen).toBe(false);
+});
+
+test('a camera is put on the selected monitor', () => {
+  const { monitors, state, changed, chosen } = made();
+  monitors.choose(B);
+  monitors.take(1);
+  monitors.choose(C);
+  expect(state()).toBe('B C 1');
+  expect(monitors.camera).toBe(C);
+  expect(monitors.chosen).toBe(true);
+  expect([changed.mock.calls.length, chosen.mock.calls.length]).toEqual([2, 2]);
+});
+
+describe('a digit', () => {
+  it.each([
+    ['pressed once', [[0, 1]], 'B'],
+    [
+      'pressed again within 0.7 s',
       [
-        { x, y },
-        { x: x + 20, y },
+        [0, 1],
+        [699, 1],
       ],
-      label,
-      picture,
-      taken,
-    );
-  expect(at(200, 200).x + label.width).toBeLessThan(200);
-  expect(at(400, 200).x).toBeGreaterThan(420);
-  expect(at(10, 200).x).toBeGreaterThan(30);
-  const beside = { left: 100, top: 150, right: 199, bottom: 250 };
-  expect(at(200, 200, [beside]).x).toBeGreaterThan(220);
-  const corner = { left: 480, top: 370, right: 600, bottom: 400 };
-  const { x: left, y: top } = at(575, 385, [corner]);
-  expect(left < 480 - label.width || top <= 370 - label.height).toBe(true);
-  for (const x of [-10, 0, 300, 590, 620]) {
-    const { x: left, y: top } = at(x, 2);
-    expect(left >= 0 && top >= 0 && left + label.width <= 600 && top + label.height <= 400).toBe(true);
-  }
+      'L',
+    ],
+    [
+      'pressed again after 0.7 s',
+      [
+        [0, 1],
+        [700, 1],
+      ],
+      'B',
+    ],
+    [
+      'pressed three times',
+      [
+        [0, 1],
+        [300, 1],
+        [600, 1],
+      ],
+      'B',
+    ],
+    [
+      'pressed four times',
+      [
+        [0, 1],
+        [200, 1],
+        [400, 1],
+        [600, 1],
+      ],
+      'L',
+    ],
+    [
+      'pressed after another one',
+      [
+        [0, 0],
+        [300, 1],
+      ],
+      'B',
+    ],
+    [
+      'pressed again after another one',
+      [
+        [0, 1],
+        [200, 0],
+        [400, 1],
+      ],
+      'B',
+    ],
+    [
+      'of no camera in the second bank',
+      [
+        [0, 2],
+        [300, 2],
+      ],
+      'C',
+    ],
+  ] as const)('%s selects a camera', (_, presses, name) => {
+    const { monitors } = made();
+    for (const [now, index] of presses) monitors.chooseDigit(index, 5000 + now);
+    expect(monitors.camera.name).toBe(name);
+  });
+
+  it('without a camera changes nothing', () => {
+    const monitors = new Monitors([A, B], A, {
+      changed: () => expect.fail(),
+      chosen: () => expect.fail(),
+      round() {},
+      orbited() {},
+      turns: true,
+    });
+    monitors.chooseDigit(2, 0);
+    expect(monitors.shown).toEqual([['A'], ['A']]);
+  });
 });
 
-test('a label at a slanted line is 12 px from it', () => {
-  const label = { width: 40, height: 20 };
-  const [a, b] = [
-    { x: 300, y: 100 },
-    { x: 500, y: 200 },
-  ];
-  const { x, y } = labelPlace([a, b], label, { width: 600, height: 400 }, []);
-  const corners = [x, x + label.width].flatMap((u) => [y, y + label.height].map((v) => ({ u, v })));
-  const off = corners.map(({ u, v }) => (100 * (u - a.x) - 200 * (v - a.y)) / Math.hypot(200, 100));
-  expect(Math.min(...off.map(Math.abs))).toBeCloseTo(12, 6);
-  expect(new Set(off.map(Math.sign)).size).toBe(1);
+test('the cameras are stepped through in a circle', () => {
+  const { monitors } = made();
+  const step = (by: number) => {
+    monitors.step(by);
+    return monitors.camera.name;
+  };
+  expect([step(1), step(1), step(-1), step(-1), step(-1)]).toEqual(['B', 'C', 'B', 'A', 'L']);
+  expect(monitors.chosen).toBe(true);
+  for (let i = 0; i < NAMES.length; i += 1) step(1);
+  expect(monitors.camera.name).toBe('L');
+});
+
+describe('a monitor that is split', () => {
+  it('shows its camera in both halves and selects the right one', () => {
+    const { monitors, state } = made();
+    monitors.toggleSplit();
+    expect(state()).toBe('AA A 1');
+    monitors.choose(B);
+    expect(state()).toBe('AB A 1');
+  });
+
+  it('keeps the selected half when it is whole again', () => {
+    const { monitors, state } = made();
+    monitors.toggleSplit();
+    monitors.choose(B);
+    monitors.toggleSplit();
+    expect(state()).toBe('B A 0');
+  });
+
+  it('keeps the left half if that is selected', () => {
+    const { monitors, state } = made();
+    monitors.toggleSplit();
+    monitors.choose(B);
+    monitors.take(0, 0);
+    monitors.toggleSplit();
+    expect(state()).toBe('A A 0');
+  });
+
+  it('has both halves in the round of selected pictures', () => {
+    const { monitors, state } = made();
+    monitors.toggleSplit();
+    monitors.take(0, 0);
+    const round = [];
+    for (let i = 0; i < 4; i += 1) {
+      round.push(state().slice(-1));
+      monitors.takeOther();
+    }
+    expect(round).toEqual(['0', '1', '2', '0']);
+  });
+});
+
+test('another page or a recording sets the cameras of a monitor, one or two', () => {
+  const { monitors, state, changed } = made();
+  monitors.show(1, ['B', 'C']);
+  expect(state()).toBe('A BC 0');
+  monitors.show(1, ['D']);
+  expect(state()).toBe('A D 0');
+  expect(monitors.chosen).toBe(true);
+  expect(changed).toHaveBeenCalledTimes(2);
+});
+
+test('cameras that a monitor shows already change nothing', () => {
+  const { monitors, changed } = made();
+  monitors.show(0, ['A']);
+  expect(changed).not.toHaveBeenCalled();
+  expect(monitors.chosen).toBe(false);
+});
+
+test('names without a camera change no picture', () => {
+  const { monitors, state } = made();
+  monitors.show(0, ['none of them']);
+  expect(state()).toBe('A A 0');
+});
+
+test('a run begins with one camera on each monitor', () => {
+  const { monitors, state, changed, chosen } = made();
+  monitors.begin([B, C]);
+  expect(state()).toBe('B C 0');
+  expect(monitors.chosen).toBe(true);
+  expect([changed.mock.calls.length, chosen.mock.calls.length]).toEqual([1, 0]);
+});
+
+test('only the selected monitor is marked', () => {
+  const { monitors } = made();
+  const marked = () => monitors.both.map(({ element }) => small(element).classes.includes('in-hand'));
+  expect(marked()).toEqual([true, false]);
+  monitors.takeOther();
+  expect(marked()).toEqual([false, true]);
+});
+
+test('a key of the selector puts its camera on its own monitor', () => {
+  const { monitors, state } = made();
+  const key = small(monitors.both[1].element).all.find(
+    ({ tag, textContent }) => tag === 'button' && textContent === 'C',
+  );
+  key?.click();
+  expect(state()).toBe('A C 1');
+});
+
+test('the low speed of the drives is shown on both monitors', () => {
+  const { monitors } = made();
+  const pressed = () =>
+    monitors.both.map(({ element }) =>
+      small(element).querySelector('button.slow')?.getAttribute('aria-pressed'),
+    );
+  monitors.toggleSlow();
+  expect([monitors.slow, ...pressed()]).toEqual([true, 'true', 'true']);
+  monitors.toggleSlow();
+  expect([monitors.slow, ...pressed()]).toEqual([false, 'false', 'false']);
+});
+
+test('no drag turns a camera after the release of all', () => {
+  const { monitors } = made();
+  const released = monitors.both.flatMap(({ halves }) => halves).map((half) => vi.spyOn(half, 'release'));
+  monitors.release();
+  expect(released.every(({ mock }) => mock.calls.length === 1)).toBe(true);
+  expect(monitors.turning).toEqual({ pan: 0, tilt: 0, zoom: 0 });
 });

@@ -56,10 +56,10 @@ export class RunColumn {
     const lines = this.index.events.slice(Math.max(0, past - room), past).reverse();
     const hints = HINTS.slice(0, Math.max(0, room - lines.length));
     this.log.replaceChildren(
-      ...lines.map(({ time_s, level, text }) =>
+      ...lines.map(({ time_s, kind, level, text }) =>
         el(
           'li',
-          { class: level },
+          { class: level, 'data-kind': kind },
           el('time', {}, clock(time_s)),
           el('i', { class: 'sign', 'aria-label': level }),
           el('span', { title: text }, text),

@@ -86,10 +86,10 @@ export class EventsGroup {
   }
 }
 
-function entry({ time_s, level, text }: LogEvent): HTMLElement {
+function entry({ time_s, kind, level, text }: LogEvent): HTMLElement {
   return el(
     'li',
-    { class: level },
+    { class: level, 'data-kind': kind },
     el('time', {}, clock(time_s)),
     el('i', { class: 'sign', 'aria-label': level }),
     el('span', { title: text }, text),

@@ -1,0 +1,107 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Arrivals } from '../src/link/delayed-messages';
+import type { Frame, Event as LogEvent } from '../src/link/protocol';
+import { Log } from '../src/page/log';
+import type { EventsGroup } from '../src/panel/desk/events';
+
+beforeEach(() => {
+  vi.useFakeTimers();
+});
+
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+const event = (time_s: number, kind = 'mode'): LogEvent => ({ time_s, kind, level: 'info', text: 'A line' });
+
+/** A log that displays frames after a delay [s]. */
+function opened(delay = 0) {
+  const arrivals = new Arrivals({ command_delay_s: 0, telemetry_delay_s: delay, camera_delay_s: 0 });
+  const lines: LogEvent[] = [];
+  const group = { add: vi.fn((events: readonly LogEvent[]) => void lines.push(...events)), clear: vi.fn() };
+  const log = new Log(group as unknown as EventsGroup, arrivals);
+  const show = (time_s: number) => {
+    arrivals.put({ tick: 50 * time_s, time_s } as Frame, performance.now());
+  };
+  return { arrivals, lines, group, log, show };
+}
+
+test.each([
+  ['a new rejection', event(10, 'refused'), true],
+  ['a rejection 2 s old', event(8, 'refused'), true],
+  ['a rejection older than 2 s', event(7.98, 'refused'), false],
+  ['a line of another kind', event(10, 'blocked'), false],
+])('%s sets the time of the last rejection: %s', (_, line, sets) => {
+  const { log, show } = opened();
+  show(10);
+  vi.advanceTimersByTime(3000);
+  log.add([event(10), line, event(10)]);
+  expect(log.refusedAt).toBe(sets ? performance.now() : -Infinity);
+});
+
+test('a rejection before the first frame sets no time', () => {
+  const { log, lines } = opened();
+  log.add([event(0, 'refused')]);
+  expect(log.refusedAt).toBe(-Infinity);
+  expect(lines).toHaveLength(1);
+});
+
+test('lines are added with the figures of their time', () => {
+  const { arrivals, lines, log, show } = opened(1);
+  show(10);
+  arrivals.addEvents([event(10), event(10.5)]);
+  const addDue = () => log.addDue(performance.now());
+  addDue();
+  expect(lines).toEqual([event(10)]);
+  vi.advanceTimersByTime(500);
+  show(10.5);
+  addDue();
+  expect(lines).toEqual([event(10)]);
+  vi.advanceTimersByTime(1000);
+  addDue();
+  expect(lines).toEqual([event(10), event(10.5)]);
+});
+
+test('the list is not drawn again without new lines', () => {
+  const { group, log } = opened();
+  log.addDue(0);
+  log.add([]);
+  expect(group.add).not.toHaveBeenCalled();
+});
+
+test('a line of the page has the time of the displayed frame', () => {
+  const { lines, log, show } = opened(1);
+  log.say('A line');
+  show(10);
+  vi.advanceTimersByTime(500);
+  show(10.5);
+  log.say('A line', 'controller', 'info');
+  expect(lines.map(({ time_s, kind, level }) => ({ time_s, kind, level }))).toEqual([
+    { time_s: 0, kind: 'page', level: 'caution' },
+    { time_s: 10, kind: 'controller', level: 'info' },
+  ]);
+});
+
+test('only a rejection by the page sets the time of the last rejection, not its other lines', () => {
+  const { lines, log, show } = opened();
+  show(10);
+  log.say('A line');
+  expect(log.refusedAt).toBe(-Infinity);
+  vi.advanceTimersByTime(3000);
+  log.refuse('A reason');
+  expect(log.refusedAt).toBe(performance.now());
+  expect(lines.map(({ text }) => text)).toEqual(['A line', 'A reason']);
+});
+
+test('a cleared log has no lines that were not due yet', () => {
+  const { arrivals, group, log, show } = opened(1);
+  show(10);
+  arrivals.addEvents([event(10.5)]);
+  log.clear();
+  expect(group.clear).toHaveBeenCalledTimes(1);
+  vi.advanceTimersByTime(500);
+  show(10.5);
+  vi.advanceTimersByTime(1000);
+  log.addDue(performance.now());
+  expect(group.add).not.toHaveBeenCalled();
+});

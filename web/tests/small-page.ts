@@ -1,0 +1,130 @@
+import { vi } from 'vitest';
+
+/** A document with only what panel components need to be made and read: elements without a layout. */
+
+class SmallText {
+  constructor(public data: string) {}
+
+  get textContent(): string {
+    return this.data;
+  }
+}
+
+type Child = SmallElement | SmallText | string;
+
+export class SmallElement {
+  readonly attributes = new Map<string, string>();
+  readonly style = { setProperty() {} };
+  readonly offsetTop = 0;
+  readonly offsetHeight = 0;
+  hidden = false;
+  children: (SmallElement | SmallText)[] = [];
+  parent: SmallElement | null = null;
+  private readonly listeners = new Map<string, ((event: object) => void)[]>();
+
+  constructor(readonly tag: string) {}
+
+  setAttribute(name: string, value: string): void {
+    this.attributes.set(name, value);
+    if (name === 'hidden') this.hidden = true;
+  }
+
+  getAttribute(name: string): string | null {
+    return this.attributes.get(name) ?? null;
+  }
+
+  get classes(): readonly string[] {
+    return (this.getAttribute('class') ?? '').split(' ').filter((name) => name !== '');
+  }
+
+  get classList() {
+    const toggle = (name: string, on: boolean) => {
+      const others = this.classes.filter((each) => each !== name);
+      this.setAttribute('class', [...others, ...(on ? [name] : [])].join(' '));
+    };
+    return {
+      toggle,
+      add: (name: string) => toggle(name, true),
+      contains: (name: string) => this.classes.includes(name),
+    };
+  }
+
+  get firstChild() {
+    return this.children[0] ?? null;
+  }
+
+  get lastChild() {
+    return this.children.at(-1) ?? null;
+  }
+
+  get textContent(): string {
+    return this.children.map((child) => child.textContent).join('');
+  }
+
+  set textContent(text: string) {
+    this.replaceChildren(text);
+  }
+
+  append(...children: Child[]): void {
+    for (const child of children) {
+      if (child instanceof SmallElement) {
+        child.remove();
+        child.parent = this;
+      }
+      this.children.push(typeof child === 'string' ? new SmallText(child) : child);
+    }
+  }
+
+  replaceChildren(...children: Child[]): void {
+    this.children = [];
+    this.append(...children);
+  }
+
+  remove(): void {
+    if (this.parent) this.parent.children = this.parent.children.filter((child) => child !== this);
+    this.parent = null;
+  }
+
+  /** All elements within this one, in their order on the page. */
+  get all(): readonly SmallElement[] {
+    return this.children.flatMap((child) => (child instanceof SmallElement ? [child, ...child.all] : []));
+  }
+
+  /** The first element for a selector of tags and classes with spaces between them. */
+  querySelector(selector: string): SmallElement | null {
+    let within: readonly SmallElement[] = [this];
+    for (const step of selector.split(' ')) {
+      const [tag, ...classes] = step.split('.');
+      within = within.flatMap(({ all }) =>
+        all.filter(
+          (each) => (!tag || each.tag === tag) && classes.every((name) => each.classes.includes(name)),
+        ),
+      );
+    }
+    return within[0] ?? null;
+  }
+
+  addEventListener(type: string, listener: (event: object) => void): void {
+    this.listeners.set(type, [...(this.listeners.get(type) ?? []), listener]);
+  }
+
+  /** Calls the listeners of a click without a pointer. */
+  click(): void {
+    for (const listener of this.listeners.get('click') ?? []) listener({ detail: 0 });
+  }
+}
+
+/** Gives this test the small document; `vi.unstubAllGlobals` takes it away. */
+export function useSmallPage(): void {
+  const createElement = (tag: string) => new SmallElement(tag);
+  vi.stubGlobal('Text', SmallText);
+  vi.stubGlobal('document', {
+    createElement,
+    createElementNS: (_: string, tag: string) => createElement(tag),
+  });
+}
+
+/** A component's element as an element of the small document. */
+export function small(element: Element): SmallElement {
+  return element as unknown as SmallElement;
+}
