@@ -1,7 +1,8 @@
 """Parts of a simulation's state; copies, saved states and digests are derived from each part's declaration.
 
-A part is a struct of plain values, arrays and other parts. No part holds a run's constants: methods take them as
-arguments. A cache only makes a step faster: no result depends on it, so it is neither saved nor in the digest.
+A part is a struct of plain values, arrays and other parts. No part contains constants of the run; methods take the
+constants as arguments. A cache is a field that only makes a step faster. No result depends on a cache, so caches are
+neither saved nor part of the digest.
 """
 
 from __future__ import annotations
@@ -18,14 +19,14 @@ from aftdeck.errors import InputError
 
 
 class StatePart(msgspec.Struct, array_like=True):
-    """A part of the state; everything that the next step depends on is a field of some part."""
+    """A part of the state. Everything on which the next step depends is a field of one of the parts."""
 
 
 class Cache:
-    """Data that a part keeps to make a step faster; a state without its caches gives the same results."""
+    """Field of a part that only makes a step faster. A state with empty caches gives the same results."""
 
     def copied(self) -> Self:
-        """Return the cache for a copy of the state: this object itself if nothing changes it."""
+        """Return the cache for a copy of the state. A cache that a step never changes returns itself."""
         return self
 
 
@@ -33,14 +34,15 @@ P = TypeVar("P", bound=StatePart)
 
 
 DIGEST = "msgpack with nil for arrays and caches, then the arrays"
-"""Bytes whose SHA-256 is the digest. All states of a run have arrays of the same sizes."""
+"""Description of the bytes from which `digest` computes the SHA-256. They contain no array sizes: each array has the
+same size in all states of a run."""
 
 
 @lru_cache
 def declaration(kind: type[StatePart]) -> str:
-    """Return a 16-digit digest of `DIGEST` and of a part's declaration: every field, with its type and position.
+    """Return a digest of a part's declaration (every field, with its type and position) and of `DIGEST`: 16 digits.
 
-    Digests of parts with different declarations, such as those of another version, cannot be compared.
+    Parts with different declarations, such as those of different versions, cannot be compared by their digests.
     """
     lines = [DIGEST]
     _declare(kind, lines, set())
@@ -48,7 +50,7 @@ def declaration(kind: type[StatePart]) -> str:
 
 
 def _declare(hint: Any, lines: list[str], known: set[object]) -> None:
-    """Append the fields of every struct that a type names to `lines`."""
+    """Append one line for each field of every struct that occurs in the type `hint`, including nested structs."""
     if isinstance(hint, type) and issubclass(hint, msgspec.Struct) and hint not in known:
         known.add(hint)
         hints = get_type_hints(hint)
@@ -65,14 +67,14 @@ def encoded(part: StatePart) -> bytes:
 
 
 def digest(part: StatePart) -> bytes:
-    """Return the SHA-256 of a part, over the exact values of all fields that are not caches (see `DIGEST`).
+    """Return the SHA-256 digest of a part, computed from the exact values of all its fields except caches (`DIGEST`).
 
     Raises:
         TypeError: a value is neither plain, an array nor a cache.
     """
     others: list[Any] = []
     plain = msgspec.msgpack.encode(part, enc_hook=others.append)
-    # one join of all arrays takes a fraction of the time of encoding each array
+    # to join all arrays at once takes much less time than to encode each array
     arrays: list[Any] = [value for value in others if type(value) is np.ndarray or not isinstance(value, Cache)]
     return sha256(b"".join((plain, *arrays))).digest()
 
@@ -83,19 +85,19 @@ def copied(part: P) -> P:
 
 
 def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
-    """Return the part whose bytes `encoded` returned.
+    """Return the part of which `data` is the encoding (see `encoded`).
 
     Args:
         like: a part of the same run, with arrays of the same lengths.
         data: the bytes.
-        empty: returns an empty cache of a given class.
+        empty: function that returns an empty cache of the given class.
 
     Raises:
         InputError: the bytes are not an encoding of such a part.
     """
 
     def hook(kind: type, given: Any) -> object:
-        # an array's annotation is not a class
+        # the annotation of an array has type arguments; that of a cache is a class and has none
         return _array(kind, given) if get_args(kind) else empty(kind)
 
     try:
@@ -108,7 +110,7 @@ def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
 
 
 def _plain(value: object) -> object:
-    """Return an array as its bytes, after its shape if it has more than one axis, and a cache as None."""
+    """Return the bytes of an array, preceded by its shape if it has more than one axis; return None for a cache."""
     if isinstance(value, np.ndarray):
         return value.tobytes() if value.ndim == 1 else (value.shape, value.tobytes())
     if isinstance(value, Cache):
@@ -126,7 +128,7 @@ def _array(kind: type, given: Any) -> object:
 
 @lru_cache
 def _dtype(kind: type) -> np.dtype[Any]:
-    """Return the number type that an array's annotation names."""
+    """Return the NumPy number type in an array's annotation."""
     numbers: np.dtype[Any] = np.dtype(get_args(get_args(kind)[1])[0])
     return numbers
 
@@ -147,7 +149,7 @@ def _copied(value: Any) -> Any:
 
 
 def _unlike(part: StatePart, like: StatePart) -> str | None:
-    """Return the path of the first array or list of parts in `like` whose size differs in `part`, or None."""
+    """Return the path of the first array or list of parts in `like` whose size in `part` differs; None if none does."""
     sizes = dict(_sizes(part, ""))
     return next((where for where, size in _sizes(like, "") if sizes.get(where) != size), None)
 

@@ -1,7 +1,7 @@
-"""Conditions that have to hold before a payload is captured, docked or latched, and their margins.
+"""Conditions for capture, docking and latching of a payload, with their margins.
 
-Each condition compares a measured value with bounds; a value equal to a bound is allowed. A condition carries values
-alone; `condition_text` returns its text in the operator's units.
+Each condition compares a measured value with bounds; a value equal to a bound is allowed. A condition contains only
+values; `condition_text` returns its text in the operator's units.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ _INCHES_BELOW, _MILLIMETRES_BELOW = 2.0 * FOOT, 1.0
 """Lengths below which the smaller unit is used [m]."""
 _FIGURES, _MOST_FIGURES = 3, 9
 _LIKE = 0.02
-"""Share of the limit [1]: a value that exceeds it by less than this share plus `_TINY` could have the same text.
+"""Share of the limit [1]. A value that exceeds its limit by less than this share plus `_TINY` could read the same.
 
-Such a value is shown with as many figures as distinguish it from the limit.
+The text of such a value then has as many significant figures as are needed to distinguish it from the limit.
 """
 _TINY = 1e-4
 _MOST_DECIMALS = 3
-"""Decimals shown of a number smaller than `_SMALLEST`, when the usual number of figures is requested."""
+"""Number of decimals in the text of a number below `_SMALLEST`, if `_FIGURES` significant figures are requested."""
 _ALLOWED = " allowed"
-"""End of the words of an allowed range."""
+"""Last word of the text of an allowed range."""
 _SMALLEST, _GREATEST = 1e-3, 999.5
 """Range of numbers that are written to significant figures: their text is short and Python adds no exponent."""
 
@@ -41,13 +41,14 @@ _SMALLEST, _GREATEST = 1e-3, 999.5
 class Condition(msgspec.Struct, frozen=True, gc=False):
     """One condition with its measured value, its limit and its margin."""
 
-    name: Annotated[str, field_meta("name of the condition: `palm height`")]
-    holds: Annotated[bool, field_meta("whether it holds")]
+    name: Annotated[str, field_meta("name of the condition, such as `palm height`")]
+    holds: Annotated[bool, field_meta("whether the condition holds")]
     value: Annotated[float, field_meta("measured value, in `unit`", decimals=5)]
     limit: Annotated[
         float,
         field_meta(
-            "bound that it is compared with, in `unit`: the nearer of two, or the one that is exceeded", decimals=5
+            "bound with which the value is compared, in `unit`: the nearer bound of two, or the exceeded bound",
+            decimals=5,
         ),
     ]
     unit: Annotated[Unit, field_meta("unit of value, limit and margin; empty for a count")]
@@ -55,8 +56,8 @@ class Condition(msgspec.Struct, frozen=True, gc=False):
     words: Annotated[
         str,
         field_meta(
-            "text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; the "
-            "whole text in a recording of layout 1"
+            "text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; in "
+            "a recording of layout 1, the whole text, with its numbers"
         ),
     ]
     numbers: Annotated[tuple[float, ...], field_meta("numbers of the text, in `unit`", decimals=5)] = ()
@@ -71,8 +72,8 @@ def within(name: str, value: float, least: float, greatest: float, unit: Unit, t
         least: lower bound.
         greatest: upper bound.
         unit: unit of the value and the bounds.
-        templates: two text templates for the value, with `{}` for its size or without: the first for a value of 0 or
-            more, the second for a negative value.
+        templates: two text templates, the first for a value of 0 or more, the second for a negative value. Each
+            contains `{}` in place of the value's magnitude, or no `{}` if the text has no number.
     """
     below, above = value - least, greatest - value
     margin, limit = (below, least) if below < above else (above, greatest)
@@ -118,7 +119,7 @@ def rejection_text(what: str, conditions: Iterable[Condition], units: Units) -> 
 
 
 def tightest(conditions: Iterable[Condition], unit: Unit) -> Condition | None:
-    """Return the condition with the least margin among those measured in a unit; None if there are none."""
+    """Return the condition with the least margin among the conditions with this unit; None if there is none."""
     return min((c for c in conditions if c.unit == unit), key=lambda c: c.margin, default=None)
 
 
@@ -134,7 +135,7 @@ def quantity_text(value: float, unit: Unit, units: Units, figures: int = _FIGURE
 
 
 def _size_text(condition: Condition, value: float, units: Units) -> str:
-    """Return the text of a condition's measured size, with more figures if the limit would have the same text."""
+    """Return the text of a condition's measured value without its sign; more figures if the limit reads the same."""
     limit = abs(condition.limit)
     if not condition.holds and abs(condition.margin) < _LIKE * limit + _TINY:
         return _distinct_text(value, limit, condition.unit, units)
@@ -142,22 +143,22 @@ def _size_text(condition: Condition, value: float, units: Units) -> str:
 
 
 def _bound_texts(bounds: tuple[float, ...], unit: Unit, units: Units) -> list[str]:
-    """Return the texts of the bounds of a range; two bounds have the same unit, written after the second only."""
+    """Return the texts of the bounds of a range. The bounds have one unit, which only the last text contains."""
     per, suffix = _scale(max(map(abs, bounds), default=0.0), unit, units)
     texts = [_digits(bound * per, _FIGURES) for bound in bounds]
     return [*texts[:-1], *(text + suffix for text in texts[-1:])]
 
 
 def _filled(words: str, texts: Sequence[str]) -> str:
-    """Return words with texts in place of each `{}`."""
+    """Return `words` with each `{}` replaced by one of `texts`, in order."""
     parts = words.split("{}")
     return "".join(part + text for part, text in zip_longest(parts, texts, fillvalue=""))
 
 
 def _distinct_text(value: float, limit: float, unit: Unit, units: Units) -> str:
-    """Return the text of a value with as many figures as distinguish it from a limit.
+    """Return the text of a value, with as many significant figures as are needed to distinguish it from a limit.
 
-    Otherwise a text such as "0.75 in above, 0 to 0.75 in allowed" could result.
+    With fewer figures, a text such as "0.75 in above, 0 to 0.75 in allowed" could result.
     """
     for figures in range(_FIGURES, _MOST_FIGURES):
         if (text := quantity_text(value, unit, units, figures)) != quantity_text(limit, unit, units, figures):
@@ -186,7 +187,7 @@ def _scale(size: float, unit: Unit, units: Units) -> tuple[float, str]:
 
 
 def _digits(value: float, figures: int) -> str:
-    """Return the text of a number to so many significant figures, without an exponent and without trailing zeros."""
+    """Return the text of a number to `figures` significant figures, without an exponent and without trailing zeros."""
     if _SMALLEST <= abs(value) < _GREATEST:
         text = f"{value:.{figures}g}"
     else:
@@ -203,8 +204,8 @@ class _Worded(NamedTuple):
 
     Attributes:
         words: the text with `{}` in place of each number.
-        bounds: numbers of its second half, the allowed range.
-        sized: whether the measured size is the first number.
+        bounds: numbers of the allowed range, the second half of the text.
+        sized: whether the first number of the text is the magnitude of the measured value.
     """
 
     words: str
@@ -214,7 +215,7 @@ class _Worded(NamedTuple):
 
 @functools.lru_cache(maxsize=1024)
 def _worded(measured: str, least: float, greatest: float, holds: bool) -> _Worded:
-    """Return a condition's words, without the range if the condition holds and only a negative value would fail."""
+    """Return a condition's words. If only a negative value fails, the range is omitted while the condition holds."""
     sized = "{}" in measured
     if least == 0.0 and greatest == math.inf:
         return _Worded(measured if holds else f"{measured}, none{_ALLOWED}", (), sized)

@@ -1048,19 +1048,19 @@ export interface Objective {
 
 /** One condition with its measured value, its limit and its margin. */
 export interface Condition {
-  /** name of the condition: `palm height` */
+  /** name of the condition, such as `palm height` */
   readonly name: string;
-  /** whether it holds */
+  /** whether the condition holds */
   readonly holds: boolean;
   /** measured value, in `unit` */
   readonly value: number;
-  /** bound that it is compared with, in `unit`: the nearer of two, or the one that is exceeded */
+  /** bound with which the value is compared, in `unit`: the nearer bound of two, or the exceeded bound */
   readonly limit: number;
   /** unit of value, limit and margin; empty for a count */
   readonly unit: 'm' | 'rad' | 'm/s' | 'rad/s' | 's' | '';
   /** margin, in `unit`; negative if the condition fails */
   readonly margin: number;
-  /** text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; the whole text in a recording of layout 1 */
+  /** text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; in a recording of layout 1, the whole text, with its numbers */
   readonly words: string;
   /** numbers of the text, in `unit` */
   readonly numbers: readonly number[];

@@ -1,4 +1,4 @@
-"""Log lines about the arm after a step: joints that pass a limit, near singularities, and small clearances."""
+"""Log lines about the arm after a step: joints that pass a limit, singularities that are near, and small clearances."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
 
 
 def log_arm_events(flight: Flight, state: State) -> None:
-    """Observe the arm, log changes, and update the escape directions in the state."""
+    """Compute the zones of the joints, the near singularities and the clearance level; log changes; update escapes."""
     model, plant = flight.scenario.arm.model, state.plant
     near = observe_near(
         state.arm.model.links,

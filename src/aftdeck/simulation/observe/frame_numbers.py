@@ -1,4 +1,4 @@
-"""Numbers of a frame, taken from the state's arrays in one compiled call and returned as the tuples of the frame.
+"""Numbers of a frame: one compiled call converts values of the state's arrays to the frame's tuples.
 
 Compiled code makes tuples of floats several times faster than Python makes them from arrays.
 """
@@ -27,7 +27,7 @@ from aftdeck.steering.layout import (
 )
 
 Observed = tuple[Vec3, Rows, Six, Vec3, Rows]
-"""Tip's position, rows and twist; distances from the singularities; LNKAGE's T_B5."""
+"""Position, rotation (rows) and twist of the tip; distances from the singularities; LNKAGE's T_B5."""
 Joints = tuple[Six, Six, Six, Six, Six]
 """Angles, rates, commanded angles, commanded rates, rate limits."""
 Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
@@ -35,7 +35,7 @@ Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
 Scalars = tuple[float, float, float, float, float]
 """DRIVE, ratio, remaining time, remaining time of the rotation, 1 while an automatic motion is in progress."""
 Moving = tuple[Vec3, Rows, Vec3]
-"""Position, rows and velocity of a body."""
+"""Position, rotation (rows) and velocity of a body."""
 
 Carried = tuple[tuple[Vec3, Rows], Vec3, Vec3]
 """Pose of a payload, position of the point of resolution, and its velocity."""
@@ -43,19 +43,19 @@ Carried = tuple[tuple[Vec3, Rows], Vec3, Vec3]
 
 @law
 def vec3(values: Array, at: int) -> Vec3:
-    """Return three values of an array, beginning at an index."""
+    """Return three values of an array, from index `at` on."""
     return values[at], values[at + 1], values[at + 2]
 
 
 @law
 def rows(values: Array, at: int) -> Rows:
-    """Return nine values of an array, beginning at an index, as the rows of a matrix."""
+    """Return nine values of an array, from index `at` on, as the rows of a matrix."""
     return vec3(values, at), vec3(values, at + 3), vec3(values, at + 6)
 
 
 @law
 def six(values: Array, at: int) -> Six:
-    """Return six values of an array, beginning at an index."""
+    """Return six values of an array, from index `at` on."""
     return values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5]
 
 
@@ -88,12 +88,12 @@ def frame_numbers(
 
     Args:
         arm: packed links.
-        mount: (3, 3) from L to the orbiter's body axes.
+        mount: (3, 3) rotation from L to the orbiter's body axes.
         angles: (6,) measured joint angles [rad].
         rates: (6,) measured joint rates [rad/s].
         commanded: (6,) commanded joint angles [rad].
-        seen: (21,) from `kinematics.observe`.
-        rules: rules in force, as `steering.layout` defines this array and the next three.
+        seen: (21,) values computed by `kinematics.observe.observe`.
+        rules: rules in force. `steering.layout` defines this array and the next three.
         command: input of the steering laws.
         steering: state of the steering.
         report: output of the steering laws.

@@ -102,7 +102,11 @@ def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[
 
 
 def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:
-    """Return TP, ETA and ETAP; the laws report the time that remains at the beginning of a step."""
+    """Return TP, ETA and ETAP.
+
+    The laws report the remaining time at the beginning of the step, so ETA and ETAP are computed from the TP at the
+    beginning.
+    """
     panel, period = state.panel, flight.scenario.control_period
     steered = (state.tick - 1 - panel.motion_began) * period
     eta = etap = None

@@ -1,7 +1,7 @@
-"""Look-ahead: pose of the arm in a few seconds with the present stick command, computed on a copy of the arm.
+"""Look-ahead: prediction of the arm's pose after some seconds with the present stick command.
 
-The steering's own laws move the copy (`steering.rehearsal`), so that the prediction is exact except for contacts. The
-copy moves through contacts, and the first contact is reported.
+The steering laws move a copy of the arm (`steering.rehearsal`). The prediction is exact except for contacts: contacts
+do not stop the copy, but the first contact is reported.
 """
 
 from __future__ import annotations
@@ -40,9 +40,10 @@ DRIVE_AXIS = 6
 _ORB_UNL = 4.0
 """Steering law that brings the arm to rest with the sticks centred."""
 _STILL = 1e-6
-"""Largest twist that counts as rest [m/s], [rad/s], and largest joint motion that counts as none [rad]."""
+"""Greatest twist with which the arm counts as at rest [m/s], [rad/s], and greatest joint motion that is ignored
+[rad]."""
 _LONGEST_STOP = 60.0
-"""Longest time for which the deceleration of the arm is computed [s]."""
+"""Greatest duration of the computed deceleration [s]."""
 
 Axis = tuple[int, Literal[-1, 1]]
 """Axis number and sign. 0 to 2: rotation about axes 1 to 3; 3 to 5: translation along them; 6: the drive switch."""
@@ -70,7 +71,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     nearest: Near | None
     """Pair with the minimum clearance at that time, of the pairs that then count for CLEARANCE; None if none counts."""
     contact_s: float | None
-    """Time of the first contact, to a tenth of `seconds` [s]; None if no contact is found."""
+    """Time of the first contact, rounded up to a tenth of `seconds` [s]; None if no contact is found."""
     stopping: float
     """Distance that the tip moves until it is at rest, if the sticks are centred now [m]."""
     joint: int
@@ -89,7 +90,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         last: axis, and its sign, to deflect fully if the sticks are centred; None deflects no axis.
 
     Raises:
-        InputError: `seconds` or `last` is not allowed.
+        InputError: `seconds` is outside its range, or `last` is not an axis with a sign.
     """
     if not LEAST_S <= seconds <= MOST_S:
         raise InputError(f"seconds: got {seconds:g}, expected {LEAST_S:g} to {MOST_S:g}")
@@ -113,7 +114,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         frames = frames_at(flight, state, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
-        # a pair that is aligned now is docked or latched before it penetrates deeply
+        # a pair that is aligned now is not tested: it will be docked or latched before it penetrates deeply
         touching = watch.nearest(site.detrimental | (outside & (1 - may)))
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
@@ -152,7 +153,7 @@ def _copies(state: State) -> tuple[Array, Array]:
 
 
 def _initial_command(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
-    """Return the prediction's command and initial state of the steering, and whether the present sticks are used."""
+    """Return command and initial steering state of the prediction, and whether it uses the present stick command."""
     command, steering = _copies(state)
     held = bool(command[STICKS : STICKS + 6].any() or command[DRIVE])
     if joint_lock_reason(state.panel):

@@ -65,7 +65,7 @@ def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
 
 
 def _in_l(site: Site, along: Array) -> Vec3:
-    """Return a vector, given along the orbiter's axes, in L."""
+    """Convert a vector from the orbiter's axes to L."""
     x, y, z = along.tolist()
     if x == y == z == 0.0:
         return _ZERO

@@ -1,4 +1,4 @@
-"""Operator's switches: entering modes, keying in targets, PROCEED and STOP.
+"""Effects of the operator's switches: selection of modes, keyed-in targets, PROCEED and STOP.
 
 A command that cannot be carried out changes nothing; its rejection is logged.
 """
@@ -106,7 +106,7 @@ def _enter(flight: Flight, state: State, position: str) -> None:
     panel = state.panel
     if mode.kind == "master":  # the master arm starts from the angles of the arm
         state.command[MASTER : MASTER + 6] = state.plant.angles
-    if mode.kind == "single":  # theta_0 of mode 8
+    if mode.kind == "single":  # mode 8 holds the joints at these angles, theta_0
         state.command[KEPT : KEPT + 6] = state.plant.angles
     panel.mode, panel.rate_hold_sticks, panel.position_hold_target, panel.point = position, None, None, 0
     panel.motion_began = state.tick - 1
@@ -115,7 +115,10 @@ def _enter(flight: Flight, state: State, position: str) -> None:
 
 
 def make_ready(flight: Flight, state: State, *, keyed: bool = False) -> None:
-    """Reset the motion, and request CMD CK of the next target in automatic modes or if the target was just keyed in."""
+    """End the present motion and its check, and select the next target.
+
+    In automatic modes, or if a target was just keyed in (`keyed`), request CMD CK of this target.
+    """
     panel = state.panel
     panel.sequence, panel.check, panel.target = "idle", None, next_target(flight, panel)
     state.checking, panel.proceeding = None, False

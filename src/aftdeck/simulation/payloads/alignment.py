@@ -1,9 +1,10 @@
-"""Pairs that count for CLEARANCE: all monitored pairs except those that touch, or will touch, as the task needs it.
+"""Pairs that count for CLEARANCE: all monitored pairs, except pairs that are in essential contact or about to be.
 
-Otherwise every capture, docking and berthing would raise an alarm. If the end effector is aligned with a payload, their
-clearance does not count; only the conditions of capture apply. A probe or trunnions are aligned if a straight motion
-over the remaining distance would bring them into contact in the relative position that their relation permits
-(`payloads.relations`). Their contacts are still monitored, and a contact that inhibits the arm counts.
+Without this exception, every capture, docking and berthing would raise an alarm. If the end effector is aligned with a
+payload, the pairs of these two do not count. If a probe is aligned with a port, or trunnions with their guides, these
+pairs do not count either. They are aligned if a straight motion over the remaining distance would bring them into a
+permitted contact (`payloads.relations`). Excepted pairs are still monitored for contacts, and a pair whose contact
+inhibits the arm counts.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ from aftdeck.worksite.watch.contacts import FRAMES, Contacts
 from aftdeck.worksite.watch.found import CLEARANCE
 
 WIDER, WIDEST = 2.0, 2.4
-"""Factors on the capture envelope's radius and angles [1]: alignment begins inside the first and ends outside the
-second (assumed)."""
+"""Factors on the capture envelope's radius and angles [1] (assumed). Alignment begins inside the envelope widened by
+the first factor, and ends outside the envelope widened by the second."""
 
 
 def count(flight: Flight, state: State) -> None:
@@ -63,15 +64,17 @@ def alarm_pairs(
         held: the payload in the grasp; None if the grasp is empty.
         watch: clearances that were measured at `frames`.
         frames: (F, 12) poses of all frames in L.
-        before: the payload with which the end effector was aligned before this step; None if there was none.
+        before: the payload with which the end effector was aligned before this step; None if it was aligned with none.
         nearest: the pair with the minimum clearance before this step; -1 if there was none.
-        contacts: contacts of the last step; if end effector and payload inhibit the arm, their pairs count after all.
-        permitted: (g,) pairs of the task, except those that touch where their relation does not permit a contact.
+        contacts: contacts of the last step. If a contact of the end effector with the payload inhibits the arm, the
+            pairs of these two are not excepted.
+        permitted: (g,) result of `relations.permitted`: 1 for pairs of the task, except those in a contact that the
+            task does not permit.
         travel: greatest distance by which two parts can approach before the next minimum is found [m].
 
     Returns:
-        (g,) 1 for pairs that should not touch, except those of the end effector and the payload with which it is
-        aligned. Then that payload; None if there is none.
+        Two results. First (g,) 1 for the pairs that count for CLEARANCE. Second the payload with which the end effector
+        is aligned; None if it is aligned with none.
     """
     site = flight.site
     counts = site.detrimental.copy()
@@ -106,25 +109,25 @@ def count_far_pairs(
     travel: float,
     counts: Mask,
 ) -> bool:
-    """Mark the pairs of the task that count without a test of their alignment.
+    """Mark the pairs of the task that count for CLEARANCE, as far as this is known without a test of their alignment.
 
-    These pairs touch where their relation does not permit a contact, or are apart and have no alignment, or are too far
-    apart to be aligned or to have the minimum clearance.
+    A pair of the task counts if the parts are in a contact that is not permitted. A pair that is apart counts if its
+    relation has no alignment. It is also marked if it is too far apart to be aligned, or to have the minimum clearance.
 
     Args:
         groups: (m,) indices of the pairs of the task.
-        aligns: (m,) 1 for the pairs whose relation has an alignment: docking and guides.
+        aligns: (m,) 1 for the pairs whose relation has an alignment; these relations are docking and guides.
         active: (g,) 1 for pairs that are monitored.
         found: (g, 15) measurements, rows as in `worksite.watch.found`.
         bound: (g,) lower bound of each pair's clearance [m].
-        permitted: (g,) 1 for pairs of the task that may be in contact at their present positions.
+        permitted: (g,) result of `relations.permitted`, as for `alarm_pairs`.
         nearest: the pair with the minimum clearance before this step; -1 if there was none.
-        farthest: distance beyond which two parts are not aligned [m].
+        farthest: distance beyond which two parts do not count as aligned [m].
         travel: greatest distance by which two parts can approach before the next minimum is found [m].
-        counts: (g,) 1 for the pairs that are not of the task; updated.
+        counts: (g,) on entry, 1 for the pairs that do not belong to the task; on return, also 1 for the marked pairs.
 
     Returns:
-        Whether the alignment of another pair has to be tested.
+        Whether there are pairs whose alignment has to be tested (`_count_unaligned`).
     """
     if nearest >= 0 and counts[nearest] != 0:  # a pair farther apart cannot have the minimum clearance
         farthest = min(farthest, found[nearest, CLEARANCE] + travel)
@@ -143,7 +146,7 @@ def count_far_pairs(
 
 
 def _count_unaligned(site: Site, watch: ClearanceMonitor, frames: Array, nearest: int, counts: Mask) -> None:
-    """Mark the pairs of the task that are near each other, apart and not aligned, after `count_far_pairs`."""
+    """Test the alignment of the pairs that `count_far_pairs` left undecided; mark those that are not aligned."""
     known: dict[tuple[int, Relation], bool] = {}
     for meeting in site.meetings:
         g, key = meeting.group, (meeting.cargo, meeting.relation)
@@ -161,11 +164,11 @@ def _inhibited(contacts: Contacts, among: Mask) -> bool:
 
 
 def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
-    """Return whether two parts would touch, after a straight approach, in the position that their relation permits.
+    """Return whether two parts would touch in a permitted relative position after a straight approach.
 
-    If the minimum clearance was of this payload and relation (`reported`), they have to touch inside the relation's
-    tolerances by the permitted depth, so that the lamp does not flicker. Only docking and guides have an
-    alignment of this kind.
+    `reported` is True if the last minimum clearance was of a pair with the same payload and relation. The parts must
+    then be inside the tolerances by a margin, the permitted depth, so that the lamp does not flicker. Only the
+    relations docking and guides are tested here; the end effector is tested in `alarm_pairs`.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if reported else 0.0
@@ -181,7 +184,7 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
 
 
 def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """Return whether the probe is before the port's face, and inside docking's tolerances after a straight approach."""
+    """Return whether the probe is in front of the port's face, and a straight approach would bring it to the port."""
     row = site.cargo_row(k)
     found = approached(berth, frames, row)
     if found[BEFORE] < -depth or found[DISTANCE] > NEAR:
@@ -195,7 +198,7 @@ def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, 
 
 
 def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """Return whether every trunnion is over the mouth of its own V-guide, or in that mouth."""
+    """Return whether every trunnion is above or inside the mouth of its own V-guide."""
     assert berth.guides is not None
     guides = berth.guides
     places = guides.seats, guides.axes, guides.opening, guides.throat, guides.height, guides.play
@@ -204,7 +207,7 @@ def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, 
 
 
 def _before_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
-    """Return the payload whose pin is aligned with the end effector in position and attitude; None if none is."""
+    """Return the payload whose pin is aligned with the end effector in position and attitude; None if there is none."""
     envelope = snares.envelope
     for k in range(len(snares.fixtures)):
         if (fixture := fixture_in_hand(site, frames, k)) is None:

@@ -19,7 +19,7 @@ Pursued = tuple[Objective | None, tuple[Condition, ...]]
 
 
 def present_objective(flight: Flight, state: State) -> Pursued:
-    """Return the present objective and its conditions; None and () if no fixture, bar or berth is near enough."""
+    """Return the present objective and its conditions; None and () if no fixture, bar or berth is within `NEAR`."""
     site, worksite = flight.site, state.worksite
     if (k := worksite.held) is not None:
         berth = None if worksite.arm_fixed else nearest_berth(flight, state, k)
@@ -37,7 +37,7 @@ def present_objective(flight: Flight, state: State) -> Pursued:
 
 
 def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
-    """Return the conditions of capture at the present grasp of payload k; () if the worksite has no rule for it."""
+    """Return the conditions of capture for the present pose of payload k; () if this end effector cannot capture it."""
     site = flight.site
     if site.bar is not None and (which := site.bar.which[k]) is not None:
         found = np.empty(FOUND)
@@ -49,7 +49,10 @@ def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
 
 
 def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursued:
-    """Return the objective to acquire the bar nearest to the palm, and its conditions; None and () if none is near."""
+    """Return the objective to acquire the payload whose bar is nearest to the palm, and the conditions of acquisition.
+
+    The result is None and () if no bar is within `NEAR`.
+    """
     best: Pursued = (None, ())
     least, found = NEAR, np.empty(FOUND)
     for cargo, which in zip(flight.site.cargo, bar.which, strict=True):

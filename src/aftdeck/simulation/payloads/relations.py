@@ -1,8 +1,9 @@
 """Test whether a contact of two parts is essential: whether the task permits their relative position and the depth.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision is essential if the two parts are "in the
-physical relationship required to achieve acquisition". This relative position is the *relation* of the two parts. A
-contact outside the relation, or deeper than the worksite's file allows, is detrimental.
+physical relationship required to achieve acquisition". This relative position is the *relation* of the two parts. If
+the two parts do not have this relative position, or if their contact is deeper than the worksite's file allows, the
+contact is detrimental.
 """
 
 from __future__ import annotations
@@ -36,8 +37,8 @@ def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
         frames: (F, 12) pose of each frame, in L.
 
     Returns:
-        (g,) 1 for the pairs that the task brings into contact; 0 for all other pairs. A pair of the task that touches
-        outside its relation, or deeper than permitted, also has 0.
+        (g,) 1 for the pairs that the task brings into contact; 0 for all other pairs. A pair of the task also has 0 if
+        it is in contact without its relation, or deeper than permitted.
     """
     allowed = site.essential.copy()
     for meeting in site.meetings:

@@ -5,10 +5,10 @@ therefore faces the bar; face b of the fixed finger (HEX 2) and face e of the pr
 (RECPT) has its length along its own x axis, front end face a, and face c on top. Source: the final report of the Remote
 Manipulator Simulation, acquisition conditions 1 to 6 (restored).
 
-The law takes many placed bodies and the indices of the four that it needs, and writes its results into a packed array.
-It also computes the angle by which the end effector may still turn about the centre of face d before one of the first
-three conditions fails. Such a turn changes none of the other conditions. With a long bar the limit on pitch is by far
-the tightest.
+`acquire` takes an array of placed bodies and the indices of the four bodies that it needs, and writes its results into
+a packed array. It also computes the angles by which the end effector may still turn about the centre of face d before
+one of the first three conditions fails. Such a turn does not affect the other conditions. With a long bar, the angle of
+pitch is much smaller than the other angles.
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, within
 
 PALM, FIXED, PRONG = 0, 1, 2
-"""Least height of the bar's vertices over face d of the palm, b of the fixed finger, e of the prong [m]."""
+"""Least height of the bar's vertices above face d of the palm, face b of the fixed finger and face e of the prong
+[m]."""
 SPACING = 3
 """Height of the middle of the prong's face e above the fixed finger's face b [m]."""
 HEIGHT = 4
@@ -39,11 +40,12 @@ HALF = 6
 AWAY = 7
 """Distance from the centre of face d to the centre of the bar's face c [m]."""
 SIDE = 8
-"""Dot product of Z2 and the bar's axis, UZ2·XR of the report: negative if the prong is at the bar's face b [1]."""
+"""Dot product of Z2 and the bar's axis (UZ2·XR in the report) [1]. It is negative if the prong is at the bar's face b,
+and positive if it is at face e."""
 PITCH, ROLL, YAW = 9, 10, 11
 """Angles by which the end effector may turn about Y2, Z2 and X2 through the centre of face d [rad].
 
-If negative, the end effector has to turn by that angle before the first three conditions hold.
+A negative angle means that the end effector has to turn by this angle until the first three conditions hold.
 """
 FOUND = 12
 """Length of the array of results."""
@@ -60,11 +62,13 @@ class Tolerances(msgspec.Struct, frozen=True):
     spacing: float
     """PRGSPC: greatest spacing of the fingers' inner faces [m]; the report's value is lost."""
     window: float
-    """TOPB: greatest height of the palm over the bar [m]; the report has 1/16 ft [S]."""
+    """TOPB: greatest height of the palm above the bar [m]; the report has 1/16 ft [S]."""
     front: float
-    """FRONT: least distance of the palm's centre inside the bar's front end [m]; the report has 0.5 ft [S]."""
+    """FRONT: least distance of the palm's centre from the bar's front end, inwards along the bar [m]; report: 0.5 ft
+    [S]."""
     rear: float
-    """REAR: least distance of the palm's centre inside the bar's rear end [m]; the report has 0.5 ft [S]."""
+    """REAR: least distance of the palm's centre from the bar's rear end, inwards along the bar [m]; report: 0.5 ft
+    [S]."""
     fingers_within: float
     """Distance of palm and bar beyond which the fingers are not tested and cannot acquire [m]; report: 8 ft [S]."""
 
@@ -74,14 +78,14 @@ class Tolerances(msgspec.Struct, frozen=True):
 
 
 class Grasp(NamedTuple):
-    """Orientation of the end effector around a bar, and the turns that remain possible.
+    """Orientation of the end effector around a bar, and the angles by which it may still turn.
 
     Attributes:
         prong_at: the bar's face at which the prong is.
         pitch: angle by which the end effector may turn about Y2 and still enclose the bar [rad]; if negative, the angle
             by which it has to turn to enclose the bar.
-        roll: the same about Z2, which is along the bar [rad].
-        yaw: the same about X2, out of the palm [rad].
+        roll: angle by which the end effector may turn about Z2, which is along the bar [rad]; sign as for `pitch`.
+        yaw: angle by which the end effector may turn about X2, which points out of the palm [rad]; sign as for `pitch`.
     """
 
     prong_at: Literal["b", "e"]
@@ -92,7 +96,7 @@ class Grasp(NamedTuple):
 
 @law
 def _middle(body: Array, f: int) -> Vector:
-    """Return the mean of a face's four vertices."""
+    """Return the mean of the four vertices of face f."""
     p, q, r, s = CORNERS[f, 0], CORNERS[f, 1], CORNERS[f, 2], CORNERS[f, 3]
     return Vector(
         0.25 * (body[X + p] + body[X + q] + body[X + r] + body[X + s]),
@@ -103,18 +107,18 @@ def _middle(body: Array, f: int) -> Vector:
 
 @law
 def _over(body: Array, f: int, p: Vector) -> float:
-    """Return the height of a point above a face's plane."""
+    """Return the height of point p above the plane of face f."""
     return dot(face_normal(body, f), p) - float(body[D + f])
 
 
 @law
 def _turn(bar: Array, body: Array, f: int, centre: Vector, axis: Vector) -> float:
-    """Return the tangent of half the turn about an axis that brings the first vertex of the bar into a face's plane.
+    """Return tan(t / 2) for the least rotation t of face f that brings a vertex of the bar into the plane of the face.
 
-    After a turn t of the plane, the height of a vertex over the plane is B sin t + A cos t - d. The vertex reaches the
-    plane where (A + d) k² - 2 B k - h = 0, with k = tan(t / 2) and h the height before the turn. The result uses the
-    root of smaller size, with the sign of h, and is the least over all vertices; infinite if no turn brings a vertex
-    into the plane.
+    The rotation is about an axis through `centre`. After a rotation t of the plane, the height of a vertex above the
+    plane is B sin t + A cos t - d. The vertex is in the plane if (A + d) k² - 2 B k - h = 0, with k = tan(t / 2) and h
+    the height before the rotation. Of the two roots k, the one of smaller magnitude is used, with the sign of h. The
+    result is the least such value over all vertices; it is infinite if no rotation brings a vertex into the plane.
     """
     n = face_normal(body, f)
     along = dot(n, axis)
@@ -141,9 +145,9 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
 
     Args:
         bodies: (n, 48) packed bodies, all placed in one coordinate frame.
-        which: (4,) indices of the palm, the fixed finger, the prong and the bar in `bodies`.
+        which: (4,) indices in `bodies` of the palm, the fixed finger, the prong and the bar.
         rules: (5,) packed tolerances.
-        found: (12,) output: measured values and remaining turns.
+        found: (12,) output: measured values, and angles by which the end effector may still turn.
     """
     palm, fixed, prong, bar = bodies[which[0]], bodies[which[1]], bodies[which[2]], bodies[which[3]]
     x2, y2 = face_normal(palm, _D), face_normal(prong, _E)
@@ -184,7 +188,7 @@ def acquired_bar(bodies: Array, bars: Indices, rules: Array) -> int:
 
     Args:
         bodies: as for `acquire`.
-        bars: (c, 4) `which` of `acquire` for each payload; negative for a payload without a bar.
+        bars: (c, 4) for each payload, the indices `which` of `acquire`; negative for a payload without a bar.
         rules: as for `acquire`.
     """
     found = np.empty(FOUND)
@@ -196,10 +200,9 @@ def acquired_bar(bodies: Array, bars: Indices, rules: Array) -> int:
 
 @law
 def enclosed_bar(bodies: Array, bars: Indices, rules: Array, near: float) -> int:
-    """Return the first payload whose bar, nearer than `near` [m], is before the palm and between the fingers.
+    """Return the first payload whose bar is in front of the palm and between the fingers; -1 if there is none.
 
-    Returns:
-        The payload; -1 if there is none. Arguments as for `acquired_bar`.
+    Bars at a distance of `near` [m] or more from the palm are ignored. The other arguments are those of `acquired_bar`.
     """
     found = np.empty(FOUND)
     for k in range(len(bars)):
@@ -212,12 +215,12 @@ def enclosed_bar(bodies: Array, bars: Indices, rules: Array, near: float) -> int
 
 
 def grasp(found: Array) -> Grasp:
-    """Return the orientation of the end effector and its remaining turns, from the law's result (12,)."""
+    """Return the orientation of the end effector, and the angles by which it may still turn, from `found`."""
     return Grasp("b" if found[SIDE] < 0.0 else "e", float(found[PITCH]), float(found[ROLL]), float(found[YAW]))
 
 
 def acquisition(found: Array, tolerances: Tolerances) -> tuple[Condition, ...]:
-    """Return the six conditions, in the report's order, from the law's result (12,)."""
+    """Return the six conditions, in the report's order, from the result `found` (12,) of `acquire`."""
     value = found.tolist()
     half = value[HALF]
     return (
@@ -255,7 +258,7 @@ def _beside(
     says: tuple[str, str],
     far: tuple[str, str],
 ) -> Condition:
-    """Return condition 2 or 3: the whole bar is inside a finger.
+    """Return condition 2 or 3: the whole bar is on the inner side of a finger.
 
     If the palm is too far from the bar to test the finger, the condition fails and its text gives that reason.
     """

@@ -17,15 +17,17 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
     radial: float
     """Greatest distance from the end effector's axis [m]; SSV has 4 in [S]."""
     nearest: float
-    """Least position along the axis, outwards from the rigid position [m]."""
+    """Least position of the fixture along the axis [m]: 0 in the rigid position, positive outwards."""
     farthest: float
-    """Greatest position along the axis, as `nearest` [m]; the cylinder is about 4 in deep [R]."""
+    """Greatest position of the fixture along the axis, measured as `nearest` [m]; the cylinder is about 4 in deep
+    [R]."""
     pitch: float
-    """Limit about axis 2, to either side [rad]; SSV has 10 deg for all three [S], others 15 deg for pitch, yaw [R]."""
+    """Greatest rotation about axis 2, in either direction [rad]. SSV has 10 deg for all three axes [S]; other sources
+    have 15 deg for pitch and yaw [R]."""
     yaw: float
-    """Limit about axis 3, to either side [rad]."""
+    """Greatest rotation about axis 3, in either direction [rad]."""
     roll: float
-    """Limit about axis 1, to either side [rad]."""
+    """Greatest rotation about axis 1, in either direction [rad]."""
 
 
 def in_envelope(fixture: tuple[Vec3, Rows], envelope: CaptureEnvelope) -> tuple[Condition, ...]:

@@ -1,10 +1,10 @@
-"""The Shuttle arm's snare end effector: three wires hold the pin, a carriage draws it in, tension rigidizes it.
+"""The Shuttle arm's snare end effector: wires hold the pin, a carriage draws it in, tension makes the capture rigid.
 
-CAPTURE: the snare ring closes. If the pin is then in the capture envelope, the snares hold the pin, the carriage
-retracts and draws the pin to its seat, and the tension builds up (rigidize). RELEASE: the same in reverse order; the
-pin is free once the ring is open. END EFFECTOR MODE AUTO runs the whole sequence; MAN moves the snares only, and
-MAN CONTR moves carriage and tension. Sources: SCOM p. 693 (principle, order of release), SSV (times, functions of the
-switches).
+CAPTURE closes the snare ring. If the pin is then in the capture envelope, the three snare wires hold the pin, the
+carriage retracts and draws the pin to its seat, and the tension builds up (rigidize). RELEASE makes the same motions in
+reverse order; the pin is free once the ring is open. END EFFECTOR MODE AUTO runs the whole sequence; MAN moves the
+snares only, and MAN CONTR moves carriage and tension. Sources: SCOM p. 693 (principle, order of release), SSV (times,
+functions of the switches).
 
 A state is an immutable value, which needs no copy when it is saved. Motions are exact in time: when one motion of a
 sequence ends within a step, the next motion uses the remaining time. Not modelled: slack wires that already pull, motor
@@ -24,8 +24,8 @@ from aftdeck.worksite.log_line import LogLine, rejection
 Mode = Literal["AUTO", "OFF", "MAN"]
 Part = Literal["ring", "carriage", "tension"]
 
-_THERE = 1e-9
-"""Remaining travel of a part that is due to rounding and counts as zero [1]."""
+_NO_TRAVEL = 1e-9
+"""Greatest remaining travel of a part that counts as zero, because it is due to rounding [1]."""
 
 
 class SnareTimes(msgspec.Struct, frozen=True):
@@ -61,7 +61,8 @@ class Snare(msgspec.Struct, frozen=True):
     captured: bool = False
     """True if the snares hold the pin."""
     drawn: float = 0.0
-    """Greatest value of `carriage` since the pin was captured: the share by which the pin is drawn in."""
+    """Greatest value of `carriage` since the pin was captured. It is the share of the misalignment that the carriage
+    has removed."""
     met: bool = False
     """True if the pin was in the envelope at some time since the snares began to close."""
     motion: Literal["", "capture", "release"] = ""
@@ -92,7 +93,7 @@ class Moved(NamedTuple):
 
 
 def flags(snare: Snare) -> Flags:
-    """Return the state of the talkbacks; while a part is between its ends, both of its talkbacks are off."""
+    """Return the state of the talkbacks. While a part is between its end positions, both of its talkbacks are off."""
     return Flags(
         CAPTURE=snare.captured,
         EXTEND=snare.carriage == 0.0,
@@ -114,7 +115,7 @@ def advance(
         command: switches and trigger.
         dt: the step's length [s].
         conditions: conditions of capture at the step's end, from `grapple.in_envelope`; empty if no fixture is near.
-            They matter only while the ring is closing.
+            They are used only while the ring is closing.
         units: the operator's units, for the log lines.
     """
     lines: list[LogLine] = []
@@ -130,7 +131,7 @@ def advance(
         before = float(getattr(snare, part))
         if part == "ring" and target == 1.0:
             snare = msgspec.structs.replace(snare, met=snare.met or _inside(conditions))
-        if abs(target - before) > left * speed + _THERE:
+        if abs(target - before) > left * speed + _NO_TRAVEL:
             snare = _put(snare, part, before + (left * speed if target > before else -left * speed))
             break
         snare = _put(snare, part, target)

@@ -1,12 +1,12 @@
 """MODE 3, docking: the payload's probe in the port's envelope, at the port, and aligned with the port's axes.
 
 The port is in the middle of a side face, c, of the central assembly element (CAE), a regular prism. The *docking
-envelope* is the space before that face and inside the extended planes of the prism's two adjacent sides and its two
-ends. The envelope is a wedge, which with six sides closes one apothem before the face. Source: the final report of the
-Remote Manipulator Simulation, mode 3 (restored).
+envelope* is the space in front of that face, between the extended planes of the two adjacent sides and of the two ends
+of the prism. It is a wedge. For a prism with six sides, the edge of the wedge is one apothem in front of the face.
+Source: the final report of the Remote Manipulator Simulation, mode 3 (restored).
 
-A port's axes coincide with those of a docked payload. The report compares only the two y axes, which leaves a
-rotation about y free; by default all three axes are compared.
+A port's axes coincide with those of a docked payload. The report compares only the two y axes, so that any rotation
+about y is allowed. By default, all three axes are compared here.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from aftdeck.worksite.conditions import Condition, within
 BEFORE = 0
 """Least height of the probe's vertices above face c [m]."""
 INSIDE = 1
-"""Least distance of a probe vertex inside the envelope's other planes; negative outside [m]."""
+"""Least distance of the probe's vertices from the envelope's other four planes [m]; positive inside the envelope."""
 DISTANCE = 2
 """Distance from the centre of the probe's face to the port's centre [m]."""
 TURNED = 3
@@ -63,13 +63,14 @@ def envelope(
     Args:
         apothem: distance from the prism's axis to its sides [m].
         length: length of the prism [m].
-        sides: number of sides, even; the report, whose drawings are lost, probably had six.
+        sides: number of sides, an even number; the report's prism probably had six (its drawings are lost).
         outward: unit vector out of the port's face, perpendicular to `axis`.
         axis: unit vector along the prism.
         offset: offset of the port's centre from the centre of its face [m]: along axis x outward, and along axis.
 
     Returns:
-        (5, 4) planes, each a unit normal n [1] and a distance d [m]: inside is n·p <= d. The first is that of face c.
+        (5, 4) planes, each with a unit normal n [1] and a distance d [m]. A point p is inside if n·p <= d for all
+        planes. The first plane is that of face c.
 
     Raises:
         InputError: the sizes do not make a prism, or the vectors are not perpendicular unit vectors.
@@ -109,9 +110,9 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
         probe: (n, 3) vertices in the payload's frame [m].
         face: (3,) centre of the probe's forward face, in the payload's frame [m].
         payload: (12,) pose of the payload: position [m], then its rotation row by row.
-        port: (12,) pose of the port, in the same frame as that of the payload.
+        port: (12,) pose of the port, given in the same frame as the payload's pose.
         planes: (k, 4) the envelope in the port's frame, the plane of face c first.
-        found: (6,) output.
+        found: (6,) output, with the indices above.
     """
     pose = np.empty(POSE)  # the payload's pose in the port's frame
     relative(port, payload, pose)

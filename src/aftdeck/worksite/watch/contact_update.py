@@ -1,4 +1,7 @@
-"""One step of the worksite in one compiled call: poses of all frames, clearances of groups, and contacts."""
+"""One step of the worksite in one compiled call: poses of all frames, clearances of all groups, and contacts.
+
+A group is a monitored pair of parts.
+"""
 
 from __future__ import annotations
 
@@ -31,9 +34,10 @@ def place_everything(
         scene: (12,) the orbiter's frame in L.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L, as columns.
         orbiter: (3,) displacement of the orbiter along its axes [m].
-        carrier: (c,) for each payload, the row of the frame that carries it; negative if the payload floats.
-        rides: (c, 12) pose of each payload in the carrying frame. The pose of a floating payload is in the frame fixed
-            in space that coincided with L at the start.
+        carrier: (c,) for each payload, the row of the frame that carries the payload; negative if no frame carries it
+            (the payload floats).
+        rides: (c, 12) pose of each payload in the frame that carries it. For a floating payload, the pose is in a
+            frame that is fixed in space and coincided with L at the start.
         angles: (6,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
@@ -89,14 +93,14 @@ def update_contacts(
 ) -> tuple[bool, bool, int]:
     """Run `place_everything`, `measure_groups` and `count_frames`; the arguments are those of these three laws.
 
-    The arrays of a tuple are separate arguments here, which Python passes faster.
+    The arrays of the tuples are separate arguments here: Python passes these faster.
 
     On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
 
     Returns:
-        Whether a group is in contact; whether a contact began, ended or reached its second step; and the group of least
-        clearance among those that count, -1 if there is none. A plain tuple, which compiled code makes faster than a
-        named one.
+        Three values: whether a group is in contact; whether a contact began, ended or reached its second step; and the
+        group of least clearance among those that count, -1 if there is none. The result is a plain tuple, because
+        compiled code makes a plain tuple faster than a named tuple.
     """
     before[:] = now
     place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
@@ -109,7 +113,7 @@ def update_contacts(
 
 @law
 def nearest_place(frames: Array, row: int, rows: Indices, places: Array, within: float) -> int:
-    """Return the index of the pose with its origin nearest to a frame's origin; -1 if none is nearer than `within` [m].
+    """Return the index of the pose whose origin is nearest to the origin of a frame; -1 if none is within `within` [m].
 
     Args:
         frames: (F, 12) poses of the frames, in L.
