@@ -15,6 +15,7 @@ SOURCE = Path(aftdeck.__file__).parent
 ROOMS = (
     (
         "arrays",
+        "tuples",
         "dimensions",
         "errors",
         "files",

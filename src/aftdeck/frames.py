@@ -18,9 +18,9 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.tuples import Rows
 from aftdeck.units import INCH
 
-Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 FrameName = Literal["L", "orbiter", "panel"]
 
 SCENE_ORIGIN = np.array([942.0, 0.0, 400.0]) * INCH

@@ -14,8 +14,9 @@ from typing import Literal
 
 import msgspec
 
+from aftdeck.tuples import Vec3
+
 Vec2 = tuple[float, float]
-Vec3 = tuple[float, float, float]
 Axis = Literal["x", "y", "z"]
 Material = Literal[
     "blanket",  # white quilted blanket of the orbiter's upper side

@@ -11,7 +11,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from aftdeck.bodies.camera_file import CameraFile, DriveFile, TravelFile, cameras_of
-from aftdeck.bodies.cameras import Camera, Drive, Setting, Vec3, setting, square, view
+from aftdeck.bodies.cameras import Camera, Drive, Setting, setting, square, view
+from aftdeck.tuples import Vec3
 from aftdeck.units import Angle, AngularRate, Length
 
 directions = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda v: math.hypot(*v) > 0.1)

@@ -7,7 +7,8 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from aftdeck.bodies.cameras import Camera, Setting, Vec3, view
+from aftdeck.bodies.cameras import Camera, Setting, view
+from aftdeck.tuples import Vec3
 
 VIEWS = Path(__file__).parents[2] / "web" / "tests" / "views.json"
 

@@ -12,8 +12,9 @@ from aftdeck.simulation.frame import WayOut
 from aftdeck.station.messages import kinds
 from aftdeck.station.messages.frame import ClosestPoints
 from aftdeck.station.messages.welcome import SeatInfo, StandInfo, WorkInfo
+from aftdeck.tuples import Rows
 from aftdeck.worksite.conditions import Condition, Unit
-from aftdeck.worksite.report import Cargo, Hand, Near, Rows, Work
+from aftdeck.worksite.report import Cargo, Hand, Near, Work
 from aftdeck.worksite.watch.alarm import CLEAR, level_of
 from tests.browser.flight import WAIT_MS, Flight
 

@@ -9,7 +9,7 @@ import pytest
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.simulation.frame import Frame
-from aftdeck.worksite.report import Vec3
+from aftdeck.tuples import Vec3
 from tests.simulation.flights import srms
 from tests.steering.flying import fly
 

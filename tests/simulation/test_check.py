@@ -17,8 +17,9 @@ from aftdeck.errors import AftdeckError
 from aftdeck.frames import Pose
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.command_check.cmd_ck import STEPS
-from aftdeck.simulation.frame import Check, Six
+from aftdeck.simulation.frame import Check
 from aftdeck.simulation.operator.sequence import begin
+from aftdeck.tuples import Six
 from tests.steering.flying import BAY, checked, disturbed, finished, fly, joint_target, scenario, speed, target
 
 OPR = 'mode = "OPR CMD"\n'

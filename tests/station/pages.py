@@ -26,6 +26,7 @@ from aftdeck.station.server.app import make_app
 from aftdeck.station.server.serve import listen, make_server
 from aftdeck.station.session.preparation import ready
 from aftdeck.station.session.session import Session
+from aftdeck.tuples import Vec3
 
 WAIT_S = 60.0
 """Longest wait for a condition [s]; without a fault no wait takes as long, even on a busy machine."""
@@ -80,7 +81,7 @@ class Page:
         self.seq += 1
         return self.seq
 
-    def push(self, translation: kinds.Vec3 = STILL, rotation: kinds.Vec3 = STILL, drive: float = 0.0) -> int:
+    def push(self, translation: Vec3 = STILL, rotation: Vec3 = STILL, drive: float = 0.0) -> int:
         """Send stick deflections, and return the number of the message."""
         seq = self.next_seq()
         self.say(from_page.Sticks(seq, translation, rotation, drive))

@@ -14,7 +14,8 @@ from scipy.spatial.transform import Rotation
 import aftdeck
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame, Vec3
+from aftdeck.simulation.frame import Frame
+from aftdeck.tuples import Vec3
 from tests.reference.tables import table
 from tests.steering.flying import (
     BAY,

@@ -12,7 +12,8 @@ import pytest
 from numpy.typing import NDArray
 
 from aftdeck.errors import ScenarioError
-from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
+from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere
+from aftdeck.tuples import Vec3
 from aftdeck.worksite import Worksite, load_worksite, worksites
 
 Points = NDArray[np.float64]

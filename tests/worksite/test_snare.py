@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from aftdeck.bodies.pose import row_of
-from aftdeck.frames import Pose, Rows, endori
+from aftdeck.frames import Pose, endori
+from aftdeck.tuples import Rows, Vec3
 from aftdeck.units import INCH
 from aftdeck.worksite.capture.grapple import CaptureEnvelope, in_envelope
 from aftdeck.worksite.capture.snare import Flags, Snare, SnareCommand, SnareTimes, advance, flags
 from aftdeck.worksite.conditions import Condition, all_hold, failing
 from aftdeck.worksite.log_line import LogLine
-from aftdeck.worksite.report import Vec3
 from aftdeck.worksite.seats.draw_in import remaining
 
 ENVELOPE = CaptureEnvelope(4.0 * INCH, -0.001, 4.0 * INCH, radians(10.0), radians(10.0), radians(10.0))

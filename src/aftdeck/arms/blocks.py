@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.model import HeadingArmFile
-from aftdeck.shapes import Material, Vec3
+from aftdeck.shapes import Material
+from aftdeck.tuples import Vec3
 
 Axes = tuple[int, int, int]
 

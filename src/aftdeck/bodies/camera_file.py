@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 import msgspec
 
-from aftdeck.bodies.cameras import Camera, Drive, Kind, Pane, Travel, Vec3, along, setting, square
+from aftdeck.bodies.cameras import Camera, Drive, Kind, Pane, Travel, along, setting, square
 from aftdeck.files import Problem
+from aftdeck.tuples import Vec3
 from aftdeck.units import Angle, AngularRate, Length
 
 

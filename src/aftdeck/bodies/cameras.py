@@ -12,7 +12,8 @@ from typing import Literal, NamedTuple, get_args
 
 import msgspec
 
-Vec3 = tuple[float, float, float]
+from aftdeck.tuples import Vec3
+
 Kind = Literal["camera", "window", "engineering"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 """Kinds of sources of pictures: a television camera, an eye behind a window, or a view for engineers, which does not

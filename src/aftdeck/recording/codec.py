@@ -14,8 +14,9 @@ from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints
 import msgspec
 import numpy as np
 
-from aftdeck.frames import Rows, quaternion, rotation_of
+from aftdeck.frames import quaternion, rotation_of
 from aftdeck.recording.hints import apart, is_object, names, without_none
+from aftdeck.tuples import Rows
 
 Change = Callable[[Any], Any]
 """Function that converts a value to its plain form, or a plain form to its value."""

@@ -13,10 +13,10 @@ from typing import Any, Literal, get_args, get_origin
 import msgspec
 
 from aftdeck.errors import InputError
-from aftdeck.frames import Rows
 from aftdeck.recording.hints import is_object
 from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import fields, rotation
+from aftdeck.tuples import Rows
 
 BEGIN, END = "<!-- made from the types: begin -->\n", "<!-- made from the types: end -->\n"
 _NAMES = {float: "number", int: "whole number", str: "text", bool: "true or false"}

@@ -12,8 +12,8 @@ from typing import Any, Literal, NamedTuple, get_args, get_origin, get_type_hint
 import msgspec
 
 from aftdeck.field_meta import comments
-from aftdeck.frames import Rows
 from aftdeck.recording.hints import apart, is_object, names, without_none
+from aftdeck.tuples import Rows
 
 _PLAIN = {float: "number", int: "integer", str: "string", bool: "boolean"}
 

@@ -20,9 +20,9 @@ from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LightSpec
 from aftdeck.shapes import switches
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.model import Cargo, Worksite
 
-Vec3 = tuple[float, float, float]
 Colour = Annotated[str, msgspec.Meta(pattern=r"^#[0-9a-f]{6}$")]
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 Strength = Annotated[float, msgspec.Meta(ge=0.0)]

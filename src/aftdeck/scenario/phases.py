@@ -17,8 +17,7 @@ from aftdeck.scenario.poses import check_angle
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import AngularVelocity, Phase, PorOverride, Velocity
 from aftdeck.steering.mode import MODES, Mode
-
-Six = tuple[float, float, float, float, float, float]
+from aftdeck.tuples import Six
 
 _USED: dict[str, set[str]] = {
     "automatic": {"law"},

@@ -5,10 +5,8 @@ from __future__ import annotations
 import msgspec
 import numpy as np
 
-from aftdeck.frames import Pose, Rows
-
-Vec3 = tuple[float, float, float]
-Six = tuple[float, float, float, float, float, float]
+from aftdeck.frames import Pose
+from aftdeck.tuples import Rows, Six, Vec3
 
 
 class Target(msgspec.Struct, frozen=True):

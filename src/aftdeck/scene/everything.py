@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.frames import SCENE_FROM_PANEL_AXES, Rows, quaternion
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, quaternion
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import draws_payload
 from aftdeck.scene.poses import ArmPoses
-from aftdeck.simulation.frame import Frame, Vec3
+from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.observe.look_ahead import Ahead
+from aftdeck.tuples import Rows, Vec3
 
 
 class ScenePoses:

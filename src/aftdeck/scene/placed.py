@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from aftdeck.frames import Pose, endori
-from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
+from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere
+from aftdeck.tuples import Vec3
 
 Leaf = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light
 """A shape that is not a group."""

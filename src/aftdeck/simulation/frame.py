@@ -12,12 +12,9 @@ import msgspec
 
 from aftdeck.bodies.cameras import Setting
 from aftdeck.field_meta import field_meta
+from aftdeck.tuples import Rows, Six, Vec3
 from aftdeck.worksite.report import Work
 
-Vec3 = tuple[float, float, float]
-Rows = tuple[Vec3, Vec3, Vec3]
-"""Rotation matrix as three rows; its columns are the axes. In files a rotation is a quaternion, w, x, y, z."""
-Six = tuple[float, float, float, float, float, float]
 Level = Literal["info", "caution", "warning"]
 Sequence = Literal["idle", "checking", "ready", "in progress"]
 

@@ -14,9 +14,7 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.steering.mode import LawChoice
-
-Vec3 = tuple[float, float, float]
-Six = tuple[float, float, float, float, float, float]
+from aftdeck.tuples import Six, Vec3
 
 JOINTS = 6
 AGREED, AGREED_TURN = 1e-3, math.radians(0.01)

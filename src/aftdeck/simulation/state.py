@@ -15,7 +15,7 @@ from aftdeck.plant.linear_actuator import Slide
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame import Check, Event, Level, Sequence, Six, WayOut
+from aftdeck.simulation.frame import Check, Event, Level, Sequence, WayOut
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Checking, Premises
@@ -26,6 +26,7 @@ from aftdeck.steering.layout import COMMAND, MOTION_ACTIVE, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rules import Rate
+from aftdeck.tuples import Six
 
 Ending = Literal["", "reached", "missed", "given up"]
 

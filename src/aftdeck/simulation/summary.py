@@ -9,9 +9,10 @@ from typing import Literal
 import msgspec
 
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Event, Frame, Six, Vec3
+from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.state import State
 from aftdeck.steering.limiters import rate_ratio
+from aftdeck.tuples import Six, Vec3
 from aftdeck.version import __version__
 from aftdeck.worksite.watch.found import CLEARANCE
 

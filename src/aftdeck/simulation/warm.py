@@ -15,6 +15,7 @@ from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
 from aftdeck.simulation.payloads.grasp import attach, empty_grasp, start_free_flight
+from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.simulation.payloads.sliding import slide_along
 from aftdeck.simulation.payloads.task_phases import change_task
@@ -48,6 +49,7 @@ def warm_up(scenario: Scenario) -> None:
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)
     if flight.site.cargo:
+        present_objective(flight, state)
         _carry(flight, state)
 
 

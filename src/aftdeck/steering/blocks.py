@@ -26,8 +26,7 @@ from aftdeck.kinematics.linkage import (
 from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
 from aftdeck.law import law, reduced, sincos_near_zero, turned_on
 from aftdeck.steering.msteer import NEAR_FLOOR
-
-Six = tuple[float, float, float, float, float, float]
+from aftdeck.tuples import Six
 
 LANES = 40
 """Number of arms in a block.

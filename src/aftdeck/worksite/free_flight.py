@@ -18,8 +18,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.law import law, sincos
-
-Vec3 = tuple[float, float, float]
+from aftdeck.tuples import Vec3
 
 _SMALL = 1e-4
 """Angle below which the first terms of a series replace the sines [rad]; the result is then exact to rounding."""

@@ -13,10 +13,11 @@ import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.cameras import Camera, Vec3
+from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Shape
+from aftdeck.tuples import Vec3
 
 Frame = Literal["orbiter", "space"]
 

@@ -10,13 +10,9 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.field_meta import field_meta
+from aftdeck.tuples import Rows, Six, Vec3
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.watch.alarm import Level
-
-Vec3 = tuple[float, float, float]
-Rows = tuple[Vec3, Vec3, Vec3]
-Six = tuple[float, float, float, float, float, float]
-
 
 COARSE = 5
 """Decimals of measurements between bodies."""

@@ -3,20 +3,20 @@
 
 export const PROTOCOL = 4;
 
-export type Vec2 = readonly [number, number];
 export type Vec3 = readonly [number, number, number];
+export type Vec2 = readonly [number, number];
 export type Axis = 'x' | 'y' | 'z';
 export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
 export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
 export type Level = 'info' | 'caution' | 'warning';
 export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE';
-export type Six = readonly [number, number, number, number, number, number];
 export type Quat = readonly [number, number, number, number];
 export type Rate = 'coarse' | 'vernier';
 export type LawChoice = 'position' | 'closed loop' | 'open loop';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
+export type Six = readonly [number, number, number, number, number, number];
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';

@@ -10,7 +10,6 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
 from aftdeck.law import law
-from aftdeck.simulation.frame import Rows, Six, Vec3
 from aftdeck.steering.layout import (
     DEMAND,
     DRIVE,
@@ -25,6 +24,7 @@ from aftdeck.steering.layout import (
     TURN_REMAINING,
     TWIST,
 )
+from aftdeck.tuples import Rows, Six, Vec3
 
 Observed = tuple[Vec3, Rows, Six, Vec3, Rows]
 """Position, rotation (rows) and twist of the tip; distances from the singularities; LNKAGE's T_B5."""

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 
-from aftdeck.frames import Rows, angle_between
+from aftdeck.frames import angle_between
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame import Frame, Goal, Placed, Six, Times, Vec3
+from aftdeck.simulation.frame import Frame, Goal, Placed, Times
 from aftdeck.simulation.motion.active_limits import active_limits
 from aftdeck.simulation.observe.frame_numbers import carried_numbers, frame_numbers
 from aftdeck.simulation.observe.look_work import work_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
+from aftdeck.tuples import Rows, Six, Vec3
 
 
 def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:

@@ -15,7 +15,6 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame import Six
 from aftdeck.simulation.frame_poses import frames_at
 from aftdeck.simulation.motion.standstill import joint_lock_reason
 from aftdeck.simulation.observe.look_work import near_of
@@ -26,7 +25,8 @@ from aftdeck.steering.layout import ANGLES, DRIVE, LAW, MOTION_ACTIVE, REPORT, S
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rehearsal import rehearse
-from aftdeck.worksite.report import Near, Rows, Vec3
+from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.worksite.report import Near
 from aftdeck.worksite.watch.found import CLEARANCE
 
 LEAST_S, MOST_S = 2.0, 20.0

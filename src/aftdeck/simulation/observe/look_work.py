@@ -16,8 +16,9 @@ from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
 from aftdeck.steering.mode import MODES
+from aftdeck.tuples import Six, Vec3
 from aftdeck.worksite.capture.snare import Snare, flags
-from aftdeck.worksite.report import Cargo, Hand, Near, Six, Vec3, Work
+from aftdeck.worksite.report import Cargo, Hand, Near, Work
 from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
 
 _ZERO = (0.0, 0.0, 0.0)

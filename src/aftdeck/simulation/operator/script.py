@@ -11,7 +11,7 @@ from functools import lru_cache
 from aftdeck.scenario.model import PhasePlan
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.inputs import Inputs, Vec3
+from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log
 from aftdeck.simulation.operator.relative_target import resolve_target
 from aftdeck.simulation.payloads.grasp import set_effector, update_steering
@@ -19,6 +19,7 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
 from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
+from aftdeck.tuples import Vec3
 
 AT_LENGTH = 1e-9
 """Greatest distance of the telescope from `stand_at` at which a phase with `stand_at` ends [m]."""

@@ -12,7 +12,6 @@ import numpy as np
 from aftdeck.errors import AftdeckError
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame import Six
 from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.operator.check_request import begin_check
@@ -22,6 +21,7 @@ from aftdeck.simulation.state import Ending, Panel, State
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, LAW, MASTER, MOTION_ACTIVE, PLAN, RATIO, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 from aftdeck.steering.rehearsal import MAX_STOPPED_TIME, STANDSTILL
+from aftdeck.tuples import Six
 
 _STANDSTILLS = {
     "": "a limit holds the arm at a standstill",

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.frame import Cause, Six
+from aftdeck.simulation.frame import Cause
 from aftdeck.state_part import Cache, StatePart
 from aftdeck.steering.mode import LawChoice
+from aftdeck.tuples import Six
 
 if TYPE_CHECKING:
     from aftdeck.simulation.command_check.rehearsal import Rehearsal

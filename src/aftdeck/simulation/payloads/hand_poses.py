@@ -7,7 +7,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.law import law
-from aftdeck.simulation.frame import Rows, Vec3
+from aftdeck.tuples import Rows, Vec3
 
 InEffector = tuple[Vec3, Rows]
 """Position and rotation of a grapple fixture in the end effector's axes E."""
@@ -48,4 +48,12 @@ def fixture_in_effector(frames: Array, last_joint: int, effector: Array, row: in
     compose(frames[last_joint], effector, outer)
     compose(frames[row], fixture, inner)
     relative(outer, inner, p)
-    return (p[0], p[1], p[2]), ((p[3], p[4], p[5]), (p[6], p[7], p[8]), (p[9], p[10], p[11]))
+    # without the compiler, an array's numbers are NumPy's: the state has only Python's
+    return (
+        (float(p[0]), float(p[1]), float(p[2])),
+        (
+            (float(p[3]), float(p[4]), float(p[5])),
+            (float(p[6]), float(p[7]), float(p[8])),
+            (float(p[9]), float(p[10]), float(p[11])),
+        ),
+    )

@@ -17,8 +17,8 @@ from aftdeck.simulation.observe import look_ahead
 from aftdeck.station.conversion.fixture import Fixtures
 from aftdeck.station.lamps import lit_lamps
 from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Resolution, with_display
-from aftdeck.station.messages.kinds import Vec3
 from aftdeck.steering.mode import MODES
+from aftdeck.tuples import Six, Vec3
 from aftdeck.worksite.report import Near
 
 
@@ -127,7 +127,7 @@ class Displays:
             return np.asarray(self._mount.rotation @ np.array(frame.payload[1]))
         return np.eye(3)
 
-    def _resolution(self, pose: Pose, twist: sim.Six) -> Resolution:
+    def _resolution(self, pose: Pose, twist: Six) -> Resolution:
         """Return a point of resolution in panel components; `pose` and `twist` are in L."""
         shown = self._mount.to("panel", pose)
         roll, pitch, yaw = (self._mount.rotation @ np.array(twist[:3])).tolist()

@@ -7,10 +7,10 @@ from typing import cast
 from aftdeck.frames import Pose, panel_attitude
 from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.model import Point, Scenario
-from aftdeck.station.messages.kinds import Six, Vec3
 from aftdeck.station.messages.welcome import PayloadInfo, StoredPoint, StoredSequence
 from aftdeck.steering.layout import RATE, SPEED, TURN
 from aftdeck.steering.rules import rules_of
+from aftdeck.tuples import Six, Vec3
 
 
 def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:

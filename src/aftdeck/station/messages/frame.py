@@ -10,7 +10,8 @@ import msgspec
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation import frame as sim
 from aftdeck.station.lamps import Lamp
-from aftdeck.station.messages.kinds import Quat, Vec3
+from aftdeck.station.messages.kinds import Quat
+from aftdeck.tuples import Vec3
 
 
 class Resolution(msgspec.Struct, frozen=True, gc=False):

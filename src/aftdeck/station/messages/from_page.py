@@ -18,10 +18,9 @@ from aftdeck.station.messages.kinds import (
     ProblemPart,
     Rate,
     Seq,
-    Six,
-    Vec3,
     WireMessage,
 )
+from aftdeck.tuples import Six, Vec3
 
 
 class Hello(WireMessage, frozen=True, tag="hello"):

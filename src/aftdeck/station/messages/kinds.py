@@ -21,8 +21,6 @@ MAX_MESSAGE_BYTES = 16_384
 Only a `Controllers` message can be nearly as long; all other messages have fewer than 400 bytes.
 """
 
-Vec3 = tuple[float, float, float]
-Six = tuple[float, float, float, float, float, float]
 Quat = tuple[float, float, float, float]
 Rate = Literal["coarse", "vernier"]
 LawChoice = Literal["position", "closed loop", "open loop"]

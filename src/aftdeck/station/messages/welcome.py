@@ -9,7 +9,8 @@ import msgspec
 from aftdeck.bodies.cameras import Camera
 from aftdeck.scenario.light import LightCondition
 from aftdeck.shapes import Shape
-from aftdeck.station.messages.kinds import ProblemPart, Six, Vec3, WireMessage
+from aftdeck.station.messages.kinds import ProblemPart, WireMessage
+from aftdeck.tuples import Six, Vec3
 
 
 class JointInfo(msgspec.Struct, frozen=True):

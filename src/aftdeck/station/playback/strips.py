@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame, Six
+from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.log import joint_label
 from aftdeck.station.messages.curves import Curve, Quantity, Strip
+from aftdeck.tuples import Six
 
 BUCKETS = 1000
 """Number of equal parts of a run. A curve keeps the least and the greatest value of each part.

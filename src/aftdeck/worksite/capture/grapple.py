@@ -6,9 +6,9 @@ from math import hypot, inf
 
 import msgspec
 
-from aftdeck.frames import Rows, oriend_rows
+from aftdeck.frames import oriend_rows
+from aftdeck.tuples import Rows, Vec3
 from aftdeck.worksite.conditions import Condition, within
-from aftdeck.worksite.report import Vec3
 
 
 class CaptureEnvelope(msgspec.Struct, frozen=True):

@@ -13,7 +13,8 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.cover import prism
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
-from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere, Vec3
+from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
 from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, moved
 from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start

@@ -9,12 +9,13 @@ from pathlib import Path
 import msgspec
 
 from aftdeck.arms.geometry import frozen
-from aftdeck.bodies.cameras import Camera, Vec3
+from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.solid import Solid
 from aftdeck.dimensions import KEY, derive
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import Problem, Text, examine, line_of, read, sentences
 from aftdeck.shapes import Shape
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
 from aftdeck.worksite.file.check import bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
 from aftdeck.worksite.file.housing import Housed, housed

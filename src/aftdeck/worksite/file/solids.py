@@ -13,7 +13,8 @@ from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
-from aftdeck.shapes import Hexahedron, Material, Shape, Vec3
+from aftdeck.shapes import Hexahedron, Material, Shape
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.solid_file import (
     BlockFile,
     BoxFile,

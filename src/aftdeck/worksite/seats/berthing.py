@@ -23,9 +23,8 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, angle_between
 from aftdeck.law import law
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.conditions import Condition, within
-
-Vec3 = tuple[float, float, float]
 
 SWITCHES = ("A", "B")
 """Names of the two switches of each latch that show ready-for-latch."""
