@@ -105,7 +105,7 @@ export class Monitors {
     this.listener.changed();
   }
 
-  /** Puts the camera of a digit on the selected monitor. A digit that is pressed twice selects one of 11 to 20. */
+  /** Puts the camera of a digit on the selected monitor. A digit pressed twice means one of the cameras 11 to 20. */
   chooseDigit(index: number, now: number): void {
     const again = index === this.digit.index && now - this.digit.at < AGAIN_MS;
     this.digit = { index: again ? -1 : index, at: now };

@@ -22,7 +22,7 @@ import { PACES, type Pane, Panes } from './panes';
 
 /** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
-/** The page checks at this interval whether the pictures are on the page [ms]. */
+/** Time between two attempts to put the pictures on the page [ms]. */
 const LOOK_MS = 3;
 
 export interface PicturesListener {

@@ -8,7 +8,7 @@ import { Samples } from './samples';
 
 /** Normal time from an input to its frame: a control period and the transmission [ms]. */
 const ANSWERED_MS = 40;
-/** A picture waits for an input only if the input is at least this much later than `heldFor` [ms]. */
+/** Least time between two inputs for each of which a picture is delayed [ms]. */
 const HELD_MS = 150;
 
 export class Latency {

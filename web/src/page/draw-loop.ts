@@ -13,7 +13,7 @@ import type { Operator } from './operator';
 
 /** Time between two updates of numbers and legends [ms]. */
 const VALUES_MS = 100;
-/** While a picture is drawn, displayed numbers wait at most for this time since their last update [ms]. */
+/** While a picture takes long to draw, the displayed numbers are updated at this interval [ms]. */
 const OVERDUE_MS = 300;
 
 /** The parts of the page that the loop draws. */

@@ -9,7 +9,7 @@ const MOST_KEPT = 8;
 const AHEAD = 2;
 /** Time after which a failed block is requested again [ms]. */
 const AGAIN_MS = 1000;
-/** Tolerance for the rounding of times, as a fraction of the period. Without rounding, times are multiples of it. */
+/** Tolerance for the rounding of times, as a fraction of the period. Exact times are multiples of the period. */
 const ROUNDING = 1e-6;
 
 type Extent = Pick<PlaybackIndex, 'period_s' | 'ticks' | 'stride' | 'block'>;
