@@ -51,17 +51,14 @@ const names = (all: readonly Pane[]) => all.map((pane) => pane.camera.name).join
 const paces = (all: readonly Pane[]) => all.map(({ pace }) => pace);
 
 describe('pictures on the page', () => {
-  it.each<Quality>(['full', 'low'])(
-    'are on the monitors, each with the pace of its monitor: %s',
-    (quality) => {
-      const { panes, both } = page(quality);
-      const all = panes.all(false);
-      const [first, second] = PACES[quality];
-      expect(names(all)).toBe('ABC');
-      expect(paces(all)).toEqual([first, first, second]);
-      expect(all.map(({ picture }) => picture)).toEqual(both.flatMap(({ pictures }) => pictures));
-    },
-  );
+  it.each<Quality>(['full', 'low'])('are on monitors, each with its monitor’s pace: %s', (quality) => {
+    const { panes, both } = page(quality);
+    const all = panes.all(false);
+    const [first, second] = PACES[quality];
+    expect(names(all)).toBe('ABC');
+    expect(paces(all)).toEqual([first, first, second]);
+    expect(all.map(({ picture }) => picture)).toEqual(both.flatMap(({ pictures }) => pictures));
+  });
 
   it.each<Quality>(['full', 'low'])('are the tiles while all cameras are shown: %s', (quality) => {
     const { panes, tiles } = page(quality);
