@@ -195,13 +195,13 @@ def test_engineering_view_turns_about_its_target_and_can_be_shifted(
     flight.press("End")  # lock the exposure
     first = flight.page.locator(".monitor").first
     pictures = []
-    for target in ("place", "tip", "payload", "gap"):
-        round_ = first.get_by_role("button", name=f"Round {target}", exact=True)
+    for target in ("start", "tip", "payload", "gap"):
+        round_ = first.get_by_role("button", name=f"Centre: {target}", exact=True)
         steady(flight)
         pictures.append(drawn(flight))
         round_.click()
     assert len(set(pictures[:3])) == 3
-    first.get_by_role("button", name="Round start", exact=True).wait_for()
+    first.get_by_role("button", name="Centre: start", exact=True).wait_for()
     steady(flight)
     before = drawn(flight)
     box = flight.page.locator(".picture").first.bounding_box()

@@ -23,7 +23,7 @@ test('a display option is off by default, stored, and reported to listeners', ()
   ]);
 });
 
-test('unreadable stored options become the defaults', () => {
+test('stored options that cannot be read are replaced by the defaults', () => {
   for (const text of [null, '', '{', '{"early": 1, "night": "yes"}'])
     expect(looksOf(text)).toEqual(looksOf(null));
 });

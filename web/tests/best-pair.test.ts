@@ -34,7 +34,7 @@ test('the best pair sees the clearance from the most different directions', () =
   expect(bestPair([a, b], { ...at, gap: null })).toBeNull();
 });
 
-test('among pairs with angles near 90° the pair with the least turned pictures is best', () => {
+test('among pairs with angles near 90°, the pair whose pictures are turned least is best', () => {
   const at = { gap: [0, 0, 0], tip: null, payload: null } as const;
   const angle = (degrees: number): Vec3 => [Math.cos(degrees * degree), Math.sin(degrees * degree), 0];
   const pair = bestPair(

@@ -31,7 +31,7 @@ test('a wheel notch zooms for a short time; the opposite notch reverses it', () 
   expect(drag.turning(2600)).toEqual(still);
 });
 
-test('two fingers that move apart zoom in, together zoom out', () => {
+test('two fingers zoom in when they move apart, and zoom out when they move together', () => {
   const drag = new CameraDrag();
   drag.press(1, { x: 100, y: 100 }, 300);
   drag.press(2, { x: 200, y: 100 }, 300);

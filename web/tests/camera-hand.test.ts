@@ -13,7 +13,7 @@ test('held keys push the camera switches; opposite keys cancel', () => {
   expect(turningOf(new Set(['ArrowLeft', 'ArrowRight']), DEFAULTS.keyboard)).toEqual(still);
 });
 
-test('a camera command is repeated while held and ends on release', () => {
+test('a camera command is repeated while its key is held, and ends at its release', () => {
   Object.assign(globalThis, { window: globalThis, document: { hidden: false } });
   const sent: Record<string, unknown>[] = [];
   const messages: string[] = [];

@@ -15,7 +15,7 @@ test('the axis that moved farthest is captured, whatever its rest position', () 
   expect(capture.look(look([0.2, -0.3]))).toEqual({ source: 'a1', sign: 1 });
 });
 
-test('a button is captured when it is pressed; Menu when it is released alone', () => {
+test('a button is captured when it is pressed; Menu is captured when it is released alone', () => {
   const capture = new Capture(DEFAULTS.pad);
   capture.look(look([], 3));
   expect(capture.look(look([], 3, 9))).toBeNull();

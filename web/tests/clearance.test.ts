@@ -35,7 +35,7 @@ test('the curve shows only the last minute', () => {
   expect(path.match(/[ML]/g)).toHaveLength(2 * SPAN_S + 1);
 });
 
-test('the curve has a gap without a monitored pair and is cleared at a restart', () => {
+test('the curve has a gap while no pair is monitored, and is cleared at a restart', () => {
   const trend = new Trend();
   for (const [time, value] of [
     [0, 1],
@@ -72,7 +72,7 @@ test('contacts that inhibit are listed first, the deepest one on top', () => {
   expect(lines[3]?.text).toBe('Essential contact: prong – bar');
 });
 
-test('conditions that all fit keep their order', () => {
+test('conditions keep their order if each of them has a cell', () => {
   const places = new Places(3);
   const names = (...margins: number[]) =>
     places
@@ -83,7 +83,7 @@ test('conditions that all fit keep their order', () => {
   expect(names(0.1, 0.1)).toEqual(['a', 'b']);
 });
 
-test('a failed condition replaces one that holds if not all fit', () => {
+test('a failed condition replaces one that holds if there are too few cells', () => {
   const places = new Places(3);
   const shown = (failing: string) =>
     places

@@ -38,7 +38,7 @@ test('a text without a number is unchanged', () => {
   );
 });
 
-test('a failed value is never displayed like its limit', () => {
+test('the text of a failed value differs from the text of its limit', () => {
   const palm = condition('palm {} above the bar, {} to {} allowed', [0.0190551, 0, 0.01905], 'm');
   const [value, limit] = conditionText(palm, SI).match(/1\.\d+/g) ?? [];
   expect(Number(value)).toBeGreaterThan(Number(limit));

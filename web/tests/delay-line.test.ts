@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { DelayLine, isStale } from '../src/link/delay-line';
 import type { Frame } from '../src/link/protocol';
 
-/** Return the ticks that a line with this delay [s] shows at each time [ms]; a frame arrives every 100 ms from 0 on. */
+/** Return the ticks that a line with this delay [s] shows at each time [ms]. From 0, a frame arrives every 100 ms. */
 function shows(delay: number, times: readonly number[], frames = 100): readonly (number | undefined)[] {
   const line = new DelayLine(delay);
   let tick = 0;
@@ -22,7 +22,7 @@ describe('a delay line', () => {
     });
   });
 
-  it('without a delay shows the newest frame', () => {
+  it('shows the newest frame if its delay is zero', () => {
     expect(shows(0, [0, 99, 100, 250])).toEqual([0, 0, 1, 2]);
     const line = new DelayLine(0);
     line.put(seen(0, 500)); // arrived just before the page drew an earlier frame
@@ -45,7 +45,7 @@ describe('a delay line', () => {
     expect(line.at(7100)?.frame.tick).toBe(1);
   });
 
-  it('is stale 0.5 s after its delay without new frames', () => {
+  it('is stale if no new frame arrives until 0.5 s after its delay', () => {
     const line = new DelayLine(2);
     for (let tick = 0; tick < 10; tick += 1) line.put(seen(tick, 100 * tick));
     for (const now of [0, 900, 2900]) expect(isStale(line.age(now))).toBe(false);

@@ -35,7 +35,7 @@ test('a held switch acts once, after its hold time', () => {
   expect(acted).toHaveBeenCalledTimes(1);
 });
 
-test('a switch held long enough acts without a poll in between', () => {
+test('a switch that is held long enough acts at its release, even without a call of `tick`', () => {
   const acted = vi.fn();
   const hold = new Hold(0.3, acted);
   hold.press(1000);

@@ -37,7 +37,7 @@ test('the cross with Menu drives the telescope; without Menu it tilts the camera
   expect(deflection(reading(NO_AXES, { 9: 1, 12: 1 }), PAD).slice(7)).toEqual([0, 0, 0]);
 });
 
-/** A pad whose buttons a test presses. `press` returns the names of the actions; + and - mark start and end of a hold. */
+/** A pad whose buttons a test presses. `press` returns names of actions; + and - mark start and end of a hold. */
 function pressed() {
   const acted: string[] = [];
   const device = new Device('pad', (action: Action) =>
@@ -92,7 +92,7 @@ test('East stops, also with Menu', () => {
   expect(press(9, 1)).toEqual(['stop']);
 });
 
-test('a lost device is zeroed at once and flies again after it was centred', () => {
+test('a lost device is zeroed at once, and is used again after it was centred', () => {
   const device = new Device('pad', () => {});
   expect(isZero(device.read(reading([0, -1, 0, 0]), 0))).toBe(true);
   expect(device.state).toBe('waiting');
@@ -105,7 +105,7 @@ test('a lost device is zeroed at once and flies again after it was centred', () 
   expect(device.read(reading([0, -1, 0, 0]), 60)[0]).toBe(1);
 });
 
-test('a sensor off centre is reported and flies after it was zeroed', () => {
+test('a device with a sensor off centre is reported, and is used after it was zeroed', () => {
   const device = new Device('pad', () => {});
   const atRest = reading([0.2, 0, 0, 0]);
   for (let now = 0; now <= 10_000; now += 100) device.read(atRest, now);

@@ -94,7 +94,7 @@ describe('a lamp', () => {
     expect(filtered().shown()).toEqual(['limit', 'limit']);
   });
 
-  it('shows all lines again at its second press, and at the key', () => {
+  it('shows all lines again after its second press, and after a press of the key “all”', () => {
     const pressed = filtered();
     pressed.group.keepTo('SOFT STOP', ['limit']);
     expect(pressed.shown()).toHaveLength(3);
@@ -115,7 +115,7 @@ describe('a lamp', () => {
     expect(shown()).toHaveLength(3);
   });
 
-  it('keeps its filter for a new line of its kinds, and loses it for another', () => {
+  it('keeps its filter when a line of its kinds is added, and loses it when another line is added', () => {
     const { group, shown } = filtered();
     group.add([event('limit')]);
     expect(shown()).toEqual(['limit', 'limit', 'limit']);

@@ -44,7 +44,7 @@ function metering(quality: Quality = 'full') {
     exposures.measure(camera, PICTURE, 300, factor);
     return rows.mock.calls.length > before;
   };
-  /** Meters a picture to the end. */
+  /** Draws a picture and lets its light arrive; returns whether it is metered. */
   const meter = (camera: string, factor = 1) => {
     const begun = draw(camera, factor);
     follow();
@@ -114,7 +114,7 @@ describe('an exposure', () => {
     }
   });
 
-  it('is fixed for a locked camera alone', () => {
+  it('is fixed only for a locked camera', () => {
     const { exposures, follow, meter } = metering();
     meter('A');
     const before = exposures.stops('A');
@@ -146,7 +146,7 @@ test.each<[Quality, number]>([
   ['full', 300],
   ['low', 1500],
 ])(
-  'two pictures are metered at least an interval apart, those of one camera two: %s',
+  'two meterings are at least one interval apart, two meterings of one camera two: %s',
   (quality, interval) => {
     const { meter } = metering(quality);
     meter('A');
@@ -165,7 +165,7 @@ test.each<[Quality, number]>([
   },
 );
 
-test('a picture of the light condition before sets no exposure', () => {
+test('a picture of the previous light condition sets no exposure', () => {
   const { picture, exposures, draw, follow, meter } = metering();
   meter('A');
   const before = exposures.stops('A');

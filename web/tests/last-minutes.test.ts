@@ -111,7 +111,7 @@ test.each([
   [0, 0, 1, [0, 0.2]],
   [-1.2, -1.0, 1, [-1.2, -1]],
   [3, 3, 1, [3, 4]],
-])('the range of %d to %d, shown %d times, is round', (low, high, perSi, range) => {
+])('the range of %d to %d, displayed times %d, is round', (low, high, perSi, range) => {
   const [from, to] = roundRange(low, high, perSi);
   expect(from).toBeCloseTo(range[0] ?? NaN, 9);
   expect(to).toBeCloseTo(range[1] ?? NaN, 9);
@@ -127,7 +127,7 @@ test('the axis has no marks before the start of the run', () => {
   expect(marks({ from: -30, to: 0 })).toEqual([]);
 });
 
-test('later values are held back until their time', () => {
+test('values that arrive early are displayed at their time', () => {
   const made = begun(20);
   const stretch = { label: 'ORB UNL', level: 'info' } as const;
   const lane = [0, 5, 15].map((start_s) => ({ ...stretch, start_s, end_s: start_s + 5 }));

@@ -22,7 +22,7 @@ describe('stick to picture', () => {
     expect(latency.percentile95(160 + 10_001)).toBeNull();
   });
 
-  it('includes the share of the link, from the arrival of the frame', () => {
+  it('has a share of the link, which ends when the frame that used the input arrives', () => {
     const latency = new Latency();
     latency.sent(1, 100);
     latency.sent(2, 200);
@@ -41,7 +41,7 @@ describe('stick to picture', () => {
     expect(latency.percentile95(2160)).toBe(60);
   });
 
-  it('the rail shows the set delay, and the measured one if different', () => {
+  it('the rail shows the set delay, and also the measured delay if it differs', () => {
     const delayText = (set: number, measured: number | null) => {
       const { label, text } = delayWords(delays({ set, measured }));
       return `${label} ${text}`;

@@ -101,7 +101,7 @@ test('switching a lamp keeps the order of the lamps', () => {
   expect(toggled(['a', 'b', 'c'], ['a', 'c'], 'a')).toEqual(['c']);
 });
 
-test('the exposure ignores black space; a uniform picture meets the key', () => {
+test('the exposure ignores black space; a uniform picture gets the light `KEY`', () => {
   expect(metered([KEY, KEY])).toBeCloseTo(0, 12);
   expect(metered([KEY / 4, 0, 0, 0])).toBeCloseTo(2, 12);
   expect(metered([0, 0])).toBeNull();

@@ -82,7 +82,7 @@ test('a line of the page has the time of the displayed frame', () => {
   ]);
 });
 
-test('only a rejection by the page sets the time of the last rejection, not its other lines', () => {
+test('of the lines of the page, only a rejection sets the time of the last rejection', () => {
   const { lines, log, show } = opened();
   show(10);
   log.say('A line');

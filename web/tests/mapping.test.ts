@@ -24,7 +24,7 @@ test('deadband and expo are monotone, odd, and keep 0 and 1', () => {
   }
 });
 
-test('an axis that rests off centre reaches both ends and zero at rest', () => {
+test('an axis that rests off centre is zero at rest, and reaches both ends', () => {
   for (const centre of steps(-0.3, 0.3, 12)) {
     expect(centred(centre, centre)).toBe(0);
     expect([centred(-1, centre), centred(1, centre)]).toEqual([-1, 1]);
@@ -44,7 +44,7 @@ test('each default mapping is valid', () => {
   }
 });
 
-test('a malformed mapping is rejected by its faulty value', () => {
+test('the error for an invalid mapping names what is invalid', () => {
   const good = DEFAULTS.pad;
   for (const [data, words] of [
     [null, 'object'],

@@ -107,7 +107,7 @@ describe('a digit', () => {
       'B',
     ],
     [
-      'of no camera in the second bank',
+      'twice, if there is no camera with ten more',
       [
         [0, 2],
         [300, 2],
@@ -133,7 +133,7 @@ describe('a digit', () => {
   });
 });
 
-test('the cameras are stepped through in a circle', () => {
+test('a step from the last camera leads to the first, and back', () => {
   const { monitors } = made();
   const step = (by: number) => {
     monitors.step(by);
@@ -162,7 +162,7 @@ describe('a monitor that is split', () => {
     expect(state()).toBe('B A 0');
   });
 
-  it('keeps the left half if that is selected', () => {
+  it('keeps the left half if the left half is selected', () => {
     const { monitors, state } = made();
     monitors.toggleSplit();
     monitors.choose(B);
@@ -171,7 +171,7 @@ describe('a monitor that is split', () => {
     expect(state()).toBe('A A 0');
   });
 
-  it('has both halves in the round of selected pictures', () => {
+  it('has two pictures in the cycle in which pictures are selected', () => {
     const { monitors, state } = made();
     monitors.toggleSplit();
     monitors.take(0, 0);
@@ -244,7 +244,7 @@ test('the low speed of the drives is shown on both monitors', () => {
   expect([monitors.slow, ...pressed()]).toEqual([false, 'false', 'false']);
 });
 
-test('no drag turns a camera after the release of all', () => {
+test('no drag turns a camera after all drags were ended', () => {
   const { monitors } = made();
   const released = monitors.both.flatMap(({ halves }) => halves).map((half) => vi.spyOn(half, 'release'));
   monitors.release();

@@ -18,7 +18,7 @@ const MODES = [
   { position: 'MASTER', kind: 'master' },
 ] as readonly Mode[];
 
-/** A page of the operator, with the frame that it displays; its parts record what they are told to do. */
+/** A page of the operator, with the frame that it displays; its parts record their calls. */
 function station(flying = true, payloads = 1) {
   const frame = { mode: 'ORB UNL', rate: 'coarse' as Rate, by: 'hand' };
   const sticks = { flyingOrbiter: false, flyOrbiter: vi.fn() };
@@ -54,7 +54,7 @@ function station(flying = true, payloads = 1) {
   return { frame, parts, sent, classes, clearance, operations };
 }
 
-test('a command of the operator is sent, one of an observer is logged', () => {
+test('a command of the operator is sent; a command of an observer is logged as rejected', () => {
   const operator = station();
   operator.operations.send({ type: 'rate_hold' });
   expect(operator.sent).toEqual([{ type: 'rate_hold' }]);
@@ -159,7 +159,7 @@ test('secondary windows follow the units', () => {
   expect(parts.windows.update).toHaveBeenCalledTimes(1);
 });
 
-test('clearance and lamps are lent to the view of all cameras until it closes', () => {
+test('clearance and lamps move to the view of all cameras until it closes', () => {
   const { classes, clearance, operations, parts } = station();
   const { matrix } = parts.pictures;
   operations.showMatrix(true);

@@ -51,7 +51,7 @@ const names = (all: readonly Pane[]) => all.map((pane) => pane.camera.name).join
 const paces = (all: readonly Pane[]) => all.map(({ pace }) => pace);
 
 describe('pictures on the page', () => {
-  it.each<Quality>(['full', 'low'])('are those of the monitors, with the pace of each: %s', (quality) => {
+  it.each<Quality>(['full', 'low'])('are on monitors, each with its monitor’s pace: %s', (quality) => {
     const { panes, both } = page(quality);
     const all = panes.all(false);
     const [first, second] = PACES[quality];
@@ -67,7 +67,7 @@ describe('pictures on the page', () => {
     expect(all.every(({ pace, picture }) => pace === PACES[quality][2] && picture === null)).toBe(true);
   });
 
-  it('are not those of a monitor in a secondary window, and a monitor alone has the pace of the first', () => {
+  it('exclude a monitor in a secondary window; the other monitor has the pace of MON 1', () => {
     const { first, panes } = page();
     first.isConnected = false;
     const all = panes.all(false);
@@ -104,7 +104,7 @@ describe('a picture', () => {
     expect(draw('2', 4)).toBe('ABC true');
   });
 
-  it('of MON 2 waits for its turn, and the pictures are not complete before', () => {
+  it('of MON 2 waits for its turn; until then the pictures are not complete', () => {
     const { draw } = drawn();
     expect(draw('1', 1)).toBe('AB false');
     expect(draw('1', 2)).toBe('C true');
@@ -123,7 +123,7 @@ describe('a picture', () => {
     expect(draw('1', 2)).toBe('B true');
   });
 
-  it('is drawn together with the one inside it', () => {
+  it('is drawn together with the picture in its corner', () => {
     narrow = true;
     const { stops, draw } = drawn();
     draw('1', 0);
@@ -139,7 +139,7 @@ describe('a picture', () => {
     expect(draw('1', 1)).toBe('B true');
   });
 
-  it('of all cameras has its turn whatever the others have', () => {
+  it('in the view of all cameras is drawn at its own turn', () => {
     narrow = true;
     const { stops, draw } = drawn(true);
     expect([0, 1, 2, 3, 4].map((count) => draw('1', count))).toEqual([
@@ -180,7 +180,7 @@ test.each<[string, (page: Page) => void]>([
   expect(panes.isLaidOut(panes.all(false), false)).toBe(true);
 });
 
-test('the layout changes when all cameras are shown, even in as many places', () => {
+test('the layout changes when all cameras are shown, even if all positions are equal', () => {
   const { panes } = page();
   panes.takeLayout(panes.all(false), false);
   expect(panes.takeLayout(panes.all(false), true)).toBe(true);

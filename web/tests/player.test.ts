@@ -87,7 +87,7 @@ test('the playhead waits for frames that have not arrived', () => {
   expect(made.moment).toBeNull();
 });
 
-test('blocks are requested once and ahead, and few are kept', async () => {
+test('each block is requested once and in advance, and few blocks are stored', async () => {
   const { player: made, requested } = await player({ ticks: 100_000 });
   expect(requested.toSorted()).toEqual([0, 1]);
   for (let second = 0; second < 600; second += 1) {

@@ -93,7 +93,7 @@ test('the view names the operator, and its sticks move the orbiter only on the p
   expect(readouts.viewOf(frame).flier).toBe('');
 });
 
-test('the spine shows the lamps of the frame, then those of the page', () => {
+test('the spine shows the lamps of the frame, then the lamps of the page', () => {
   const { parts, shown, show } = desk();
   parts.log.refusedAt = 9000;
   show(frameOf('ORB UNL', [SINGULAR, CLEARANCE]));
@@ -109,7 +109,7 @@ test('a page too narrow for the controls has no lamp for its controllers', () =>
   expect(shown.map(({ lamps }) => lamps.map(({ name }) => name))).toEqual([['CONTROLLER'], []]);
 });
 
-test('every frame is heard', () => {
+test('the sounds receive every frame', () => {
   const { parts, show } = desk();
   const frame = frameOf('ORB UNL', []);
   show(frame);
@@ -125,7 +125,7 @@ test('only the page in control reports its cameras', () => {
   expect(report).toHaveBeenCalledTimes(1);
 });
 
-test('TEST lights lamps and segments, no other mode does', () => {
+test('only the mode TEST lights all lamps and segments', () => {
   const querySelectorAll = vi.fn(() => []);
   vi.stubGlobal('document', { querySelectorAll });
   const { shown, show } = desk();

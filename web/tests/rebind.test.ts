@@ -4,7 +4,7 @@ import { USES } from '../src/input/keymap';
 import { parseMapping, sourcesOf } from '../src/input/mapping';
 import { bind, isFixed, keyRefusal, movers, unbind, zeroed } from '../src/input/rebind';
 
-test('a key assigned to any function survives JSON and frees the former keys', () => {
+test('a key can be assigned to any function, which then loses its former keys', () => {
   const mapping = DEFAULTS.keyboard;
   for (const use of USES.keys()) {
     if (isFixed('keyboard', use)) continue;
@@ -17,7 +17,7 @@ test('a key assigned to any function survives JSON and frees the former keys', (
   }
 });
 
-test('a key that has a function is rejected by the name of this function', () => {
+test('a key that has a function is rejected; the error names this function', () => {
   for (const [source, its] of Object.entries(DEFAULTS.keyboard.bindings)) {
     for (const use of ['+X', 'rate', 'close']) {
       const put = () => bind('keyboard', DEFAULTS.keyboard, use, { source, sign: 1 });

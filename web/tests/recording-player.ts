@@ -23,7 +23,7 @@ export async function player(extent: Partial<typeof EXTENT> = {}) {
 
 export const settled = () => new Promise((resolve) => setTimeout(resolve));
 
-/** Advances by `dt` in steps of 10 ms, waiting for blocks between. */
+/** Advances by `dt` in steps of 10 ms; waits for blocks after each step. */
 export async function run(made: Player, dt: number) {
   for (let i = 0; i < dt / 0.01; i += 1) {
     made.advance(0.01);

@@ -1,6 +1,6 @@
 import { vi } from 'vitest';
 
-/** A document with only what panel components need to be made and read: elements without a layout. */
+/** A small document for components of the panel. They can be made and read in it, but have no layout. */
 
 class SmallText {
   constructor(public data: string) {}
@@ -114,7 +114,7 @@ export class SmallElement {
   }
 }
 
-/** Gives this test the small document; `vi.unstubAllGlobals` takes it away. */
+/** Replaces the global document by the small document, until `vi.unstubAllGlobals`. */
 export function useSmallPage(): void {
   const createElement = (tag: string) => new SmallElement(tag);
   vi.stubGlobal('Text', SmallText);

@@ -4,7 +4,7 @@ import { type Command, Link, type LinkState, parse } from '../src/link/socket';
 
 const STOP: Command = { type: 'stop' };
 
-/** A socket of which the test is the station. */
+/** A socket to which the test answers in place of the station. */
 class FakeSocket {
   readonly sent: Record<string, unknown>[] = [];
   closed = false;
@@ -60,13 +60,13 @@ function linked() {
   };
 }
 
-test('parsing rejects a message of an unknown type by its name', () => {
+test('parsing rejects a message of an unknown type; the error names the type', () => {
   expect(parse('{"type":"refused","seq":-1,"text":"No."}')).toMatchObject({ seq: -1 });
   expect(() => parse('{"type":"rumour"}')).toThrow('rumour');
   expect(() => parse('{')).toThrow(SyntaxError);
 });
 
-test('parsing rejects data that is not text, even if its text would be a message', () => {
+test('parsing rejects data that is not text, even if its conversion to text is a message', () => {
   expect(parse('{"type":"frame"}')).toEqual({ type: 'frame' });
   expect(() => parse(['{"type":"frame"}'])).toThrow();
 });
@@ -92,7 +92,7 @@ test('commands are sent only after the welcome, and every command has its own nu
   ]);
 });
 
-test('the link passes on every message of the session, and no preparation', () => {
+test('the link passes on every message of the session, but no message about its preparation', () => {
   const { states, messages, receive, welcome } = linked();
   receive({ type: 'preparing', text: 'a step' });
   expect(messages).toEqual([]);
@@ -152,7 +152,7 @@ test('attempts are counted until the station answers', () => {
   expect(loseAgain()).toBe(1);
 });
 
-test('commands of a lost link are dropped, also later', () => {
+test('commands on a lost link are dropped, and are not sent after the reconnection', () => {
   const { link, socket, welcome, lose } = linked();
   welcome();
   const before = link.send(STOP);
@@ -166,7 +166,7 @@ test('commands of a lost link are dropped, also later', () => {
   expect(link.send(STOP)).toBe(before + 3);
 });
 
-test('a page reports that it only observes once for each change', () => {
+test('at each change, a page reports once whether it only observes', () => {
   const { link, socket, page, welcome } = linked();
   socket().onopen();
   welcome();
@@ -179,7 +179,7 @@ test('a page reports that it only observes once for each change', () => {
   expect(socket().sent.map(({ type }) => type)).toEqual(['hello', 'leave_seat', 'take_seat']);
 });
 
-test('a page that observes from its hello on does not report it again', () => {
+test('a page that only observes from the start reports this only in its hello', () => {
   const { link, socket, page, welcome } = linked();
   page.shows = true;
   socket().onopen();
@@ -188,7 +188,7 @@ test('a page that observes from its hello on does not report it again', () => {
   expect(socket().sent.map(({ type }) => type)).toEqual(['hello']);
 });
 
-test('a page that changes before the welcome reports it at the welcome', () => {
+test('a page that changes before the welcome reports the change at the welcome', () => {
   const { link, socket, page, welcome } = linked();
   socket().onopen();
   page.shows = true;

@@ -48,7 +48,7 @@ describe('stick to picture', () => {
     expect(inputTimes).toEqual([6000]);
   });
 
-  it('is not measured from an input before the device was centred', () => {
+  it('is not measured for a device that moves while its deflections are still zero', () => {
     const at = { value: still, moved: true };
     const { sticks, inputTimes } = stickOf(at);
     sticks.tick(1000);

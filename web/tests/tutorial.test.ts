@@ -41,7 +41,7 @@ function condition(name: string, holds: boolean, value = 0): Condition {
   };
 }
 
-/** Return a frame: above the berthed payload, no condition holds, nothing is captured. */
+/** Return a frame: the end effector is above the berthed payload, no condition holds, and nothing is captured. */
 function frame(flown: Flown = {}): Frame {
   const { tick = 1, x = 0, stick = 0, held = false, seat = 'bay', flags = ['EXTEND', 'OPEN'] } = flown;
   const work = {

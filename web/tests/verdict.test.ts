@@ -27,7 +27,7 @@ it('the result is requested until it is complete, also after a failed request', 
   expect(asked).toBe(3);
 });
 
-it('a source without a result is requested once', async () => {
+it('a source that has no result is asked once', async () => {
   let asked = 0;
   const verdict = () => {
     asked += 1;

@@ -6,7 +6,7 @@ import { WindowLink } from '../src/page/window-link';
 import type { WindowMessage } from '../src/windows/opened';
 import { bay } from './camera-values';
 
-/** Channel of the page; the test is its windows. */
+/** Channel of the page; the test acts as the secondary windows. */
 class FakeChannel {
   readonly told: WindowMessage[] = [];
   open = true;
@@ -104,7 +104,7 @@ test('a window puts only cameras of the scenario on the selected monitor', () =>
   expect(monitors.choose.mock.calls).toEqual([[bay]]);
 });
 
-test('the window of a monitor that is not selected selects it for the operator', () => {
+test('the window of a monitor selects this monitor in the page of an operator, once', () => {
   const { channel, monitors } = opened();
   channel.receive({ kind: 'take', monitor: 0 });
   expect(monitors.take).not.toHaveBeenCalled();

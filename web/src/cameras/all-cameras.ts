@@ -7,7 +7,7 @@ import type { Scene } from '../scene';
 import type { Rect } from '../scene/drawn';
 import { pairWords, type Survey } from './coverage';
 
-/** Number of drawings of the page between the surveys of two cameras. */
+/** One camera is surveyed each time that the page has been drawn this many times. */
 const SURVEYED = 3;
 
 /** A monitor's label and cameras. */
@@ -30,7 +30,7 @@ export interface Drawn {
 export class AllCameras {
   private readonly televised: readonly Camera[];
 
-  /** `pace`: number of drawings of the page between two drawings of the plan. */
+  /** `pace`: the plan is drawn at every `pace`-th drawing of the page. */
   constructor(
     private readonly matrix: Matrix,
     private readonly scene: Scene,

@@ -2,7 +2,7 @@
 
 import type { Vec3 } from '../link/protocol';
 
-/** What a camera should see, the most important last: tip, payload, minimum clearance. Not the target of a motion. */
+/** Targets of a camera, not of a motion: tip, payload and minimum clearance. The last one is the most important. */
 export const TARGETS = ['tip', 'payload', 'gap'] as const;
 export type Target = (typeof TARGETS)[number];
 
@@ -10,9 +10,9 @@ export type Target = (typeof TARGETS)[number];
 export interface Sighting {
   readonly camera: string;
   readonly sees: ReadonlySet<Target>;
-  /** Position of its lens in the scene [m]. */
+  /** Position of the camera's lens in the scene [m]. */
   readonly lens: Vec3;
-  /** Angle between the directions in its picture and those of the sticks [rad]. */
+  /** Angle between the directions in the camera's picture and the directions of the sticks [rad]. */
   readonly turned: number;
 }
 
@@ -38,9 +38,9 @@ const GOOD = (70 * Math.PI) / 180;
 /**
  * Returns the best pair of cameras, or null if no two cameras see the same target.
  *
- * It takes the first set of `PURPOSES` that at least two cameras see. Among their pairs, the pair with the greatest
- * angle between the lines of sight is best. If several pairs have more than `GOOD`, the greater `turned` of each pair
- * decides: the pair with the smallest value is best.
+ * It takes the first set of `PURPOSES` that at least two cameras see. Of the pairs of these cameras, the pair with the
+ * greatest angle between the lines of sight is best. All pairs with an angle above `GOOD` count as equal in angle. Each
+ * of them is then judged by the greater `turned` of its two cameras: the pair with the smallest such value is best.
  *
  * @param at positions of the targets in the scene; null if there is no such target.
  */

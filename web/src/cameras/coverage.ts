@@ -68,8 +68,9 @@ export class Survey {
   }
 
   /**
-   * Returns the first cameras of the two monitors: the best pair without cameras on the arm, because their views change
-   * when the arm moves. If the end effector is empty and its camera sees a payload, it is the second camera.
+   * Returns the initial cameras of the two monitors: the best pair that contains no camera on the arm, because the view
+   * of such a camera changes when the arm moves. If the end effector is empty and the camera on it sees a payload,
+   * the second monitor shows this camera.
    */
   first(frame: Frame): readonly Camera[] {
     const { cameras } = this.welcome;

@@ -9,11 +9,11 @@ const AGAIN_MS = 700;
 const BANK = 10;
 
 export interface MonitorsListener {
-  /** A monitor shows another camera, or is split. */
+  /** Called when a monitor shows another camera, or is split. */
   changed(): void;
-  /** A camera was chosen for a monitor. */
+  /** Called when a camera was chosen for a monitor. */
   chosen(): void;
-  /** The user asked for the next centre of the engineering views. */
+  /** Called when the user requests the next centre of the engineering views. */
   round(): void;
   orbited(camera: Camera, right: number, upwards: number, nearer: number, aside?: boolean): void;
   /** Opens a monitor in a secondary window; absent if the page opens no secondary windows. */
@@ -105,7 +105,7 @@ export class Monitors {
     this.listener.changed();
   }
 
-  /** Puts the camera of a digit on the selected monitor; a digit that is pressed again means the cameras 11 to 20. */
+  /** Puts the camera of a digit on the selected monitor. A digit pressed twice means one of the cameras 11 to 20. */
   chooseDigit(index: number, now: number): void {
     const again = index === this.digit.index && now - this.digit.at < AGAIN_MS;
     this.digit = { index: again ? -1 : index, at: now };

@@ -8,7 +8,7 @@ import type { Picture } from '../panel/monitors/picture';
 import type { Rect } from '../scene/drawn';
 import type { Monitors } from './monitors';
 
-/** Number of drawings of the page for each drawing of MON 1, MON 2, a tile, and the plan. */
+/** MON 1, MON 2, a tile and the plan are each drawn once in this many drawings of the page. */
 export const PACES = { full: [1, 1, 3, 8], low: [1, 2, 6, 24] } as const;
 
 /** A picture on the canvas. */
@@ -74,7 +74,7 @@ export class Panes {
     wiped: boolean,
   ): { readonly due: readonly Pane[]; readonly complete: boolean } {
     const look = ({ camera: { name } }: Pane) => `${name} ${stops(name)}`;
-    // If MON 2 is in a corner of MON 1, drawing MON 1 overwrites it: all pictures are then drawn together.
+    // If MON 2 is in a corner of MON 1, drawing MON 1 overwrites MON 2. All pictures are then drawn together.
     const looks = this.inset(open) ? panes.map(look).join() : null;
     let complete = true;
     const due = panes.filter((pane, i) => {

@@ -22,17 +22,17 @@ import { PACES, type Pane, Panes } from './panes';
 
 /** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
-/** Time between two checks whether the pictures are on the page [ms]. */
+/** Time between two attempts to put the pictures on the page [ms]. */
 const LOOK_MS = 3;
 
 export interface PicturesListener {
   /** Opens a monitor (0, 1) or all cameras in a secondary window. */
   tearOff?: (what: 0 | 1 | 'matrix') => void;
-  /** All cameras were shown or hidden. */
+  /** Called when the view of all cameras was opened or closed. */
   opened?: (matrix: boolean) => void;
   /** Whether dragging a picture turns its camera. */
   turns?: boolean;
-  /** A monitor shows another camera, or was split. */
+  /** Called when a monitor shows another camera, or was split. */
   changed?: () => void;
 }
 
@@ -147,7 +147,7 @@ export class Pictures {
   }
 
   /**
-   * Draws the pictures that are due; returns whether then all pictures show this frame with a metered exposure.
+   * Draws the pictures that are due; returns whether all pictures show this frame with a metered exposure.
    *
    * @param clearance level of the minimum clearance.
    * @param done called once the pictures are on the page, if its layout has not changed.
@@ -177,7 +177,7 @@ export class Pictures {
     if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
     this.finish = () => {
-      if (!this.panes.isLaidOut(panes, this.open)) return; // the layout has changed: all are drawn again
+      if (!this.panes.isLaidOut(panes, this.open)) return; // the layout has changed: all will be drawn again
       for (const [{ picture }, view] of due)
         if (picture) overlay(this.scene, picture, view, { frame, gap, caution });
       done();
@@ -198,7 +198,7 @@ export class Pictures {
     finish();
   }
 
-  /** Writes time codes and figures; `age`: age of the pictures, null in a replay. */
+  /** Writes time codes and clearances; `age`: age of the pictures, null in a replay. */
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
     const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {

@@ -6,7 +6,7 @@ import { STILL, type Turning } from './camera-hand';
 /** Length of a drag for full rate [picture heights], and greatest length without effect [px]. */
 const TRAVEL = 0.35;
 const SLACK = 4;
-/** Time of zooming for a notch of the wheel, and greatest sum for several notches [ms]. */
+/** One notch of the wheel zooms for this time; several notches together zoom at most for `MOST_MS` [ms]. */
 const NOTCH_MS = 120;
 const MOST_MS = 480;
 /** Two fingers at twice or half their first distance zoom at full rate. */

@@ -12,7 +12,7 @@ export interface Turning {
   readonly zoom: number;
 }
 
-/** Time between two readings of the switches, and greatest time between two messages for deflected switches [ms]. */
+/** Time between two readings of the switches; greatest time between two messages while a switch is deflected [ms]. */
 const TICK_MS = 15;
 const REPEAT_MS = 100;
 /** Rate of rotation of an engineering view [rad/s], and factor by which its distance changes in a second. */
@@ -77,7 +77,7 @@ export class CameraHand {
     clearInterval(this.timer);
   }
 
-  /** Sends the deflections of a camera's switches if they have changed or the last message is old; null: all zero. */
+  /** Sends a camera's deflections (null: all zero) if they have changed, or if the last message is old. */
   private drive(turned: typeof this.sent, now: number): void {
     const { sent } = this;
     if (!turned) {

@@ -4,12 +4,12 @@ import type { Reading } from './device';
 import type { Mapping } from './mapping';
 import type { Source } from './rebind';
 
-/** Least motion by which an axis is chosen. */
+/** An axis that moves farther than this is chosen. */
 const MEANT = 0.5;
 
 export class Capture {
   private before: Reading | null = null;
-  /** A pressed button that, like Shift, changes the functions of others. It is chosen only if they are not pressed. */
+  /** A pressed button that, like Shift, changes the functions of other buttons. It is chosen if it is pressed alone. */
   private changer: number | null = null;
 
   constructor(private readonly mapping: Mapping) {}

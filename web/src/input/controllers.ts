@@ -91,7 +91,7 @@ export class Controllers {
     return this.paused ? ZERO : sum(keys, others);
   }
 
-  /** Centres all devices. Keys act again when they are pressed again, other devices after they have been at zero. */
+  /** Centres all devices. Keys act when they are pressed again; other devices act again after they were at zero. */
   release(): void {
     this.keyboard.release();
     this.pads.disarm();

@@ -18,7 +18,7 @@ export type Relayed =
 
 /** Time between two messages while keys are held [ms]. */
 const HOLDING_MS = 100;
-/** Without a message for this time, a window's keys count as released [ms]. The station zeroes sticks after as long. */
+/** If no message arrives for this time, a window's keys count as released [ms]. The station also waits 0.5 s. */
 const SILENT_MS = 500;
 
 /** Sender in the secondary window. */

@@ -10,7 +10,7 @@ import { mappingOf } from './store';
 const FULL_S = 0.35;
 const RETURN_S = 0.15;
 
-/** Returns the axis' value `dt` [s] after `value`, on the way to `target`. A change of sign stops at zero first. */
+/** Returns the axis' value `dt` [s] after `value`, on the way to `target`. It stops at zero if the sign changes. */
 export function ramp(value: number, target: number, dt: number): number {
   const crossing = value * target < 0;
   const goal = crossing ? 0 : target;
@@ -94,7 +94,7 @@ export class Keyboard {
   }
 
   private up(event: KeyboardEvent): void {
-    // Space must only stop: its release would also click a button in focus.
+    // Space must only act as STOP; without this line, its release would also click the button in focus.
     if (event.code === 'Space') event.preventDefault();
     if (!this.held.delete(event.code)) return;
     if (!this.grip(event.code, false, event.timeStamp)) this.listener.moved(event.timeStamp);

@@ -71,7 +71,7 @@ export class Pads {
     for (const { device } of this.seats) device.disarm();
   }
 
-  /** Acknowledges lost devices; a remaining one is both THC and RHC again. */
+  /** Acknowledges lost devices; a remaining device is both THC and RHC again. */
   acknowledge(): void {
     const left = this.seats.filter(({ device }) => device.state !== 'lost');
     if (left.length === this.seats.length) return;
@@ -84,7 +84,7 @@ export class Pads {
     return this.seats.some((seat) => seat.index === index);
   }
 
-  /** Takes a device into use if it was moved; the first device also without motion if it has the standard mapping. */
+  /** Takes a device into use if it was moved. The first device is used without motion if its mapping is standard. */
   private joins(pad: Gamepad): boolean {
     const standard = pad.mapping === 'standard';
     const first = this.first.get(pad.index) ?? copied(pad);

@@ -84,7 +84,7 @@ export function unbind(mapping: Mapping, use: string): Mapping {
   return { ...mapping, bindings: Object.fromEntries(kept) };
 }
 
-/** Returns the sources of a function. An axis with the opposite function is included, with the sign −1. */
+/** Returns the sources of a function. Includes an axis with the opposite function; its `sign` is −1. */
 export function movers(mapping: Mapping, use: string): readonly Source[] {
   const own = sourcesOf(mapping, use).map((source): Source => ({ source, sign: 1 }));
   const others = wholeAxes(mapping, use)

@@ -18,7 +18,7 @@ const AXES = 6;
 const MOST_BUTTONS = 32;
 /** A deflected cap sends reports continuously. After this time without a report it is lost [ms]. */
 const SILENCE_MS = 500;
-/** Greatest part of the time between two readings that counts as silence [ms]: a busy page receives reports late. */
+/** Of the time between two readings, at most this counts as silence [ms]: a busy page receives reports late. */
 const MOST_SILENCE_MS = 50;
 
 const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
@@ -93,7 +93,7 @@ export class SpaceMouse {
       },
     );
     hid()?.addEventListener('connect', () => void this.find((all) => all.getDevices()), { signal });
-    // A device that the user has allowed in an earlier visit is used without asking again.
+    // If the user has allowed a device in an earlier visit, the page uses it without a new question.
     void this.find((all) => all.getDevices());
   }
 

@@ -22,7 +22,7 @@ import {
   ZOOM,
 } from './deflection';
 
-/** Greatest time between two messages while sticks are deflected or RATE HOLD is on [ms]; the station waits 0.5 s. */
+/** Greatest time between two messages while sticks are deflected or RATE HOLD is on [ms]; the station allows 0.5 s. */
 const REPEAT_MS = 100;
 
 /** The sticks at zero, without the camera. */
@@ -72,7 +72,7 @@ export class Sticks {
     this.read(now, null);
   }
 
-  /** `inputAt`: time of a key's press or release [ms]. If it is null, a change of a device counts from `now`. */
+  /** `inputAt`: time of a key's press or release [ms]. If it is null, `now` counts as the time of a device's change. */
   private read(now: number, inputAt: number | null): void {
     const dt = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = Math.max(now, this.last);
@@ -88,7 +88,7 @@ export class Sticks {
     if (changed && from !== null) this.latency.sent(seq, from);
   }
 
-  /** Centres the sticks at once. Keys act again when pressed again, other devices after they have been at zero. */
+  /** Centres the sticks at once. Keys act when pressed again; other devices act again after they were at zero. */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;

@@ -1,4 +1,4 @@
-/** Delays frames by the scenario's delay before figures or pictures show them. */
+/** Delays frames by the scenario's delay before numbers or pictures show them. */
 
 import type { Frame } from './protocol';
 

@@ -5,7 +5,7 @@ import { type Age, DelayLine, type Seen } from './delay-line';
 import type { Frame, Event as LogEvent, Welcome } from './protocol';
 import { Samples } from './samples';
 
-/** `telemetry`: figures, lamps, tones and log; `camera`: pictures. */
+/** `telemetry`: numbers, lamps, tones and log; `camera`: pictures. */
 export type Shows = 'telemetry' | 'camera';
 
 interface Line {
@@ -44,7 +44,7 @@ export class Arrivals {
     return this.lines[shows].line.at(now);
   }
 
-  /** The frame that figures, lamps and log display now; null before the first one. */
+  /** The frame that numbers, lamps and log display now; null before the first one. */
   get telemetry(): Frame | null {
     return this.at('telemetry', performance.now())?.frame ?? null;
   }
@@ -66,7 +66,7 @@ export class Arrivals {
     line.last = seen;
   }
 
-  /** Returns the delays as set and as measured; `answer`: time from a stick to the frame that used it [s]. */
+  /** Returns the delays as set and as measured; `answer`: time from an input to the frame that used it [s]. */
   delays(answer: number | null, now: number): Delays {
     const { telemetry, camera } = this.lines;
     const shown = ({ line, ages }: Line) => ({ set: line.delay, measured: ages.part(0.5, now) });
@@ -77,7 +77,7 @@ export class Arrivals {
     };
   }
 
-  /** Adds lines of the log. Each is due together with the figures of the same time. */
+  /** Adds lines of the log. Each line is due together with the numbers of the same time. */
   addEvents(events: readonly LogEvent[]): void {
     this.log.push(...events);
   }

@@ -1,4 +1,4 @@
-/** Name that distinguishes this page from others of the browser. A reload keeps it; a copy of the tab gets another. */
+/** Name that distinguishes this page from the browser's other pages. A reload keeps it; a copy of the tab does not. */
 
 const KEY = 'aftdeck page';
 

@@ -8,7 +8,7 @@ import { Samples } from './samples';
 
 /** Normal time from an input to its frame: a control period and the transmission [ms]. */
 const ANSWERED_MS = 40;
-/** Least time between two inputs for which pictures wait [ms]. */
+/** Least time between two inputs for each of which a picture is delayed [ms]. */
 const HELD_MS = 150;
 
 export class Latency {
@@ -16,7 +16,7 @@ export class Latency {
   private readonly samples = new Samples();
   private unanswered: { seq: number; at: number }[] = [];
   private readonly answers = new Samples();
-  /** Time of the last input for which pictures waited. */
+  /** Time of the last input for which a picture was delayed [ms]. The picture waits for a frame with the input. */
   private heldFor = Number.NEGATIVE_INFINITY;
 
   /** `cameraDelay`: the scenario's delay of pictures, which is not counted [s]. */

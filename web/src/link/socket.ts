@@ -120,7 +120,7 @@ export class Link {
   }
 }
 
-/** Returns the message in a text of the WebSocket. Its type is checked, its fields are not. */
+/** Returns the message that a WebSocket text contains. Only the message's type is checked, not its fields. */
 export function parse(data: unknown): FromServer {
   if (typeof data !== 'string') throw new Error('The station sent a message that is not text.');
   const message = JSON.parse(data) as FromServer;

@@ -1,4 +1,4 @@
-/** Whether this page's sticks move the arm. This depends on its role, its link to the station, and two obstacles. */
+/** Whether this page's sticks move the arm. The page's role, its link, `leaving` and `tooNarrow` decide this. */
 
 import type { Role } from '../link/protocol';
 import type { LinkState } from '../link/socket';

@@ -1,4 +1,4 @@
-/** Decides when pictures, bars and figures are drawn, and from which frame. Figures change ten times a second. */
+/** Decides when pictures, bars and numbers are drawn, and from which frame. Numbers change ten times a second. */
 
 import type { Pictures } from '../cameras/pictures';
 import { isStale, type Seen } from '../link/delay-line';
@@ -11,9 +11,9 @@ import type { View } from '../panel/parts/part';
 import type { Measured } from '../panel/rail/rail';
 import type { Operator } from './operator';
 
-/** Time between two updates of figures and legends [ms]. */
+/** Time between two updates of numbers and legends [ms]. */
 const VALUES_MS = 100;
-/** Longest time that figures wait for a picture [ms]. */
+/** While a picture takes long to draw, the displayed numbers are updated at this interval [ms]. */
 const OVERDUE_MS = 300;
 
 /** The parts of the page that the loop draws. */
@@ -22,7 +22,7 @@ export interface Drawn {
   readonly groups: Groups;
   /** Draws all other marks that move at picture rate. */
   bars(): void;
-  /** Updates all other figures, lamps and sounds. */
+  /** Updates all other numbers, lamps and sounds. */
   values(view: View, measured: Measured, now: number): void;
   viewOf(frame: Frame): View;
 }
@@ -30,9 +30,9 @@ export interface Drawn {
 export class DrawLoop {
   /** Number of pictures drawn. */
   drawn = 0;
-  /** Last frame that pictures, lamps and figures have all shown, with the number of restarts before it. */
+  /** Last frame that pictures, lamps and numbers have all shown, with the number of restarts before it. */
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** Last frame that the figures have shown, with the number of restarts before it. */
+  /** Last frame that the numbers have shown, with the number of restarts before it. */
   private figures = this.shown;
   /** Whether a frame has arrived since the last picture. */
   private fresh = false;
@@ -59,21 +59,21 @@ export class DrawLoop {
     if (this.held) this.draw(now);
   }
 
-  /** Draws what is due. While the previous pictures are not on the page yet, it draws only figures that are overdue. */
+  /** Draws what is due. While the previous pictures are not on the page yet, it draws only numbers that are overdue. */
   draw(now: number): void {
     const [telemetry, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
     if (!telemetry || !seen) return;
     const { pictures, groups } = this.parts;
     const view = this.parts.viewOf(telemetry.frame);
     if (pictures.drawing) {
-      // Figures, lamps and tones do not wait longer than OVERDUE_MS for slow pictures.
+      // Numbers, lamps and tones do not wait longer than OVERDUE_MS for slow pictures.
       if (now - this.valuesAt >= OVERDUE_MS) this.values(view, now);
       return;
     }
     this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
     this.operator.sticks.driving = this.modes.get(telemetry.frame.mode) === 'single';
-    // If the bars move at every second picture, these are the pictures without MON 2.
+    // If the bars move at every second picture, they move when MON 2 is not drawn.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
     this.fresh = false;
     // Pictures first: they read the page's layout, and moving the desk's bars forces the browser to compute it again.

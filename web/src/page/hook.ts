@@ -7,7 +7,7 @@ export interface Hook {
   /** Number of pictures drawn, in total (`frames`) and in the last whole second (`fps`). */
   frames: number;
   fps: number;
-  /** Last frame that pictures, lamps and figures have all shown. */
+  /** Last frame that pictures, lamps and numbers have all shown. */
   lastFrame: Frame | null;
   /** Number of restarts before this frame. Restarts are counted when frames arrive, so that none is missed. */
   restarts: number;

@@ -1,4 +1,4 @@
-/** The page's log: lines of the station, each shown with the figures of the same time, and lines of the page itself. */
+/** The page's log: lines of the station, each shown with the numbers of the same time, and lines of the page itself. */
 
 import type { Arrivals } from '../link/delayed-messages';
 import type { Level, Event as LogEvent } from '../link/protocol';
@@ -42,7 +42,7 @@ export class Log {
     this.say(text);
   }
 
-  /** Shows only the lines of these kinds, which belong to a lamp. The second call for the same lamp shows all again. */
+  /** Shows only the lines of these kinds; the kinds belong to `lamp`. A second call for this lamp shows all lines. */
   keepTo(lamp: LampName, kinds: readonly string[]): void {
     this.group.keepTo(lamp, kinds);
   }

@@ -83,7 +83,7 @@ export class Operations {
     if (!tearOff(what)) this.parts.log.say(BLOCKED);
   }
 
-  /** Assigns the THC to the orbiter (`on`) or to the arm; without a payload in the worksite always to the arm. */
+  /** Assigns the THC to the orbiter (`on`) or to the arm. Without a payload in the worksite, ignores `on`. */
   flyOrbiter(on: boolean): void {
     const { control, log, operator, welcome } = this.parts;
     if (!control.role.flying) log.say(OBSERVING);

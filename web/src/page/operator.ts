@@ -70,7 +70,7 @@ export class Operator {
     else this.sticks.zero();
   }
 
-  /** Deflections of the selected camera's switches. An observer's keyboard also has them, for engineering views. */
+  /** Deflections of the selected camera's switches. An observer's keys also deflect them, to move engineering views. */
   get turning(): Turning {
     if (this.controllers.paused) return STILL;
     const byKeyboard = turningOf(this.controllers.keyboard.held, mappingOf('keyboard'));

@@ -10,7 +10,7 @@ export interface Drawing {
   readonly software: boolean;
 }
 
-/** Returns the profile that `?quality=` names, or else low without, full with a graphics card. Null without WebGL 2. */
+/** Returns the profile that `?quality=` names; by default full with a graphics card, else low. Null without WebGL 2. */
 export function chooseDrawing(search: string): Drawing | null {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) return null;

@@ -1,4 +1,4 @@
-/** Marks, figures, lamps and sounds of a frame outside the desk and the pictures. */
+/** Shows a frame outside the desk and the pictures: marks, numbers, lamps and sounds. */
 
 import type { Frame, Lamp } from '../link/protocol';
 import { clearanceCause } from '../panel/clearance/clearance';

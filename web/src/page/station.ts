@@ -53,7 +53,7 @@ export class Station {
     return this.parts.latency.percentile95(performance.now());
   }
 
-  /** Stores a newer frame. Figures and pictures show it when it is due. */
+  /** Stores a newer frame. Numbers and pictures show it when it is due. */
   setFrame(frame: Frame): void {
     const now = performance.now();
     const { arrivals, latency, log, operator } = this.parts;
@@ -92,7 +92,7 @@ export class Station {
     if (link.kind !== 'open') this.parts.latency.forget();
   }
 
-  /** Stores lines of the log. Each line appears together with the figures of the same time. */
+  /** Stores lines of the log. Each line appears together with the numbers of the same time. */
   addEvents(events: readonly LogEvent[]): void {
     this.parts.arrivals.addEvents(events);
     this.parts.log.addDue(performance.now());

@@ -8,7 +8,7 @@ export type Alarm = 'none' | 'caution' | 'warning';
 const CAUTION = { pitch: 500, seconds: 0.25 };
 /** Warning: two alternating tones until it is acknowledged. Pitches [Hz], and duration of each tone (`half`) [s]. */
 const WARNING = { pitches: [375, 1000], half: 0.2 } as const;
-/** Clicks: duration of each, time between the starts of two [s]; pitches for an entered mode and a capture [Hz]. */
+/** Clicks: duration, time between the starts of two clicks [s]; pitches for an entered mode and a capture [Hz]. */
 const CLICK = { seconds: 0.03, apart: 0.11, entered: [1200], captured: [900, 1500] } as const;
 /** Gain at full volume, 0 to 1. */
 const LOUD = 0.25;
@@ -62,7 +62,7 @@ export class Tones {
     if (this.master) this.master.gain.value = this.level;
   }
 
-  /** Makes the sound possible; called at each key and each press of a pointer. */
+  /** Lets the browser play sounds; called at each key and each press of a pointer. */
   wake(): void {
     if (this.context) {
       if (this.context.state === 'suspended') void this.context.resume();

@@ -1,4 +1,4 @@
-/** Link to the page's secondary windows. They follow the page; their keys act on the page while it is in control. */
+/** Link to the page's secondary windows. They show the page's state. While it is in control, their keys act on it. */
 
 import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';

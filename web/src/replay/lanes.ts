@@ -1,4 +1,4 @@
-/** Lanes over the time axis: one with events as marks, the others with labelled stretches of time. */
+/** Lanes over the time axis. One lane marks events; the other lanes have labelled stretches of time. */
 
 import type { Lane, Event as LogEvent, Stretch } from '../link/protocol';
 import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';

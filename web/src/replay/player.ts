@@ -5,11 +5,11 @@ import type { Block, Moment, PlaybackIndex } from '../link/protocol';
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8] as const;
 /** Greatest number of stored blocks, so that memory does not grow with the length of the recording. */
 const MOST_KEPT = 8;
-/** Number of blocks that are requested in advance at more than normal speed; otherwise one. */
+/** Number of blocks requested in advance if playback is faster than normal; otherwise one block is. */
 const AHEAD = 2;
 /** Time after which a failed block is requested again [ms]. */
 const AGAIN_MS = 1000;
-/** Rounding error of times, which are multiples of the period [periods]. */
+/** Tolerance for the rounding of times, as a fraction of the period. Exact times are multiples of the period. */
 const ROUNDING = 1e-6;
 
 type Extent = Pick<PlaybackIndex, 'period_s' | 'ticks' | 'stride' | 'block'>;
@@ -53,7 +53,7 @@ export class Player {
     return this.blocks.get(Math.floor(this.number / block))?.[this.number % block] ?? null;
   }
 
-  /** Starts playing; from the start if the playhead is at the end. */
+  /** Starts to play. If the playhead is at the end, it moves to the start first. */
   play(): void {
     if (this.position >= this.duration) this.seek(this.start);
     this.playing = true;
@@ -99,7 +99,7 @@ export class Player {
     }
   }
 
-  /** Requests the block at the playhead and the next blocks; deletes the blocks whose last use is longest ago. */
+  /** Requests the block at the playhead and the next blocks; deletes the blocks that were unused for longest. */
   private fetch(): void {
     const { block, ticks, stride } = this.extent;
     const last = Math.floor((Math.ceil(ticks / stride) - 1) / block);

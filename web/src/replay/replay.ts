@@ -21,7 +21,7 @@ import { Transport } from './transport';
 import { pollVerdict } from './verdict';
 import { ReplayWindows } from './windows';
 
-/** Time between two updates of the figures [ms]. */
+/** Time between two updates of the numbers [ms]. */
 const VALUES_MS = 100;
 /** Greatest time by which the playhead advances between two pictures, also after a longer pause of the browser [s]. */
 const LONGEST_STEP_S = 0.25;
@@ -30,9 +30,9 @@ const BLOCKED_MS = 8000;
 
 export class Replay {
   private drawn = 0;
-  /** The frame that pictures and figures show. */
+  /** The frame that pictures and numbers show. */
   private shown: Frame | null = null;
-  /** The frame that the figures show. */
+  /** The frame that the numbers show. */
   private figures: Frame | null = null;
   private readonly units: ShownUnits;
   private before = performance.now();

@@ -6,7 +6,7 @@ import { clock } from '../words/format';
 import type { Units } from '../words/units';
 import { figure } from './quantity';
 
-/** Height of a line [rem], equal to that of `.log li`. */
+/** Height of a line [rem], equal to the height of `.log li`. */
 const LINE = 1.28;
 const HINTS = [
   'Space: play, pause. Home, End: start, end.',

@@ -10,7 +10,7 @@ export interface Span {
 export const LEAST_S = 2;
 /** Factor by which one step of zoom changes the length of the span. */
 export const STEP = 2;
-/** Position of the playhead in a span that has followed it: distance from the end at which it entered. */
+/** After the span has followed the playhead: distance of the playhead from the end through which it entered. */
 const AHEAD = 0.1;
 
 export function lengthOf({ from, to }: Span): number {

@@ -29,7 +29,7 @@ export class Timeline {
   private readonly head = el('div', { class: 'playhead' });
   private readonly slider: HTMLElement;
 
-  /** `duration`: length of the run [s]; `sought`: called when the user moves the playhead, null if that is fixed. */
+  /** `duration`: length of the run [s]; `sought`: called when the user moves the playhead; null if impossible. */
   constructor(
     private index: Timed,
     private readonly duration: number,
@@ -90,7 +90,7 @@ export class Timeline {
     this.drawStrips();
   }
 
-  /** Moves the playhead; `moment` is null if it is not loaded. */
+  /** Moves the playhead; `moment` is null if the frame is not loaded. */
   show(position: number, moment: Pick<Moment, 'values' | 'worst'> | null, units: Units): void {
     this.look(following(this.span, position, this.duration));
     const percent = `${(partOf(this.span, position) * 100).toFixed(3)}%`;

@@ -1,4 +1,4 @@
-/** Link to the secondary windows of a replay. They receive its cameras and playhead, and their keys act on it. */
+/** Link to the secondary windows of a replay. They receive cameras and playhead; their keys act on the page. */
 
 import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';

@@ -38,7 +38,7 @@ interface Rod {
   readonly radius: number;
 }
 
-/** Shadow of the low profile: soft rods in place of the moving bodies, projected along the sun's rays. */
+/** Shadow in the low profile: each moving body casts the soft shadow of a rod, along the sun's rays. */
 export class Blob {
   private readonly rods: Rod[];
   private readonly ends: Vector2[];

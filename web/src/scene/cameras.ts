@@ -53,7 +53,7 @@ class Mounted {
     this.look(viewOf(this.camera, setting));
   }
 
-  /** Transform from the scene to the body's frame. */
+  /** Transform from the scene frame to the frame of the camera's body. */
   get toBody(): Matrix4 {
     return inverse.copy(this.body.group.matrixWorld).invert();
   }
@@ -65,7 +65,7 @@ class Mounted {
     this.angle = angle;
   }
 
-  /** Returns the camera at its body's present pose. The setting's field of view is horizontal for every aspect. */
+  /** Returns the camera at its body's present pose. The set field of view is the horizontal one at every aspect. */
   at(aspect: number): PerspectiveCamera {
     const { picture } = this;
     if (this.aspect !== aspect) {

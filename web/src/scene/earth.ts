@@ -15,7 +15,7 @@ import { type Daylight, FULL_SUN } from './daylight';
 import type { Quality } from './drawn';
 import { paintedCap, paintedClouds } from './painted';
 
-/** Radius of the Earth, and of an orbit at 350 km altitude [km]. */
+/** Radius of the Earth, and radius of an orbit at 350 km altitude [km]. */
 const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
@@ -116,7 +116,7 @@ const paintedShader = /* glsl */ `
     gl_FragColor = vec4(tint * texture2D(clouds, place).rgb, 1.0);
   }`;
 
-/** The Earth: in the full profile computed by a shader, in the low profile a painted cap of the sky. */
+/** The Earth. In the full profile a shader computes it; in the low profile it is a painted cap of the sky. */
 export class Earth {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly texture: Texture | null;

@@ -4,9 +4,9 @@
 export const RANGE = 2;
 /** Time in which the exposure's error decreases by the factor e [s]. */
 export const TIME_CONSTANT_S = 0.8;
-/** Light for which 0 stops is the right exposure: four tenths of the light from a white blanket in sunlight. */
+/** Light for which 0 stops is the right exposure: 40 % of the light from a white blanket in sunlight. */
 export const KEY = 0.4;
-/** After a step of time longer than this, or a step back, the exposure changes at once [s]. */
+/** If time advances by more than this, or goes back, the exposure changes at once [s]. */
 const PAUSE_S = 2;
 
 /**

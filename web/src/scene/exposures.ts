@@ -6,13 +6,13 @@ import { Exposure, metered } from './exposure';
 import { Meter } from './meter';
 
 /**
- * Least time between two meterings of any pictures [ms]; for two meterings of one camera, twice this time. To read a
- * picture, the page waits for all pending drawing, which takes long if the processor draws.
+ * Least time between two meterings [ms]. Two meterings of the same camera are at least twice this time apart. To read a
+ * picture, the page waits until all pending drawing is complete. This takes long if the processor draws.
  */
 const METERED_MS = { full: 300, low: 1500 } as const;
 /** Steps of exposure per stop; a smaller change is invisible. */
 const STEPS = 50;
-/** Light times exposure, for each byte that the low profile displays. */
+/** Product of light and exposure, for each value of a byte that the low profile displays. */
 const ROOTS: readonly number[] = Array.from({ length: 256 }, (_, byte) => (byte / 255) ** 2);
 
 /** Exposures of all cameras, each metered from the camera's own pictures. */

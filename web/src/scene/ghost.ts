@@ -23,7 +23,7 @@ const EDGE = 0.5;
 const FADE_S = 0.15;
 /** Least angle between two faces at which an edge is drawn [deg]. */
 const CORNER = 30;
-/** A body that moves less has no ghost, because the ghost would flicker on the body [m, rad]. */
+/** A body that moves less than this has no ghost, because the ghost would flicker on the body [m, rad]. */
 const STIRS = 0.02;
 /** Numbers for each body in the look-ahead's poses. */
 const POSE = 7;
@@ -42,7 +42,7 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * at;
   }`;
 
-/** Makes faces opaque that are seen from the side: they draw the outline of tubes, which have few edges. */
+/** Makes faces opaque if they are seen from the side. These faces show the outline of tubes, which have few edges. */
 const fragmentShader = /* glsl */ `
   varying vec3 ray, n;
   uniform vec3 colour;

@@ -19,10 +19,10 @@ import { Lights } from './lights';
 import type { Materials } from './materials';
 import { Sun } from './sun';
 
-/** Factor of light at an exposure of 0 stops. */
+/** Factor by which light is multiplied at an exposure of 0 stops. */
 const EXPOSED = 1.1;
 
-/** Sun, Earth and lamps, with their shadow and their reflections. */
+/** Sun, Earth and lamps, with the shadow and the reflections that they cause. */
 export class Illumination {
   private readonly lights: Lights | null;
   private readonly earth: Earth;
@@ -89,7 +89,7 @@ export class Illumination {
     this.lambert.follow();
   }
 
-  /** Sets the exposure of the pictures drawn next [stops over full sunlight]; returns its factor of light. */
+  /** Sets the exposure of the pictures drawn next [stops over full sunlight]; returns the factor of light. */
   expose(stops: number): number {
     const factor = EXPOSED * 2 ** stops;
     this.renderer.toneMappingExposure = factor;

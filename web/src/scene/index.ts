@@ -142,7 +142,7 @@ export class Scene {
     this.relay?.wipe(MARGIN);
   }
 
-  /** Redraws these views; the others keep their pictures. */
+  /** Redraws these views; all other views keep their pictures. */
   draw(views: readonly View[]): void {
     const { renderer } = this;
     renderer.setScissorTest(true);

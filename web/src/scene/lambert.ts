@@ -3,8 +3,8 @@ import type { Daylight } from './daylight';
 import { isSpot, type Lamp, lampPose, PENUMBRA } from './floodlights';
 
 /**
- * Sums the light of sun, Earth and sky at each vertex. Without lamps it also computes the displayed colour there, so
- * that a pixel costs only a texture look-up and a product.
+ * Sums the light of sun, Earth and sky at each vertex. Without lamps it also computes the displayed colour at the
+ * vertex, so that a pixel costs only a texture look-up and a product.
  */
 const vertexShader = /* glsl */ `
   uniform vec3 toSun, nadir, sun, earthshine, above, below;
@@ -85,7 +85,7 @@ export class LambertLight {
   /** Exposure of the next pictures, a factor. */
   readonly exposure = { value: 1 };
   private readonly count = { value: 0 };
-  /** Position of each lit lamp, and one over the square of its reach. */
+  /** Position of each lit lamp, and the reciprocal of its squared reach. */
   private readonly places: readonly Vector4[];
   /** Beam direction of each lit lamp, and how fast its light changes with the cosine of the angle; 0 for a flood. */
   private readonly beams: readonly Vector4[];

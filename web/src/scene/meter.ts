@@ -3,7 +3,7 @@ import type { Rect } from './drawn';
 
 /** Metered middle part of a picture, as a fraction of its width and of its height. */
 const MIDDLE = 0.6;
-/** Number of metered rows, and of samples in each. */
+/** Number of metered rows, and number of samples in each row. */
 const ROWS = 9;
 const PLACES = 16;
 
@@ -17,7 +17,7 @@ interface Look {
 
 export interface Seen {
   readonly camera: string;
-  /** Light of the scene at samples of the picture: that of the strongest colour, so that no colour is overexposed. */
+  /** Light of the scene at samples of the picture: light of the strongest colour, so that no colour is overexposed. */
   readonly lights: readonly number[];
 }
 
@@ -30,7 +30,7 @@ export class Meter {
   private buffer: WebGLBuffer | null = null;
   private look: Look | null = null;
 
-  /** `lightOf`: light times exposure, for each byte in a picture. */
+  /** `lightOf`: product of light and exposure, for each value of a byte in a picture. */
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly lightOf: readonly number[],

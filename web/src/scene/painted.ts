@@ -50,7 +50,7 @@ export function paintedCap(limb: number): BufferGeometry {
   return geometry;
 }
 
-/** Make a texture of grey clouds from smooth noise, 128 x 128 pixels, repeated mirrored. */
+/** Make a texture of grey clouds from smooth noise: 128 x 128 pixels, which repeat as mirror images. */
 export function paintedClouds(): Texture {
   const size = 128;
   const canvas = document.createElement('canvas');

@@ -18,7 +18,7 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** Number of sides of a full turn in the low profile, for radii below a limit [m]; larger ones have `MOST`. */
+/** Radius [m], and number of sides of a full turn below this radius in the low profile; `MOST` for larger radii. */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],

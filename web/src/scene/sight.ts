@@ -7,13 +7,13 @@ import type { Cameras } from './cameras';
 
 /** Width over height of the picture within which a point counts as visible. */
 export const ASPECT = 1.5;
-/** Sample points of a picture, from -1 to 1 to the right and upwards. */
+/** Sample points of a picture: coordinates to the right and upwards, each in [-1, 1]. */
 const SPREAD = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [-0.7, 0, 0.7].map((y) => [x, y] as const));
 /** Range of visibility [m]. */
 const FARTHEST = 400;
 /** Sample points of a line, as fractions of its length. */
 const ALONG = [0.5, 0.2, 0.8] as const;
-/** An obstacle less than this before a point is the surface to which the point belongs [m]. */
+/** An obstacle less than this distance in front of a point counts as the surface to which the point belongs [m]. */
 const OWN = 0.02;
 
 const ray = new Raycaster();
@@ -32,7 +32,7 @@ export class Sight {
     );
   }
 
-  /** Returns the bodies at sample points of the picture, also near bodies that are only partly in the picture. */
+  /** Returns the bodies at sample points of the picture. Thus finds near bodies that are only partly in the picture. */
   ahead(camera: Camera): ReadonlySet<string> {
     const seen = this.cameras.at(camera.name, ASPECT);
     const found = new Set<string>();
@@ -54,14 +54,14 @@ export class Sight {
     });
   }
 
-  /** Returns for each end of a line of the scene whether no body hides the line near this end. */
+  /** Returns two values: whether no body hides the line near its first end, and near its second end. */
   ends(camera: Camera, a: Vec3, b: Vec3): readonly [boolean, boolean] {
     const [, ...near] = ALONG;
     const [first = false, last = false] = near.map((part) => this.clear(camera, between(a, b, part), null));
     return [first, last];
   }
 
-  /** Whether the camera sees a body: the middle of its box, or of one of the box's faces. */
+  /** Whether the camera sees the middle of a body's box, or the middle of one of the box's faces. */
   body(camera: Camera, name: string): boolean {
     const body = this.bodies.find(({ group }) => group.name === name);
     if (!body || camera.body === name) return false;

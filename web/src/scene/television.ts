@@ -1,4 +1,4 @@
-/** Television of the early flights: makes a picture that was just drawn black and white, with noise. */
+/** Television of the early flights: converts a drawn picture to black and white, and adds noise. */
 
 import {
   BufferGeometry,

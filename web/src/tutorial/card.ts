@@ -64,7 +64,7 @@ export class Card {
     );
   }
 
-  /** `words`: text of the present step; `astray`: the entered mode if the step needs another mode, else empty. */
+  /** `words`: text of the present step; `astray`: the entered mode if it is not the mode of the step, else empty. */
   set(progress: Progress, words: string, title: string, astray: string): void {
     const { at, skipped } = progress;
     const over = isOver(progress);

@@ -66,7 +66,7 @@ export class Tutorial {
     return this.card.element;
   }
 
-  /** Called when the user chooses a scenario. For the tutorial's, opens the guide: now, or when it is loaded. */
+  /** Called when the user chooses a scenario. For the tutorial's scenario, opens the guide, at once or when loaded. */
   chosen(scenario: string): void {
     if (scenario !== SCENARIO) return;
     if (this.offered) this.show(true);

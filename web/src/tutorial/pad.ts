@@ -1,10 +1,10 @@
-/** Drawing of a pad with the browser's standard mapping. Controls of the step are outlined; held controls are lit. */
+/** Drawing of a pad with the standard mapping. Controls that the step needs are outlined; held controls are lit. */
 
 import { isDown } from '../input/active-device';
 import type { Device } from '../input/device';
 import { setAttribute, setClass, svg } from '../panel/parts/dom';
 
-/** Round parts of the drawing: sources, centre and radius. */
+/** Round parts of the drawing: sources (axes and buttons of the pad), centre, radius. */
 const ROUND: readonly (readonly [sources: string, x: number, y: number, r: number])[] = [
   ['a0 a1 b10', 55, 52, 15],
   ['a2 a3 b11', 122, 80, 15],
@@ -15,7 +15,7 @@ const ROUND: readonly (readonly [sources: string, x: number, y: number, r: numbe
   ['b8', 87, 46, 4.5],
   ['b9', 113, 46, 4.5],
 ];
-/** Rectangular parts of the drawing: sources, left, top, width, height. */
+/** Rectangular parts of the drawing: sources (buttons of the pad), left, top, width, height. */
 const SQUARE: readonly (readonly [sources: string, x: number, y: number, w: number, h: number])[] = [
   ['b6', 36, 3, 36, 10],
   ['b7', 128, 3, 36, 10],

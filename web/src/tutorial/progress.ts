@@ -11,11 +11,11 @@ export interface Progress {
   readonly looked: boolean;
   /** Whether the user went back to this step. Its condition may still hold; it ends only when it is done again. */
   readonly again: boolean;
-  /** Steps that were skipped and not completed since. */
+  /** Steps that were skipped and that were not completed later. */
   readonly skipped: ReadonlySet<number>;
   /** Last height of the payload in its berth, or else its first height [m]; null if not known yet. */
   readonly seat: number | null;
-  /** Time at which all steps were complete and the payload was free [s]; null before. */
+  /** Time at which all steps were complete and the payload was free [s]; null before this time. */
   readonly flown: number | null;
   /** The last frame. */
   readonly tick: number;

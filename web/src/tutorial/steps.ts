@@ -36,7 +36,7 @@ export type Cap = readonly [use: string, does: string];
 export const MOVED = 0.3;
 /** Least height above its berth for which the payload counts as lifted [m]. */
 export const LIFTED = 1;
-/** Greatest distance from the axis at which the step counts the end effector as aligned [fraction of the limit]. */
+/** The step counts the end effector as aligned up to this distance from the axis [fraction of the limit]. */
 export const MIDDLE = 0.5;
 
 /** Key caps of the THC, in the order of their positions on the keyboard. */

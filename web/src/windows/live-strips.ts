@@ -11,7 +11,7 @@ import { KEPT_S, LastMinutes } from './last-minutes';
 import { FLOWN, Tether } from './secondary-window';
 import { StripWindow } from './strip-window';
 
-/** Time between two updates of the figures [ms]. */
+/** Time between two updates of the numbers [ms]. */
 const VALUES_MS = 100;
 /** The curves are redrawn when they have moved by this fraction of the axis, about one pixel. */
 const PIXEL = 1 / 1200;

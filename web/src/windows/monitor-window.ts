@@ -13,20 +13,20 @@ import { type UnitName, unitsOf } from '../words/units';
 import type { PageState, Torn, WindowMessage } from './opened';
 import { FLOWN, PLAYED, Tether } from './secondary-window';
 
-/** Time between two updates of the figures [ms]. */
+/** Time between two updates of the numbers [ms]. */
 const VALUES_MS = 100;
 
 /** The recording that is shown. */
 export interface Played {
   readonly file: string;
-  /** Receives the page's messages, among them the playhead. */
+  /** Receives the page's messages, which include the playhead. */
   heard(message: WindowMessage): void;
 }
 
 export class Display {
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** Last frame that the figures have shown, with the number of restarts before it. */
+  /** Last frame that the numbers have shown, with the number of restarts before it. */
   private latest = this.shown;
   private newest: Frame | null = null;
   private restarts = 0;

@@ -52,7 +52,7 @@ const OF = 'of';
 /** Message to the user if the browser has blocked a window. */
 export const BLOCKED = 'Pop-ups are blocked: allow them for this page, then press ↗ again.';
 
-/** Channel between one page and its windows; each page of the browser has its own. */
+/** Channel between one page and its windows; each page of the browser has a separate channel. */
 export class Windows {
   private readonly channel: BroadcastChannel;
 

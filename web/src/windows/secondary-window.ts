@@ -4,7 +4,7 @@ import { KeyRelay } from '../input/key-relay';
 import { el, setClass, setText } from '../panel/parts/dom';
 import { type PageState, tornOff, type WindowMessage, Windows } from './opened';
 
-/** Time between two requests for the page's state; time without answer after which the page counts as closed [ms]. */
+/** Time between two requests for the page's state; without an answer for `SILENT_MS`, it counts as closed [ms]. */
 const ASK_MS = 1000;
 const SILENT_MS = 5000;
 
@@ -24,7 +24,7 @@ export interface Words {
   readonly file?: string;
   /** Text in the rail while the window's keys act on the page. */
   readonly keys: string;
-  /** Text in the rail while they do not act on a page. */
+  /** Text in the rail while the keys do not act on a page. */
   readonly alone: string;
 }
 

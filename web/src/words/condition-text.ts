@@ -8,7 +8,7 @@ const DEGREE = 180 / Math.PI;
 /** Significant figures of a number. If the value exceeds a limit but has the same text, more figures are written. */
 const FIGURES = 3;
 const MOST_FIGURES = 9;
-/** Greatest number of decimals with this number of figures; each further figure allows one more. */
+/** Greatest number of decimals with this number of figures; each further figure allows one more decimal. */
 const DECIMALS = 3;
 
 /** Returns the text of a condition in these units, such as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */

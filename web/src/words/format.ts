@@ -4,7 +4,7 @@ import type { Unit } from './units';
 
 const DEGREE = 180 / Math.PI;
 
-/** A number with fixed decimals and a true minus sign, which zero never has. If `signed`, the others have a `+`. */
+/** A number with fixed decimals and a minus sign, never at zero. If `signed`, zero and positive numbers have a `+`. */
 export function fixed(value: number, decimals: number, signed = true): string {
   const digits = Math.abs(value).toFixed(decimals);
   const zero = Number(digits) === 0;

@@ -5,7 +5,7 @@ import type { WayOut } from '../link/protocol';
 
 const AXES = { rotation: ['roll', 'pitch', 'yaw'], translation: ['X', 'Y', 'Z'] } as const;
 
-/** `THC −Z (Q)`, `ORB UNL, RHC +roll (O)`, `SINGLE elbow pitch −`; If `joint` is empty, the joint is not named. */
+/** `THC −Z (Q)`, `ORB UNL, RHC +roll (O)`, `SINGLE elbow pitch −`. If `joint` is empty, the joint is not named. */
 export function wayOutText({ stick, axis, sign, position }: WayOut, joint: string, names: Names): string {
   switch (stick) {
     case 'translation':

@@ -1,4 +1,4 @@
-/** Minimum clearance: its pair of parts, its rate of change, its last minute, and the inhibits by contact. */
+/** The minimum clearance: its parts, rate of change, and curve over the last minute. Also ARM and FINGER INHIBIT. */
 
 import { keyOf } from '../../input/layout';
 import type { Near } from '../../link/protocol';

@@ -2,7 +2,7 @@
 
 import type { Condition } from '../../link/protocol';
 
-/** Scale of a condition without a bound other than zero, by unit: 10 cm, 5°, 2 in/s, 1°/s. */
+/** Scale of a condition whose only bound is zero, by unit: 10 cm, 5°, 2 inches/s, 1°/s. */
 const SCALES: Readonly<Record<string, number>> = { m: 0.1, rad: 0.087, 'm/s': 0.05, 'rad/s': 0.017 };
 
 export class ConditionBars {

@@ -39,7 +39,7 @@ export function touching({ joints }: Pick<Welcome, 'joints'>): Touching {
   };
 }
 
-/** Returns lines for the detrimental contacts, deepest first, for escape directions, and one for essential contacts. */
+/** Returns a line for each detrimental contact (deepest first), each escape direction, and all essential contacts. */
 export function linesOf(
   { work: { contacts }, ways_out }: { readonly work: Pick<Work, 'contacts'> } & Pick<Frame, 'ways_out'>,
   joints: Welcome['joints'],

@@ -1,4 +1,4 @@
-/** The clearance's last minute on a linear scale, with the thresholds. */
+/** Curve of the clearance over the last minute, on a linear scale, with the thresholds as lines. */
 
 import type { WorkInfo } from '../../link/protocol';
 import { small } from '../../words/format';

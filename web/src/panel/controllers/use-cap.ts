@@ -30,7 +30,7 @@ export function useCap(kind: Kind, use: string, ask: (use: string) => void): Use
   return { element, use, sources: moving.map(({ source }) => source) };
 }
 
-/** Marks the cap for whose function the sheet waits for a press or a movement. */
+/** Marks the cap of the function `asked`, for which the sheet waits for a press or a movement. */
 export function markAsked(caps: readonly UseCap[], asked: string | null): void {
   for (const { element, use } of caps) setClass(element, 'asked', use === asked);
 }

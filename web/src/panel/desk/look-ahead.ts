@@ -1,4 +1,4 @@
-/** Look-ahead: figures of the arm that is predicted with the present stick command. The ghost shows this arm. */
+/** Look-ahead: numbers for the arm at the predicted pose, with the present stick command. The ghost shows this pose. */
 
 import type { Ahead } from '../../link/protocol';
 import { small } from '../../words/format';
@@ -61,8 +61,8 @@ const ABOUT =
   'the blue arm in the pictures is the predicted arm';
 
 /**
- * Returns a word for the stick command of the prediction, short enough for the heading: the present deflection, or full
- * deflection of the axis that was deflected last, or centred sticks.
+ * Returns a word for the stick command that the prediction uses: the present deflection, full deflection of the axis
+ * that was deflected last, or centred sticks. The word is short enough for the heading.
  */
 export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {
   if (held) return 'deflected';
@@ -78,7 +78,7 @@ function below({ clearance }: Ahead, caution: number): boolean {
   return clearance !== null && clearance < caution;
 }
 
-/** The figures in the operator's units. */
+/** The numbers in the operator's units. */
 export function words(
   ahead: Ahead,
   joints: readonly { readonly label: string }[],

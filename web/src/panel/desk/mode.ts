@@ -13,7 +13,7 @@ export interface ModeGroup extends Part {
   enter(): void;
   /** Turns the JOINT rotary by one joint. */
   turnJoint(by: number): void;
-  /** The selected position, or the entered one if none is selected. */
+  /** The selected position, or the entered position if none is selected. */
   inView(): ModeInfo | undefined;
 }
 

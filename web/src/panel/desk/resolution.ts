@@ -1,4 +1,4 @@
-/** Point of resolution: position and attitude, commanded and actual, and its rates. */
+/** Point of resolution: position, attitude and rates, commanded and actual. */
 
 import type { Frame, JointInfo, ModeInfo, Resolution } from '../../link/protocol';
 import { attitude, degrees, fixed } from '../../words/format';
@@ -94,7 +94,7 @@ function parts(point: Resolution): readonly number[] {
   return [...point.velocity, ...point.turn_rate];
 }
 
-/** The point that moves, and its axes. */
+/** Names the point that moves, and the axes of its motion. */
 export function pointWords(mode: ModeInfo | undefined, frame: Frame, joints: readonly JointInfo[]): string {
   switch (mode?.kind) {
     case 'single':
@@ -114,7 +114,7 @@ export function pointWords(mode: ModeInfo | undefined, frame: Frame, joints: rea
 
 interface Tag {
   readonly text: string;
-  /** Whether the limit is a caution. The POR's limits are active in every motion, so they are none. */
+  /** Whether the limit is a caution. The POR's limits are active in every motion, so they are not cautions. */
   readonly caution: boolean;
 }
 

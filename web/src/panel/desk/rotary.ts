@@ -1,4 +1,4 @@
-/** The MODE rotary: twelve positions, and MASTER if the arm has it. The operator selects a position, then enters it. */
+/** The MODE rotary: twelve positions, and MASTER if the arm has this mode. A position is selected, then entered. */
 
 import { button, el, setAttribute, setClass, setPressed } from '../parts/dom';
 import type { Desk } from '../parts/part';

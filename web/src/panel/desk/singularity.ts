@@ -1,4 +1,4 @@
-/** Distance from each singularity, 0 to 1. Below the arm's threshold it is a caution, with the escape direction. */
+/** Distance from each singularity, 0 to 1. Below the arm's threshold, a row is a caution with the escape direction. */
 
 import { fixed } from '../../words/format';
 import { spoken, wayOutText } from '../../words/way-out';

@@ -13,7 +13,7 @@ const LAWS: readonly (readonly [LawChoice, string, number])[] = [
 
 export interface Switches {
   readonly element: HTMLElement;
-  /** `mode`: the selected one, or the entered one. */
+  /** `mode`: the selected mode, or the entered mode if none is selected. */
   set(frame: Frame, mode: ModeInfo | undefined): void;
   /** Turns the JOINT rotary by one joint. */
   turnJoint(by: number): void;

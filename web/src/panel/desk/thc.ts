@@ -1,4 +1,4 @@
-/** Translational hand controller: it moves the arm, with rate setting and RATE HOLD, or the orbiter. */
+/** Translational hand controller: it moves the arm or the orbiter. Also the rate setting and RATE HOLD of the arm. */
 
 import { X, Y, Z } from '../../input/deflection';
 import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from '../parts/dom';

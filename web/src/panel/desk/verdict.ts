@@ -1,4 +1,4 @@
-/** CMD CK: CHECKING while the motion to the target is rehearsed, then the verdict. */
+/** CMD CK: shows CHECKING while the motion to the target is rehearsed, then the verdict. */
 
 import type { Frame } from '../../link/protocol';
 import { el, setAttribute, setClass, setText } from '../parts/dom';

@@ -47,7 +47,7 @@ export function seat(desk: Desk): Seat {
   };
 }
 
-/** Returns the name of the berth of the held payload, or else of any payload; empty if there is none. */
+/** Returns the name of the held payload's berth or, if no payload is held, of any payload's; empty without one. */
 export function seatNow({ cargo }: Pick<Work, 'cargo'>): string {
   const held = cargo.find((each) => each.held);
   return held ? held.seat : (cargo.find((each) => each.seat !== '')?.seat ?? '');

@@ -1,4 +1,4 @@
-/** The master arm: six sliders in place of the joints, which the sticks move, too. In MASTER the arm follows it. */
+/** The master arm: six sliders in place of the joints. The sticks move them, too. In MASTER the arm follows them. */
 
 import type { Frame, Six } from '../../link/protocol';
 import { degrees } from '../../words/format';
@@ -27,7 +27,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
-  /** Returns the master's angles: in MASTER the last ones of this page or the station, else the arm's angles. */
+  /** Returns the master's angles: in MASTER the last angles of this page or of the station, else the arm's angles. */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;
@@ -41,7 +41,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     const row = el(
       'tr',
       {},
-      el('th', { scope: 'row', title: `Turn this joint also by ${joint.stick}` }, joint.label),
+      el('th', { scope: 'row', title: `${joint.stick} also moves this joint` }, joint.label),
       el('td', { class: 'scale' }, bar.element),
       actual,
       commanded,
@@ -86,7 +86,7 @@ export function masterGroup(desk: Desk): MasterGroup {
   };
 }
 
-/** Return the six angles with one replaced. */
+/** Returns the six angles, one of them replaced. */
 export function replaced([a, b, c, d, e, f]: Six, joint: number, angle: number): Six {
   const put = (old: number, i: number) => (i === joint ? angle : old);
   return [put(a, 0), put(b, 1), put(c, 2), put(d, 3), put(e, 4), put(f, 5)];

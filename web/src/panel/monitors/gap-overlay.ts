@@ -24,7 +24,7 @@ export interface GapOverlay {
   readonly elements: readonly [SVGSVGElement, HTMLElement];
   /** Draws line and contacts, at picture rate; `line` is null if the picture does not show the clearance. */
   show(line: GapLine | null, touches: readonly Touch[], picture: Size): void;
-  /** Writes the clearance; `seen`: for each end of the line, whether it is visible. */
+  /** Writes the clearance; `seen`: whether each end of the line is visible. */
   setText(text: string, seen: readonly [boolean, boolean]): void;
 }
 
@@ -115,7 +115,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       ends.forEach((end, i) => {
         setClass(end, 'hidden', !seen[i]);
       });
-      // While a replay is paused, no further picture is drawn that would place the label.
+      // A paused replay draws no further picture, so the label must be placed here.
       if (label.textContent.length !== letters && !label.hidden) placeLabel();
     },
   };

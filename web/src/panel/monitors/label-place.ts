@@ -78,7 +78,7 @@ export function labelPlace(
   return places.find(fits) ?? inside.find(free) ?? nearest ?? inside[0] ?? middle;
 }
 
-/** Returns the distances, aside and above, from the middle of the line to the edge of a label clear of the line. */
+/** Returns how far, aside and above, the edge of a label must be from the middle of a line to be clear of the line. */
 function reachOf(a: Point, b: Point, label: Size): Point {
   const [wide, high] = [Math.abs(a.x - b.x), Math.abs(a.y - b.y)];
   const off = APART * Math.hypot(wide, high);

@@ -1,4 +1,4 @@
-/** All cameras at once: a tile for each camera with the targets that it sees; below the tiles, clearance and lamps. */
+/** All cameras at once. A tile for each camera names the targets that it sees; clearance and lamps are below. */
 
 import type { Target } from '../../cameras/best-pair';
 import { type Age, isStale } from '../../link/delay-line';
@@ -58,7 +58,7 @@ export class Matrix {
     );
     const across = Math.max(ACROSS, Math.ceil(cameras.length / DOWN));
     const places = group('places', 'Camera places', this.plan.element);
-    // The plan is in the place of the missing tiles if it is larger there than below the tiles.
+    // The plan replaces the missing tiles if it is larger in their place than below the tiles.
     const left = across * DOWN - cameras.length;
     const among = left >= 2 && left < across;
     if (among) {

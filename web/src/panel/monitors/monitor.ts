@@ -7,12 +7,12 @@ import { button, el, setAttribute, setClass, setPressed, setText } from '../part
 import { Picture } from './picture';
 
 export interface MonitorListener {
-  /** The user selected a half of this monitor, or pressed a key of its selector. */
+  /** Called when the user selects a half of this monitor, or presses a key of its selector. */
   taken(half: number): void;
   choose(camera: Camera): void;
   split(): void;
   slow(): void;
-  /** The user asked for the next centre of the engineering views. */
+  /** Called when the user requests the next centre of the engineering views. */
   round(): void;
   /** Opens the monitor in a secondary window; absent in such a window. */
   tearOff?: () => void;
@@ -159,7 +159,7 @@ export class Monitor {
 
   /** Shows the name of the centre of the engineering views; null for their initial centre. */
   setRound(target: Target | null): void {
-    setText(this.roundKey, `Round ${target ?? 'start'}`);
+    setText(this.roundKey, `Centre: ${target ?? 'start'}`);
   }
 
   private setSplit(on: boolean): void {

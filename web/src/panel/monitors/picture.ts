@@ -12,7 +12,7 @@ import { axesOverlay } from './axes';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
 
-/** Rotation of an engineering view by a drag across the picture [rad]; factor of distance for a notch of the wheel. */
+/** A drag across the picture rotates an engineering view by this [rad]; a notch changes its distance by `WHEEL`. */
 const DRAGGED = Math.PI;
 const WHEEL = 1.15;
 /** Bit of a mouse's second button in `buttons`. */
@@ -26,9 +26,9 @@ const HINTS = {
 const WATCHED = 'observing: only the operator moves cameras';
 
 export interface PictureListener {
-  /** The user selected this picture. */
+  /** Called when the user selects this picture. */
   taken(): void;
-  /** The engineering view was rotated or shifted to the right and upwards [rad], or brought nearer by a factor. */
+  /** Called to rotate or shift (`aside`) the engineering view to the right and upwards [rad], or to bring it nearer. */
   orbited(right: number, upwards: number, nearer: number, aside: boolean): void;
   /** Whether this page can turn cameras. */
   readonly turns: boolean;
@@ -123,7 +123,7 @@ export class Picture {
     this.gap.show(line, touches, picture);
   }
 
-  /** Writes the minimum clearance; `seen`: for each end of its line, whether it is visible in this picture. */
+  /** Writes the minimum clearance; `seen`: whether each end of its line is visible in this picture. */
   setGapText(text: string, seen: readonly [boolean, boolean]): void {
     this.gap.setText(text, seen);
   }
@@ -152,7 +152,7 @@ export class Picture {
     return boxes;
   }
 
-  /** Boxes of the texts if MON 2 is in a corner of MON 1: in MON 1, the box that MON 2 covers is added. */
+  /** Boxes of the texts if MON 2 is in a corner of MON 1. For a picture of MON 1, the box of MON 2 is added. */
   private narrowCorners(picture: Size): readonly Box[] {
     const own = cornersOf(picture);
     if (this.element.closest('.monitor + .monitor')) return own;

@@ -1,4 +1,4 @@
-/** Bar of a rate as a fraction of its limit, −1 to 1. A mark shows the commanded rate, a bar below the actual rate. */
+/** Bar of a rate as a fraction of its limit, −1 to 1. The mark shows the commanded rate, the bar the actual rate. */
 
 import { clamp } from '../../basics/clamp';
 import { setAttribute, svg } from './dom';

@@ -1,4 +1,4 @@
-/** A list that opens below its key, and closes when the focus or a click is outside it. */
+/** A list that opens below its key. It closes at a click outside, or when the focus leaves it. */
 
 import { button, el } from './dom';
 

@@ -26,7 +26,7 @@ export interface Part {
   readonly element: HTMLElement;
   /** Draws marks and bars, at picture rate. */
   bars?(view: View): void;
-  /** Writes figures and legends, ten times a second. */
+  /** Writes numbers and legends, ten times a second. */
   values?(view: View): void;
 }
 

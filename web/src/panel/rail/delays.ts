@@ -25,12 +25,12 @@ export interface Delay {
 }
 
 /**
- * `command`: from a stick to the frame that used it. `telemetry`: from the arrival of a frame to its figures, lamps and
- * log. `camera`: from the arrival of a frame to its pictures.
+ * `command`: from an input to the frame that used it. `telemetry`: from the arrival of a frame until its numbers, lamps
+ * and log are displayed. `camera`: from the arrival of a frame until its pictures are displayed.
  */
 export type Delays = Readonly<Record<Name, Delay>>;
 
-/** Returns the delays for the rail, as set, and as measured if different; the text is empty if there is no delay. */
+/** Returns the delays for the rail: as set, and also as measured if that differs. No text if there is no delay. */
 export function delayWords(delays: Delays): { readonly label: string; readonly text: string } {
   const listed = NAMES.filter((name) => delays[name].set > 0 || differs(name, delays[name]));
   const [only] = listed;
@@ -55,7 +55,7 @@ export function areLong(delays: Delays): boolean {
   );
 }
 
-/** Whether a measured delay differs from the set one. */
+/** Whether a measured delay differs from the set delay. */
 function differs(name: Name, { set, measured }: Delay): boolean {
   return measured !== null && Math.abs(measured - set) > USUAL_S[name];
 }

@@ -20,7 +20,7 @@ export interface Naming {
   say(text: string): void;
   /** Called for the station's list of names. If this page has no name there, it sends the stored name. */
   set(role: Role): void;
-  /** Called for a rejected command. If it has set a name, shows the reason below the field and returns true. */
+  /** Called for a rejected command. If the command has set a name, shows the reason and returns true. */
   refuse(number: number, text: string): boolean;
   close(): void;
 }

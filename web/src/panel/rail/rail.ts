@@ -62,7 +62,7 @@ export function rail(
   // In a scripted run, the script's phases. In a manual run, the report's task phases, which can occur in any order.
   const scripted = welcome.phases.length > 0;
   const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
-  // There is room for the name of one phase only, the present one.
+  // There is room for only one name: the name of the present phase.
   const phases = steps.map((name) => ({ name, step: el('li', { title: name, 'aria-label': name }) }));
   const parts = initialise(desk);
   for (const { classList } of [parts.element, light.element]) classList.add('fliers');

@@ -13,7 +13,7 @@ const BEGUN_S = 1;
 export interface ScenarioChoice {
   /** The list, for the rail. */
   readonly element: HTMLElement;
-  /** Over the monitors: the question, or the name of the scenario that is being prepared. */
+  /** Element over the monitors with the question, or with the name of the scenario that is being prepared. */
   readonly question: HTMLElement;
   /** Called for each list of scenarios that the station sends. */
   set(known: Scenarios): void;

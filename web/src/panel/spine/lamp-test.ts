@@ -1,4 +1,4 @@
-/** TEST: all figures of the desk as eights, as on displays with all segments lit. */
+/** TEST: all digits on the desk become eights, as on displays with all segments lit. */
 
 import { setText } from '../parts/dom';
 
@@ -14,7 +14,7 @@ const FIGURES = [
   '.lag b',
 ].join();
 
-/** Writes eights over the figures. The groups write their figures again at the next update. */
+/** Replaces the numbers by eights. The groups write their numbers again at the next update. */
 export function lightSegments(): void {
   for (const figure of document.querySelectorAll(FIGURES)) setText(figure, segments(figure.textContent));
 }

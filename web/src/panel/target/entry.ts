@@ -105,7 +105,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     if (!latest || !units) return;
     if (!showsTip(latest)) {
       desk.say(
-        'Present rejected: the displayed point is the payload’s, but OPR CMD moves the tip; enter ORB UNL first.',
+        '“Present” is rejected: the displayed point is the payload’s, but OPR CMD moves the tip; enter ORB UNL first.',
       );
       return;
     }

@@ -1,4 +1,4 @@
-/** AUTO 1-4: the next point, the remaining distance and time, and the next action. */
+/** AUTO 1-4: the next point, the remaining distance and time, and the effect of PROCEED and STOP. */
 
 import type { Frame } from '../../link/protocol';
 import { degrees, fixed } from '../../words/format';

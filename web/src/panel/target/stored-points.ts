@@ -21,7 +21,7 @@ export interface StoredPoints {
 }
 
 export function storedPoints(sequences: readonly StoredSequence[]): StoredPoints {
-  /** The displayed sequence; null for the sequence of the entered mode, or else the first sequence that has points. */
+  /** The displayed sequence. Null: the sequence of the entered mode or, if it has none, the first one with points. */
   let chosen: string | null = null;
   let entered = '';
   const keys = SLOTS.map(([item, position]) => {

@@ -1,4 +1,4 @@
-/** Targets of the automatic modes: OPR CMD's keyed-in pose, or the stored points of AUTO 1-4. */
+/** Targets of the automatic modes: the keyed-in pose of OPR CMD, or the stored points of AUTO 1-4. */
 
 import type { Frame } from '../../link/protocol';
 import { degrees, fixed } from '../../words/format';
