@@ -54,7 +54,7 @@ class PhasePlan:
         effector: position of the end effector switch; None for no change.
         latch: latch button pressed as the phase begins; None for no button.
         stand_at: length to which the telescope moves [m]; None for no change.
-        orbiter: translation command of the orbiter, each in [-1, 1].
+        orbiter: translation commands of the orbiter along its three axes, each in [-1, 1].
         limits: limits during the phase; None for the scenario's.
         attaches: number, from 1, of the payload in `Scenario.own_payloads` that is attached to the end effector from
             the beginning of the phase; 0 if none is attached from then on; None for no change.

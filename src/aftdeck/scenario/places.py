@@ -1,4 +1,4 @@
-"""Targets relative to objects: to a payload to capture, to a berth for the held payload, or in the axes of a body."""
+"""Targets relative to an object: a payload to capture, a berth for the held payload, or the axes of a body."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def at_the_start(
         return composed(scene, composed(payload.start.pose, at_cargo(arm.model, payload, found)))
     if isinstance(found, AtSeat):
         if held is None:
-            problems.add(where, "a pose at a berth (seat) is the pose of the held payload: give grasped")
+            problems.add(where, "a pose at a berth (`seat`) is the pose of the held payload: set `grasped` too")
             return None
         index, pose_at_tip = held
         seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)

@@ -8,7 +8,7 @@ from aftdeck.files import Problem, Where, sentences
 
 
 class Problems:
-    """Problems found so far, in the order found; true if there are any.
+    """Problems found so far, in the order found. The object is true if it contains a problem.
 
     The problems given at construction belong to fields that could not be decoded and were left out. `add` ignores a
     problem at, inside or around the place of such a field, because the problem may be a consequence of the missing

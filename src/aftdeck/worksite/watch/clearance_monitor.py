@@ -176,7 +176,10 @@ def watch(
     memory: Array,
     found: Array,
 ) -> None:
-    """Run `measure_groups`. The arrays of its two tuples are separate arguments here: Python passes these faster."""
+    """Run `measure_groups`.
+
+    The arrays of its two tuples are separate arguments here, because Python passes them faster.
+    """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     own = Measured(at, placed, bound, likely, memory, found)
     measure_groups(layout, own, active, counts, before, now, period, within)
@@ -258,7 +261,7 @@ def _measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array)
 
 @law
 def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Array, measures: Array) -> None:
-    """Write the latest measurements of a group's nearest pair, measures (17,), into the group's row (15,)."""
+    """Write into a group's row (15,) the latest measurements of the group's nearest pair, from `measures` (17,)."""
     k, row = own.likely[g], own.found[g]
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     copy_pair(measures, row)
@@ -272,7 +275,7 @@ def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Arra
 
 @law
 def copy_pair(pair: Array, row: Array) -> None:
-    """Copy the measurements of a pair, packed (17,), into its group's row (15,)."""
+    """Copy from the packed measurements of a pair (17,) the values that its group's row (15,) contains."""
     row[CLEARANCE] = pair[packed.CLEARANCE]
     put_vector(row, POINT_A, vector_at(pair, packed.POINT_A))
     put_vector(row, POINT_B, vector_at(pair, packed.POINT_B))

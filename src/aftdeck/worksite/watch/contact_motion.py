@@ -39,16 +39,16 @@ RELIEF = 0.5
 """Clearance that a step has to gain for each metre that a touching point slides [1] (assumed).
 
 A straight motion meets this condition if its direction is within 63 degrees of the escape direction. One of three
-perpendicular axes always meets it: that axis is within 55 degrees of the escape direction.
+perpendicular axes always meets this condition: the axis that is within 55 degrees of the escape direction.
 """
 LEAST_RELIEF = 1e-9
-"""Least clearance that a step has to gain [m]. Rounding errors are less; the first step from rest at a hundredth of the
-vernier rate gains more."""
+"""Least clearance that a step has to gain [m]. Rounding errors are smaller than this value. Even the first step from
+rest at a hundredth of the vernier rate gains more than this value."""
 ESCAPE = 0.25
 """Least decrease of depth for each metre that a touching point slides, for a motion that leads out [1] (assumed)."""
 ASIDE = 0.05
-"""Greatest depth that a step that leads out may add to a contact for each metre that a touching point slides [1]. It
-allows for a contact normal that is wrong by a few degrees."""
+"""For a step that leads out: greatest depth that it may add to a contact, for each metre that a touching point slides
+[1]. This depth allows for a contact normal that is wrong by a few degrees."""
 
 
 def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> bool:

@@ -184,7 +184,7 @@ def tried_many(
 ) -> None:
     """Write the prediction for each of several motions, `afters` (k, F, 12), into `trials` (k, 7).
 
-    The arrays of the layout and of the monitor are separate arguments here: Python passes these faster.
+    The arrays of the layout and of the monitor are separate arguments here, because Python passes them faster.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     for k in range(len(afters)):
