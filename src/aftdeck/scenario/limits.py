@@ -67,7 +67,7 @@ def phase_limits(
         model: the arm with the scenario's limits.
         mass: mass of the payload that the arm carries in the phase [kg].
         own: the scenario's limits of the point of resolution.
-        over: limits of the phase, which replace those of the scenario.
+        over: limits of the phase, which replace the scenario's limits.
         where: place of the phase's limits in the file.
     """
     if over == RatesOverride():

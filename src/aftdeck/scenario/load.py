@@ -59,7 +59,7 @@ def find_scenario(name_or_path: str | Path) -> Source:
         if str(name_or_path) not in built_in():
             raise ScenarioError(
                 [
-                    f"no scenario {str(name_or_path)!r}: built in are {', '.join(built_in())}; "
+                    f"no scenario {str(name_or_path)!r}; the built-in scenarios are {', '.join(built_in())}; "
                     "a path to a scenario file ends in .toml"
                 ]
             )

@@ -111,7 +111,7 @@ class ClearanceSpec(_Part, frozen=True):
     """Clearances below which the page shows a caution and a warning.
 
     While the arm is not stretched out, the Shuttle's upper boom has a clearance over the sill's fittings that is a
-    little more than the default caution. With a greater default, the caution would almost always be lit.
+    little more than the default caution. With a greater default, the caution would always be lit.
     """
 
     caution: Length = Length(0.5)

@@ -39,7 +39,7 @@ class Guide(msgspec.Struct, frozen=True):
     name: str
     """Name of the guide, for example ``forward port``."""
     seat: Vec3
-    """The trunnion's centre when it is stowed [m]."""
+    """Centre of the stowed trunnion [m]."""
     up: Vec3
     """Unit vector out of the V."""
     along: Vec3

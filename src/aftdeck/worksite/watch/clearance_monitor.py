@@ -6,8 +6,8 @@ later motion of the two parts' frames give a lower bound of the clearance. A gro
 is too small to exclude the group.
 
 The remembered data of a pair of solids only serve to exclude the pair. The least clearance is always measured without
-such data. Of several pairs with the same clearance, the first is used. The result therefore equals that of a monitor
-without memory, to the last digit.
+such data. Of several pairs with the same clearance, the first is used. The result therefore equals the result of a
+monitor without memory, to the last digit.
 """
 
 from __future__ import annotations
@@ -123,7 +123,7 @@ def nearest_pair(layout: PackedLayout, own: Measured, g: int, limit: float, meas
     """Return the pair of solids of a group that has the least clearance; of pairs with equal clearance, the first.
 
     Args:
-        layout: the layout.
+        layout: the solids and the groups.
         own: arrays of the monitor. The positions of the solids are in `placed`. The search begins with the pair in
             `likely`, and `memory` is updated; neither `likely` nor `memory` affects the result.
         g: the group.
@@ -199,7 +199,7 @@ def measure_groups(
     """Measure the active groups that are nearer than `within`, and always the nearest of the active groups that count.
 
     Args:
-        layout: the layout.
+        layout: the solids and the groups.
         own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
         counts: (g,) 1 for groups that count: the nearest of them is measured even if it is not nearer than `within`.

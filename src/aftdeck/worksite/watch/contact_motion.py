@@ -57,7 +57,7 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
     Args:
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
-        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        harmful: (g,) 1 for each of these groups whose contact is detrimental.
         after: (F, 12) poses of the frames after the motion, in L; only frames that move with the arm change.
     """
     return bool(_relief(trials_of(watch, counts, harmful, after[None]))[0] > 0.0)
@@ -69,7 +69,7 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
     Args:
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
-        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
         ahead: arrays like `afters`, each for another number of steps.
 
@@ -120,7 +120,7 @@ def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array
     Args:
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
-        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
 
     Returns:

@@ -68,11 +68,11 @@ def predict_contacts(
     """Return the effect of a motion on the contacts of the groups that count.
 
     Args:
-        layout: the layout.
+        layout: the solids and the groups.
         own: arrays of the monitor before the motion. `at` and `placed` have to be copies, because they are changed to
             the values after the motion. `memory` is updated, which does not affect the result.
         counts: (g,) 1 for groups whose contacts count; they have to be active.
-        harmful: (g,) 1 for those of these groups whose contact is harmful: the motion has to relieve it.
+        harmful: (g,) 1 for each of these groups whose contact is harmful: the motion has to relieve it.
         after: (F, 12) poses of the frames after the motion, in L.
     """
     found, begins, between = own.found, layout.begins, layout.between_frames
