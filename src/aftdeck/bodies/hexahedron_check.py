@@ -16,8 +16,8 @@ FARTHEST = 1e4
 SHORTEST = 1e-6
 """Smallest allowed distance between two vertices [m] (assumed)."""
 THINNEST = 1e-6
-"""Least allowed distance of a vertex, on the inner side, from the plane of a face that does not contain the vertex;
-divided by the longest edge [1] (assumed)."""
+"""Least allowed distance of a vertex from the plane of a face that does not contain the vertex, as a share of the
+longest edge [1] (assumed). The distance is positive on the inner side."""
 
 _RIMS = CORNERS[:, [0, 1, 3, 2]]
 """(6, 4) vertices of each face in order along its rim, numbered from zero."""

@@ -23,7 +23,7 @@ class TargetReferences(NamedTuple):
     Attributes:
         cargo: the scenario's payloads.
         worksite: the worksite, for its bodies and berths; None if the named worksite could not be read.
-        strict: whether RMANGS as published, which returns only one branch, converts a pose to joint angles.
+        strict: whether a pose is converted to joint angles by RMANGS as published, which returns only one branch.
     """
 
     cargo: tuple[Cargo, ...]

@@ -71,7 +71,7 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
         counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
         harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
-        ahead: arrays like `afters`, each for another number of steps.
+        ahead: arrays of the same form as `afters`, each with the poses after a different number of steps.
 
     Returns:
         (k,) decrease of the sum of all depths [m]: the greatest one over the arrays in `ahead`. An array counts only if
@@ -91,7 +91,9 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
 
 
 def worst_new_contact(watch: ClearanceMonitor, counts: Mask, after: Array) -> int:
-    """Return the group of the contact that a step makes or deepens most; -1 if it does neither.
+    """Return the group with the greatest decrease of clearance among the contacts that a step makes or deepens.
+
+    -1 if none.
 
     The arguments are those of `relieves`.
     """
