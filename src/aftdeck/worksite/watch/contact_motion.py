@@ -93,7 +93,7 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
 def worst_new_contact(watch: ClearanceMonitor, counts: Mask, after: Array) -> int:
     """Return the group with the greatest decrease of clearance among the contacts that a step makes or deepens.
 
-    -1 if none.
+    The result is -1 if there is no such contact.
 
     The arguments are those of `relieves`.
     """
