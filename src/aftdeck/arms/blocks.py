@@ -1,7 +1,7 @@
 """Boxes of the concept arm, computed from the dimensions in its file. The same boxes collide and are drawn.
 
-The three hexahedra of the end effector, ARM 0 to ARM 2, and STAND are those of the Remote Manipulator Simulation. The
-housings of the joints, and the tube that slides in the telescope's sleeve, are our additions.
+The Remote Manipulator Simulation has these solids: the three hexahedra of the end effector; ARM 0, ARM 1 and ARM 2; and
+STAND. The housings of the joints, and the tube that slides in the telescope's sleeve, are our additions.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ class Block(NamedTuple):
         low: least x, y, z in that frame [m].
         high: greatest x, y, z in that frame [m].
         material: material with which the box is drawn.
-        axes: number, 1 to 3, of the frame's axis that is along the box's own x, y and z; negative if the directions are
-            opposite. The box's own axes define the numbers of its vertices.
+        axes: for each of the box's own axes x, y and z, the number (1 to 3) of the parallel axis of the frame; negative
+            if the two directions are opposite. The box's own axes define the numbers of its vertices.
     """
 
     part: str

@@ -44,8 +44,8 @@ def corners(
     Args:
         low: least x, y, z [m].
         high: greatest x, y, z [m].
-        axes: number, 1 to 3, of the coordinate axis that is along the box's own x, y and z; negative if the directions
-            are opposite. The box's own axes define the numbers of its vertices.
+        axes: for each of the box's own axes x, y and z, the number (1 to 3) of the parallel coordinate axis; negative
+            if the two directions are opposite. The box's own axes define the numbers of its vertices.
     """
     ends = (low, high)
     vertices = np.empty((8, 3))

@@ -25,12 +25,12 @@ class Linkage(NamedTuple):
     Attributes:
         links: (8,) in the order of `kinematics.linkage`: L1 to L5 [m], the angles of upper and lower arm above
             their boom lines at zero angles [rad], and the kind of wrist.
-        steps: (6, 3) vectors to each joint's centre at zero angles, in L [m]: the first vector from L's origin, each
-            other vector from the joint before.
+        steps: (6, 3) vectors to each joint's centre at zero angles, in L [m]: the vector to the first joint begins at
+            L's origin, and each other vector begins at the preceding joint.
         axes: for each joint, the axis of L, 1 to 3, about which the joint rotates at zero angles.
         frames: names of the frames that carry the arm's bodies: the foot (fixed in L), then one frame for each joint.
             The axes of a joint's frame are those of L, rotated by all joints up to this joint. The origin is the
-            joint's centre; for the last joint it is the centre of the joint before.
+            joint's centre; for the last joint it is the centre of the preceding joint.
         end_effector_roll: the angle r in R_E = R_7 Rx(r) [rad].
     """
 

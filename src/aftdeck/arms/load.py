@@ -60,7 +60,7 @@ class ArmModel:
         por: rows of limits by payload mass, lightest first.
         source: the decoded file, with the source and confidence of each constant.
         text: text of the file as it was read.
-        shapes: file of the arm's drawn shapes; None if the arm file names none.
+        shapes: file of the arm's drawn shapes; None if the arm file names no such file.
     """
 
     name: str
@@ -167,7 +167,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
     if path.suffix != ".toml":
         if str(name_or_path) not in built_in():
             raise ArmError(
-                f"no arm {str(name_or_path)!r}: built in are {', '.join(built_in())}; a path to an arm file "
+                f"no arm {str(name_or_path)!r}; the built-in arms are {', '.join(built_in())}; a path to an arm file "
                 "ends in .toml"
             )
         path = HERE / f"{name_or_path}.toml"

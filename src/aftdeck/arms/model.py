@@ -1,8 +1,9 @@
 """Contents of an arm file: geometry, limits, rates and masses, each constant with its source.
 
-The field `family` selects one of two families of arms. The Shuttle's family is that of JSC-12628 (yaw, pitch, pitch,
-pitch, yaw, roll). The concept's family is that of the *Remote Manipulator Simulation* (heading, pitch, pitch, heading,
-pitch, roll). Tables that differ between the families, or that only one family has, have their own structs.
+The field `family` selects one of two families of arms. The Shuttle's family is described in JSC-12628 (yaw, pitch,
+pitch, pitch, yaw, roll). The concept's family is described in the *Remote Manipulator Simulation* (heading, pitch,
+pitch, heading, pitch, roll). Tables that differ between the families, or that only one family has, have their own
+structs.
 """
 
 from __future__ import annotations
@@ -83,7 +84,7 @@ class MountFile(_Part, frozen=True):
 
 
 class LimitsFile(_Part, frozen=True):
-    """Three sets of joint limits, each inside the one before, and the threshold of the SINGULAR lamp."""
+    """Three sets of joint limits, each inside the preceding set, and the threshold of the SINGULAR lamp."""
 
     hard: Constant[SixRanges]
     soft: Constant[SixRanges]
@@ -231,7 +232,7 @@ class BoxBody(BoxCover, frozen=True, kw_only=True, tag="box"):
 
 
 class PrismBody(PrismCover, frozen=True, kw_only=True, tag="prism"):
-    """A prism that covers a part of the arm; fields as in `BoxBody`."""
+    """A prism that covers a part of the arm; `part` and `frame` as in `BoxBody`."""
 
     part: Text
     frame: Text

@@ -21,7 +21,8 @@ from aftdeck.law import law
 AGREED = 1e-13
 """Greatest difference between distance and gap at which the search ends [m]."""
 NOTHING = 1e-14
-"""Greatest distance that counts as zero [m]: rounding errors then make its direction meaningless."""
+"""Greatest distance that counts as zero [m]. At such a distance, rounding errors make the direction of the point
+meaningless."""
 ENCLOSED = 4
 """Size of a simplex that contains the origin."""
 MOST_STEPS = 64
@@ -72,7 +73,7 @@ class Nearest(NamedTuple):
 
 @law
 def corner(a: Array, b: Array, i: int, j: int, moved: Vector) -> Corner:
-    """Return vertex i of a, moved by a vector [m], minus vertex j of b."""
+    """Return vertex i of body `a`, moved by a vector [m], minus vertex j of body `b`."""
     p, q = vertex(a, i), vertex(b, j)
     return Corner(Vector(p.x - q.x + moved.x, p.y - q.y + moved.y, p.z - q.z + moved.z), i, j)
 
@@ -156,12 +157,12 @@ def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
 
 @law
 def nearest(a: Array, b: Array, moved: Vector, start: Simplex, enough: float) -> Nearest:
-    """Search the Minkowski difference of a, moved by a vector, and b for its point nearest to the origin.
+    """Search the Minkowski difference of body `a`, moved by a vector, and body `b` for its point nearest to the origin.
 
     Args:
         a: packed body.
         b: packed body.
-        moved: displacement of a [m].
+        moved: displacement of the body `a` [m].
         start: simplex from which the search starts.
         enough: gap above which the search ends at once [m].
     """

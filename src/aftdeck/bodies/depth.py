@@ -1,9 +1,10 @@
 """Penetration depth of two hexahedra: the length of the shortest move that separates the two.
 
-The separation along a direction is the gap between the two bodies along it; it is negative if they overlap. The depth
-is minus the greatest separation along all normals along which the bodies can touch last. There are two kinds of such
-normals: the normals of the faces of both bodies, and the normals that are perpendicular to one edge of each body, if
-the arcs of normals of the two edges cross (Gauss map; S. Gottschalk's theorem of separating axes).
+The separation along a direction is the gap between the two bodies along it; it is negative if they overlap. When two
+bodies separate, they touch last along one of certain normals. The depth is minus the greatest separation along these
+normals. There are two kinds of them: the normals of the faces of both bodies, and the normals that are perpendicular to
+one edge of each body, if the arcs of normals of the two edges cross (Gauss map; S. Gottschalk's theorem of separating
+axes).
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ from aftdeck.bodies.vector import Vector, cross, dot, minus, opposite, times
 from aftdeck.law import law
 
 PARALLEL = 1e-24
-"""Squared sine of the greatest angle at which two edges count as parallel [1]. Then the faces give the answer."""
+"""Squared sine of the greatest angle at which two edges count as parallel [1]. For such edges, the normals of the faces
+are sufficient."""
 
 
 class Separation(NamedTuple):

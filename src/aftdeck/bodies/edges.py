@@ -2,8 +2,8 @@
 
 Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV.B.1), with three corrections. The edges
 of both bodies are tested. An edge is a segment instead of a ray. An edge is clipped by the faces that the location
-words of its ends name; the source uses scalar triple products with a table of bounding edges, which fails for tapered
-bodies.
+words of its ends name; the source uses scalar triple products with a table of bounding edges. This method fails for
+tapered bodies.
 """
 
 from __future__ import annotations

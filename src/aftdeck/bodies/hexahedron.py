@@ -24,7 +24,7 @@ X, Y, Z = 0, 8, 16
 NX, NY, NZ, D = 24, 30, 36, 42
 """Indices of the faces' outward unit normals [1] and distances [m]."""
 BODY = 48
-"""Length of a packed body."""
+"""Number of values in a packed body."""
 
 FACES = {
     "a": (1, 2, 5, 6),

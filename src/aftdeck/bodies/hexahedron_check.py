@@ -1,4 +1,4 @@
-"""Check that eight vertices are a hexahedron, with errors that name the wrong vertex."""
+"""Check that eight vertices form a convex hexahedron; an error names the vertex that is at fault."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ FARTHEST = 1e4
 SHORTEST = 1e-6
 """Smallest allowed distance between two vertices [m] (assumed)."""
 THINNEST = 1e-6
-"""Least allowed depth of a vertex inside the plane of a face that does not contain the vertex, divided by the longest
-edge [1] (assumed)."""
+"""Least allowed distance of a vertex from the plane of a face that does not contain the vertex, as a share of the
+longest edge [1] (assumed). The distance is positive on the inner side."""
 
 _RIMS = CORNERS[:, [0, 1, 3, 2]]
 """(6, 4) vertices of each face in order along its rim, numbered from zero."""
@@ -38,8 +38,8 @@ def hexahedron(vertices: ArrayLike, name: str = "the hexahedron") -> Array:
         (48,) packed body.
 
     Raises:
-        InputError: the vertices are not a convex hexahedron with flat faces in this numbering; the message names
-            the wrong vertex.
+        InputError: the vertices are not a convex hexahedron with flat faces in this numbering; the message names the
+            vertex at fault.
     """
     try:
         points = np.array(vertices, dtype=np.float64)
@@ -131,7 +131,7 @@ def _round(points: Array, name: str) -> None:
 
 
 def _convex(points: Array, body: Array, name: str) -> None:
-    """Reject a vertex that is not inside the planes of all faces that do not contain the vertex."""
+    """Reject a vertex that is not on the inner side of the plane of every face to which it does not belong."""
     longest = np.linalg.norm(points[ENDS[:, 1]] - points[ENDS[:, 0]], axis=1).max()
     normals, distances = body[24:42].reshape(3, 6).T, body[42:]
     inside = distances[:, None] - normals @ points.T
@@ -140,5 +140,6 @@ def _convex(points: Array, body: Array, name: str) -> None:
     if not inside[f, v] > max(THINNEST * longest, FLAT):
         raise InputError(
             f"{name}: vertex {v + 1} at {_at(points[v])} is {inside[f, v]:.3g} m inside the plane of face "
-            f"{list(FACES)[f]}, which it is not on; in a convex solid it is more than {THINNEST:g} of the longest edge"
+            f"{list(FACES)[f]}, to which it does not belong; in a convex solid, this depth is more than "
+            f"{THINNEST:g} of the longest edge"
         )

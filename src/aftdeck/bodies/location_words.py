@@ -1,9 +1,9 @@
 """Location words: for each vertex of one hexahedron, the faces of another hexahedron on whose TRUE side the vertex is.
 
-Source: vertex-face test in the final report of the Remote Manipulator Simulation (IV.B.1). Subroutine EFFTST tests a's
-vertices against b's faces, and NORMS tests b's vertices against a's faces. A word of zeros means that the vertex is
-inside the other body, which is a collision. A bit that is set in all eight words names a face whose plane separates the
-two bodies.
+Source: vertex-face test in the final report of the Remote Manipulator Simulation (IV.B.1). Subroutine EFFTST tests the
+vertices of body `a` against the faces of body `b`. NORMS tests the vertices of `b` against the faces of `a`. A word of
+zeros means that the vertex is inside the other body, which is a collision. A bit that is set in all eight words names a
+face whose plane separates the two bodies.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Deepest(NamedTuple):
 
 @law
 def heights(a: Array, b: Array, above: Array) -> None:
-    """Write into `above` (6, 8) the heights of packed body a's vertices over the faces of b, negative inside [m]."""
+    """Write into `above` (6, 8) the heights of the vertices of `a` over the faces of `b` [m]; negative inside `b`."""
     for f in range(SIDES):
         nx, ny, nz, d = b[NX + f], b[NY + f], b[NZ + f], b[D + f]
         for v in range(VERTICES):

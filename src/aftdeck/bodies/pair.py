@@ -1,6 +1,6 @@
 """Packed record of a pair of hexahedra: its last measurement, from which the next search starts.
 
-A record of zeros is that of a pair that was never measured. A record that is old, or that belongs to other bodies, may
+A record of zeros belongs to a pair that was never measured. A record that is old, or that belongs to other bodies, may
 change the speed of the next measurement and the last digits of the clearance. It never changes a verdict.
 """
 
@@ -24,7 +24,7 @@ SIZE, SIMPLEX = 13, 14
 """Number, at most 3, of the corners of the Minkowski difference that span the closest point; and these corners. A
 corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered from zero."""
 PAIR = 17
-"""Length of a packed pair."""
+"""Number of values in a packed pair."""
 
 WHOLE = 255
 """Feature value of the whole body."""

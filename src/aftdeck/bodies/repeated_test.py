@@ -1,4 +1,4 @@
-"""Repeated test of a pair of hexahedra: whether the last plane is still valid, collision, and clearance.
+"""Repeated test of a pair of hexahedra: it checks the last plane, detects a collision, and measures the clearance.
 
 For use inside compiled code. The result is written into the packed pair (`pair.py`). A plane is stored only after a
 test of all sixteen vertices. A collision is stored only with the features that prove it.
@@ -37,8 +37,8 @@ EDGE_BITS = (1 << ENDS).sum(axis=1)
 FACE_BITS = (1 << CORNERS).sum(axis=1)
 """Features of the edges (12,) and of the faces (6,), as written in a packed pair."""
 ASIDE = 1e-9
-"""Gap between two bodies after the shortest move that separates them [m]. The points that touch last are searched with
-this gap. The gap is so small that a point beside the closest point is measurably farther away."""
+"""Gap between two bodies after the shortest move that separates them [m]. The search for the points that touch last
+uses this gap. The gap is so small that a point beside the closest point is measurably farther away."""
 
 
 @law

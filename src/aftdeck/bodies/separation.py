@@ -86,7 +86,7 @@ def separation(a: ArrayLike, b: ArrayLike) -> Separation:
 
     Raises:
         InputError: a body is not convex, has a bent face or no volume, or its vertices are in a different order; the
-            message names the wrong vertex.
+            message names the vertex at fault.
 
     Examples:
         >>> import numpy as np

@@ -73,7 +73,7 @@ class Arm:
         return Arm(self.model.at(float(length)))
 
     def forward(self, angles: ArrayLike) -> Pose:
-        """Return the tip's pose: frame 7 of JSC-12628, subroutine LNKAGE.
+        """Return the pose of the tip: the pose of frame 7 (JSC-12628, subroutine LNKAGE).
 
         Args:
             angles: (..., 6) joint angles [rad].

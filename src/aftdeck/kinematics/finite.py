@@ -1,4 +1,4 @@
-"""Compiled check for finite numbers. Called from Python, NumPy's own check takes as long as a law of the kinematics."""
+"""Compiled check for finite numbers. NumPy's own check, if called from Python, takes as long as a kinematics law."""
 
 from __future__ import annotations
 

@@ -13,7 +13,8 @@ from aftdeck.kinematics.linkage import Three
 from aftdeck.law import law, sincos
 
 POSE = 12
-"""Length of a frame's row: position [m], then the rotation matrix row by row. Its columns are the frame's axes in L."""
+"""Number of values in a frame's row: position [m], then the rotation matrix row by row. The matrix's columns are the
+frame's axes in L."""
 _CHAINED = 7
 """Number of frames in the chain of joints, including the frame of the foot."""
 
@@ -50,7 +51,7 @@ def place_frames(joints: Array, angles: Array, stand: float, prong: float, rows:
         angles: (6,) joint angles [rad].
         stand: height of the shoulder above L's origin [m]: the telescope's length, or L1 for an arm without telescope.
         prong: y2 of the prong's inner face [m]; unused if there are seven rows.
-        rows: (7 or 9, 12) out, in L.
+        rows: (7 or 9, 12) output: the row of each frame, in L.
     """
     at: Three = (0.0, 0.0, 0.0)
     a: Three = (1.0, 0.0, 0.0)  # the frame's axes 1, 2, 3

@@ -56,12 +56,12 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
     """Write every set of joint angles that puts the tip at a pose (RMANGS).
 
     Args:
-        arm: the arm's array.
+        arm: packed arm, as in `kinematics.linkage`.
         pose: (12,) tip position in L [m], then the rotation row by row.
-        angles: (8, 6) out, panel angles in [-pi, pi] [rad]. Each pair of a shoulder branch and a wrist branch has two
-            rows. In the first row the elbow is bent as usual, with the lower arm below the upper arm's line; in the
+        angles: (8, 6) output: panel angles in [-pi, pi] [rad]. Each pair of a shoulder branch and a wrist branch has
+            two rows. In the first row the elbow is bent as usual, with the lower arm below the upper arm's line; in the
             second row it is bent in the opposite direction.
-        excess: (8,) out, distance by which the row's wrist is out of reach [m]: positive beyond the reach of the
+        excess: (8,) output: distance by which the row's wrist is out of reach [m]: positive beyond the reach of the
             stretched arm, negative inside the reach of the folded arm, 0 if the row is a solution.
 
     Returns:

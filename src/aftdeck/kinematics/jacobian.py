@@ -16,7 +16,7 @@ from aftdeck.law import law
 
 
 class Jacobian(NamedTuple):
-    """Elements of the matrix a in b = a * rates, without the elements that are equal constants for both families.
+    """Elements of the matrix a in twist = a * rates, except those that are the same constants in both families.
 
     The elements without a field are a22 = a23 = 1, and zeros. s and c are the sine and cosine of the slope of the link
     in whose frame the matrix is given.

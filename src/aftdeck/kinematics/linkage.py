@@ -33,7 +33,7 @@ UPPER, LOWER = 5, 6
 WRIST = 7
 """Index of the kind of wrist, which identifies the family."""
 LINKS = 8
-"""Length of an arm's array."""
+"""Number of values in an arm's array."""
 
 HEADING_PITCH_ROLL, PITCH_YAW_ROLL = 0.0, 1.0
 """Kinds of wrist."""

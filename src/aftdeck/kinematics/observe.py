@@ -35,10 +35,10 @@ def observe_link(arm: Array, angles: Array, mount: Array, axes: Array) -> None:
     For the Shuttle's arm this is the wrist-pitch frame; for the concept arm it is the lower arm's frame.
 
     Args:
-        arm: packed links.
+        arm: packed arm, as in `kinematics.linkage`.
         angles: (6,) joint angles [rad].
         mount: (3, 3) rotation that converts components in L to components in the orbiter's body axes.
-        axes: (3, 3) out; the columns are the frame's axes in the orbiter's body axes.
+        axes: (3, 3) output; the columns are the frame's axes in the orbiter's body axes.
     """
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
     j = jacobi(arm, a)
@@ -56,13 +56,13 @@ def observe_near(
     """Observe an arm on its telescope; return whether a joint is past its reach limits or a singularity is near.
 
     Args:
-        arm: packed links.
+        arm: packed arm, as in `kinematics.linkage`.
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
         rising: rate at which the telescope extends, in the direction opposite to axis 3 of L [m/s].
         reach: (6, 2) reach limits [rad].
         threshold: distance below which a singularity is near [1].
-        seen: (21,) out.
+        seen: (21,) output.
     """
     observe(arm, angles, rates, seen)
     seen[17] -= rising  # the telescope carries the whole arm
@@ -85,7 +85,7 @@ def observe_payload(seen: Array, payload: Array, carried: Array) -> None:
     Args:
         seen: (21,) observed values of the arm, from `observe`.
         payload: (15,) from `Payload.packed`.
-        carried: (18,) out.
+        carried: (18,) output.
     """
     for i in range(3):
         for j in range(3):

@@ -15,7 +15,7 @@ from aftdeck.frames import Pose
 from aftdeck.shapes import Shape
 
 PACKED = 15
-"""Length of a packed payload."""
+"""Number of values in a packed payload."""
 
 
 @dataclass(frozen=True, eq=False)

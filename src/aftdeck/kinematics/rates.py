@@ -6,8 +6,9 @@ With a heading-pitch-roll wrist, whose three axes intersect in one point, the fi
 last three produce the remaining rotation.
 
 The three denominators are zero at the arm's singularities. If a denominator is nearer to zero than `floor`, the law
-divides by the floor instead. The rates then remain finite, and their direction is that of the arm's free motion out of
-the singularity. `kinematics.arm` rejects such poses; the steering slows the arm before it reaches them.
+divides by the floor instead. The rates then remain finite, and their direction equals the direction of the arm's free
+motion out of the singularity. `kinematics.arm` rejects such poses; the steering slows the arm before the arm reaches
+them.
 """
 
 from __future__ import annotations
@@ -114,11 +115,11 @@ def rates_many(arm: Array, angles: Array, twists: Array, rates: Array, singular:
     """Compute RMSRAT for each row.
 
     Args:
-        arm: the arm's array.
+        arm: packed arm, as in `kinematics.linkage`.
         angles: (n, 6) joint angles [rad].
         twists: (n, 6) twists of the tip, in L.
-        rates: (n, 6) out, joint rates [rad/s].
-        singular: (n,) out, whether the pose is singular.
+        rates: (n, 6) output: joint rates [rad/s].
+        singular: (n,) output: whether the pose is singular.
 
     Returns:
         Whether all angles and twists are finite.

@@ -48,14 +48,14 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
     """Find all joint angles that put the tip at a pose.
 
     Args:
-        arm: the arm's array.
+        arm: packed arm, as in `kinematics.linkage`.
         hard: (6, 2) hard stops [rad].
         pose: (12,) tip position in L [m], then the rotation row by row.
         near: (6,) angles [rad]; the solutions are sorted by their distance from `near`, nearest first.
         turned: True to move each angle to the revolution nearest to `near`; False to keep each angle within +-pi.
         limited: True to move angles by whole revolutions inside the hard stops where this is possible, and to leave out
             solutions outside the hard stops.
-        solutions: (8, 6) out [rad]; the first `number` rows are filled.
+        solutions: (8, 6) output [rad]; the first `number` rows are filled.
     """
     if not finite(pose) or not finite(near):
         return Solved(NOT_FINITE, 0, 0.0, -1, 0.0)

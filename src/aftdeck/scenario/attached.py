@@ -51,7 +51,7 @@ class Grasp:
         elif self._cargo:
             problems.add(
                 field,
-                "is only for a scenario without [[cargo]]: the end effector captures and releases such payloads",
+                "is allowed only without [[cargo]]; the end effector captures and releases the payloads of [[cargo]]",
             )
         elif current is not None and (current.shapes or current.solids):
             problems.add(

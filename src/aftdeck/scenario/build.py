@@ -68,7 +68,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         problems.add(("payload",), "is never released: in a scenario with [[cargo]], give initial.grasped instead")
     elif cargo and initial_state is not None and initial_state.grasped is None and MODES[mode.position].loaded:
         problems.add(
-            ("mode",), f"{mode.position} moves a payload, and no payload is in the grasp: give initial.grasped"
+            ("mode",), f"{mode.position} moves a payload, but the end effector holds none: give initial.grasped"
         )
     grasp = Grasp(payload, cargo=bool(cargo))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
@@ -135,7 +135,7 @@ def _check_fit(
     phases: Sequence[PhasePlan | None],
     held: frozenset[int],
 ) -> list[Problem]:
-    """Add the misfits that make every run meaningless to `problems`; return the other misfits."""
+    """Add to `problems` the misfits that make every run meaningless, and return the other misfits."""
     used = frozenset(phase.target.seat for phase in phases if phase and isinstance(phase.target, AtSeat))
     errors: dict[Where, list[str]] = {}
     cautions = []

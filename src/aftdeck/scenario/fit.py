@@ -164,7 +164,8 @@ def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator
 def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator[str]:
     """Yield the overlaps of the end effector with a payload when the end effector is at the payload's bar.
 
-    Overlaps with the bar itself are not checked, because the bar need not be at the palm's centre when it is acquired.
+    Overlaps with the bar itself are not checked, because the bar need not be at the palm's centre when the bar is
+    acquired.
     """
     bar = part_of(payload.name, "receptacle")
     own = {part: bodies for part, bodies in parts_at(payload.solids, _IDENTITY).items() if part != bar}
@@ -196,7 +197,7 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
 
 
 def parts_at(solids: Sequence[Solid], pose: Pose) -> Parts:
-    """Return the vertices of solids by part, in the frame in which the solids' own frame has the pose `pose`."""
+    """Return the vertices of solids by part, in another frame, in which the solids' own frame has the pose `pose`."""
     by_part: Parts = {}
     for solid in solids:
         by_part.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)

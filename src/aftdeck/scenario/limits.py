@@ -67,7 +67,7 @@ def phase_limits(
         model: the arm with the scenario's limits.
         mass: mass of the payload that the arm carries in the phase [kg].
         own: the scenario's limits of the point of resolution.
-        over: limits of the phase, which replace those of the scenario.
+        over: limits of the phase, which replace the scenario's limits.
         where: place of the phase's limits in the file.
     """
     if over == RatesOverride():
@@ -86,8 +86,8 @@ def phase_limits(
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
     """Return the limits of the point of resolution for a payload's `mass` [kg].
 
-    A speed or angular rate that is not in `over` is the arm's limit. An acceleration that is not in `over` is the speed
-    or angular rate divided by `reached_in`, or by the arm's own time if `over` has no `reached_in`.
+    A speed or angular rate that is not in `over` is the arm's limit. An acceleration that is not in `over` is computed:
+    it is the speed or angular rate divided by `reached_in`, or by the arm's own time if `over` has no `reached_in`.
     """
     arm_limits = arm.por_limits(mass)
 

@@ -59,7 +59,7 @@ def find_scenario(name_or_path: str | Path) -> Source:
         if str(name_or_path) not in built_in():
             raise ScenarioError(
                 [
-                    f"no scenario {str(name_or_path)!r}: built in are {', '.join(built_in())}; "
+                    f"no scenario {str(name_or_path)!r}; the built-in scenarios are {', '.join(built_in())}; "
                     "a path to a scenario file ends in .toml"
                 ]
             )
@@ -71,14 +71,14 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
     """Load the scenario of a built-in name or of a file.
 
     Raises:
-        ScenarioError: there is no such scenario, or its file has errors; the message lists all, with their places in
-            the file.
+        ScenarioError: there is no such scenario, or its file has errors; the message lists all errors, with their
+            places in the file.
     """
     return parse_scenario(*find_scenario(name_or_path))
 
 
 def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
-    """Replace expressions of the worksite's dimensions in a scenario's raw contents by their values.
+    """In a scenario's raw contents, replace the expressions of the worksite's dimensions by their values.
 
     Return the problems found.
 
@@ -101,7 +101,7 @@ def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Chang
     Args:
         text: text of the scenario file.
         name: name of the scenario.
-        file: name of the file in messages.
+        file: name of the file, for messages.
         folder: folder for relative paths of the arm's file and the worksite's file.
         changes: values that replace values in the text.
 

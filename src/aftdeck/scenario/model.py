@@ -24,7 +24,7 @@ class RateLimits:
 
     Attributes:
         joints: limits of the joints.
-        por: limits of the point of resolution that replace those of the arm.
+        por: limits of the point of resolution that replace the arm's limits.
     """
 
     joints: JointRates
@@ -36,7 +36,7 @@ class PhasePlan:
     """A phase of the script, checked and converted to SI units.
 
     Attributes:
-        name: name for the summary and the page.
+        name: name of the phase, for the summary and the page.
         mode: position of the MODE rotary.
         rate: rate setting, coarse or vernier.
         translation: THC deflections, each in [-1, 1].
@@ -54,12 +54,12 @@ class PhasePlan:
         effector: position of the end effector switch; None for no change.
         latch: latch button pressed as the phase begins; None for no button.
         stand_at: length to which the telescope moves [m]; None for no change.
-        orbiter: translation command of the orbiter, each in [-1, 1].
-        limits: limits during the phase; None for the scenario's.
+        orbiter: translation commands of the orbiter along its three axes, each in [-1, 1].
+        limits: limits during the phase; None for the scenario's limits.
         attaches: number, from 1, of the payload in `Scenario.own_payloads` that is attached to the end effector from
             the beginning of the phase; 0 if none is attached from then on; None for no change.
         until: event for which the phase waits; None if the phase ends as its mode determines.
-        duration: duration, or in automatic modes the longest duration [s]; None for no limit.
+        duration: duration of the phase, or in automatic modes the longest time allowed [s]; None for no limit.
     """
 
     name: str
@@ -153,7 +153,7 @@ class Scenario:
 
     Attributes:
         name: built-in name or file stem.
-        title: title for people.
+        title: title for display.
         description: task of the operator.
         arm: the arm, with the scenario's limits in place of its own.
         worksite: the worksite.
@@ -186,7 +186,7 @@ class Scenario:
         payload_axes: whether ORB LD rotates in payload axes at the start.
         position_hold: whether POSITION HOLD is on at the start.
         sequences: points of AUTO 1-4, by panel position.
-        por: limits of the point of resolution that replace those of the arm.
+        por: limits of the point of resolution that replace the arm's limits.
         own_payloads: payloads that the scenario itself attaches to the end effector: the payload of `[payload]`, then
             the payloads of the phases. The end effector neither captures nor releases these payloads.
         payload: the payload of `[payload]`, which is attached at the start; None if there is none.

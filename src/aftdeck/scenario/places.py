@@ -1,4 +1,4 @@
-"""Targets relative to objects: to a payload to capture, to a berth for the held payload, or in the axes of a body."""
+"""Targets relative to an object: a payload to capture, a berth for the held payload, or the axes of a body."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class TargetReferences(NamedTuple):
     Attributes:
         cargo: the scenario's payloads.
         worksite: the worksite, for its bodies and berths; None if the named worksite could not be read.
-        strict: whether RMANGS as published, which returns only one branch, converts a pose to joint angles.
+        strict: whether a pose is converted to joint angles by RMANGS as published, which returns only one branch.
     """
 
     cargo: tuple[Cargo, ...]
@@ -108,7 +108,7 @@ def at_the_start(
         return composed(scene, composed(payload.start.pose, at_cargo(arm.model, payload, found)))
     if isinstance(found, AtSeat):
         if held is None:
-            problems.add(where, "a pose at a berth (seat) is the pose of the held payload: give grasped")
+            problems.add(where, "a pose at a berth (`seat`) is the pose of the held payload: set `grasped` too")
             return None
         index, pose_at_tip = held
         seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)

@@ -8,11 +8,11 @@ from aftdeck.files import Problem, Where, sentences
 
 
 class Problems:
-    """Problems found so far, in the order found; true if there are any.
+    """Problems found so far, in the order found. The object is true if it contains a problem.
 
     The problems given at construction belong to fields that could not be decoded and were left out. `add` ignores a
-    problem at, inside or around the place of such a field, because the problem may be a consequence of the missing
-    field.
+    problem whose place equals the place of such a field, is inside it, or contains it, because the problem may be a
+    consequence of the missing field.
     """
 
     def __init__(self, found: Sequence[Problem] = ()) -> None:

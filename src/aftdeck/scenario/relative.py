@@ -13,7 +13,8 @@ from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 from aftdeck.worksite.model import Cargo, Seat, Worksite
 
 _OVER_A_BAR = np.array([[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]])
-"""The tip's axes in a payload's axes when the end effector points down at its bar, with the fixed finger to port."""
+"""The tip's axes in a payload's axes when the end effector points down at the payload's bar, with the fixed finger to
+port."""
 
 
 def scene_in_l(mount: Mount, origin: tuple[float, float, float]) -> Pose:

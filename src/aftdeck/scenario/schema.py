@@ -44,7 +44,8 @@ class PoseSpec(_Part, frozen=True):
     - `seat` names a berth. The pose is the one at which the held payload is in this berth.
     - `above` moves such a pose back by a distance: along the end effector, up out of the bay, or out from the port.
     - `offset` displaces such a pose along the axes of the payload or of the berth.
-    - `frame` may name a body, a berth or a payload. Position and orientation, given as in L, are then in its axes.
+    - `frame` may name a body, a berth or a payload. Position and orientation, given as in L, are then in the axes of
+      this object.
     """
 
     joints: SixAngles | None = None
@@ -109,8 +110,8 @@ class InitialiseSpec(_Part, frozen=True):
 class ClearanceSpec(_Part, frozen=True):
     """Clearances below which the page shows a caution and a warning.
 
-    The default caution is a little less than the usual clearance of the Shuttle's upper boom over the sill's fittings,
-    that is, while the arm is not stretched out. With a greater value, the caution would always be lit.
+    While the arm is not stretched out, the Shuttle's upper boom has a clearance over the sill's fittings that is a
+    little more than the default caution. With a greater default, the caution would always be lit.
     """
 
     caution: Length = Length(0.5)
@@ -206,9 +207,9 @@ class Phase(_Part, frozen=True):
     `drive` with a `duration`, or `joint_at`, the angle to which the joint moves. MASTER takes the angles of the
     `master` arm; the phase ends when the arm has reached these angles.
 
-    Instead of stick positions, manual modes take `velocity` (V_C') along, and `angular_velocity` (omega_C') about, the
-    axes in which the sticks act. Instead of `drive`, SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value beyond
-    the present limits is reduced to the limit, in the same direction.
+    Instead of stick positions, manual modes take `velocity` (V_C') and `angular_velocity` (omega_C'), along and about
+    the axes in which the sticks act. Instead of `drive`, SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value
+    beyond the present limits is reduced to the limit, in the same direction.
 
     `limits` are the limits during the phase (V_L, omega_L, their accelerations, theta_dot_L). With inputs from an
     operator instead of the script, the scenario's limits apply. A `payload` is attached from the beginning of this

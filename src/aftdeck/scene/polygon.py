@@ -48,7 +48,7 @@ def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
 
 
 def _is_ear(outline: Sequence[Vec2], left: list[int], i: int) -> bool:
-    """Return whether corner i is convex and no other corner is in the triangle of it and its two neighbours."""
+    """Return whether corner i is convex and no other corner is in the triangle of corner i and its two neighbours."""
     a, b, c = (outline[left[k % len(left)]] for k in (i - 1, i, i + 1))
     if _turn(a, b, c) <= 0.0:
         return False

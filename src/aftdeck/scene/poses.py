@@ -23,7 +23,7 @@ class ArmPoses:
     """Poses of all frames of an arm in the scene, in the order of `ArmModel.frames`.
 
     At zero angles every frame is parallel to L. The origin of a joint's frame is the centre of the joint; for the wrist
-    roll, it is the centre of the joint before. The origin of the telescope's frame is at the shoulder's height. The
+    roll, it is the centre of the preceding joint. The origin of the telescope's frame is at the shoulder's height. The
     origin of the prong's frame is at the prong's inner face.
 
     Args:

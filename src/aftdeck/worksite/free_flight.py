@@ -62,7 +62,7 @@ def _wave(band: float, rate: float, start: float, time: float) -> _Wave:
     if band == 0.0 or rate == 0.0:
         return _Wave(start, 0.0)
     sense = 1.0 if rate > 0.0 else -1.0
-    # Path along the wave from one side of the band: the first 2 band lead to the other side, the next 2 band back.
+    # Distance along the wave from one side of the band: after 2 * band it is at the other side, after 4 * band back.
     path = (sense * start + band + abs(rate) * time) % (4.0 * band)
     if path < 2.0 * band:
         return _Wave(sense * (path - band), rate)

@@ -67,7 +67,7 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
     body: str
     frame: Frame
     pose: Pose
-    """Pose in `frame`: for a port, that of the port's centre; for a bay berth, that of a seated payload."""
+    """Pose in `frame`: for a port, the pose of the port's centre; for a bay berth, the pose of a seated payload."""
     latch: Literal["auto", "command"]
     time: float
     """Time that the latches take [s]."""
@@ -89,8 +89,8 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
         """Return the name of the fitting that this berth needs and a payload lacks; empty if the payload fits.
 
         Args:
-            probe: probe of the payload, as `Cargo.probe`.
-            trunnions: trunnions of the payload, as `Cargo.trunnions`.
+            probe: `Cargo.probe` of the payload.
+            trunnions: `Cargo.trunnions` of the payload.
         """
         if self.kind == "port":
             return "" if probe else "probe"
@@ -145,8 +145,9 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     shapes: tuple[Shape, ...]
     """Shapes that draw the payload."""
     solids: tuple[Solid, ...]
-    """Solids in the payload's own frame. The part of the body has the payload's name (``payload``). The part of a
-    fitting has the payload's name and the fitting's name (``payload probe``)."""
+    """Solids in the payload's own frame. The payload's body is one part, which has the payload's name (for example
+    ``payload``). Each fitting is a further part. Its name consists of the payload's name and the fitting's name
+    (``payload probe``)."""
     probe: Pose | None
     """Pose of the centre of the probe's forward face, with the payload's axes; None if there is no probe."""
     receptacle: Array | None
@@ -205,8 +206,8 @@ class SnareCapture(msgspec.Struct, frozen=True):
 
 
 Relation = Literal["acquisition", "docking", "guides", "capture"]
-"""Name of the conditions under which a contact of two parts is essential: those for the bar, for the port, for the
-V-guides, and for the grapple fixture."""
+"""Name of the conditions under which a contact of two parts is essential: the conditions for the bar, the port, the
+V-guides or the grapple fixture."""
 
 
 class Essential(msgspec.Struct, frozen=True):
@@ -217,8 +218,8 @@ class Essential(msgspec.Struct, frozen=True):
     relation: Relation
     """Name of the conditions; while they do not hold, the contact is detrimental."""
     depth: float
-    """Greatest penetration depth at which the contact is essential [m]. By the same distance, a part may be beyond the
-    planes that bound its positions in the conditions."""
+    """Greatest penetration depth at which the contact is essential [m]. In the conditions, planes bound the position of
+    a part; the part may be beyond these planes by the same distance."""
 
 
 class Bay(msgspec.Struct, frozen=True):
@@ -258,7 +259,7 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     cargoes: tuple[Cargo, ...]
     """Available payloads; a scenario names the payloads that are present."""
     essential: tuple[Essential, ...]
-    """Pairs of parts that the task brings into contact; some are parts of the arm."""
+    """Pairs of parts that the task brings into contact. In some pairs, one part belongs to the arm."""
     acquisition: BarAcquisition | SnareCapture | None
     bay: Bay | None
     translation: Translation | None

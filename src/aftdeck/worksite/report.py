@@ -37,7 +37,7 @@ class Near(msgspec.Struct, frozen=True, gc=False):
     normal: Annotated[
         Vec3,
         field_meta(
-            "unit normal of a plane between the two parts, from a to b; zero if the parts are in contact",
+            "unit normal of a plane between the two parts, from `a` to `b`; zero if the parts are in contact",
             "1",
             "L",
             COARSE,
@@ -51,9 +51,9 @@ class Near(msgspec.Struct, frozen=True, gc=False):
         bool, field_meta("whether a contact of the two parts belongs to the task and therefore inhibits nothing")
     ] = False
     feature_a: Annotated[
-        str, field_meta("feature of a that touches b: `vertex 3`; empty if the parts are not in contact")
+        str, field_meta("feature of `a` that touches `b`: `vertex 3`; empty if the parts are not in contact")
     ] = ""
-    feature_b: Annotated[str, field_meta("feature of b that touches a; empty if the parts are not in contact")] = ""
+    feature_b: Annotated[str, field_meta("feature of `b` that touches `a`; empty if the parts are not in contact")] = ""
 
 
 class Cargo(msgspec.Struct, frozen=True, gc=False):
@@ -115,7 +115,9 @@ class Work(msgspec.Struct, frozen=True, gc=False):
             "into contact is left out, because the conditions report its distance"
         ),
     ]
-    clearance_level: Annotated[Level, field_meta("alarm level of that clearance, from the scenario's thresholds")]
+    clearance_level: Annotated[
+        Level, field_meta("alarm level of the minimum clearance, from the scenario's thresholds")
+    ]
     contacts: Annotated[tuple[Near, ...], field_meta("pairs that touch or overlap")]
     arm_inhibit: Annotated[bool, field_meta("whether a contact inhibits the arm")]
     finger_inhibit: Annotated[bool, field_meta("whether a contact inhibits the finger")]

@@ -984,7 +984,7 @@ export interface Work {
   readonly task: number;
   /** monitored pair with the minimum clearance; null if no pair is monitored. A pair that the task brings into contact is left out, because the conditions report its distance */
   readonly nearest: Near | null;
-  /** alarm level of that clearance, from the scenario's thresholds */
+  /** alarm level of the minimum clearance, from the scenario's thresholds */
   readonly clearance_level: Level;
   /** pairs that touch or overlap */
   readonly contacts: readonly Near[];
@@ -1026,15 +1026,15 @@ export interface Near {
   readonly point_a: Vec3;
   /** closest point of the second part [m], along the axes of L */
   readonly point_b: Vec3;
-  /** unit normal of a plane between the two parts, from a to b; zero if the parts are in contact, along the axes of L */
+  /** unit normal of a plane between the two parts, from `a` to `b`; zero if the parts are in contact, along the axes of L */
   readonly normal: Vec3;
   /** distance of that plane from the origin; 0 if the parts are in contact [m], along the axes of L */
   readonly distance: number;
   /** whether a contact of the two parts belongs to the task and therefore inhibits nothing */
   readonly essential: boolean;
-  /** feature of a that touches b: `vertex 3`; empty if the parts are not in contact */
+  /** feature of `a` that touches `b`: `vertex 3`; empty if the parts are not in contact */
   readonly feature_a: string;
-  /** feature of b that touches a; empty if the parts are not in contact */
+  /** feature of `b` that touches `a`; empty if the parts are not in contact */
   readonly feature_b: string;
 }
 

@@ -20,10 +20,11 @@ from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, mov
 from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
 
 FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
-"""Fittings that a payload may have besides its body. The part of a fitting has the payload's name and the fitting's
-name."""
+"""Fittings that a payload may have besides its body. Each fitting is a part. The part's name consists of the payload's
+name and the fitting's name."""
 _UPWARDS = pi / 2
-"""Angle of the middle of a prism's first side, from y towards z [rad]: one side is then on top and one below."""
+"""Angle of the middle of a prism's first side, from y towards z [rad]. With this angle, one side is on top and one is
+below."""
 _ROUNDING = 1e-9
 """Allowance for rounding in the check that a bar does not extend beyond its payload's top [m]."""
 _REPORT = np.diag([1.0, -1.0, -1.0])
@@ -99,7 +100,10 @@ def _pieces(file: CargoFile) -> Iterator[_Piece]:
 
 
 def _across_flats(across: float, sides: int) -> float:
-    """Return half the distance between opposite sides of a regular polygon; `across` is that of opposite corners."""
+    """Return half the distance between opposite sides of a regular polygon.
+
+    `across` is the distance between opposite corners.
+    """
     return across / 2.0 * cos(pi / sides)
 
 
@@ -110,7 +114,10 @@ def _apothem(file: CargoFile) -> float:
 
 
 def _bar(bar: ReceptacleFile, top: float) -> Array:
-    """Return the report's RECPT (1, 8, 3), numbered in the report's axes, so that face c is its top."""
+    """Return the vertices (1, 8, 3) of the bar, the report's RECPT.
+
+    They are numbered in the report's axes: face c is on top.
+    """
     own = (CORNERS - 0.5) * np.array([bar.length, bar.width, bar.height])
     return moved(own[None], Pose(np.array([*bar.at, top + bar.height / 2.0], dtype=np.float64), _REPORT))
 
@@ -118,7 +125,7 @@ def _bar(bar: ReceptacleFile, top: float) -> Array:
 def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
     """Reject a bar that extends beyond the top of its payload (ValueError).
 
-    The top of a prism is its upper side. The top of a cylinder counts as wide as the cylinder.
+    The top of a prism is its upper side. The top of a cylinder is assumed to be as wide as the cylinder.
     """
     wide = file.body.across * sin(pi / file.body.sides) if isinstance(file.body, PrismBody) else 2.0 * file.body.radius
     for axis, middle, size, room in (("x", bar.at[0], bar.length, file.body.length), ("y", bar.at[1], bar.width, wide)):
@@ -211,7 +218,10 @@ def _pin(middle: Vec3, radius: float, length: float, material: Material, axis: s
 
 
 def _latched(trunnions: TrunnionsFile | None) -> Array:
-    """Return the points (n, 3) that latches hold [m]: port and starboard of each pair, then that of the keel pin."""
+    """Return the points (n, 3) that latches hold [m].
+
+    They are the port and the starboard point of each pair, then the point of the keel pin.
+    """
     if trunnions is None:
         return frozen(np.empty((0, 3)))
     pairs = [(x, side * trunnions.y, trunnions.z) for x in sorted(trunnions.x) for side in (-1.0, 1.0)]
@@ -238,8 +248,8 @@ def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, tru
     Args:
         file: the table of the start.
         seats: the worksite's berths by name.
-        probe: probe of the payload, as `Cargo.probe`.
-        trunnions: trunnions of the payload, as `Cargo.trunnions`.
+        probe: `Cargo.probe` of the payload.
+        trunnions: `Cargo.trunnions` of the payload.
 
     Raises:
         ValueError: the berth does not exist, or needs a fitting that the payload does not have.

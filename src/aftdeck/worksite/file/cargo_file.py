@@ -68,11 +68,13 @@ class ReceptacleFile(Table, frozen=True, kw_only=True):
 class GrappleFile(Placed, frozen=True, kw_only=True):
     """A grapple fixture.
 
-    Its pose is that of the end effector's own axes E (x outwards) when the fixture is captured without misalignment.
+    Its pose equals the pose of the end effector's own axes E (x outwards) when the fixture is captured without
+    misalignment.
     """
 
     radius: Length
-    """Radius of the fixture's base. The base begins at x = 0, at the rim of an end effector that has captured it."""
+    """Radius of the fixture's base. The base begins at x = 0, at the rim of an end effector that has captured the
+    fixture."""
     depth: Length
     """Depth of the fixture's base."""
     shapes: tuple[Shape, ...] = ()
@@ -90,11 +92,11 @@ class TrunnionsFile(Table, frozen=True, kw_only=True):
     x: tuple[Length, ...]
     """Position of each pair of pins along the payload."""
     y: Length
-    """Distance from the plane y = 0 to the points on the pins that the latches hold, on either side."""
+    """Distance from the plane y = 0, on either side, to the points at which the latches hold the pins."""
     z: Length
     """z of these points."""
     keel: tuple[Length, Length]
-    """x and z of the point on the keel pin that its latch holds."""
+    """x and z of the point at which the keel latch holds the keel pin."""
     radius: Length
     span: Range
     """Range of |y| over which the pins extend."""

@@ -17,10 +17,11 @@ from aftdeck.worksite.file.schema import WorksiteFile
 from aftdeck.worksite.model import Bay, Body, Cargo
 
 ARM = "arm."
-"""Prefix of the names of an arm's frames. Only a scenario can check whether the arm has the frame of a camera."""
+"""Prefix of the names of an arm's frames. This module does not check whether a camera's frame exists on the arm,
+because the arm is known only in a scenario."""
 FRAMES = ("orbiter", "space")
 _WALL = 0.05
-"""Greatest distance of a wall from the end of the bay's inside [m]. There may be a distance, because the hexahedra that
+"""Greatest distance of a wall from the end of the bay's inside [m]. A distance is allowed because the hexahedra that
 cover a tube's wall extend beyond the wall."""
 _HAIR = 1e-6
 """Allowance for rounding in the comparison of a solid's distance with the distance of its bounding box [m]."""
@@ -84,7 +85,7 @@ def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator
 
 
 def parts_in_two_frames(listed: Sequence[tuple[Where, Sequence[Solid]]]) -> Iterator[Problem]:
-    """Yield a problem for each part with solids in two frames, at its location in the file.
+    """Yield a problem, with its location in the file, for each part that has solids in two frames.
 
     All solids of a part have to move together.
     """

@@ -40,7 +40,10 @@ def housed(cameras: Sequence[Camera], file: WorksiteFile, body: str) -> Housed:
 
 
 def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
-    """Add a camera's housing at the point where the pan and tilt axes meet; that is `drive.lens` behind the lens."""
+    """Add a camera's housing at the point where the pan and tilt axes meet.
+
+    This point is `drive.lens` [m] behind the lens.
+    """
     lens = camera.drive.lens if camera.drive is not None else 0.0
     ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
     x, y, z = (np.array(camera.position) - lens * ahead).tolist()

@@ -57,7 +57,7 @@ def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str
 
 
 def dimensions_of(name_or_path: str | Path, over: Mapping[str, float | str]) -> dict[str, str | float]:
-    """Return a worksite's derived dimensions, with the values in `over` replacing its own.
+    """Return a worksite's dimensions, computed with the values in `over` in place of the values in the worksite's file.
 
     Invalid dimensions are left out.
 

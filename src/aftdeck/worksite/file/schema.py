@@ -25,7 +25,7 @@ FITTING_OF: dict[Relation, str] = {
     "guides": "trunnions",
     "capture": "grapple fixture",
 }
-"""For each `Relation`, the fitting of a payload to which its conditions apply."""
+"""For each `Relation`, the payload's fitting to which the conditions apply."""
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
@@ -63,7 +63,10 @@ class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
-    """A docking port. Its centre is on a face of a solid. Its axes are those of a docked payload; x points outwards."""
+    """A docking port.
+
+    Its centre is on a face of a solid. Its axes equal the axes of a docked payload; x points outwards.
+    """
 
     radius: Length
     """Radius of the disc that marks the port."""
@@ -88,7 +91,7 @@ class GuidesFile(Table, frozen=True, kw_only=True):
 
 
 class RetentionFile(_SeatFile, frozen=True, kw_only=True, tag="retention"):
-    """A berth in the bay. Its position and rotation are those of a payload that is fixed in it."""
+    """A berth in the bay. Its position and rotation equal those of a payload that is fixed in the berth."""
 
     guides: GuidesFile | None = None
     """V-guides. A berth with V-guides holds only payloads that have trunnions."""
@@ -159,8 +162,8 @@ class EssentialFile(Table, frozen=True, kw_only=True):
     to 3). ``docking``: the probe is in the docking envelope, and is no farther from the port than docking allows.
     ``guides``: the trunnion is in its V-guide. ``capture``: the pin is in the capture envelope."""
     depth: Length
-    """Greatest penetration depth at which the contact is essential. By the same distance, a part may be beyond the
-    planes that bound its positions in the conditions."""
+    """Greatest penetration depth at which the contact is essential. In the conditions, planes bound the position of a
+    part; the part may be beyond these planes by the same distance."""
     source: Text
 
     def __post_init__(self) -> None:

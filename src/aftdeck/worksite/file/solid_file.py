@@ -21,7 +21,7 @@ class _SolidFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
     """True to add a copy that is reflected in the plane y = 0 of the body. The two parts are then named ``… port`` and
     ``… starboard``."""
     source: Text | None = None
-    """Source of the solid's own numbers; None if it is the body's source."""
+    """Source of the solid's own numbers; None if the body's source applies."""
 
 
 class BlockFile(_SolidFile, frozen=True, kw_only=True, tag="block"):
@@ -41,7 +41,10 @@ class BoxFile(_SolidFile, frozen=True, kw_only=True, tag="box"):
 
 
 class PlateFile(_SolidFile, frozen=True, kw_only=True, tag="plate"):
-    """A plate with an outline of four corners, which is in the middle of its thickness; fields as in `shapes.Plate`."""
+    """A plate.
+
+    Its outline has four corners and is in the middle of the thickness. The fields are those of `shapes.Plate`.
+    """
 
     normal: Axis
     outline: tuple[Corner, Corner, Corner, Corner]
@@ -55,7 +58,10 @@ class HexahedronFile(_SolidFile, frozen=True, kw_only=True, tag="hexahedron"):
 
 
 class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
-    """The wall of a tube, covered from outside by hexahedra; fields as the arguments of `bodies.cover.tube_wall`."""
+    """The wall of a tube, covered from outside by hexahedra.
+
+    The fields are the arguments of `bodies.cover.tube_wall`.
+    """
 
     radius: Length
     thickness: Length
@@ -68,7 +74,7 @@ class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
 
 
 class PrismFile(_SolidFile, frozen=True, kw_only=True, tag="prism"):
-    """A regular prism, which may enclose a round body; fields as the arguments of `bodies.cover.prism`."""
+    """A regular prism, which may enclose a round body. The fields are the arguments of `bodies.cover.prism`."""
 
     radius: Length
     """Distance from the axis to the middle of a side."""

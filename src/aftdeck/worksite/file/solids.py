@@ -28,7 +28,8 @@ from aftdeck.worksite.file.solid_file import (
 CORNERS = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(8)], dtype=np.float64)
 """(8, 3) vertices of the unit cube, numbered as those of a hexahedron."""
 _REFLECTED = np.array([v ^ 4 for v in range(8)])
-"""For each vertex of a body's reflection in y = 0, the vertex of the original body whose image it is."""
+"""Table of vertex numbers: vertex v of a body's reflection in y = 0 is the image of vertex _REFLECTED[v] of the
+body."""
 _ACROSS = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}
 """For each axis that is a plate's normal, the indices of x, y and z in (first, second, across)."""
 
@@ -37,7 +38,7 @@ def solids_of(file: SolidFile) -> dict[str, Array]:
     """Return the parts that an entry of the file makes, each with its hexahedra (n, 8, 3) in the body's axes [m].
 
     Raises:
-        InputError: the hexahedra are not convex; names the part and the vertex.
+        InputError: the hexahedra are not convex; the message names the part and the vertex.
     """
     placed = moved(_own(file), Pose(np.array(file.position, dtype=np.float64), endori(*file.rotation)))
     if not file.mirror:
@@ -52,7 +53,7 @@ def checked(bodies: Array, part: str) -> Array:
     """Check that hexahedra (n, 8, 3) are convex, make the array read-only and return it.
 
     Raises:
-        InputError: a hexahedron is not convex; names the part and the vertex.
+        InputError: a hexahedron is not convex; the message names the part and the vertex.
     """
     for k, body in enumerate(bodies):
         hexahedron(body, part if len(bodies) == 1 else f"{part}, hexahedron {k + 1} of {len(bodies)}")
@@ -61,7 +62,10 @@ def checked(bodies: Array, part: str) -> Array:
 
 
 def moved(bodies: Array, pose: Pose) -> Array:
-    """Convert hexahedra (n, 8, 3) [m] from their own frame to the frame in which `pose`, their own pose, is given."""
+    """Convert hexahedra (n, 8, 3) [m] from their own frame to another frame.
+
+    In the other frame, their own frame has the pose `pose`.
+    """
     return np.asarray(bodies @ pose.rotation.T + pose.position)
 
 
@@ -71,7 +75,7 @@ def as_solids(part: str, frame: str, bodies: Iterable[Array]) -> tuple[Solid, ..
 
 
 def drawn(bodies: Iterable[Array], material: Material) -> tuple[Shape, ...]:
-    """Return shapes with the same vertices, which draw hexahedra."""
+    """Return shapes that draw hexahedra; the shapes have the vertices of the hexahedra."""
     return tuple(Hexahedron(material=material, vertices=tuple(map(_point, vertices))) for vertices in bodies)
 
 

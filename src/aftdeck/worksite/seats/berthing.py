@@ -29,7 +29,7 @@ from aftdeck.worksite.conditions import Condition, within
 SWITCHES = ("A", "B")
 """Names of the two switches of each latch that show ready-for-latch."""
 _SQUARE = 1e-9
-"""Tolerance for a guide's directions being perpendicular and of unit length [1]."""
+"""Tolerance in the check that a guide's directions are perpendicular unit vectors [1]."""
 
 
 class Guide(msgspec.Struct, frozen=True):
@@ -38,7 +38,7 @@ class Guide(msgspec.Struct, frozen=True):
     name: str
     """Name of the guide, for example ``forward port``."""
     seat: Vec3
-    """The trunnion's centre when it is stowed [m]."""
+    """Centre of the stowed trunnion [m]."""
     up: Vec3
     """Unit vector out of the V."""
     along: Vec3
@@ -47,7 +47,7 @@ class Guide(msgspec.Struct, frozen=True):
     half_angle: float
     """Angle between `up` and each side of the V [rad]; assumed, because no figure is published."""
     height: float
-    """Height of the guide's top above the seat [m]; SSV has models of 22 in and 24 in [S]."""
+    """Height of the guide's top above the seat [m]; SSV has models of 22 inches and 24 inches [S]."""
     throat: float
     """Half the width of the V at the height of the seat, minus the trunnion's radius [m]; assumed."""
     play: float
@@ -92,7 +92,7 @@ def prepare(guides: Sequence[Guide]) -> Guides:
     """Return the guides of a berth with their arrays.
 
     Raises:
-        InputError: the directions are not perpendicular unit vectors; names the guide.
+        InputError: the directions are not perpendicular unit vectors; the message names the guide.
     """
     axes = np.empty((len(guides), 3, 3))
     for k, guide in enumerate(guides):
@@ -204,7 +204,7 @@ def _local(trunnions: Array, guides: Guides) -> Array:
 def in_guides(trunnions: Array, guides: Guides) -> tuple[Condition, ...]:
     """Return for each trunnion the condition that it is inside its guide.
 
-    Of the trunnion's height and its two offsets, each condition reports the one with the least margin.
+    Each condition reports the trunnion's height or one of its two offsets: the value with the least margin.
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].

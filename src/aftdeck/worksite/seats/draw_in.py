@@ -24,7 +24,7 @@ def remaining(whole: Array, fraction: float, out: Array) -> None:
         out: (12,) output: the remaining misalignment, as a pose.
     """
     r = whole[3:]
-    # quaternion (w, x, y, z), not normalised, from its largest component for accuracy
+    # quaternion (w, x, y, z), not normalised; for accuracy, computed by the formula of its largest component
     w, x, y, z = 1.0 + r[0] + r[4] + r[8], r[7] - r[5], r[2] - r[6], r[3] - r[1]
     if 1.0 + r[0] - r[4] - r[8] > w and r[0] >= r[4] and r[0] >= r[8]:
         w, x, y, z = r[7] - r[5], 1.0 + r[0] - r[4] - r[8], r[3] + r[1], r[2] + r[6]

@@ -27,7 +27,8 @@ TOUCH = 7
 SLACK = 1e-9
 """Amount by which a point may be slower than its least speed, to allow for rounding [m/s]."""
 _SAME = 1e-20
-"""Greatest squared difference of two normals that count as equal [1]. It changes speeds by less than SLACK."""
+"""Greatest squared difference of two normals that count as equal [1]. Such a difference changes speeds by less than
+SLACK."""
 _PARALLEL = 1e-8
 """Sine of the greatest angle at which two walls, or a wall and the line common to two other walls, count as parallel
 [1]."""
@@ -91,10 +92,10 @@ def _add(walls: Array, least: Array, count: int, normal: Vector, speed: float) -
 
 @law
 def _kept_off(walls: Array, least: Array, demanded: Vector) -> Velocity:
-    """Return the velocity nearest to the demanded velocity that leaves every wall at least at the wall's least speed.
+    """Return the velocity nearest to the demanded one among those that leave every wall at its least speed or faster.
 
-    At the solution, the tip leaves no wall, one, two or three walls at exactly their least speeds. The function tries
-    all these cases, and checks each candidate against every wall.
+    At the solution, the number of walls that the tip leaves at exactly their least speeds is 0, 1, 2 or 3. The function
+    tries all these cases, and checks each candidate against every wall.
     """
     best = _judged(walls, least, Velocity(demanded, np.inf), demanded, demanded)
     if best.off == 0.0:

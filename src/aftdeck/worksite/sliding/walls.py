@@ -35,7 +35,8 @@ SIZE = 30.0
 PASSES = 5
 """Greatest number of passes. Each pass reduces the error due to the curvature of a step to a thousandth."""
 EXACT = 2e-9
-"""Greatest accepted speed into a wall [m/s]. In a step of 0.02 s it moves a point by 4e-11 m, which is a contact."""
+"""Greatest accepted speed into a wall [m/s]. In a step of 0.02 s, this speed moves a point by 4e-11 m. Two parts count
+as in contact up to a clearance of 1e-9 m."""
 
 
 @law

@@ -6,8 +6,8 @@ later motion of the two parts' frames give a lower bound of the clearance. A gro
 is too small to exclude the group.
 
 The remembered data of a pair of solids only serve to exclude the pair. The least clearance is always measured without
-such data. Of several pairs with the same clearance, the first is used. The result therefore equals that of a monitor
-without memory, to the last digit.
+such data. Of several pairs with the same clearance, the first is used. The result therefore equals the result of a
+monitor without memory, to the last digit.
 """
 
 from __future__ import annotations
@@ -123,7 +123,7 @@ def nearest_pair(layout: PackedLayout, own: Measured, g: int, limit: float, meas
     """Return the pair of solids of a group that has the least clearance; of pairs with equal clearance, the first.
 
     Args:
-        layout: the layout.
+        layout: the solids and the groups.
         own: arrays of the monitor. The positions of the solids are in `placed`. The search begins with the pair in
             `likely`, and `memory` is updated; neither `likely` nor `memory` affects the result.
         g: the group.
@@ -176,7 +176,10 @@ def watch(
     memory: Array,
     found: Array,
 ) -> None:
-    """Run `measure_groups`. The arrays of its two tuples are separate arguments here: Python passes these faster."""
+    """Run `measure_groups`.
+
+    The arrays of its two tuples are separate arguments here, because Python passes them faster.
+    """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     own = Measured(at, placed, bound, likely, memory, found)
     measure_groups(layout, own, active, counts, before, now, period, within)
@@ -196,7 +199,7 @@ def measure_groups(
     """Measure the active groups that are nearer than `within`, and always the nearest of the active groups that count.
 
     Args:
-        layout: the layout.
+        layout: the solids and the groups.
         own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
         counts: (g,) 1 for groups that count: the nearest of them is measured even if it is not nearer than `within`.
@@ -258,7 +261,7 @@ def _measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array)
 
 @law
 def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Array, measures: Array) -> None:
-    """Write the latest measurements of a group's nearest pair, measures (17,), into the group's row (15,)."""
+    """Write into a group's row (15,) the latest measurements of the group's nearest pair, from `measures` (17,)."""
     k, row = own.likely[g], own.found[g]
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     copy_pair(measures, row)
@@ -272,7 +275,7 @@ def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Arra
 
 @law
 def copy_pair(pair: Array, row: Array) -> None:
-    """Copy the measurements of a pair, packed (17,), into its group's row (15,)."""
+    """Copy from the packed measurements of a pair (17,) the values that its group's row (15,) contains."""
     row[CLEARANCE] = pair[packed.CLEARANCE]
     put_vector(row, POINT_A, vector_at(pair, packed.POINT_A))
     put_vector(row, POINT_B, vector_at(pair, packed.POINT_B))

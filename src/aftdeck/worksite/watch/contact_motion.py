@@ -39,16 +39,16 @@ RELIEF = 0.5
 """Clearance that a step has to gain for each metre that a touching point slides [1] (assumed).
 
 A straight motion meets this condition if its direction is within 63 degrees of the escape direction. One of three
-perpendicular axes always meets it: that axis is within 55 degrees of the escape direction.
+perpendicular axes always meets this condition: the axis that is within 55 degrees of the escape direction.
 """
 LEAST_RELIEF = 1e-9
-"""Least clearance that a step has to gain [m]. Rounding errors are less; the first step from rest at a hundredth of the
-vernier rate gains more."""
+"""Least clearance that a step has to gain [m]. Rounding errors are smaller than this value. Even the first step from
+rest at a hundredth of the vernier rate gains more than this value."""
 ESCAPE = 0.25
 """Least decrease of depth for each metre that a touching point slides, for a motion that leads out [1] (assumed)."""
 ASIDE = 0.05
-"""Greatest depth that a step that leads out may add to a contact for each metre that a touching point slides [1]. It
-allows for a contact normal that is wrong by a few degrees."""
+"""For a step that leads out: greatest depth that it may add to a contact, for each metre that a touching point slides
+[1]. This depth allows for a contact normal that is wrong by a few degrees."""
 
 
 def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> bool:
@@ -57,7 +57,7 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
     Args:
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
-        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        harmful: (g,) 1 for each of these groups whose contact is detrimental.
         after: (F, 12) poses of the frames after the motion, in L; only frames that move with the arm change.
     """
     return bool(_relief(trials_of(watch, counts, harmful, after[None]))[0] > 0.0)
@@ -69,9 +69,9 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
     Args:
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
-        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
-        ahead: arrays like `afters`, each for another number of steps.
+        ahead: arrays of the same form as `afters`, each with the poses after a different number of steps.
 
     Returns:
         (k,) decrease of the sum of all depths [m]: the greatest one over the arrays in `ahead`. An array counts only if
@@ -91,7 +91,9 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
 
 
 def worst_new_contact(watch: ClearanceMonitor, counts: Mask, after: Array) -> int:
-    """Return the group of the contact that a step makes or deepens most; -1 if it does neither.
+    """Return the group with the greatest decrease of clearance among the contacts that a step makes or deepens.
+
+    The result is -1 if there is no such contact.
 
     The arguments are those of `relieves`.
     """
@@ -120,7 +122,7 @@ def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array
     Args:
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
-        harmful: (g,) 1 for those of these groups whose contact is detrimental.
+        harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
 
     Returns:

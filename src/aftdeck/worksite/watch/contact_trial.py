@@ -68,11 +68,11 @@ def predict_contacts(
     """Return the effect of a motion on the contacts of the groups that count.
 
     Args:
-        layout: the layout.
+        layout: the solids and the groups.
         own: arrays of the monitor before the motion. `at` and `placed` have to be copies, because they are changed to
             the values after the motion. `memory` is updated, which does not affect the result.
         counts: (g,) 1 for groups whose contacts count; they have to be active.
-        harmful: (g,) 1 for those of these groups whose contact is harmful: the motion has to relieve it.
+        harmful: (g,) 1 for each of these groups whose contact is harmful: the motion has to relieve it.
         after: (F, 12) poses of the frames after the motion, in L.
     """
     found, begins, between = own.found, layout.begins, layout.between_frames
@@ -184,7 +184,7 @@ def tried_many(
 ) -> None:
     """Write the prediction for each of several motions, `afters` (k, F, 12), into `trials` (k, 7).
 
-    The arrays of the layout and of the monitor are separate arguments here: Python passes these faster.
+    The arrays of the layout and of the monitor are separate arguments here, because Python passes them faster.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     for k in range(len(afters)):

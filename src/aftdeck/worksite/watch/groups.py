@@ -24,11 +24,11 @@ from aftdeck.errors import InputError
 PartPair = tuple[str, str]
 
 POSE = 12
-"""Length of a frame's pose: its origin [m], then its rotation row by row."""
+"""Number of values in a frame's pose: its origin [m], then its rotation row by row."""
 CENTRE, RADIUS = BODY, BODY + 3
 """Indices of a packed solid's bounding sphere, which follows the packed body: centre and radius [m]."""
 SOLID = BODY + 4
-"""Length of a packed solid."""
+"""Number of values in the row of a packed solid."""
 _ROOM = 1e-9
 """Margin added to the radius of a bounding sphere [m]: more than the rounding error at 1 km from the origin."""
 

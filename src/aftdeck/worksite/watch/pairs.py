@@ -30,7 +30,7 @@ def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[Pa
         apart: further pairs to leave out, with their parts in either order: parts that are joined, or never touch.
 
     Returns:
-        The pairs. In each pair, a part of the arm precedes a part of a payload, which precedes a part of a body.
+        The pairs. The order within a pair is: parts of the arm first, then parts of payloads, then parts of bodies.
 
     Raises:
         InputError: `apart` names a part that has no solid.
@@ -84,7 +84,7 @@ def among(layout: Layout, pairs: Iterable[PartPair]) -> Mask:
     Pairs that are not monitored are ignored.
 
     Raises:
-        InputError: a name is not that of a part.
+        InputError: a name does not belong to a part.
     """
     found = np.zeros(len(layout.groups), np.uint8)
     for a, b in pairs:
