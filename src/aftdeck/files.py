@@ -55,7 +55,7 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
 
 
 def beside(name: str, folder: Path) -> str:
-    """Return a path that a file in `folder` contains, with `folder` put before it.
+    """Return the path `name`, which is written in a file of `folder`, with `folder` put before it.
 
     Names of built-in files and absolute paths are returned unchanged.
     """
@@ -159,7 +159,7 @@ def _item(raw: Any, where: Where, depth: int) -> Any:
 
 
 def _leave_out(raw: Any, where: Where) -> None:
-    """Remove a wrong field from the raw contents: the innermost part of the place that is a key, not an index."""
+    """Remove a wrong field from the raw contents; the field is the innermost part of `where` that is a key."""
     names = [i for i, part in enumerate(where) if isinstance(part, str)]
     if not names:
         return
@@ -310,7 +310,7 @@ def _without_none(kind: Any) -> Any:
 
 
 def _split(message: str) -> tuple[str, Where]:
-    """Split a message of msgspec, such as ``... - at `$.a[0]` ``, into its text and the place that it names."""
+    """Split a message of msgspec, such as ``... - at `$.a[0]` ``, into its text and a place."""
     what, _, path = message.partition(" - at `$")
     parts = re.findall(r"\.([A-Za-z0-9_-]+)|\[(\d+)\]", path)
     return what, tuple(name or int(index) for name, index in parts)

@@ -124,7 +124,7 @@ class Shell(_Solid, frozen=True, kw_only=True, tag="shell"):
 
 
 class Ring(_Solid, frozen=True, kw_only=True, tag="ring"):
-    """A round bar bent about an axis, a full turn or part of one; angles as in `Shell`."""
+    """A round bar bent about an axis by a full turn or less; angles are as in `Shell`."""
 
     axis: Axis = "x"
     radius: float
@@ -161,7 +161,7 @@ class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
     """Distance by which the edges are cut back, at most half the thickness [m]."""
 
     def __post_init__(self) -> None:
-        """Reject fewer than three corners, a thickness that is not above zero, or a bevel deeper than half of it."""
+        """Reject fewer than three corners, a thickness that is not above zero, or a bevel above half the thickness."""
         _positive("plate", thickness=self.thickness)
         if len(self.outline) < FEWEST_CORNERS:
             raise ValueError(f"the plate's outline has {len(self.outline)} corners; it needs at least {FEWEST_CORNERS}")

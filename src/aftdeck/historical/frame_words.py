@@ -58,7 +58,7 @@ class ControlWord(NamedTuple):
         station: camera station: A to I, P1, P2, CAE2, W.
         initialise: True in a step that initialises the run.
         telescope: 1 longer, -1 shorter, 0 stopped.
-        pan: 1, -1 or 0. Pan and tilt have one sign bit, so they cannot have opposite signs.
+        pan: 1, -1 or 0. Pan and tilt share one sign bit, so they cannot have opposite signs.
         tilt: 1, -1 or 0.
         zoom: 1 in, -1 out, 0 none.
         prong: 1 closes, -1 opens, 0 stopped.
@@ -96,7 +96,7 @@ class FrameBlock(NamedTuple):
     Attributes:
         control: the control word.
         angles: HO, PO, P1, H2, P2, R2 [rad]; decoded angles are in (-pi, pi].
-        planes: the three separating planes of fingers and receptacle. An absent plane is None; its words are four 0.
+        planes: the three separating planes of fingers and receptacle. An absent plane is None; its four words are 0.
     """
 
     control: ControlWord

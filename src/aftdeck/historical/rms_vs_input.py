@@ -34,7 +34,7 @@ _MOTIONS: dict[tuple[float, float], CameraMotion] = {
 """Setting of channel 10 for each pair of pan and tilt switches."""
 _DRIVES = {motion: switches for switches, motion in _MOTIONS.items()}
 _PARTS: dict[Part, Start] = {"full problem": "full problem", "acquisition": "mode 1", "extraction": "mode 2 or 3"}
-"""Setting of channel 2. TABLE I has one level for modes 2 and 3: a run initialised to mode 2 proceeds to mode 3."""
+"""Setting of channel 2. TABLE I has a single level for modes 2 and 3: the run starts in mode 2, then enters mode 3."""
 _STARTS = {start: part for part, start in _PARTS.items()}
 _PRONG: dict[Direction, Literal["stop", "close", "open"]] = {0: "stop", 1: "close", -1: "open"}
 _PRONG_DIRECTIONS = {switch: direction for direction, switch in _PRONG.items()}
@@ -122,7 +122,7 @@ def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...])
 
 
 def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
-    """Return the names of the commands without a channel that act in this step, whether sent in it or earlier."""
+    """Return the names of the commands without a channel that act in this step, whether sent now or earlier."""
     panel, worksite, scenario = state.panel, state.worksite, flight.scenario
     other_mode = flown.mode not in (None, MODE)
     rejected = flown.effector not in (None, "stop") and state.script.attached > 0

@@ -53,7 +53,7 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
     """Limit that acted in a step."""
 
     kind: Annotated[LimitKind, field_meta("kind of limit")]
-    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if it does not apply to one joint")]
+    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if it is no joint limit")]
     text: Annotated[str, field_meta("text for the operator")]
 
 
@@ -104,7 +104,10 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
     angle: Annotated[float, field_meta("remaining rotation", "rad")]
     remaining_s: Annotated[
         float,
-        field_meta("ETA - TP; 0 if no motion is in progress, or if the arm comes to rest before mode 1 or 3", "s"),
+        field_meta(
+            "ETA - TP; 0 if no motion is in progress, or while the arm slows to rest before a motion in mode 1 or 3",
+            "s",
+        ),
     ]
 
 
@@ -126,7 +129,7 @@ class Times(msgspec.Struct, frozen=True, gc=False):
     etap_s: Annotated[
         float | None,
         field_meta(
-            "ETAP: time at which the rotation alone would end at its rate limit; null in other modes than 2 and 3", "s"
+            "ETAP: time at which the rotation alone would end at its rate limit; null in all modes except 2 and 3", "s"
         ),
     ] = None
 
@@ -178,8 +181,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     wrist_pitch: Annotated[
         Rows | None,
         field_meta(
-            "T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, of the lower "
-            "arm's frame; null in a recording without it",
+            "T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, attitude of "
+            "the lower arm's frame; null in a recording that does not contain it",
             "1",
             "orbiter",
         ),
@@ -191,8 +194,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     attached: Annotated[
         int,
         field_meta(
-            "number, from 1, of the payload in the grasp in `Scenario.own_payloads`; 0 for any other payload, and for "
-            "an empty grasp"
+            "if the payload in the grasp is one of `Scenario.own_payloads`, its number, from 1; 0 for any other "
+            "payload, and for an empty grasp"
         ),
     ]
     twist: Annotated[Six, field_meta("angular velocity, and velocity of the point of resolution", "rad/s, m/s", "L", 7)]

@@ -11,7 +11,7 @@ from aftdeck.worksite.watch.contact_update import place_everything
 
 
 def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), for joint angles (6,) [rad], telescope and prong [m].
+    """Return the poses of all frames in L, (F, 12), for joint angles (6,) [rad] and telescope and prong positions [m].
 
     The orbiter is at its present position. Each payload moves with its present carrier.
     """
@@ -26,7 +26,7 @@ def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
 
 
 def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), after one step of joint rates (6,) and the telescope's drive.
+    """Return the poses of all frames in L, (F, 12), after one step with joint rates (6,) and a telescope drive.
 
     Frames that do not move with the arm keep their poses.
     """

@@ -76,7 +76,7 @@ class Simulation:
 
     @property
     def given(self) -> Inputs | None:
-        """Inputs that the caller passed to the last step; None before the first step, or with the script's inputs."""
+        """Inputs that the caller passed to the last step; None before the first step, or if the caller passed none."""
         return self._given
 
     def step(self, inputs: Inputs | None = None) -> Frame:

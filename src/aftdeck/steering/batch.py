@@ -23,7 +23,7 @@ from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blo
 _ROUNDING_MARGIN = 1.0 + 1e-15
 """Factor that keeps the fastest joint's rate, after rounding, at or below its limit [1]."""
 _THREADED = 20_000
-"""Number of arms times steps above which a second thread saves more time than its start takes."""
+"""From this product of arms and steps on, a second thread saves more time than is needed to start it."""
 LINE = 64
 """Length of a cache line [bytes]."""
 _SHARES = 8

@@ -2,8 +2,8 @@
 
 A step consists of LNKAGE, the remaining error to the target, RMSRAT for a twist proportional to that error, RATLMT
 (rates only), and motion at these rates for one control period. A block holds `LANES` arms. Each row of a block holds
-one value of every arm, so that one instruction of the processor handles several arms. The result of each arm is equal,
-bit for bit, to that of a computation of this arm alone.
+one value of every arm, so that one instruction of the processor handles several arms. A computation of one arm alone
+gives the same result, bit for bit.
 Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 """
 

@@ -50,7 +50,7 @@ class Factor(NamedTuple):
 
 
 class Range(NamedTuple):
-    """Range of factors that a limit allows, from `low` to `high`. If `low` is greater, no factor is allowed."""
+    """Range of factors that a limit allows, from `low` to `high`. If `low` is above `high`, no factor is allowed."""
 
     low: float
     high: float
@@ -142,7 +142,7 @@ def _of_joints(rules: Array, state: Array, rates: Rates) -> tuple[Range, int, in
 
 @law
 def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, change: float) -> Range:
-    """Return the range of factors with which the vector (x, y, z) differs by at most `change` from (px, py, pz).
+    """Return the range of factors for which (x, y, z) times the factor differs from (px, py, pz) by at most `change`.
 
     If every factor gives a greater difference, both ends of the range are the factor with the least difference.
     """

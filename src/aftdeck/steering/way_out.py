@@ -36,8 +36,8 @@ def way_out(
         rules: rules of a manual mode.
         command: command whose law is used; its sticks are overwritten.
         state: state of the arm.
-        singularity: 0 shoulder, 1 elbow, 2 wrist; `speeds` are the rates at which the distance from it grows [1/s]. If
-            it is -1, `joint` and `inward` apply.
+        singularity: 0 shoulder, 1 elbow, 2 wrist; `speeds` are the rates at which the distance from this singularity
+            grows [1/s]. If `singularity` is -1, `joint` and `inward` apply instead.
         joint: joint at its limit; `speeds` are its rates [rad/s].
         inward: sign, +1 or -1, of the joint's rate that leads away from its limit.
         speeds: (12,) output. With a positive value, the stick direction leads away.

@@ -67,7 +67,8 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
         seat: the berth.
         row: row of the frame to which the berth is fixed.
         cargo: the payload.
-        axes: axes of payload and port between which docking limits the angle: "y", or any other value for all three.
+        axes: "y" if docking limits only the angle between the y axes of payload and port; any other value if it limits
+            the angle of each of the three axes.
     """
     place = seat.seated(cargo.probe)
     probe = [solid.vertices for solid in cargo.solids if solid.part == part_of(cargo.name, "probe")]
@@ -92,7 +93,8 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
 def _guide(seat: Seat, name: str, point: Array) -> Guide:
     """Return the V-guide of a trunnion.
 
-    The V of the keel trunnion centres the payload across the bay, the Vs of the other trunnions along the bay.
+    The V of the keel trunnion centres the payload across the bay. The Vs of the other trunnions centre it along the
+    bay.
     """
     guides = seat.guides
     assert guides is not None, "the berth has guides"

@@ -28,7 +28,7 @@ from aftdeck.worksite.watch.pairs import among, part_pairs
 ORBITER = 0
 """Row of the frame ``orbiter``, the scene's frame. The next rows are the arm's frames, ``space``, and the payloads."""
 SHORT = 1.0
-"""Length up to which a link between two joints counts as short [m]; the parts at both its ends are longer (assumed)."""
+"""Length up to which a link between two joints counts as short [m]; the parts at its two ends are longer (assumed)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +40,8 @@ class Meeting:
         cargo: index of the payload that one of the parts belongs to.
         relation: name of the relative position in which the two parts may touch.
         depth: permitted penetration depth, and permitted distance past the plane of contact, such as a port's face [m].
-        trunnions: for each solid of the payload's trunnions (its index in the layout), the index of the trunnion. Empty
-            if the relation is not "guides".
+        trunnions: for each solid of the payload's trunnions, the index of its trunnion; the key is the solid's index
+            in the layout. Empty if the relation is not "guides".
     """
 
     group: int
@@ -65,7 +65,8 @@ class Site:
         essential: (g,) 1 for pairs that the task brings into contact.
         meetings: relation and permitted depth of each pair in `essential`.
         meeting_groups: (m,) index in the layout of each pair in `meetings`.
-        meeting_aligns: (m,) 1 for the pairs of docking and of guides, which are aligned before they touch.
+        meeting_aligns: (m,) 1 for pairs with the relation "docking" or "guides"; their parts are aligned before they
+            touch.
         by_arm: (g,) 1 for pairs with a part of the arm.
         by_prong: (g,) 1 for pairs with the prong; all 0 for an arm without a prong.
         of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
@@ -82,7 +83,7 @@ class Site:
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         berths: for each payload, its poses in the berths that accept it.
         berth_rows: for each payload, (n,) rows of the frames to which its berths are fixed.
-        berth_places: for each payload, (n, 12) its poses in its berths, in these frames.
+        berth_places: for each payload, (n, 12) its poses in its berths, in the frames of `berth_rows`.
         starts: for each payload, (12,) its pose in the scene at the start.
         slides: for each payload, (g,) 1 for its pairs with parts of the orbiter. A held payload slides along them.
         bodies: for each payload, indices of its solids in the layout.
@@ -254,7 +255,7 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
 
 
 def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
-    """Return the solids of the payload that the scenario attaches to the end effector (frame of the last joint)."""
+    """Return the solids of the payload that the scenario attaches to the end effector, in the last joint's frame."""
     payload, model = scenario.payload, scenario.arm.model
     if payload is None:
         return ()
@@ -282,7 +283,10 @@ def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
 
 
 def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
-    """Return the pairs of arm parts at the two ends of a short link or a ball wrist, which cannot touch by folding."""
+    """Return the pairs of arm parts that cannot touch by folding.
+
+    They are at the two ends of a short link or of a ball wrist.
+    """
     links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
     if ball:

@@ -30,8 +30,8 @@ def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[
     """Return the ways to a target with a steering law, sorted by the lower bound of their time.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law also if no
-            joint angles inside the soft stops do so.
+        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law, also if
+            the only such angles are outside the soft stops.
     """
     if law != "position":
         final_angles(state, target)
@@ -66,7 +66,7 @@ def final_angles(state: State, target: Target) -> Array:
 
 
 def _given(state: State, target: Target) -> Array | None:
-    """Return the target's own joint angles if they put the tip at the target; None if they do not, or do not exist."""
+    """Return the target's own joint angles if they put the tip at the target; None if not, or if there are none."""
     if target.joints is None:
         return None
     angles = np.array(target.joints)

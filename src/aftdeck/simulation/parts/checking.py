@@ -68,7 +68,7 @@ class Checking(StatePart):
         start: encoded state from which the motion is rehearsed; None until the arm is at rest.
         ways: ways that have not been rehearsed fully; the first is in progress.
         tried: results of the ways that have been rehearsed.
-        steps: number of rehearsed steps of the first of `ways`.
+        steps: number of steps rehearsed so far for the first of `ways`.
         rehearsal: rehearsal of the first of `ways`.
     """
 

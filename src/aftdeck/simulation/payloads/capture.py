@@ -43,7 +43,7 @@ def capture(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _reject_switches(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Reject every command that moves the end effector, because the scenario itself attaches a payload to it."""
+    """Reject every command that moves the end effector, because the scenario attaches a payload to it."""
     for switch in (inputs.effector, inputs.rigid):
         if switch in ("close", "open", "rigid", "derigid"):
             log_rejection(
@@ -102,8 +102,8 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     """Draw the grapple pin towards its final pose; return False if that would make or deepen a contact.
 
     The payload moves in the next step. A payload that is fixed to a berth does not move (assumed; a real arm would
-    yield). The carriage's travel during that time has no effect later, so that the payload does not jump when it is
-    unlatched.
+    yield). The travel of the carriage while the payload is fixed has no effect later. The payload therefore does not
+    jump when it is unlatched.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
