@@ -144,10 +144,10 @@ def _plain(value: Any) -> Any:
 
 
 def _item(raw: Any, where: Where, depth: int) -> Any:
-    """Return the item of the list `raw` that the part of `where` at depth `depth` selects.
+    """Return the item of the list `raw` with the index `where[depth]`.
 
     Raises:
-        InputError: `raw` is not a list or has no such item, or that part of `where` is not an index.
+        InputError: `raw` is not a list or has no such item, or `where[depth]` is not an index.
     """
     part, before = where[depth], place(where[:depth])
     if isinstance(part, str):
@@ -255,7 +255,7 @@ def _tagged(kind: Any) -> dict[str, Any]:
 def _tagged_problems(raw: object, kind: Any, tagged: dict[str, Any], where: Where) -> list[tuple[Where, str]]:
     """Return the reasons why `raw` is not a valid struct of a tagged union, each with its place.
 
-    The tag field selects the struct to check. If the tag is missing or unknown, that is reported, and only the fields
+    The tag field selects the struct to check. If the tag is missing or unknown, this is reported, and only the fields
     that all structs share are checked.
     """
     try:

@@ -88,9 +88,9 @@ def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
 def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     """Declare a law in which a product and the sum that contains it are rounded only once, if the processor can do so.
 
-    Use it only if each sum contains one product at most, or is exact. In a sum of two products, the compiler chooses
-    which product to fuse, and its choice varies. One arm would then differ in its last digits from the same arm in a
-    batch.
+    Use this decorator only if each sum contains one product at most, or is exact. In a sum of two products, the
+    compiler chooses which product to fuse, and its choice varies. One arm would then differ in its last digits from the
+    same arm in a batch.
     """
     return _declared(function, fused=True)
 

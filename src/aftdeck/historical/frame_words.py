@@ -42,9 +42,9 @@ STATIONS = {
 }
 """Codes of the camera stations. For I, P1, P2, CAE2 and W we chose codes that the report does not use."""
 SPARE = range(14, 18)
-"""Bits of the control word without a meaning."""
+"""Bits of the control word that have no meaning."""
 UNIT = 1e-5
-"""Greatest deviation from 1 of the sum of squares of sine and cosine, or of a normal's components [1] (assumed)."""
+"""Allowed error of a sum of squares that should be 1: of sine and cosine, or of a normal's components [1] (assumed)."""
 
 Direction = Literal[-1, 0, 1]
 """Direction of a motion; 0 for no motion."""
@@ -115,7 +115,7 @@ def encode_control(control: ControlWord) -> int:
         raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4, an integer")
     if control.station not in tuple(STATIONS):
         raise InputError(
-            f"the control word has no code for station {control.station!r}; only for {', '.join(STATIONS)}"
+            f"the control word has no code for station {control.station!r}; it has codes for {', '.join(STATIONS)}"
         )
     for name in ("telescope", "pan", "tilt", "zoom", "prong"):
         motion = getattr(control, name)

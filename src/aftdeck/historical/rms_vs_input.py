@@ -97,7 +97,7 @@ def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...])
     Args:
         settings: settings of the channels.
         switch: position of the prong's switch before the step.
-        cameras: names of the cameras that have a drive. A station that is not among them commands no camera.
+        cameras: names of the cameras that have a drive. A station that is not one of these names commands no camera.
 
     Raises:
         InputError: the channels move a camera without a drive.
@@ -136,7 +136,7 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
         "position_hold": panel.position_hold != scenario.position_hold,
         "brakes": panel.brakes,
         "safing": panel.safing,
-        # the scenario fixes the payload to the arm, so each press of the switch is rejected; a channel has no presses
+        # the scenario fixes the payload to the arm, so each press of the switch is rejected; channels hold levels
         "effector": rejected,
         "effector_mode": worksite.effector_mode != "auto",
         "rigid": worksite.rigid != "off",

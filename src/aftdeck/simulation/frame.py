@@ -60,8 +60,9 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
 Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
 """Cause of a FAIL of CMD CK.
 
-In this order: no failure; the target is out of reach; a berth holds the payload; BRAKES or SAFING is on; a contact; a
-stop, a singularity or another limit of the steering; the motion misses its target; the motion takes too long.
+The values mean, in this order: no failure; the target is out of reach; a berth holds the payload; BRAKES or SAFING is
+on; a contact; a stop, a singularity or another limit of the steering; the motion misses its target; the motion takes
+too long.
 """
 
 
@@ -73,12 +74,12 @@ class Check(msgspec.Struct, frozen=True):
         str, field_meta("verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch reaches its soft stop, after 12 s`")
     ]
     seconds: Annotated[
-        float, field_meta("GOOD: duration of the motion; FAIL: time from its start to the failure", "s")
+        float, field_meta("GOOD: duration of the motion; FAIL: time from the start of the motion to the failure", "s")
     ] = 0.0
     cause: Annotated[Cause, field_meta("cause of a FAIL; empty for GOOD")] = ""
     joints: Annotated[
         Six | None,
-        field_meta("joint angles at the target of mode 1; null in modes 2 and 3, and for FAIL", "rad"),
+        field_meta("GOOD in mode 1: joint angles at the target; null in modes 2 and 3, and for FAIL", "rad"),
     ] = None
 
 
@@ -203,7 +204,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     twist_demanded: Annotated[Six, field_meta("twist that the mode demands, before all limits", "rad/s, m/s", "L", 7)]
     por_limits: Annotated[
         tuple[float, float],
-        field_meta("limits in force of the speed and angular rate of the point of resolution", "m/s, rad/s"),
+        field_meta("speed limit and angular rate limit of the point of resolution in this step", "m/s, rad/s"),
     ]
     ratio: Annotated[float, field_meta("fraction of the demand that RATLMT permits, 0 to 1", "1", decimals=7)]
     limits: Annotated[tuple[Limit, ...], field_meta("limits that were active in this step")]

@@ -1,4 +1,4 @@
-"""Poses of all coordinate frames, with the arm at its present or at other joint angles."""
+"""Poses of all coordinate frames, for the present joint angles or for other joint angles."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: 
 
 
 def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and all else at present."""
+    """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and everything else unchanged."""
     return frames_at(flight, state, state.plant.angles, state.plant.stand.position, prong)
 
 

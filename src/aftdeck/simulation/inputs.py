@@ -155,7 +155,9 @@ def _check_target(arm: Arm, target: Target) -> None:
     position, rotation, joints = target.position, target.rotation, target.joints
     sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
     if sizes != (3, 3, 3, 3, 6):
-        raise InputError(f"target: got {target}, expected a position (3,), a rotation (3, 3), six joint angles or None")
+        raise InputError(
+            f"target: got {target}, expected a position (3,), a rotation (3, 3), and six joint angles or None"
+        )
     numbers = (*position, *(x for row in rotation for x in row), *(() if joints is None else joints))
     if not all(map(math.isfinite, numbers)):
         raise InputError(f"target: got {target}, expected finite numbers")

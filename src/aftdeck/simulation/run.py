@@ -29,7 +29,7 @@ from aftdeck.worksite.report import Near
 
 
 class SavedSimulation(msgspec.Struct, frozen=True):
-    """State of a simulation at one time, with the scenario and the seed of the simulation."""
+    """State of a simulation at one time, with the scenario's digest and the seed."""
 
     scenario: str
     """SHA-256 of the scenario's text and the arm's constants."""
@@ -116,7 +116,7 @@ class Simulation:
         return self._seal
 
     def look(self) -> Frame:
-        """Return the frame of the last control step. Leaves the state unchanged; costs about as much as a step."""
+        """Return the frame of the last control step, without changing the state. A call takes about as long as a step."""
         if self._frame is None:
             self._frame = frame_of(self._flight, self._state, self.seal())
         return self._frame

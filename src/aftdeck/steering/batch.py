@@ -47,7 +47,7 @@ class Steered(NamedTuple):
 
 
 def pace_of(arm: Arm, period: float, gain: float) -> Array:
-    """Return an array (8,): control period, gain, and one over each joint's rate limit, which is its servo maximum.
+    """Return an array (8,): control period, gain, and the reciprocal of each joint's rate limit (servo maximum).
 
     Raises:
         InputError: with this period or gain the arm would not move, or would move past the target.
@@ -65,7 +65,7 @@ def steer_batch(
     """Steer many arms in closed loop, on every processor that this process may use.
 
     Args:
-        arm: the arm of which `angles` lists many states.
+        arm: the arm; `angles` contains many states of this arm.
         angles: (..., 6) joint angles [rad].
         targets: tip poses in L, one for each arm or one for all arms. Either a Pose, or an array (..., 12) of positions
             [m], each followed by the rotation row by row.

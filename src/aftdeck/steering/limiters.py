@@ -44,9 +44,9 @@ BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATI
 NEAREST = 0.02
 """Normalised distance at which an approach to a singularity comes to rest (assumed); at the elbow, 1.1 deg."""
 APPROACH = 0.5
-"""Rate of approach to a singularity per remaining distance [1/s] (assumed)."""
+"""Greatest rate of approach to a singularity, divided by the remaining distance [1/s] (assumed)."""
 OUTSIDE = 1e-9
-"""Angle beyond a stop above which a joint counts as past the stop [rad]."""
+"""A joint counts as past a stop if its angle exceeds the stop by more than this value [rad]."""
 
 
 @law

@@ -1,4 +1,4 @@
-"""Joint rates in mode 8 and MASTER, towards a rate or an angle, within the acceleration limit and the stops."""
+"""Joint rates in mode 8 and MASTER: ramps to a rate or an angle, within the acceleration limit and the stops."""
 
 from __future__ import annotations
 

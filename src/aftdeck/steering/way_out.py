@@ -1,7 +1,7 @@
 """Escape direction: stick direction that leads out of a singularity or away from a stop.
 
 For each of the 12 directions of the six stick axes, these laws compute the joint rates after RMSRAT and RATLMT, and the
-speed at which these rates move the arm away. If no stick direction leads away, one joint in SINGLE does.
+speed at which these rates move the arm away. If no stick direction leads away, a motion of one joint in SINGLE does.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> R
 def stick_rates(rules: Array, command: Array, state: Array, speeds: Array) -> None:
     """Write the joint rates of each stick direction, after limits, into `speeds` (12, 6) [rad/s].
 
-    The other arguments are those of `way_out`.
+    See `way_out` for the other arguments.
     """
     a = sines_of(rules, state)
     here = tip(rules, a)

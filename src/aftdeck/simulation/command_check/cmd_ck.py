@@ -102,7 +102,8 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 def _more_ways(flight: Flight, checking: Checking) -> bool:
     """Find the ways by joints after the rehearsal of a straight line failed; return whether any way was found.
 
-    If a berth or a switch caused the failure, no other way is searched, because both stop every motion of the arm.
+    If a berth or a switch caused the failure, no other way is searched, because a berth or a switch stops every motion
+    of the arm.
     """
     start, tried = _start(flight, checking), checking.tried
     assert start is not None, "a rehearsal has a start state"

@@ -24,14 +24,14 @@ class Berth:
 
     Attributes:
         seat: the berth.
-        row: row of the frame to which the berth is fixed.
+        row: index of the frame to which the berth is fixed, in the array of all frames.
         place: (12,) pose of the fixed payload in the berth's frame.
         port: (12,) pose of the port in the berth's frame; None for a bay berth.
         probe: (n, 3) vertices of the payload's probe, in the payload's axes [m].
         tip: (3,) centre of the probe's forward face, in the payload's axes [m].
-        docking: tolerances of docking at a port.
+        docking: greatest distance and angle at which a port docks the payload.
         guides: V-guides of the bay's latches; None if the berth has none.
-        tolerances: tolerances of a bay berth.
+        tolerances: greatest distance and angle at which a bay berth fixes the payload.
     """
 
     seat: Seat
@@ -61,11 +61,11 @@ class Berth:
 
 
 def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
-    """Return the constants of a payload in a berth that accepts it.
+    """Return the constants of a payload in a berth that accepts the payload.
 
     Args:
         seat: the berth.
-        row: row of the frame to which the berth is fixed.
+        row: index of the frame to which the berth is fixed, in the array of all frames.
         cargo: the payload.
         axes: "y" if docking limits only the angle between the y axes of payload and port; any other value if it limits
             the angle of each of the three axes.

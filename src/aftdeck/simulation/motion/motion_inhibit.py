@@ -67,7 +67,7 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
 
 
 def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Mask]:
-    """Return (g,) 1 for pairs whose contacts an inhibited arm must not deepen, then for pairs that it must relieve.
+    """Return two masks (g,): pairs whose contacts an inhibited arm must not deepen, and pairs that it must relieve.
 
     The second result is a subset of the first.
 

@@ -47,7 +47,7 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
     """Return the rate (12,) at which each stick direction leads away. If the mode is not manual, ORB UNL is assumed.
 
-    The arguments are those of `steering.way_out.way_out`.
+    See `steering.way_out.way_out` for the arguments.
     """
     rules, command, steering = steering_of(state)
     speeds = np.zeros(DIRECTIONS)

@@ -88,10 +88,10 @@ class WorksiteState(StatePart):
         orbiter_velocity: (3,) velocity of the orbiter along the same axes [m/s].
         prong: prong of the concept arm's end effector; its position is the coordinate y2 of the inner face.
         snare: state of the Shuttle's end effector.
-        switch: end effector switch.
-        effector_mode: END EFFECTOR MODE.
-        rigid: MAN CONTR switch.
-        task: task phase, the report's mode, 1 to 4.
+        switch: position of the end effector switch.
+        effector_mode: position of the switch END EFFECTOR MODE.
+        rigid: position of the switch MAN CONTR.
+        task: task phase, 1 to 4 (the report's mode).
         advice: escape direction out of the contacts that was found last; None if there is none.
         orbiter_rejected: True if a translation of the orbiter was rejected in the last step.
         waiting: True if the carriage or the latches are stopped before a contact.

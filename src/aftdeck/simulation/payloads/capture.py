@@ -27,7 +27,7 @@ _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off"
 
 
 def capture(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Capture or release a payload, as the end effector's conditions allow.
+    """Capture or release a payload if the conditions for this hold.
 
     Args:
         flight: constants of the run.
@@ -127,7 +127,7 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
 def _attach(flight: Flight, state: State, k: int) -> None:
     """Attach a captured payload to the arm, which ends task phase 1.
 
-    A passive berth frees the payload; any other berth still fixes it.
+    A passive berth frees the payload; any other berth still fixes the payload.
     """
     site, payload = flight.site, state.worksite.cargo[k]
     if payload.seat and site.is_passive_berth(payload.seat):

@@ -27,7 +27,7 @@ from aftdeck.worksite.watch.motion import motion
 HALVINGS = 8
 """Number of bisections of the step with a contact.
 
-Before the contact, the body stops at a distance of at most 1/256 of the step's motion.
+The body stops before the contact, at a distance of at most 1/256 of the step's motion.
 """
 
 
@@ -58,7 +58,7 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
 
 @law
 def measured(found: Array, groups: Mask) -> bool:
-    """Return whether the clearance of any of the pairs `groups` (g,) was measured; only small ones are."""
+    """Return whether the clearance of any pair in `groups` (g,) was measured; only small clearances are."""
     near = False
     for g in range(len(groups)):
         near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)

@@ -39,7 +39,7 @@ def attach(flight: Flight, state: State, k: int) -> None:
 def reset_grasp(flight: Flight, state: State, k: int) -> None:
     """Set the pose of a held payload, in its grasp and in the steering, to the present pose.
 
-    If the carriage draws the payload in, it starts from this pose and reduces the misalignment to zero.
+    If the carriage draws the payload in, the motion starts from this pose and reduces the misalignment to zero.
     """
     payload = state.worksite.cargo[k]
     payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()

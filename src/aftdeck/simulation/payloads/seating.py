@@ -65,7 +65,7 @@ def _nearest_seat_text(flight: Flight, state: State) -> str:
 
 
 def stay_or_leave(flight: Flight, state: State, k: int) -> None:
-    """Fix a payload that was just released to a passive berth, or start its free flight.
+    """Fix a payload to a passive berth after its release, or start its free flight.
 
     The payload is fixed if the conditions of a passive berth hold. A payload that is already fixed stays fixed.
     """

@@ -55,8 +55,8 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
 def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
     """Yield the worksite's cameras that are inside a part of the arm, in poses for which a run would log no contact.
 
-    In such a pose the arm overlaps no part of a monitored pair. It therefore does not overlap the camera's housing
-    either. The body of the camera is at its start pose.
+    In such a pose, no monitored pair overlaps. The arm therefore does not overlap the camera's housing either. The body
+    of the camera is at its start pose.
     """
     model = scenario.arm.model
     stands = {body.name: body.pose for body in scenario.worksite.bodies}
@@ -75,8 +75,9 @@ def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Probl
 def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -> list[ArmPose]:
     """Return the poses with another angle of the first joint. With this angle, the booms are in one plane with a point.
 
-    The poses use the points (3,) in L in turn. Poses whose first joint would be outside its soft stops are omitted. A
-    boom contains a given point in one of 10 000 random poses, but in one of 50 poses that are returned here.
+    The poses use the points (3,), which are in L, one after the other. Poses whose first joint would be outside its
+    soft stops are omitted. A boom contains a given point in one of 10 000 random poses, but in one of 50 poses that are
+    returned here.
     """
     if not points:
         return []

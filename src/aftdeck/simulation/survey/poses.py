@@ -59,7 +59,7 @@ def joints_text(angles: Array) -> str:
 
 
 def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]]:
-    """Yield `TRIED` random poses inside the soft stops: joint angles [rad], telescope and prong [m].
+    """Yield `TRIED` random poses inside the soft stops: joint angles [rad], positions of telescope and prong [m].
 
     The telescope's length is random too; the prong is open. Every call yields the same poses.
     """

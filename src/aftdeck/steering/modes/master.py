@@ -38,7 +38,7 @@ def _target_angle(rules: Array, command: Array, state: Array, i: int) -> float:
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     """Return this step's joint rates [rad/s].
 
-    Also write the rates into the state, and arrival and the stop that acts into the report.
+    Also write the rates into the state, and write arrival and an active stop into the report.
     """
     arrived = 1.0
     for i in range(6):
