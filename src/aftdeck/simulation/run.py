@@ -116,7 +116,10 @@ class Simulation:
         return self._seal
 
     def look(self) -> Frame:
-        """Return the frame of the last control step, without changing the state. A call takes about as long as a step."""
+        """Return the frame of the last control step.
+
+        The call does not change the state, and takes about as long as a step.
+        """
         if self._frame is None:
             self._frame = frame_of(self._flight, self._state, self.seal())
         return self._frame
