@@ -118,7 +118,7 @@ def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
 
 
 def _file_value(value: _Value) -> str | float:
-    """Return a value as a file gives it: a plain number, or a string in SI with its unit."""
+    """Return a value in the form used in a file: a plain number, or a string in SI units with its unit."""
     if value.powers == _PLAIN:
         return value.number
     if value.powers not in _KINDS:

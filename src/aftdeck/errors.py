@@ -62,7 +62,7 @@ class ScenarioError(AftdeckError):
     """A scenario, worksite or arm file with errors, all reported at once.
 
     Attributes:
-        problems: one sentence each, beginning with its location (``file.toml:12: phase[1].rate: ...``).
+        problems: one sentence for each problem, location first (``file.toml:12: phase[1].rate: ...``).
     """
 
     def __init__(self, problems: Sequence[str]) -> None:

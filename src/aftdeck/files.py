@@ -55,7 +55,7 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
 
 
 def beside(name: str, folder: Path) -> str:
-    """Return a path that a file in `folder` contains, with `folder` put before it.
+    """Return the path `name`, which is written in a file of `folder`, with `folder` put before it.
 
     Names of built-in files and absolute paths are returned unchanged.
     """
@@ -144,10 +144,10 @@ def _plain(value: Any) -> Any:
 
 
 def _item(raw: Any, where: Where, depth: int) -> Any:
-    """Return the item of the list `raw` that the part of `where` at depth `depth` selects.
+    """Return the item of the list `raw` with the index `where[depth]`.
 
     Raises:
-        InputError: `raw` is not a list or has no such item, or that part of `where` is not an index.
+        InputError: `raw` is not a list or has no such item, or `where[depth]` is not an index.
     """
     part, before = where[depth], place(where[:depth])
     if isinstance(part, str):
@@ -159,7 +159,7 @@ def _item(raw: Any, where: Where, depth: int) -> Any:
 
 
 def _leave_out(raw: Any, where: Where) -> None:
-    """Remove a wrong field from the raw contents: the innermost part of the place that is a key, not an index."""
+    """Remove a wrong field from the raw contents; the field is the innermost part of `where` that is a key."""
     names = [i for i, part in enumerate(where) if isinstance(part, str)]
     if not names:
         return
@@ -255,7 +255,7 @@ def _tagged(kind: Any) -> dict[str, Any]:
 def _tagged_problems(raw: object, kind: Any, tagged: dict[str, Any], where: Where) -> list[tuple[Where, str]]:
     """Return the reasons why `raw` is not a valid struct of a tagged union, each with its place.
 
-    The tag field selects the struct to check. If the tag is missing or unknown, that is reported, and only the fields
+    The tag field selects the struct to check. If the tag is missing or unknown, this is reported, and only the fields
     that all structs share are checked.
     """
     try:
@@ -310,7 +310,7 @@ def _without_none(kind: Any) -> Any:
 
 
 def _split(message: str) -> tuple[str, Where]:
-    """Split a message of msgspec, such as ``... - at `$.a[0]` ``, into its text and the place that it names."""
+    """Split a message of msgspec, such as ``... - at `$.a[0]` ``, into its text and a place."""
     what, _, path = message.partition(" - at `$")
     parts = re.findall(r"\.([A-Za-z0-9_-]+)|\[(\d+)\]", path)
     return what, tuple(name or int(index) for name, index in parts)

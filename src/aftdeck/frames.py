@@ -3,8 +3,8 @@
 - **L**, the longeron frame: the arm's base, origin at the shoulder yaw joint; all laws use it.
 - **orbiter** (B): origin at the orbiter's centre of mass, x forward, y starboard, z down; orientation by
   ENDORI angles (azimuth about 3, elevation about 2, roll about 1, in that order) or by a matrix.
-- **panel**: X = -Xo, Y = Yo, Z = -Zo from the structural origin; orientation by pitch about 2, yaw about 3,
-  roll about 1, in that order. The attitude on the panel is that of the end effector's own axes E.
+- **panel**: X = -Xo, Y = Yo, Z = -Zo from the structural origin; orientation by pitch about 2, yaw about 3, roll about
+  1, in that order. The panel displays the attitude of the end effector's own axes E.
 - **scene**: x aft, y starboard, z up, origin at the worksite's origin; for pictures only.
 
 A transform's name gives both frames: ``T_orbiter_L`` converts components in L to components in orbiter.
@@ -154,7 +154,7 @@ def angle_between(rows: Rows, other: Rows) -> float:
 def quaternion(rotation: Array) -> tuple[float, float, float, float]:
     """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix.
 
-    For accuracy, the largest component is computed first, and the others from it.
+    For accuracy, the largest component is computed first; the other components are computed from it.
     """
     (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
     squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)

@@ -1,9 +1,9 @@
 """Decorator of the compiled laws, and the sine and cosine that the laws share.
 
-A *law* is a function that computes with single floats, and has few branches. The same source code runs compiled (by
-Numba, with a cache on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms.
-Numba is imported at the first call of any law, because importing Numba takes longer than loading an arm. Loading an arm
-calls no law. Division by zero gives infinity, as in hardware; a law in which a divisor could be zero prevents this.
+A *law* is a function that computes with one float at a time, and has few branches. The same source code runs compiled
+(by Numba, with a cache on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms. Numba
+is imported at the first call of any law, because importing Numba takes longer than loading an arm. Loading an arm calls
+no law. Division by zero gives infinity, as in hardware; a law in which a divisor could be zero prevents this.
 
 Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
 changed in one file, the cached code of its callers would still contain the old version. The laws' cache is therefore
@@ -42,7 +42,7 @@ _TWO_BY_PI = 0.6366197723675814
 _ROUNDER = 6755399441055744.0
 """1.5 * 2**52. Near this value, every float is a whole number; near twice this value, every float is even."""
 _HALF_PI_1 = 1.5707963267923333
-"""First 36 bits of pi/2: whole multiples up to 2**17 are exact."""
+"""First 36 bits of pi/2. Its products with whole numbers up to 2**17 are exact."""
 _HALF_PI_2 = 2.563344151594519e-12
 """Remainder of pi/2 after `_HALF_PI_1`."""
 
@@ -50,7 +50,8 @@ _HALF_PI_2 = 2.563344151594519e-12
 class _Declared:
     """Placeholder of a law until `load` replaces it by the compiled function.
 
-    `load` replaces names of modules only. A law under another name stays a placeholder; calling it works, more slowly.
+    `load` replaces only names in modules. Elsewhere, for example in a list, a law stays a placeholder. Such a law can
+    be called, but more slowly.
     """
 
     def __init__(self, function: Callable[..., Any], fused: bool) -> None:
@@ -87,9 +88,9 @@ def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
 def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     """Declare a law in which a product and the sum that contains it are rounded only once, if the processor can do so.
 
-    Use it only if each sum contains one product at most, or is exact. In a sum of two products, the compiler chooses
-    which product to fuse, and its choice varies. One arm would then differ in its last digits from the same arm in a
-    batch.
+    Use this decorator only if each sum contains one product at most, or is exact. In a sum of two products, the
+    compiler chooses which product to fuse, and its choice varies. One arm would then differ in its last digits from the
+    same arm in a batch.
     """
     return _declared(function, fused=True)
 
@@ -163,7 +164,7 @@ def state_of_the_laws() -> str:
 
 @functools.cache
 def _cache() -> str:
-    """Return the cache folder for this version of the laws; delete other versions' folders unused for `_KEPT`."""
+    """Return the cache folder for this version of the laws; delete folders of other versions unused for `_KEPT`."""
     own = os.environ.get("NUMBA_CACHE_DIR")
     home = Path(own) if own else platformdirs.user_cache_path("aftdeck")
     folder = home / f"laws-{state_of_the_laws()}"
@@ -206,7 +207,7 @@ def reduced(angle: float) -> tuple[float, float]:
 
 @_fused_law
 def sincos_near_zero(x: float) -> tuple[float, float]:
-    """Return sine and cosine of an angle [rad] within an eighth of a turn.
+    """Return sine and cosine of an angle [rad] of at most an eighth of a turn.
 
     The polynomials are the minimax polynomials of the standard C library. Their terms are grouped in pairs, which the
     processor can compute at the same time.

@@ -24,5 +24,5 @@ def one_line(what: str, text: str, most: int) -> str:
     if not text.isprintable():
         raise InputError(f"{what} must be one line of visible characters and plain spaces, got {text!r}")
     if text != text.strip():
-        raise InputError(f"{what} begins and ends without a space, got {text!r}")
+        raise InputError(f"{what} must not begin or end with a space, got {text!r}")
     return text

@@ -125,7 +125,7 @@ class Shell(_Solid, frozen=True, kw_only=True, tag="shell"):
 
 
 class Ring(_Solid, frozen=True, kw_only=True, tag="ring"):
-    """A round bar bent about an axis, a full turn or part of one; angles as in `Shell`."""
+    """A round bar bent about an axis by a full turn or less; angles are as in `Shell`."""
 
     axis: Axis = "x"
     radius: float
@@ -156,13 +156,13 @@ class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
 
     normal: Axis
     outline: tuple[Vec2, ...]
-    """Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]."""
+    """Corners in order, each listed once: (y, z), (x, z) or (x, y) for normal x, y or z [m]."""
     thickness: float
     bevel: float = 0.0
     """Distance by which the edges are cut back, at most half the thickness [m]."""
 
     def __post_init__(self) -> None:
-        """Reject fewer than three corners, a thickness that is not above zero, or a bevel deeper than half of it."""
+        """Reject fewer than three corners, a thickness that is not above zero, or a bevel above half the thickness."""
         _positive("plate", thickness=self.thickness)
         if len(self.outline) < FEWEST_CORNERS:
             raise ValueError(f"the plate's outline has {len(self.outline)} corners; it needs at least {FEWEST_CORNERS}")
@@ -212,7 +212,7 @@ class Hexahedron(_Solid, frozen=True, kw_only=True, tag="hexahedron"):
     """A body of eight vertices and six flat faces, numbered as in `aftdeck.bodies.hexahedron`."""
 
     vertices: tuple[Vec3, ...]
-    """Vertices, numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in the body's own axes [m]."""
+    """Vertices in the body's own axes [m]. Vertex v has v - 1 = 4 (if at +y) + 2 (if at +x) + 1 (if at +z)."""
 
     def __post_init__(self) -> None:
         """Reject any number of vertices other than eight."""
@@ -247,7 +247,7 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
     step: Vec3 = (0.0, 0.0, 0.0)
     """Translation from one copy to the next, along the group's own axes [m]."""
     turn: Vec3 = (0.0, 0.0, 0.0)
-    """Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]."""
+    """Rotation from one copy to the next, about the group's own axes, in the form of `rotation` [rad]."""
     mirror: bool = False
     """Whether all copies are also drawn as mirror images, in the plane y = 0 of the frame that lists the group."""
 

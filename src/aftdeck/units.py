@@ -153,7 +153,7 @@ def _size(unit: str, target: str) -> float | None:
 
 
 def size_by_pint(unit: str, target: str) -> float | None:
-    """Return the size of `unit` in units of `target` by pint; None if pint does not know it or cannot convert it."""
+    """Return the size of `unit` in units of `target` by pint; None if pint cannot convert it."""
     import pint  # noqa: PLC0415  (takes 0.3 s; only files with unusual units need it)
 
     try:

@@ -42,9 +42,9 @@ STATIONS = {
 }
 """Codes of the camera stations. For I, P1, P2, CAE2 and W we chose codes that the report does not use."""
 SPARE = range(14, 18)
-"""Bits of the control word without a meaning."""
+"""Bits of the control word that have no meaning."""
 UNIT = 1e-5
-"""Greatest deviation from 1 of the sum of squares of sine and cosine, or of a normal's components [1] (assumed)."""
+"""Allowed error of a sum of squares that should be 1: of sine and cosine, or of a normal's components [1] (assumed)."""
 
 Direction = Literal[-1, 0, 1]
 """Direction of a motion; 0 for no motion."""
@@ -58,7 +58,7 @@ class ControlWord(NamedTuple):
         station: camera station: A to I, P1, P2, CAE2, W.
         initialise: True in a step that initialises the run.
         telescope: 1 longer, -1 shorter, 0 stopped.
-        pan: 1, -1 or 0. Pan and tilt have one sign bit, so they cannot have opposite signs.
+        pan: 1, -1 or 0. Pan and tilt share one sign bit, so they cannot have opposite signs.
         tilt: 1, -1 or 0.
         zoom: 1 in, -1 out, 0 none.
         prong: 1 closes, -1 opens, 0 stopped.
@@ -96,7 +96,7 @@ class FrameBlock(NamedTuple):
     Attributes:
         control: the control word.
         angles: HO, PO, P1, H2, P2, R2 [rad]; decoded angles are in (-pi, pi].
-        planes: the three separating planes of fingers and receptacle. An absent plane is None; its words are four 0.
+        planes: the three separating planes of fingers and receptacle. An absent plane is None; its four words are 0.
     """
 
     control: ControlWord
@@ -115,7 +115,7 @@ def encode_control(control: ControlWord) -> int:
         raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4, an integer")
     if control.station not in tuple(STATIONS):
         raise InputError(
-            f"the control word has no code for station {control.station!r}; only for {', '.join(STATIONS)}"
+            f"the control word has no code for station {control.station!r}; it has codes for {', '.join(STATIONS)}"
         )
     for name in ("telescope", "pan", "tilt", "zoom", "prong"):
         motion = getattr(control, name)

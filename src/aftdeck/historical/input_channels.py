@@ -124,7 +124,7 @@ def decode_inputs(volts: Sequence[float]) -> OperatorInputs:
 
 def _level(levels: Mapping[_T, float], setting: _T, name: str) -> float:
     if setting not in levels:
-        raise InputError(f"{name}: {setting!r} has no level; there are: {', '.join(map(str, levels))}")
+        raise InputError(f"{name}: {setting!r} has no level; settings with a level: {', '.join(map(str, levels))}")
     return levels[setting]
 
 

@@ -34,7 +34,7 @@ _MOTIONS: dict[tuple[float, float], CameraMotion] = {
 """Setting of channel 10 for each pair of pan and tilt switches."""
 _DRIVES = {motion: switches for switches, motion in _MOTIONS.items()}
 _PARTS: dict[Part, Start] = {"full problem": "full problem", "acquisition": "mode 1", "extraction": "mode 2 or 3"}
-"""Setting of channel 2. TABLE I has one level for modes 2 and 3: a run initialised to mode 2 proceeds to mode 3."""
+"""Setting of channel 2. TABLE I has a single level for modes 2 and 3: the run starts in mode 2, then enters mode 3."""
 _STARTS = {start: part for part, start in _PARTS.items()}
 _PRONG: dict[Direction, Literal["stop", "close", "open"]] = {0: "stop", 1: "close", -1: "open"}
 _PRONG_DIRECTIONS = {switch: direction for direction, switch in _PRONG.items()}
@@ -97,7 +97,7 @@ def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...])
     Args:
         settings: settings of the channels.
         switch: position of the prong's switch before the step.
-        cameras: names of the cameras that have a drive. A station that is not among them commands no camera.
+        cameras: names of the cameras that have a drive. A station that is not one of these names commands no camera.
 
     Raises:
         InputError: the channels move a camera without a drive.
@@ -122,7 +122,7 @@ def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...])
 
 
 def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
-    """Return the names of the commands without a channel that act in this step, whether sent in it or earlier."""
+    """Return the names of the commands without a channel that act in this step, whether sent now or earlier."""
     panel, worksite, scenario = state.panel, state.worksite, flight.scenario
     other_mode = flown.mode not in (None, MODE)
     rejected = flown.effector not in (None, "stop") and state.script.attached > 0
@@ -136,7 +136,7 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
         "position_hold": panel.position_hold != scenario.position_hold,
         "brakes": panel.brakes,
         "safing": panel.safing,
-        # the scenario fixes the payload to the arm, so each press of the switch is rejected; a channel has no presses
+        # the scenario fixes the payload to the arm, so each press of the switch is rejected; channels hold levels
         "effector": rejected,
         "effector_mode": worksite.effector_mode != "auto",
         "rigid": worksite.rigid != "off",

@@ -1,9 +1,9 @@
 """TABLE II of the Remote Manipulator Simulation: the 32 words that the program sent to the scene generator.
 
 The control word contains the selected camera and the motions of the step. Angles, inhibits and task phase (mode) are
-those of the state after the step. D1 to D3 are planes between the end effector's hexahedra and the bar. While no
-payload is held, they are the separating planes of the collision test. While a payload is held, they are the planes of
-face d of HEX 1, face b of HEX 2 and face e of HEX 3 (subroutines CALSP1 to CALSP3).
+values after the step. D1 to D3 are planes between the end effector's hexahedra and the bar. While no payload is held,
+they are the separating planes of the collision test. While a payload is held, they are the planes of face d of HEX 1,
+face b of HEX 2 and face e of HEX 3 (subroutines CALSP1 to CALSP3).
 """
 
 from __future__ import annotations

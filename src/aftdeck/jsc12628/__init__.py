@@ -5,8 +5,8 @@ these functions follow the report, like a scenario with ``strict``. VCLOSE and A
 only its own branch, and joints have no stops.
 
 Lengths are in metres, or in feet with ``units="ft"``; angles are in radians, times in seconds. Vectors and rotations
-are in the report's orbiter frame B unless stated otherwise. The columns of a rotation T_BN are the axes of frame N,
-in B. Joint angles are those of the panel. They equal the report's angles, except on an arm whose elbow is below the
+are in the report's orbiter frame B unless stated otherwise. The columns of a rotation T_BN are the axes of frame N, in
+B. Joint angles are the angles on the panel. They equal the report's angles, except on an arm whose elbow is below the
 line of its booms: there some angles differ from the report's by constants.
 
 Example:

@@ -73,9 +73,9 @@ def votran(
     """Return a mode's commanded velocities in B (JSC-12628, subroutine VOTRAN, p. 33).
 
     Args:
-        mode: the report's mode. It determines the frame of the two commands. Modes 2 and 4: frame B. Mode 5: the end
-            effector's frame 7. Mode 6: the payload's frame 8. Mode 7: `omega_C` in frame 8, `V_C` in B. In mode 3 the
-            commands are R_omega U_omega and R_V U_V in B, and the profile's ramps scale them.
+        mode: the report's mode. The mode determines the frame of the two commands. Modes 2 and 4: frame B. Mode 5: the
+            end effector's frame 7. Mode 6: the payload's frame 8. Mode 7: `omega_C` in frame 8, `V_C` in B. In mode 3
+            the commands are R_omega U_omega and R_V U_V in B, and the profile's ramps scale them.
         omega_C: (3,) the report's omega_C', the mode's angular velocity [rad/s].
         V_C: (3,) the report's V_C', the mode's velocity, in any unit of length.
         T_B7: (3, 3) the end effector's frame, for modes 5 to 7.
@@ -126,7 +126,7 @@ def avclmt(
         V_L_dot: greatest acceleration.
         omega_L_dot: greatest angular acceleration [rad/s2].
         DT: control period [s].
-        units: unit of all lengths, given and returned.
+        units: unit of all lengths in arguments and results.
     """
     length = metres(units)
     rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)

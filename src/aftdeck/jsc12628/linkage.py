@@ -87,7 +87,7 @@ def jacobi(arm: Arm, theta: ArrayLike, units: Units = "m") -> Array:
     Args:
         arm: as for `lnkage`.
         theta: (6,) joint angles [rad].
-        units: unit of length of the lower three rows.
+        units: unit of length in the lower three rows.
 
     Returns:
         (6, 6) matrix with one column for each joint. Rows 1 to 3 give the tip's angular velocity [1], rows 4 to 6 the
@@ -196,10 +196,11 @@ def rmsist(
         theta_dot: (6,) joint rates [rad/s].
         r_6B: (3,) tip position, if `theta` is None.
         T_B7: (3, 3) the end effector's frame, if `theta` is None.
-        units: unit of all lengths, given and returned.
+        units: unit of all lengths in arguments and results.
 
     Raises:
-        InputError: the arguments contain neither angles nor a complete pose, or angles and a part of a pose.
+        InputError: the arguments contain neither angles nor a complete pose, or they contain angles and a part of a
+            pose.
         LimitError: a joint is outside its hard limits.
         SingularityError: RMANGS raises it; see `rmangs`.
         UnreachableError: RMANGS raises it; see `rmangs`.

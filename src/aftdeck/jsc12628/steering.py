@@ -50,7 +50,7 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.layout import DT as PERIOD
 
 _NO_STOP = 1e6
-"""Joint angle [rad] that no joint reaches: the source's joints have no stops."""
+"""Angle [rad] of the stops; no joint reaches it, because the source's joints have no stops."""
 _ZERO = (0.0, 0.0, 0.0)
 
 
@@ -60,7 +60,7 @@ class Phase:
     Attributes:
         arm: the arm that the phase moves.
         mode: the report's mode, 1 to 8.
-        units: unit of all lengths, given and returned.
+        units: unit of all lengths in arguments and results.
         TP: time since the start of the phase [s].
     """
 

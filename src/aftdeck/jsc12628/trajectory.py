@@ -54,7 +54,7 @@ def latraj(r_6B: ArrayLike, T_B7: ArrayLike, r_6BF: ArrayLike, T_B7F: ArrayLike,
         T_B7: (3, 3) the end effector's frame.
         r_6BF: (3,) the tip's final position.
         T_B7F: (3, 3) the tip's final orientation.
-        units: unit of all lengths, given and returned.
+        units: unit of all lengths in arguments and results.
     """
     length = metres(units)
     tip = tip_of(array(r_6B, (3,), "r_6B") * length, array(T_B7, (3, 3), "T_B7"))
@@ -85,7 +85,7 @@ def vclose(
         omega_L_dot: greatest angular acceleration [rad/s2].
         DT: control period [s]; within one control period of the end, speed and angular rate are zero.
         TP: time since the start of the phase [s].
-        units: unit of all lengths, given and returned.
+        units: unit of all lengths in arguments and results.
     """
     length = metres(units)
     rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)

@@ -1,6 +1,7 @@
 """Camera drives: a command moves one camera for one step, at the rates and within the limits of its drive.
 
-A step without a command takes no time, because the settings are one tuple, which is replaced only when a camera moves.
+The settings of all cameras are one tuple, which is replaced only when a camera moves. A step without a command
+therefore takes no time.
 """
 
 from __future__ import annotations

@@ -50,15 +50,16 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
     """Limit that acted in a step."""
 
     kind: Annotated[LimitKind, field_meta("kind of limit")]
-    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if it does not apply to one joint")]
+    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if it is no joint limit")]
     text: Annotated[str, field_meta("text for the operator")]
 
 
 Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
 """Cause of a FAIL of CMD CK.
 
-In this order: no failure; the target is out of reach; a berth holds the payload; BRAKES or SAFING is on; a contact; a
-stop, a singularity or another limit of the steering; the motion misses its target; the motion takes too long.
+The values mean, in this order: no failure; the target is out of reach; a berth holds the payload; BRAKES or SAFING is
+on; a contact; a stop, a singularity or another limit of the steering; the motion misses its target; the motion takes
+too long.
 """
 
 
@@ -70,12 +71,12 @@ class Check(msgspec.Struct, frozen=True):
         str, field_meta("verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch reaches its soft stop, after 12 s`")
     ]
     seconds: Annotated[
-        float, field_meta("GOOD: duration of the motion; FAIL: time from its start to the failure", "s")
+        float, field_meta("GOOD: duration of the motion; FAIL: time from the start of the motion to the failure", "s")
     ] = 0.0
     cause: Annotated[Cause, field_meta("cause of a FAIL; empty for GOOD")] = ""
     joints: Annotated[
         Six | None,
-        field_meta("joint angles at the target of mode 1; null in modes 2 and 3, and for FAIL", "rad"),
+        field_meta("GOOD in mode 1: joint angles at the target; null in modes 2 and 3, and for FAIL", "rad"),
     ] = None
 
 
@@ -101,7 +102,10 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
     angle: Annotated[float, field_meta("remaining rotation", "rad")]
     remaining_s: Annotated[
         float,
-        field_meta("ETA - TP; 0 if no motion is in progress, or if the arm comes to rest before mode 1 or 3", "s"),
+        field_meta(
+            "ETA - TP; 0 if no motion is in progress, or while the arm slows to rest before a motion in mode 1 or 3",
+            "s",
+        ),
     ]
 
 
@@ -123,7 +127,7 @@ class Times(msgspec.Struct, frozen=True, gc=False):
     etap_s: Annotated[
         float | None,
         field_meta(
-            "ETAP: time at which the rotation alone would end at its rate limit; null in other modes than 2 and 3", "s"
+            "ETAP: time at which the rotation alone would end at its rate limit; null in all modes except 2 and 3", "s"
         ),
     ] = None
 
@@ -175,8 +179,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     wrist_pitch: Annotated[
         Rows | None,
         field_meta(
-            "T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, of the lower "
-            "arm's frame; null in a recording without it",
+            "T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, attitude of "
+            "the lower arm's frame; null in a recording that does not contain it",
             "1",
             "orbiter",
         ),
@@ -188,8 +192,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     attached: Annotated[
         int,
         field_meta(
-            "number, from 1, of the payload in the grasp in `Scenario.own_payloads`; 0 for any other payload, and for "
-            "an empty grasp"
+            "if the payload in the grasp is one of `Scenario.own_payloads`, its number, from 1; 0 for any other "
+            "payload, and for an empty grasp"
         ),
     ]
     twist: Annotated[Six, field_meta("angular velocity, and velocity of the point of resolution", "rad/s, m/s", "L", 7)]
@@ -197,7 +201,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     twist_demanded: Annotated[Six, field_meta("twist that the mode demands, before all limits", "rad/s, m/s", "L", 7)]
     por_limits: Annotated[
         tuple[float, float],
-        field_meta("limits in force of the speed and angular rate of the point of resolution", "m/s, rad/s"),
+        field_meta("speed limit and angular rate limit of the point of resolution in this step", "m/s, rad/s"),
     ]
     ratio: Annotated[float, field_meta("fraction of the demand that RATLMT permits, 0 to 1", "1", decimals=7)]
     limits: Annotated[tuple[Limit, ...], field_meta("limits that were active in this step")]

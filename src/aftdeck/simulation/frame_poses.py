@@ -1,4 +1,4 @@
-"""Poses of all coordinate frames, with the arm at its present or at other joint angles."""
+"""Poses of all coordinate frames, for the present joint angles or for other joint angles."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from aftdeck.worksite.watch.contact_update import place_everything
 
 
 def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), for joint angles (6,) [rad], telescope and prong [m].
+    """Return the poses of all frames in L, (F, 12), for joint angles (6,) [rad] and telescope and prong positions [m].
 
     The orbiter is at its present position. Each payload moves with its present carrier.
     """
@@ -21,12 +21,12 @@ def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: 
 
 
 def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and all else at present."""
+    """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and everything else unchanged."""
     return frames_at(flight, state, state.plant.angles, state.plant.stand.position, prong)
 
 
 def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), after one step of joint rates (6,) and the telescope's drive.
+    """Return the poses of all frames in L, (F, 12), after one step with joint rates (6,) and a telescope drive.
 
     Frames that do not move with the arm keep their poses.
     """

@@ -43,7 +43,7 @@ class Inputs(msgspec.Struct, frozen=True):
     """JOINT rotary, 0 to 5."""
     rate: Literal["coarse", "vernier"] | None = None
     target: Target | None = None
-    """Final pose of OPR CMD, keyed in in this step."""
+    """Final pose of OPR CMD, if it is keyed in during this step."""
     law: LawChoice | None = None
     """Switch beside OPR CMD and AUTO 1-4: the report's mode, 1 to 3, that these positions select."""
     payload_axes: bool | None = None
@@ -63,7 +63,7 @@ class Inputs(msgspec.Struct, frozen=True):
     effector: Literal["stop", "close", "open"] | None = None
     """End effector switch: closes or opens the prong, or makes the snares capture or release."""
     effector_mode: Literal["auto", "manual"] | None = None
-    """END EFFECTOR MODE: in auto the end effector switch moves snares and carriage, in manual the snares alone."""
+    """END EFFECTOR MODE: in auto the end effector switch moves snares and carriage, in manual only the snares."""
     rigid: Literal["off", "rigid", "derigid"] | None = None
     """END EFFECTOR MAN CONTR: moves the carriage and its tension, if END EFFECTOR MODE is manual."""
     latch: Literal["latch", "unlatch"] | None = None
@@ -75,7 +75,7 @@ class Inputs(msgspec.Struct, frozen=True):
     master: Six | None = None
     """Six joint angles of the master arm [rad], which the arm follows in MASTER; None does not move the master arm."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
-    """Part of the problem to whose start the arm and the payloads are re-initialised in this step."""
+    """Part of the problem. In this step, the arm and the payloads are re-initialised to the start of this part."""
     camera: CameraDrive | None = None
     """Command of a camera's drive in this step; `simulation.camera_drives.Cameras.check` checks it."""
 
@@ -153,7 +153,9 @@ def _check_target(arm: Arm, target: Target) -> None:
     position, rotation, joints = target.position, target.rotation, target.joints
     sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
     if sizes != (3, 3, 3, 3, 6):
-        raise InputError(f"target: got {target}, expected a position (3,), a rotation (3, 3), six joint angles or None")
+        raise InputError(
+            f"target: got {target}, expected a position (3,), a rotation (3, 3), and six joint angles or None"
+        )
     numbers = (*position, *(x for row in rotation for x in row), *(() if joints is None else joints))
     if not all(map(math.isfinite, numbers)):
         raise InputError(f"target: got {target}, expected finite numbers")

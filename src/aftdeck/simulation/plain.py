@@ -78,7 +78,7 @@ def whole(value: object, name: str) -> int:
 def _all_plain(inputs: Inputs) -> bool:
     """Return whether the inputs are plain and have no target, master angles or camera.
 
-    This test is quick, and true in most steps.
+    This test is quick, and its result is True in most steps.
     """
     numbers = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
     return (

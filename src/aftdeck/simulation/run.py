@@ -29,7 +29,7 @@ from aftdeck.worksite.report import Near
 
 
 class SavedSimulation(msgspec.Struct, frozen=True):
-    """State of a simulation at one time, with the scenario and the seed of the simulation."""
+    """State of a simulation at one time, with the scenario's digest and the seed."""
 
     scenario: str
     """SHA-256 of the scenario's text and the arm's constants."""
@@ -76,7 +76,7 @@ class Simulation:
 
     @property
     def given(self) -> Inputs | None:
-        """Inputs that the caller passed to the last step; None before the first step, or with the script's inputs."""
+        """Inputs that the caller passed to the last step; None before the first step, or if the caller passed none."""
         return self._given
 
     def step(self, inputs: Inputs | None = None) -> Frame:
@@ -116,7 +116,10 @@ class Simulation:
         return self._seal
 
     def look(self) -> Frame:
-        """Return the frame of the last control step. Leaves the state unchanged; costs about as much as a step."""
+        """Return the frame of the last control step.
+
+        The call does not change the state, and takes about as long as a step.
+        """
         if self._frame is None:
             self._frame = frame_of(self._flight, self._state, self.seal())
         return self._frame

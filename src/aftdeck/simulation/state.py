@@ -62,14 +62,14 @@ class Panel(StatePart):
     premises: Premises | None = None
     """Values on which the verdict in `check` depends."""
     proceeding: bool = False
-    """True if PROCEED was pressed, and the motion has not started. It starts if CMD CK is GOOD."""
+    """True if PROCEED was pressed, and the motion has not started. The motion starts if CMD CK is GOOD."""
     sequence: Sequence = "idle"
     motion_began: int = 0
     """Tick after which the report's phase began: with a motion, a phase of the script, or the selection of a mode."""
     ending: Ending = ""
     """Result of an automatic motion that ended in this step; "" if none ended."""
     final_error: str = ""
-    """Final error of the motion that ended in this step, as text; "" if it reached its target or none ended."""
+    """Final error of the motion that ended in this step, as text; "" if the target was reached or no motion ended."""
     blocked: int = 0
     """Number of steps for which an automatic motion has been at a standstill."""
     zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
@@ -117,7 +117,7 @@ class State(StatePart):
         steering: measured angles and shoulder offset, commanded rates, commanded twist.
         command: input of the steering laws in this step.
         report: output of the steering laws in this step.
-        observed: (21,) tip pose, twist and singularity distances of the arm, as `kinematics.observe` fills it.
+        observed: (21,) tip pose, twist and singularity distances of the arm, computed by `kinematics.observe`.
         carried: payload that the arm holds, and the steering's rules with this payload.
         standing: cache of the arm at its present shoulder height.
         tick: number of control steps done, the present one included.
@@ -193,7 +193,7 @@ class State(StatePart):
 
 
 def new_state(flight: Flight, carried: SteeringSetup) -> State:
-    """Return a state in which the arm and the worksite are not yet at a start; `simulation.begin` sets them to one."""
+    """Return a new state, without start positions of the arm and the worksite; `simulation.begin` sets these."""
     scenario, views = flight.scenario, flight.cameras.first
     panel = Panel(
         scenario.mode,

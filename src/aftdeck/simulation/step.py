@@ -47,7 +47,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
     check(flight, state)
 
-    # steering commands the joint rates, contacts and berths limit them, the plant and the worksite move
+    # steering commands the joint rates; contacts and berths limit these rates; the plant and the worksite move
     go(flight, state, inputs)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)

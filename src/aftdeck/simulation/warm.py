@@ -30,7 +30,7 @@ FAR = 1e3
 
 
 def warm_up(scenario: Scenario) -> None:
-    """Call every law, because a law is compiled at its first call: run a few steps of the scenario in a new state."""
+    """Call every law once, which compiles it: run a few steps of the scenario in a new state."""
     flight = run_constants(scenario)
     state = initial_state(flight)
     arm = scenario.arm

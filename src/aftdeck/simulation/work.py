@@ -84,7 +84,9 @@ def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _try_translation(flight: Flight, state: State, command: Array) -> str:
-    """Translate the orbiter by one step. Stop it at once if the arm holds a docked payload, or a contact would deepen.
+    """Translate the orbiter by one step.
+
+    The orbiter stops at once if the arm holds a docked payload, or if a contact would deepen.
 
     Returns:
         The reason why the orbiter cannot translate; "" if it can.

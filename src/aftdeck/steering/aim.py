@@ -62,10 +62,10 @@ def _axis_of_large_turn(
 ) -> tuple[float, float, float]:
     """Return the axis of a rotation beyond 90 deg; the sign of the axis is arbitrary.
 
-    The largest component is computed first, the others from its column (LATRAJ's 180 deg case).
+    All three components are computed from the matrix column of the largest component (LATRAJ's 180 deg case).
 
     Args:
-        b11: first element on the matrix's diagonal; b22 and b33 are the others.
+        b11: first element on the matrix's diagonal; b22 and b33 are the second and third element.
         b22: see b11.
         b33: see b11.
         b12: sum of the elements 12 and 21; b13 and b23 are the corresponding sums.

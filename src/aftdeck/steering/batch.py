@@ -23,7 +23,7 @@ from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blo
 _ROUNDING_MARGIN = 1.0 + 1e-15
 """Factor that keeps the fastest joint's rate, after rounding, at or below its limit [1]."""
 _THREADED = 20_000
-"""Number of arms times steps above which a second thread saves more time than its start takes."""
+"""From this product of arms and steps on, a second thread saves more time than is needed to start it."""
 LINE = 64
 """Length of a cache line [bytes]."""
 _SHARES = 8
@@ -47,7 +47,7 @@ class Steered(NamedTuple):
 
 
 def pace_of(arm: Arm, period: float, gain: float) -> Array:
-    """Return an array (8,): control period, gain, and one over each joint's rate limit, which is its servo maximum.
+    """Return an array (8,): control period, gain, and the reciprocal of each joint's rate limit (servo maximum).
 
     Raises:
         InputError: with this period or gain the arm would not move, or would move past the target.
@@ -65,7 +65,7 @@ def steer_batch(
     """Steer many arms in closed loop, on every processor that this process may use.
 
     Args:
-        arm: the arm of which `angles` lists many states.
+        arm: the arm; `angles` contains many states of this arm.
         angles: (..., 6) joint angles [rad].
         targets: tip poses in L, one for each arm or one for all arms. Either a Pose, or an array (..., 12) of positions
             [m], each followed by the rotation row by row.

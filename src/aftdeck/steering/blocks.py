@@ -2,8 +2,8 @@
 
 A step consists of LNKAGE, the remaining error to the target, RMSRAT for a twist proportional to that error, RATLMT
 (rates only), and motion at these rates for one control period. A block holds `LANES` arms. Each row of a block holds
-one value of every arm, so that one instruction of the processor handles several arms. The result of each arm is equal,
-bit for bit, to that of a computation of this arm alone.
+one value of every arm, so that one instruction of the processor handles several arms. A computation of one arm alone
+gives the same result, bit for bit.
 Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 """
 
@@ -40,21 +40,20 @@ remaining error (6). FIELDS is the number of rows."""
 PER, QUARTERS, WORK = 12, 15, 21
 """Rows of the work array.
 
-Rows 0 to 5: sines. Rows 6 to 11: cosines. From PER on: one over each of the rate law's denominators (3). From QUARTERS
+Rows 0 to 5: sines. Rows 6 to 11: cosines. From PER on: reciprocals of the rate law's denominators (3). From QUARTERS
 on: number of whole quarter turns in each link's angle (6). WORK is the number of rows.
 """
 
 PERIOD, GAIN, PER_RATE = 0, 1, 2
-"""Indices in a `pace`: control period [s], gain [1/s], and from PER_RATE on one over each joint's maximum rate [s/rad].
-"""
+"""Indices in a `pace`: control period [s], gain [1/s]. From PER_RATE on: reciprocals of maximum joint rates [s/rad]."""
 
 
 @law
 def remaining_rotation(t: Nine, target: Floats) -> Three:
     """Return the rotation from the tip's axes to the axes of a target (12,), in L: axis times sine of the angle.
 
-    The result is half the sum of three cross products: each present axis with the corresponding axis of the target. At
-    180 deg the result is zero, so that the tip does not rotate.
+    The result is half the sum of three cross products: of each present axis with the corresponding axis of the target.
+    At 180 deg the result is zero, so that the tip does not rotate.
     """
     r11, r12, r13, r21, r22, r23, r31, r32, r33 = t
     return (
@@ -77,8 +76,8 @@ def remaining_distance(t: Three, target: Floats) -> Three:
 def angles_after_step(pace: Floats, r: Rates, q: Floats) -> Six:
     """Return the joint angles [rad] after one control period at the rates `r` times the gain, reduced by RATLMT.
 
-    `r` are the joint rates for a twist equal to the remaining error. The rate law is linear, so the rates for the error
-    times the gain are these rates times the gain.
+    `r` are the joint rates for a twist equal to the remaining error. The rate law is linear. The rates for a twist of
+    gain times error are therefore `r` times the gain.
     """
     upper = max(abs(r.r1) * pace[PER_RATE], abs(r.r2) * pace[PER_RATE + 1], abs(r.r3) * pace[PER_RATE + 2])
     lower = max(abs(r.r4) * pace[PER_RATE + 3], abs(r.r5) * pace[PER_RATE + 4], abs(r.r6) * pace[PER_RATE + 5])
@@ -135,8 +134,8 @@ def _sines_of(work: Array, i: int) -> Sines:
 def _evaluate(arm: Floats, block: Array, work: Array) -> None:
     """Compute a block's remaining errors, and the values that the rate law needs, from the link angles in `work`.
 
-    `work` receives sines and cosines, and one over each denominator. `law.sincos` is split into three loops, each short
-    enough for the processor to overlap several vectors of arms.
+    `work` receives sines and cosines, and the reciprocal of each denominator. `law.sincos` is split into three loops,
+    each short enough for the processor to overlap several vectors of arms.
     """
     for n in range(6 * LANES):
         work[n], work[n + QUARTERS * LANES] = reduced(work[n])
@@ -157,8 +156,8 @@ def _evaluate(arm: Floats, block: Array, work: Array) -> None:
 def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
     """Make many steps of many arms, in place.
 
-    Each arm family has its own loops, in which the kind of wrist is a constant. A test of the family inside the loops
-    would take a quarter more time.
+    Each arm family has its own loops, in which the kind of wrist is a constant. With a test of the family inside the
+    loops, the steps would take a quarter more time.
 
     Args:
         arm: the arm's constants, as a tuple.

@@ -18,7 +18,7 @@ AT_REST = 1e-6
 
 @law
 def may_start(rules: Array, state: Array) -> bool:
-    """Return whether an automatic motion may start: if all joints are at rest; under `strict` always."""
+    """Return whether an automatic motion may start: under `strict` always, otherwise only if all joints are at rest."""
     fastest = 0.0
     for i in range(6):
         fastest = max(fastest, abs(state[MEASURED + i]))

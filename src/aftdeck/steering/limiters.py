@@ -1,9 +1,9 @@
 """AVCLMT and RATLMT: limits of the tip's twist and of the joint rates.
 
 JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion. Here the
-ratio also stops the joints before their stops and the arm before its singularities. The allowed rate is proportional
-to the root of the remaining angle before a stop, and to the remaining distance before a singularity, so that the arm
-slows smoothly to rest.
+ratio also stops the joints before their stops and the arm before its singularities. Before a stop, the allowed rate is
+proportional to the root of the remaining angle. Before a singularity, it is proportional to the remaining distance. The
+arm therefore slows smoothly to rest.
 """
 
 from __future__ import annotations
@@ -42,11 +42,11 @@ joint within its acceleration limit; the arm then stays on its path and exceeds 
 BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
 NEAREST = 0.02
-"""Normalised distance at which an approach to a singularity comes to rest (assumed: 1.1 deg of elbow)."""
+"""Normalised distance at which an approach to a singularity comes to rest (assumed); at the elbow, 1.1 deg."""
 APPROACH = 0.5
-"""Rate of approach to a singularity per remaining distance [1/s] (assumed)."""
+"""Greatest rate of approach to a singularity, divided by the remaining distance [1/s] (assumed)."""
 OUTSIDE = 1e-9
-"""Angle beyond a stop above which a joint counts as past the stop [rad]."""
+"""A joint counts as past a stop if its angle exceeds the stop by more than this value [rad]."""
 
 
 @law
@@ -95,8 +95,8 @@ def avclmt(rules: Array, demanded: Twist, present: Twist) -> tuple[Twist, int]:
     version then reduces the speed to the new limit in one step.
 
     Returns:
-        The allowed twist, and the sum of the numbers of the limits that acted: acceleration 1 and speed 2 of
-        translation, acceleration 4 and rate 8 of rotation.
+        The allowed twist, and the sum of the numbers of the limits that acted: 1 acceleration, 2 speed, 4 angular
+        acceleration, 8 angular rate.
     """
     dt = rules[DT]
     wx, wy, wz, turn_active = _limited_vector(
@@ -184,7 +184,7 @@ def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
 
 @law
 def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Ratio:
-    """Return the ratio `limit`, or a smaller one that slows the arm before a singularity."""
+    """Return the ratio `limit`, or a smaller ratio that slows the arm before a singularity."""
     ratio, cause, culprit = limit.ratio, limit.cause, limit.culprit
     for k in range(3):
         distance, towards = closing(rules, a, rates, k)

@@ -91,7 +91,7 @@ MODES: dict[str, Mode] = {
         ),
     )
 }  # fmt: skip
-"""Every position by name, in order: the panel's left column, its right column, then MASTER, which the panel lacks."""
+"""Every position by name, in order: the panel's left column, its right column, then MASTER (not on the panel)."""
 
 
 NUMBERED = range(1, 9)
@@ -99,6 +99,6 @@ NUMBERED = range(1, 9)
 
 
 def position_of(law: int) -> tuple[str, int] | None:
-    """Return the first panel position that selects a law, and the law; None if it is not one of modes 1 to 8."""
+    """Return the first panel position that selects a law, and the law; None if the law is not 1 to 8."""
     first = next((mode.position for mode in MODES.values() if law in mode.laws), None)
     return None if first is None or law not in NUMBERED else (first, law)

@@ -53,7 +53,7 @@ from aftdeck.steering.turn import from_hand
 from aftdeck.steering.views import put_rates, put_twist, rates_at, twist_at
 
 NEAR_FLOOR = 0.5 * NEAREST
-"""Minimum normalised distance from a singularity in the guarded rate law; it matters for an arm that starts nearer."""
+"""Minimum normalised distance from a singularity in the guarded rate law; it acts only if an arm starts nearer."""
 
 
 @law
@@ -132,7 +132,7 @@ def _position_factor(
 ) -> float:
     """Return the share of mode 1's joint rates that is commanded; write the limits that act into the report.
 
-    The limits of the tip also apply, except under `strict`, because in the source only RATLMT acts.
+    The limits of the tip also apply, except under `strict`. In the source, only RATLMT acts.
     """
     limit = joint_ratio(rules, state, demanded)
     if rules[STRICT] != 0.0 or command[MOTION_ACTIVE] == 0.0:
@@ -215,8 +215,8 @@ def _present_twist(
 
     The source computes this twist by ERATES from the measured joint rates at the new angles. Without `strict`, the
     result is the twist that the last step commanded, plus the twist of the difference between measured and commanded
-    joint rates. The change of the twist that constant joint rates cause during a step is then not limited as if it
-    were an acceleration. (x, y, z) is the vector from the tip to the point of resolution, in L.
+    joint rates. Even at constant joint rates, the twist changes during a step. AVCLMT does not count this change as
+    an acceleration. (x, y, z) is the vector from the tip to the point of resolution, in L.
     """
     actual, commanded = rates_at(state, MEASURED), rates_at(state, RATES)
     was = state[POINT] != 0.0
@@ -264,7 +264,7 @@ def scaled(t: Twist, k: float) -> Twist:
 
 @law
 def cut(rules: Array, r: Rates, k: float) -> Rates:
-    """Return the joint rates times `k`, each cut to its limit, because rounding could exceed the limit."""
+    """Return the joint rates times `k`, each cut to its limit, which a rounding error could otherwise exceed."""
     most = rates_at(rules, RATE)
     return Rates(
         _within(k * r.r1, most.r1),

@@ -1,8 +1,8 @@
 """One factor that slows a whole motion, so that limits change the speed but not the path.
 
 Modes 1 and 3 follow a plan; different factors for translation and rotation would take the arm off the plan. Here every
-limit gives a range of allowed factors, and the greatest factor in all ranges is used. If the ranges have no factor in
-common, the limits have this priority:
+limit gives a range of allowed factors. The greatest factor that is in all ranges is used. If the ranges have no factor
+in common, the limits have this priority:
 
 1. Joint rates, stops and singularities (RATLMT). These limits are never exceeded.
 2. Joint accelerations. If every factor exceeds the acceleration limit of some joint, the arm stays on the path, and the
@@ -50,7 +50,7 @@ class Factor(NamedTuple):
 
 
 class Range(NamedTuple):
-    """Range of factors that a limit allows, from `low` to `high`. If `low` is greater, no factor is allowed."""
+    """Range of factors that a limit allows, from `low` to `high`. If `low` is above `high`, no factor is allowed."""
 
     low: float
     high: float
@@ -63,8 +63,8 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
     Args:
         rules: rules of the mode.
         state: state with the measured joint rates.
-        rates: joint rates of the whole motion [rad/s].
-        twist: twist of the point of resolution in the whole motion.
+        rates: joint rates of the motion at a factor of 1 [rad/s].
+        twist: twist of the point of resolution at a factor of 1.
         present: present twist of that point.
         limit: RATLMT's ratio of `rates`.
     """
@@ -142,7 +142,7 @@ def _of_joints(rules: Array, state: Array, rates: Rates) -> tuple[Range, int, in
 
 @law
 def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, change: float) -> Range:
-    """Return the range of factors with which the vector (x, y, z) differs by at most `change` from (px, py, pz).
+    """Return the range of factors for which (x, y, z) times the factor differs from (px, py, pz) by at most `change`.
 
     If every factor gives a greater difference, both ends of the range are the factor with the least difference.
     """

@@ -5,8 +5,8 @@ JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `s
 - Braking is computed for finite steps, so that the last step ends at the target.
 - The remaining time has one formula for a motion at maximum speed and one for a braking motion. At the transition, both
   give the same time.
-- If translation ends later than rotation, the angular rate is reduced to the remaining angle divided by a time; the
-  reverse applies too. This time is never zero.
+- If translation ends later than rotation, the angular rate is reduced to the remaining angle divided by a time. If
+  rotation ends later, the speed is reduced in the same manner. This time is never zero.
 """
 
 from __future__ import annotations
@@ -67,10 +67,11 @@ def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float
 
 @law
 def _as_published(rules: Array, distance: float, angle: float) -> Profile:
-    """Return the profile of VCLOSE as published, with TP = 0 and one step as its small time epsilon.
+    """Return the profile of VCLOSE as published, with TP = 0. The source's small time epsilon is one control period.
 
-    The motion that would end first is slowed. Its divisor is at least half of the time that it would need at its own
-    speed, and is therefore above 0 until this motion has ended.
+    The motion that would end first is slowed: its speed is the remaining distance or angle, divided by a time. This
+    time is at least half of the time that the motion alone would need, and is therefore above 0 until the motion has
+    ended.
     """
     t_v, eta = rules[SPEED] / rules[SPEED_UP], distance / rules[SPEED]
     if t_v <= eta:

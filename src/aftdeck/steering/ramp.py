@@ -1,4 +1,4 @@
-"""Joint motion in mode 8 and MASTER: rates that approach a rate or an angle within acceleration limit and stops."""
+"""Joint rates in mode 8 and MASTER: ramps to a rate or an angle, within the acceleration limit and the stops."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from aftdeck.steering.limiters import braked
 
 @law
 def rate_towards(rules: Array, state: Array, goal: float, i: int) -> float:
-    """Return the greatest rate of joint i [rad/s] towards the angle `goal` [rad] from which it can still stop there.
+    """Return the greatest rate of joint i [rad/s] towards the angle `goal` [rad] with which the joint can stop there.
 
     The rate limit also applies.
     """
@@ -30,7 +30,7 @@ def ramped(rules: Array, state: Array, report: Array, demanded: float, i: int, s
         report: receives cause and joint if a stop acts.
         demanded: the demanded rate [rad/s].
         i: the joint, 0 to 5.
-        stop: index in `limiters.CAUSES` of the kind of stop in `rules`.
+        stop: kind of the stops in `rules`, as an index in `limiters.CAUSES`.
     """
     change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]
     rate = before + min(max(demanded - before, -change), change)

@@ -1,4 +1,4 @@
-"""Values of the arrays of `steering.layout`, as tuples with names, for use inside the laws.
+"""Values of the arrays of `steering.layout`, as named tuples, for use inside the laws.
 
 Compiled code makes these tuples without cost. To pass such a tuple from Python to a law would take microseconds.
 """

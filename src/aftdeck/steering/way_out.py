@@ -1,7 +1,7 @@
 """Escape direction: stick direction that leads out of a singularity or away from a stop.
 
 For each of the 12 directions of the six stick axes, these laws compute the joint rates after RMSRAT and RATLMT, and the
-speed at which these rates move the arm away. If no stick direction leads away, one joint in SINGLE does.
+speed at which these rates move the arm away. If no stick direction leads away, a motion of one joint in SINGLE does.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ def way_out(
         rules: rules of a manual mode.
         command: command whose law is used; its sticks are overwritten.
         state: state of the arm.
-        singularity: 0 shoulder, 1 elbow, 2 wrist; `speeds` are the rates at which the distance from it grows [1/s]. If
-            it is -1, `joint` and `inward` apply.
+        singularity: 0 shoulder, 1 elbow, 2 wrist; `speeds` are the rates at which the distance from this singularity
+            grows [1/s]. If `singularity` is -1, `joint` and `inward` apply instead.
         joint: joint at its limit; `speeds` are its rates [rad/s].
         inward: sign, +1 or -1, of the joint's rate that leads away from its limit.
         speeds: (12,) output. With a positive value, the stick direction leads away.
@@ -67,7 +67,7 @@ def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> R
 def stick_rates(rules: Array, command: Array, state: Array, speeds: Array) -> None:
     """Write the joint rates of each stick direction, after limits, into `speeds` (12, 6) [rad/s].
 
-    The other arguments are those of `way_out`.
+    See `way_out` for the other arguments.
     """
     a = sines_of(rules, state)
     here = tip(rules, a)

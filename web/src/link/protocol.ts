@@ -77,7 +77,7 @@ export interface Shell {
   readonly sweep: number;
 }
 
-/** A round bar bent about an axis, a full turn or part of one; angles as in `Shell`. */
+/** A round bar bent about an axis by a full turn or less; angles are as in `Shell`. */
 export interface Ring {
   readonly kind: 'ring';
   /** Position [m]. */
@@ -114,7 +114,7 @@ export interface Plate {
   readonly rotation: Vec3;
   readonly material: Material;
   readonly normal: Axis;
-  /** Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]. */
+  /** Corners in order, each listed once: (y, z), (x, z) or (x, y) for normal x, y or z [m]. */
   readonly outline: readonly Vec2[];
   readonly thickness: number;
   /** Distance by which the edges are cut back, at most half the thickness [m]. */
@@ -157,7 +157,7 @@ export interface Hexahedron {
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly material: Material;
-  /** Vertices, numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in the body's own axes [m]. */
+  /** Vertices in the body's own axes [m]. Vertex v has v - 1 = 4 (if at +y) + 2 (if at +x) + 1 (if at +z). */
   readonly vertices: readonly Vec3[];
 }
 
@@ -191,7 +191,7 @@ export interface Group {
   readonly count: number;
   /** Translation from one copy to the next, along the group's own axes [m]. */
   readonly step: Vec3;
-  /** Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]. */
+  /** Rotation from one copy to the next, about the group's own axes, in the form of `rotation` [rad]. */
   readonly turn: Vec3;
   /** Whether all copies are also drawn as mirror images, in the plane y = 0 of the frame that lists the group. */
   readonly mirror: boolean;
@@ -869,13 +869,13 @@ export interface Frame {
   readonly position: Vec3;
   /** attitude of frame 7, along the axes of L */
   readonly orientation: Rows;
-  /** T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, of the lower arm's frame; null in a recording without it, along the axes of orbiter */
+  /** T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, attitude of the lower arm's frame; null in a recording that does not contain it, along the axes of orbiter */
   readonly wrist_pitch: Rows | null;
   /** position of the point of resolution: the payload's in ORB LD and PL, else the tip [m], along the axes of L */
   readonly resolution: Vec3;
   /** payload in the grasp; null if the grasp is empty */
   readonly payload: readonly [position: Vec3, orientation: Rows] | null;
-  /** number, from 1, of the payload in the grasp in `Scenario.own_payloads`; 0 for any other payload, and for an empty grasp */
+  /** if the payload in the grasp is one of `Scenario.own_payloads`, its number, from 1; 0 for any other payload, and for an empty grasp */
   readonly attached: number;
   /** angular velocity, and velocity of the point of resolution [rad/s, m/s], along the axes of L */
   readonly twist: Six;
@@ -883,7 +883,7 @@ export interface Frame {
   readonly twist_commanded: Six;
   /** twist that the mode demands, before all limits [rad/s, m/s], along the axes of L */
   readonly twist_demanded: Six;
-  /** limits in force of the speed and angular rate of the point of resolution [m/s, rad/s] */
+  /** speed limit and angular rate limit of the point of resolution in this step [m/s, rad/s] */
   readonly por_limits: Vec2;
   /** fraction of the demand that RATLMT permits, 0 to 1 */
   readonly ratio: number;
@@ -916,11 +916,11 @@ export interface Check {
   readonly good: boolean;
   /** verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch reaches its soft stop, after 12 s` */
   readonly text: string;
-  /** GOOD: duration of the motion; FAIL: time from its start to the failure [s] */
+  /** GOOD: duration of the motion; FAIL: time from the start of the motion to the failure [s] */
   readonly seconds: number;
   /** cause of a FAIL; empty for GOOD */
   readonly cause: Cause;
-  /** joint angles at the target of mode 1; null in modes 2 and 3, and for FAIL [rad] */
+  /** GOOD in mode 1: joint angles at the target; null in modes 2 and 3, and for FAIL [rad] */
   readonly joints: Six | null;
 }
 
@@ -928,7 +928,7 @@ export interface Check {
 export interface Limit {
   /** kind of limit */
   readonly kind: LimitKind;
-  /** joint to which the limit applies, 0 to 5; -1 if it does not apply to one joint */
+  /** joint to which the limit applies, 0 to 5; -1 if it is no joint limit */
   readonly joint: number;
   /** text for the operator */
   readonly text: string;
@@ -960,7 +960,7 @@ export interface Goal {
   readonly distance: number;
   /** remaining rotation [rad] */
   readonly angle: number;
-  /** ETA - TP; 0 if no motion is in progress, or if the arm comes to rest before mode 1 or 3 [s] */
+  /** ETA - TP; 0 if no motion is in progress, or while the arm slows to rest before a motion in mode 1 or 3 [s] */
   readonly remaining_s: number;
 }
 
@@ -974,7 +974,7 @@ export interface Times {
   readonly tp_s: number;
   /** ETA: end of the phase; an estimate in automatic modes, else the duration of the script's phase; null if unknown [s] */
   readonly eta_s: number | null;
-  /** ETAP: time at which the rotation alone would end at its rate limit; null in other modes than 2 and 3 [s] */
+  /** ETAP: time at which the rotation alone would end at its rate limit; null in all modes except 2 and 3 [s] */
   readonly etap_s: number | null;
 }
 

@@ -102,7 +102,8 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 def _more_ways(flight: Flight, checking: Checking) -> bool:
     """Find the ways by joints after the rehearsal of a straight line failed; return whether any way was found.
 
-    If a berth or a switch caused the failure, no other way is searched, because both stop every motion of the arm.
+    If a berth or a switch caused the failure, no other way is searched, because a berth or a switch stops every motion
+    of the arm.
     """
     start, tried = _start(flight, checking), checking.tried
     assert start is not None, "a rehearsal has a start state"
@@ -118,8 +119,9 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
 def _verdict(checking: Checking) -> Check:
     """Return the verdict from the results of all rehearsed ways.
 
-    GOOD if a motion by the selected steering law succeeded; the verdict is for the quickest of them. Else FAIL, with
-    the reason why the first motion failed. If a motion in mode 1 (by joints) succeeded, the text of FAIL names it.
+    GOOD if a motion by the selected steering law succeeded; the verdict is for the quickest of these motions. Else
+    FAIL, with the reason why the first motion failed. If a motion in mode 1 (by joints) succeeded, the text of FAIL
+    names this motion.
     """
     first = checking.tried[0]
     good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)

@@ -25,12 +25,12 @@ from aftdeck.units import INCH
 from aftdeck.worksite.watch.found import POINT_A
 
 LONGEST = 3600.0
-"""Duration of a motion after which its rehearsal fails [s]."""
+"""Greatest duration of a motion [s]; a longer motion fails."""
 _NO_INPUTS = Inputs()
 
 
 class Rehearsal:
-    """Rehearsal in progress, of one automatic motion.
+    """Rehearsal of one automatic motion; each call of `advance` continues it.
 
     Attributes:
         steps: number of steps rehearsed so far.
@@ -78,7 +78,7 @@ class Rehearsal:
         return None
 
     def _contact(self, besides: frozenset[int] = frozenset()) -> str:
-        """Return a text about a contact, not in `besides`, that inhibits the arm; "" if no contact does."""
+        """Return a text about a contact that inhibits the arm and is not in `besides`; "" if there is none."""
         copy, scenario = self._copy, self._flight.scenario
         worksite = copy.worksite
         for contact in worksite.contacts.standing(

@@ -24,14 +24,14 @@ class Berth:
 
     Attributes:
         seat: the berth.
-        row: row of the frame to which the berth is fixed.
+        row: index of the frame to which the berth is fixed, in the array of all frames.
         place: (12,) pose of the fixed payload in the berth's frame.
         port: (12,) pose of the port in the berth's frame; None for a bay berth.
         probe: (n, 3) vertices of the payload's probe, in the payload's axes [m].
         tip: (3,) centre of the probe's forward face, in the payload's axes [m].
-        docking: tolerances of docking at a port.
+        docking: greatest distance and angle at which a port docks the payload.
         guides: V-guides of the bay's latches; None if the berth has none.
-        tolerances: tolerances of a bay berth.
+        tolerances: greatest distance and angle at which a bay berth fixes the payload.
     """
 
     seat: Seat
@@ -61,13 +61,14 @@ class Berth:
 
 
 def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
-    """Return the constants of a payload in a berth that accepts it.
+    """Return the constants of a payload in a berth that accepts the payload.
 
     Args:
         seat: the berth.
-        row: row of the frame to which the berth is fixed.
+        row: index of the frame to which the berth is fixed, in the array of all frames.
         cargo: the payload.
-        axes: axes of payload and port between which docking limits the angle: "y", or any other value for all three.
+        axes: "y" if docking limits only the angle between the y axes of payload and port; any other value if it limits
+            the angle of each of the three axes.
     """
     place = seat.seated(cargo.probe)
     probe = [solid.vertices for solid in cargo.solids if solid.part == part_of(cargo.name, "probe")]
@@ -92,7 +93,8 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
 def _guide(seat: Seat, name: str, point: Array) -> Guide:
     """Return the V-guide of a trunnion.
 
-    The V of the keel trunnion centres the payload across the bay, the Vs of the other trunnions along the bay.
+    The V of the keel trunnion centres the payload across the bay. The Vs of the other trunnions centre it along the
+    bay.
     """
     guides = seat.guides
     assert guides is not None, "the berth has guides"

@@ -26,8 +26,8 @@ class Flight:
         scenario: the scenario.
         site: the worksite.
         cameras: cameras that have a drive.
-        telescope: travel of the telescope.
-        prong: travel of the prong.
+        telescope: range and rate of the telescope.
+        prong: range and rate of the prong.
         within: clearance below which a pair is measured in every step [m]; at least the distance that a part can cover
             in one step.
         reach: reach limits of the joints, as pairs of Python floats [rad].

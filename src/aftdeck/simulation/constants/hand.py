@@ -26,9 +26,9 @@ class Bar:
 
     Attributes:
         tolerances: tolerances of acquisition.
-        packed: (5,) the same tolerances, in the form for the law.
-        which: for each payload, (4,) indices in the layout of HEX 1 to 3 and of the payload's bar; None if the payload
-            has no bar.
+        packed: (5,) the same tolerances, as an array for the law.
+        which: for each payload, (4,) indices of four solids in the layout: HEX 1, HEX 2, HEX 3 and the payload's bar;
+            None if the payload has no bar.
         bars: (c, 4) the same indices as one array; -1 in the row of a payload without a bar.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
@@ -46,7 +46,7 @@ class Snares:
 
     Attributes:
         envelope: capture envelope of the pin.
-        times: travel times of the end effector's parts.
+        times: travel times of snares and carriage, and time to rigidize.
         fixtures: for each payload, (12,) pose of its fixture in the payload's axes; None if the payload has no fixture.
     """
 
@@ -62,13 +62,13 @@ class Snares:
 
 
 def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
-    """Return the constants of capture by a prong; None if the arm has no prong, or the worksite no rules for a prong.
+    """Return the constants of capture by a prong; None without a prong, or without rules for a prong in the worksite.
 
     Args:
         model: the arm.
         worksite: the worksite.
         cargo: the payloads.
-        parts: part names of all solids.
+        parts: for each solid of the layout, the name of its part.
     """
     rule, prong = worksite.acquisition, model.equipment.prong
     if prong is None or not isinstance(rule, BarAcquisition):

@@ -28,7 +28,7 @@ from aftdeck.worksite.watch.pairs import among, part_pairs
 ORBITER = 0
 """Row of the frame ``orbiter``, the scene's frame. The next rows are the arm's frames, ``space``, and the payloads."""
 SHORT = 1.0
-"""Length up to which a link between two joints counts as short [m]; the parts at both its ends are longer (assumed)."""
+"""Length up to which a link between two joints counts as short [m]; the parts at its two ends are longer (assumed)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,11 +37,11 @@ class Meeting:
 
     Attributes:
         group: index of the pair in the layout.
-        cargo: index of the payload that one of the parts belongs to.
+        cargo: index of the payload to which one of the parts belongs.
         relation: name of the relative position in which the two parts may touch.
         depth: permitted penetration depth, and permitted distance past the plane of contact, such as a port's face [m].
-        trunnions: for each solid of the payload's trunnions (its index in the layout), the index of the trunnion. Empty
-            if the relation is not "guides".
+        trunnions: for each solid of the payload's trunnions, the index of its trunnion; the key is the solid's index
+            in the layout. Empty if the relation is not "guides".
     """
 
     group: int
@@ -65,26 +65,29 @@ class Site:
         essential: (g,) 1 for pairs that the task brings into contact.
         meetings: relation and permitted depth of each pair in `essential`.
         meeting_groups: (m,) index in the layout of each pair in `meetings`.
-        meeting_aligns: (m,) 1 for the pairs of docking and of guides, which are aligned before they touch.
+        meeting_aligns: (m,) 1 for pairs with the relation "docking" or "guides"; their parts are aligned before they
+            touch.
         by_arm: (g,) 1 for pairs with a part of the arm.
         by_prong: (g,) 1 for pairs with the prong; all 0 for an arm without a prong.
         of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
-        held: for each payload, (g,) 1 for its pairs with the end effector. They are not monitored while the end
+        held: for each payload, (g,) 1 for its pairs with the end effector. These pairs are not monitored while the end
             effector holds the payload.
         seated: for each payload and berth, (g,) 1 for pairs that are not monitored while the payload is in the berth.
         scene: (12,) pose of the scene's frame in L.
         hand: (12,) pose of the tip in the frame of the last joint.
         effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
         prong: True if the end effector has a prong, False if it has snares.
-        bar: constants of capture with the prong; None if the arm has no prong, or the worksite no rule for a prong.
+        bar: constants of capture with the prong; None if the arm has no prong, or if the worksite has no rule for a
+            prong.
         snares: constants of capture with the snares; None if this worksite has no rule for snares.
         detrimental: (g,) 1 for pairs that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
-        berths: for each payload, its poses in the berths that accept it.
+        berths: for each payload, the constants of the berths that accept the payload.
         berth_rows: for each payload, (n,) rows of the frames to which its berths are fixed.
-        berth_places: for each payload, (n, 12) its poses in its berths, in these frames.
+        berth_places: for each payload, (n, 12) its poses in its berths, in the frames of `berth_rows`.
         starts: for each payload, (12,) its pose in the scene at the start.
-        slides: for each payload, (g,) 1 for its pairs with parts of the orbiter. A held payload slides along them.
+        slides: for each payload, (g,) 1 for its pairs with parts of the orbiter. A held payload slides along these
+            parts.
         bodies: for each payload, indices of its solids in the layout.
         bay: least and greatest coordinates (2, 3) of the inside of the bay, in the scene, without a lower limit in z
             [m]; None if there is no bay.
@@ -147,7 +150,7 @@ class Site:
         return next(seat for seat in self.worksite.seats if seat.name == name)
 
     def berth(self, k: int, name: str) -> Berth | None:
-        """Return the constants of payload k in the berth with this name; None if the berth does not accept it."""
+        """Return the constants of payload k in the berth with this name; None if the berth rejects it."""
         return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
 
     def in_space(self, name: str) -> bool:
@@ -254,7 +257,7 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
 
 
 def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
-    """Return the solids of the payload that the scenario attaches to the end effector (frame of the last joint)."""
+    """Return the solids of the payload that the scenario attaches to the end effector, in the last joint's frame."""
     payload, model = scenario.payload, scenario.arm.model
     if payload is None:
         return ()
@@ -282,7 +285,10 @@ def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
 
 
 def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
-    """Return the pairs of arm parts at the two ends of a short link or a ball wrist, which cannot touch by folding."""
+    """Return the pairs of arm parts that cannot touch by folding.
+
+    The two parts of such a pair are at the two ends of a short link or of a ball wrist.
+    """
     links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
     if ball:

@@ -1,6 +1,6 @@
 """Limits that acted in a step, with their texts for the operator.
 
-The texts are values of the frame: `verify` compares them with those in older recordings.
+The texts are values of the frame: `verify` compares them with the texts in older recordings.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _TEXTS: dict[str, tuple[LimitKind, str]] = {
     "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
     "joint acceleration passed": ("joint acceleration", "beyond its greatest acceleration: the line is kept"),
 }
-"""Kind of limit, and the text that follows the joint's name, for each of `limiters.CAUSES` that has a joint."""
+"""Kind of limit, and the text that follows the joint's name, for each joint limit of `limiters.CAUSES`."""
 
 
 def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:

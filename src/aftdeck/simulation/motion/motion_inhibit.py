@@ -18,7 +18,7 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.watch.contact_motion import leads_out, relieves, worst_new_contact
 
 AHEAD = (1.0, 8.0, 64.0, 512.0)
-"""Numbers of steps of a motion after which it is tested whether the motion has led out of the contacts."""
+"""Numbers of steps. The poses after each number show whether a motion leads out of the contacts."""
 
 
 def limit_motion(flight: Flight, state: State, telescope: float) -> float:
@@ -67,7 +67,7 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
 
 
 def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Mask]:
-    """Return (g,) 1 for pairs whose contacts an inhibited arm must not deepen, and (g,) 1 for those it must relieve.
+    """Return two masks (g,): pairs whose contacts an inhibited arm must not deepen, and pairs that it must relieve.
 
     The second result is a subset of the first.
 

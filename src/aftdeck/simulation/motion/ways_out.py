@@ -18,7 +18,7 @@ from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 LEAST = 1e-3
 """Least rate [1/s] or [rad/s] at which a stick direction must lead away to be an escape direction."""
 NEARLY = 0.6
-"""Fraction of the greatest rate, down to which the previous stick direction remains the escape direction [1]."""
+"""Fraction of the greatest rate [1]. At this rate or more, the previous direction remains the escape direction."""
 AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
     ("rotation", "RHC {}roll"),
     ("rotation", "RHC {}pitch"),
@@ -45,9 +45,9 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 
 
 def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
-    """Return the rate (12,) at which each stick direction leads away; in ORB UNL if the mode is not manual.
+    """Return the rate (12,) at which each stick direction leads away. If the mode is not manual, ORB UNL is assumed.
 
-    The arguments are those of `steering.way_out.way_out`.
+    See `steering.way_out.way_out` for the arguments.
     """
     rules, command, steering = steering_of(state)
     speeds = np.zeros(DIRECTIONS)
@@ -58,7 +58,7 @@ def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, in
 def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return rules, command and state of the steering for an evaluation of the stick directions.
 
-    They are those of the present mode if it is manual, else those of ORB UNL.
+    If the present mode is manual, they are for this mode, else for ORB UNL.
     """
     panel = state.panel
     manual = MODES[panel.mode].kind == "manual"

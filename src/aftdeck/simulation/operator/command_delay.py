@@ -1,4 +1,4 @@
-"""Command delay: an operator's inputs act the scenario's number of steps after the operator has made them."""
+"""Command delay: an operator's inputs act some steps later; the scenario sets the number of these steps."""
 
 from __future__ import annotations
 

@@ -13,11 +13,11 @@ from aftdeck.simulation.constants.flight import Flight
 REACHED, REACHED_TURN = 1e-3, math.radians(0.02)
 """Greatest final error with which the target counts as reached [m], [rad].
 
-If the scenario's end sphere is larger, its values are used. Assumed: ten times the final error of mode 3 on random
-straight motions in steps of 0.02 s (`tests/steering/test_straight_moves.py`).
+If the scenario's end sphere is larger, the values of the end sphere are used. Assumed: ten times the final error of
+mode 3, measured on random straight motions with a control period of 0.02 s (`tests/steering/test_straight_moves.py`).
 """
 _FINE = 0.01
-"""Distances below this value are written to a tenth of a millimetre [m]."""
+"""Distances below this value [m] are written with tenths of a millimetre."""
 
 
 def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:

@@ -1,4 +1,7 @@
-"""Conversion of a target relative to a payload, a berth or a body to a pose of the tip, when its phase begins."""
+"""Conversion of a relative target to a pose of the tip, when the phase with this target begins.
+
+A relative target is a pose relative to a payload, a berth or a body.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ from aftdeck.simulation.state import State
 
 
 def resolve_target(flight: Flight, state: State, target: RelativeTarget) -> Target | str:
-    """Return the present pose of a relative target; if it has no pose, return the reason as text."""
+    """Return the present pose of a relative target; if the pose cannot be computed, return the reason as text."""
     site, frames = flight.site, state.worksite.frames
     match target:
         case AtSeat():

@@ -1,7 +1,7 @@
-"""Inputs of the scenario's script, which takes the place of an operator: sticks and switches of its phases.
+"""Inputs from the scenario's script: sticks and switches of its phases. The script replaces an operator.
 
-Source: JSC-12628, phase initialisation of simulated operator inputs. A phase in a manual mode ends at its input time, a
-phase in an automatic mode at arrival (ETA), and a phase in SINGLE at its joint angle or time.
+Source: JSC-12628, phase initialisation of simulated operator inputs. A phase in a manual mode ends at its input time. A
+phase in an automatic mode ends at arrival (ETA). A phase in SINGLE ends at its joint angle or time.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Vec3
 
 AT_LENGTH = 1e-9
-"""Greatest distance of the telescope from `stand_at` at which a phase with `stand_at` ends [m]."""
+"""Greatest difference between telescope length and `stand_at` with which the length counts as reached [m]."""
 AT_ANGLE = 1e-9
-"""Greatest distance of the joint from `joint_at` at which a phase with `joint_at` ends [rad]."""
+"""Greatest difference between joint angle and `joint_at` with which the angle counts as reached [rad]."""
 
 
 def play(flight: Flight, state: State) -> Inputs:
@@ -75,7 +75,7 @@ def end_if_time_is_up(flight: Flight, state: State) -> None:
     """End the script if the scenario's duration ends with this step.
 
     If the last phase ends at the same time, the script is completed; if a phase is still in progress, the script ends
-    as a fault. A scenario without phases ends with "time".
+    with "fault". A scenario without phases ends with "time".
     """
     script, scenario = state.script, flight.scenario
     if script.ended or state.tick < scenario.ticks:
@@ -90,13 +90,13 @@ def end_if_time_is_up(flight: Flight, state: State) -> None:
 
 
 def phase_name(flight: Flight, state: State) -> str:
-    """Return the name of the present phase, or of the last phase after all have ended; "" if there are no phases."""
+    """Return the name of the present phase, or of the last phase if all have ended; "" if there are no phases."""
     phases = flight.scenario.phases
     return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
 
 
 def _first_inputs(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
-    """Return the inputs of a phase's first step: the phase's switches and sticks; later steps repeat the sticks."""
+    """Return the inputs of a phase's first step: its switches and sticks. Later steps do not repeat the switches."""
     sticks = _sticks(flight, state, phase)
     return Inputs(
         mode=phase.mode,
@@ -183,7 +183,7 @@ def _at_last_point(flight: Flight, state: State) -> bool:
 
 
 def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
-    """Return whether a phase has ended before step `tick`; if the phase has failed, end the script as a fault."""
+    """Return whether a phase has ended before step `tick`. If the phase has failed, end the script with "fault"."""
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
     if phase.until is not None or phase.stand_at is not None:
@@ -202,7 +202,7 @@ def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> boo
 
 
 def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
-    """Return whether a phase has reached its target; if CMD CK or the motion failed, end the script as a fault."""
+    """Return whether a phase has reached its target. If CMD CK or the motion failed, end the script with "fault"."""
     panel = state.panel
     if MODES[phase.mode].kind == "master":
         return bool(state.report[ARRIVED])

@@ -1,8 +1,8 @@
 """Start and end of automatic motions: to a keyed-in target, or through the points of AUTO 1-4.
 
 At a pause point, the arm stops until PROCEED. In mode 2 the arm does not stop at a fly-by point: inside the sphere
-about the point, it continues to the next point. In modes 1 and 3 it comes to rest at a fly-by point, and continues at
-once. A motion that is at a standstill for too long is abandoned.
+about the point, it continues to the next point. In modes 1 and 3 the arm comes to rest at a fly-by point, and continues
+at once. A motion that is at a standstill for too long is abandoned.
 """
 
 from __future__ import annotations

@@ -27,11 +27,11 @@ ROUNDING = 1e-9
 
 
 def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:
-    """Return the ways to a target with a steering law, sorted by the lower bound of their time.
+    """Return the ways to a target with a steering law, sorted by the lower bound of their duration.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law also if no
-            joint angles inside the soft stops do so.
+        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law, also if
+            the only such angles are outside the soft stops.
     """
     if law != "position":
         final_angles(state, target)
@@ -50,9 +50,9 @@ def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[
 def final_angles(state: State, target: Target) -> Array:
     """Return the joint angles at the target.
 
-    If the target has joint angles that put the tip there, these are the result. If its angles do not put the tip there,
-    because they are for another length of the telescope, the result is the solution nearest to them. If the target has
-    no angles, the result is the solution nearest to the present angles.
+    If the target has joint angles that put the tip at the target, the result is these angles. Joint angles for another
+    length of the telescope do not put the tip at the target; the result is then the solution nearest to these angles.
+    If the target has no angles, the result is the solution nearest to the present angles.
 
     Raises:
         UnreachableError, SingularityError: no joint angles put the tip at the target.
@@ -66,7 +66,7 @@ def final_angles(state: State, target: Target) -> Array:
 
 
 def _given(state: State, target: Target) -> Array | None:
-    """Return the target's own joint angles if they put the tip at the target; None if they do not, or do not exist."""
+    """Return the target's own joint angles if they exist and put the tip at the target; else None."""
     if target.joints is None:
         return None
     angles = np.array(target.joints)

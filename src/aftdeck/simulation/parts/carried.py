@@ -31,7 +31,7 @@ def steering_setup(scenario: Scenario, payload: Payload | None, limits: RateLimi
     Args:
         scenario: the scenario.
         payload: payload in the grasp; None if the grasp is empty.
-        limits: rate limits in place of the scenario's; None for the scenario's.
+        limits: rate limits that replace the scenario's rate limits; None to keep the scenario's rate limits.
     """
     model, por = scenario.arm.model, scenario.por
     if limits is not None:

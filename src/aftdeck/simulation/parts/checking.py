@@ -45,11 +45,11 @@ class Tried(msgspec.Struct, frozen=True):
 
 
 class Rehearsed(Cache):
-    """Rehearsal in progress.
+    """Cache of the rehearsal in progress.
 
     Attributes:
         start: state from which the rehearsed motion starts.
-        motion: rehearsal of the motion.
+        motion: the rehearsal; None before its first step, and after the state was copied or restored.
     """
 
     def __init__(self) -> None:
@@ -65,12 +65,12 @@ class Checking(StatePart):
     """CMD CK in progress.
 
     Attributes:
-        target: target that is checked.
+        target: target of the motion that is checked.
         start: encoded state from which the motion is rehearsed; None until the arm is at rest.
         ways: ways that have not been rehearsed fully; the first is in progress.
         tried: results of the ways that have been rehearsed.
-        steps: number of rehearsed steps of the first of `ways`.
-        rehearsal: rehearsal of the first of `ways`.
+        steps: number of steps rehearsed so far for the first of `ways`.
+        rehearsal: cache of the rehearsal of the first of `ways`.
     """
 
     target: Target

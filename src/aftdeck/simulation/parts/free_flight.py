@@ -18,7 +18,7 @@ class Floating(StatePart):
     Attributes:
         pose: (12,) present pose, in the frame fixed in space that coincided with L at the start.
         motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre in L's axes [m/s].
-        reference: (3, 3) rotation about which the attitude cycles.
+        reference: (3, 3) orientation in the middle of the deadband of the attitude control.
         cycle: (9,) attitude control, in the form for `worksite.free_flight.limit_cycle`; None if the body rotates
             without attitude control.
         time: time since the beginning of the cycle [s].
@@ -40,7 +40,7 @@ class Floating(StatePart):
             limit_cycle(self.cycle, self.reference, self.time, self.pose, self.motion)
 
     def moved(self, period: float) -> Floating:
-        """Return the free flight a time `period` [s] later; this object stays unchanged."""
+        """Return the free flight after a time `period` [s]; this object stays unchanged."""
         later = copied(self)
         later.move(period)
         return later
@@ -49,7 +49,7 @@ class Floating(StatePart):
 def floating(
     pose: Array, velocity: Array, rates: Array, control: model.LimitCycle | None, angles: Array | None = None
 ) -> Floating:
-    """Return a free flight at its beginning. Attitude control will keep the attitude at the beginning.
+    """Return a free flight at its beginning. Attitude control, if there is any, keeps the attitude of the beginning.
 
     Args:
         pose: (12,) pose at the beginning, in the frame fixed in space that coincided with L at the start of the run.

@@ -39,7 +39,8 @@ class PayloadState(StatePart):
     steered: list[float] | None = None
     """Pose of the payload that the steering uses, in the frame of the last joint; None if the payload is not held.
 
-    It is set to `grasp` at capture, when the carriage has drawn the payload in fully, and when a berth releases it.
+    This pose is set to `grasp` at capture, when the carriage has drawn the payload in fully, and when a berth releases
+    the payload.
     """
     fixture_at_capture: list[float] | None = None
     """Pose of the payload's fixture in E when drawing in began: at capture, or when a berth released the payload."""
@@ -74,23 +75,23 @@ class WorksiteState(StatePart):
         contacts: contacts, and the inhibits that they cause.
         logged_contacts: pairs whose contact is logged.
         cargo: the payloads.
-        floating: free flight of each payload; None while the end effector or a berth holds it.
+        floating: free flight of each payload; None while the end effector or a berth holds the payload.
         held: index of the payload in the grasp; None if no payload of the worksite is held.
         arm_fixed: True if the held payload is fixed to a berth, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1 if it floats.
-        poses_in_carrier: (c, 12) pose of each payload in that frame; if the payload floats, in the frame fixed in space
-            that coincided with L at the start.
+        poses_in_carrier: (c, 12) pose of each payload in its carrier; if the payload floats, in the frame fixed in
+            space that coincided with L at the start.
         nearest: pair with the minimum clearance among the pairs that count for CLEARANCE; -1 if no such pair is
             monitored.
         aligned_with: index of the payload with which the end effector is aligned for capture; None if there is none.
         orbiter: (3,) distance that the orbiter has moved forward, starboard and down [m].
         orbiter_velocity: (3,) velocity of the orbiter along the same axes [m/s].
-        prong: prong of the concept arm's end effector; its position is y2 of its inner face.
+        prong: prong of the concept arm's end effector; its position is the coordinate y2 of the inner face.
         snare: state of the Shuttle's end effector.
-        switch: end effector switch.
-        effector_mode: END EFFECTOR MODE.
-        rigid: MAN CONTR switch.
-        task: task phase, the report's mode, 1 to 4.
+        switch: position of the end effector switch.
+        effector_mode: position of the switch END EFFECTOR MODE.
+        rigid: position of the switch MAN CONTR.
+        task: task phase, 1 to 4 (the report's mode).
         advice: escape direction out of the contacts that was found last; None if there is none.
         orbiter_rejected: True if a translation of the orbiter was rejected in the last step.
         waiting: True if the carriage or the latches are stopped before a contact.
@@ -174,10 +175,10 @@ class WorksiteState(StatePart):
                 active &= 1 - site.seated[k, payload.seat]
 
     def update_carrier(self, site: Site, k: int) -> None:
-        """Set the carrier of payload k, and the payload's pose in that frame.
+        """Set the carrier of payload k, and the payload's pose in the carrier.
 
-        The carrier is the berth's frame if a berth fixes the payload, else the last joint's frame if it is held. A
-        floating payload has no carrier.
+        The carrier is the berth's frame if a berth fixes the payload, else the last joint's frame if the payload is
+        held. A floating payload has no carrier.
         """
         payload = self.cargo[k]
         if (berth := site.berth(k, payload.seat)) is not None:

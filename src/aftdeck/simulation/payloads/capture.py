@@ -27,7 +27,7 @@ _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off"
 
 
 def capture(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Capture or release a payload, as the end effector's conditions allow.
+    """Capture or release a payload if the conditions for this hold.
 
     Args:
         flight: constants of the run.
@@ -43,7 +43,7 @@ def capture(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _reject_switches(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Reject every command that moves the end effector, because the scenario itself attaches a payload to it."""
+    """Reject every command that moves the end effector, because the scenario attaches a payload to it."""
     for switch in (inputs.effector, inputs.rigid):
         if switch in ("close", "open", "rigid", "derigid"):
             log_rejection(
@@ -102,8 +102,8 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     """Draw the grapple pin towards its final pose; return False if that would make or deepen a contact.
 
     The payload moves in the next step. A payload that is fixed to a berth does not move (assumed; a real arm would
-    yield). The carriage's travel during that time has no effect later, so that the payload does not jump when it is
-    unlatched.
+    yield). The travel of the carriage while the payload is fixed has no effect later. The payload therefore does not
+    jump when it is unlatched.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
@@ -127,7 +127,7 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
 def _attach(flight: Flight, state: State, k: int) -> None:
     """Attach a captured payload to the arm, which ends task phase 1.
 
-    A passive berth frees the payload; any other berth still fixes it.
+    A passive berth frees the payload; any other berth still fixes the payload.
     """
     site, payload = flight.site, state.worksite.cargo[k]
     if payload.seat and site.is_passive_berth(payload.seat):

@@ -25,7 +25,10 @@ from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch.motion import motion
 
 HALVINGS = 8
-"""Number of bisections of the step with a contact; the body stops within 1/256 of the step's motion before it."""
+"""Number of bisections of the step with a contact.
+
+The body stops before the contact, at a distance of at most 1/256 of the step's motion.
+"""
 
 
 def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
@@ -55,7 +58,7 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
 
 @law
 def measured(found: Array, groups: Mask) -> bool:
-    """Return whether the clearance of any of the pairs `groups` (g,) was measured, which means that it is small."""
+    """Return whether the clearance of any pair in `groups` (g,) was measured; only small clearances are."""
     near = False
     for g in range(len(groups)):
         near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)

@@ -39,7 +39,7 @@ def attach(flight: Flight, state: State, k: int) -> None:
 def reset_grasp(flight: Flight, state: State, k: int) -> None:
     """Set the pose of a held payload, in its grasp and in the steering, to the present pose.
 
-    If the carriage draws the payload in, it starts from this pose and reduces the misalignment to zero.
+    If the carriage draws the payload in, the motion starts from this pose and reduces the misalignment to zero.
     """
     payload = state.worksite.cargo[k]
     payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()
@@ -53,7 +53,7 @@ def reset_grasp(flight: Flight, state: State, k: int) -> None:
 def update_steering(flight: Flight, state: State) -> None:
     """Set the steering for the payload in the grasp and the limits of the script's phase.
 
-    The steering uses the mass and the axes of a worksite payload. Its centre is the point of resolution.
+    The steering uses the mass and the axes of a worksite payload. The payload's centre is the point of resolution.
     """
     scenario, script, payload = flight.scenario, state.script, None
     for k, worksite_payload in enumerate(state.worksite.cargo):
@@ -122,7 +122,7 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> InEffector | None:
 
 
 def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, InEffector] | None:
-    """Return the payload whose fixture is nearest, and the fixture's pose in E.
+    """Return the payload whose fixture is nearest to the end effector, and the fixture's pose in E.
 
     None if no fixture is nearer than `within` [m].
     """

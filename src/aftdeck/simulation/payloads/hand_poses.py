@@ -20,7 +20,7 @@ def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packe
     Args:
         frames: (F, 12) poses of all frames in L.
         last_joint: row of the frame of the last joint.
-        row: row of the payload.
+        row: row of the payload's frame.
         hand: (12,) pose of frame 7 in the frame of the last joint.
         packed: (15,) output.
     """
@@ -40,8 +40,8 @@ def fixture_in_effector(frames: Array, last_joint: int, effector: Array, row: in
     Args:
         frames: (F, 12) poses of all frames in L.
         last_joint: row of the frame of the last joint.
-        effector: (12,) pose of E in that frame.
-        row: row of the payload.
+        effector: (12,) pose of E in the frame of the last joint.
+        row: row of the payload's frame.
         fixture: (12,) pose of the fixture in the payload.
     """
     outer, inner, p = np.empty(POSE), np.empty(POSE), np.empty(POSE)

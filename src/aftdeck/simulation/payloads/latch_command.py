@@ -30,7 +30,7 @@ def addressed(flight: Flight, state: State, pressed: Pressed | None) -> int | No
     """Return the payload to which LATCH or UNLATCH refers: the held payload, else the nearest to the end effector.
 
     Payloads on which the command can act have precedence over nearer payloads. UNLATCH can act on payloads that latches
-    or a port fix. LATCH can act on payloads that are near a berth, and that no latches or port fix firmly.
+    or a port fix. LATCH can act on payloads that are near a berth, and that neither latches nor a port fix firmly.
 
     Returns:
         The payload; None if the worksite has no payload, or if the grasp is empty and no command is pressed.

@@ -74,7 +74,7 @@ def _about_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
 
 
 def _at_port(site: Site, frames: Array, k: int, berth: Berth, depth: float) -> bool:
-    """Return whether the probe is in the docking envelope, and its face within docking distance from the port."""
+    """Return whether the probe is in the docking envelope, and its face is within docking distance of the port."""
     found = approached(berth, frames, site.cargo_row(k))
     return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= berth.docking.distance)
 

@@ -1,4 +1,4 @@
-"""Fixing and release of payloads by berths: docking at a port, latching in the bay, and the concept's passive berths.
+"""Fixing and release of payloads by berths: docking at a port, latching in the bay, and passive berths.
 
 Source: Remote Manipulator Simulation, mode 3 (docking), and section VII: a payload that is inserted and released stays
 where it is. A payload that is both held and fixed to a berth blocks the arm until the end effector or the berth
@@ -65,7 +65,7 @@ def _nearest_seat_text(flight: Flight, state: State) -> str:
 
 
 def stay_or_leave(flight: Flight, state: State, k: int) -> None:
-    """Fix a payload that was just released to a passive berth, or start its free flight.
+    """Fix a payload to a passive berth after its release, or start its free flight.
 
     The payload is fixed if the conditions of a passive berth hold. A payload that is already fixed stays fixed.
     """
@@ -85,8 +85,9 @@ def _update_unfixed(flight: Flight, state: State, k: int, pressed: Pressed | Non
     A docking port fixes a held payload without a command, and a floating payload on LATCH.
 
     Returns:
-        Result of `pressed` for this payload: "" if the command was executed or its answer is already in the log, or the
-        reason for its rejection. None if no command was given for this payload, or if no berth is near.
+        Result of `pressed` for this payload: "" if the command was executed, or if its answer is already in the log;
+        the reason as text if the command was rejected; None if no command was given for this payload, or if no berth is
+        near.
     """
     payload = state.worksite.cargo[k]
     berth = nearest_berth(flight, state, k)
@@ -237,7 +238,7 @@ def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[C
 
 
 def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
-    """Return whether a berth is a port, and the payload's probe is farther from it than the docking distance."""
+    """Return whether a berth is a port, and the payload's probe is farther from the port than the docking distance."""
     if berth.port is None:
         return False
     found = approached(berth, state.worksite.frames, flight.site.cargo_row(k))

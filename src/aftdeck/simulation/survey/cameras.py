@@ -30,7 +30,7 @@ _SMALL_ROTATION = 0.1
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
-    """Yield one problem for each pair of a camera and a part that contains it, with the first pose of this kind."""
+    """Yield one problem for each camera and each part that contains it, with the first pose in which this occurs."""
     television = [camera for camera in cameras_of(scenario) if camera.kind == "camera"]
     yield from _on_the_arm(scenario, television)
     yield from _around_the_arm(scenario, television)
@@ -38,7 +38,7 @@ def cameras(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield the arm's cameras that are inside a part of the arm, in poses at combinations of its hard stops."""
+    """Yield the arm's cameras that are inside a part of the arm, with joints at combinations of hard stops."""
     on_arm = [camera for camera in cameras if camera.body in scenario.arm.model.frames]
     found: set[tuple[str, str]] = set()
     for how, angles, stand, prong in stops(scenario):
@@ -55,8 +55,8 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
 def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
     """Yield the worksite's cameras that are inside a part of the arm, in poses for which a run would log no contact.
 
-    In such a pose the arm overlaps no part that a run monitors, and so not the camera's housing. The body of the camera
-    is at its start pose.
+    In such a pose, no monitored pair overlaps. The arm therefore does not overlap the camera's housing either. The body
+    of the camera is at its start pose.
     """
     model = scenario.arm.model
     stands = {body.name: body.pose for body in scenario.worksite.bodies}
@@ -73,10 +73,11 @@ def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Probl
 
 
 def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -> list[ArmPose]:
-    """Return the poses with another angle of the first joint, which puts the arm's booms in a plane with a point.
+    """Return the poses with another angle of the first joint. With this angle, the booms are in one plane with a point.
 
-    The poses use the points (3,) in L one after the other. Poses whose first joint would be outside its soft stops are
-    omitted. A boom contains a given point in one of ten thousand random poses, but in one of fifty of these poses.
+    The poses use the points (3,), which are in L, one after the other. Poses whose first joint would be outside its
+    soft stops are omitted. A boom contains a given point in one of 10 000 random poses, but in one of 50 poses that are
+    returned here.
     """
     if not points:
         return []
@@ -90,7 +91,7 @@ def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
     for k, (angles, stand, prong) in enumerate(samples):
-        # every second round through the points adds pi, because some arms lean back over their shoulder to a point
+        # every second round through the points adds pi: to reach a point, some arms lean back over their shoulder
         turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
         heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
         if low <= heading <= high:
@@ -122,7 +123,10 @@ def _points_inside(
 
 
 def _logs_contact(scenario: Scenario, own: Parts) -> bool:
-    """Return whether a run would log a contact: whether a part of the arm (in L) overlaps a part monitored with it."""
+    """Return whether a run would log a contact: whether the parts of a monitored pair overlap.
+
+    `own` are the parts of the arm, in L.
+    """
     layout = site_of(scenario).layout
     scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
     around = parts_at(scenario.worksite.solids, scene)
@@ -131,7 +135,7 @@ def _logs_contact(scenario: Scenario, own: Parts) -> bool:
 
 
 def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield the payloads' cameras that are inside the end effector at the payload, or inside a berth's parts."""
+    """Yield the payloads' cameras that are inside the end effector at capture, or inside parts of a berth."""
     for payload in scenario.cargo:
         own = [camera for camera in cameras if camera.body == payload.name]
         for how, hand in hands(scenario.arm.model, scenario.worksite, payload).items():
@@ -144,7 +148,7 @@ def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]
 
 
 def _inside_parts(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
-    """Yield a problem for each camera and each of the parts that contains it; all in the payload's axes."""
+    """Yield a problem for each camera and each of the parts that contains it, in the payload's axes."""
     for camera in cameras:
         for part, depth in _inside(np.array(camera.position), around):
             yield _problem(scenario, camera, part, depth, how)

@@ -29,7 +29,7 @@ def survey(scenario: Scenario) -> list[Problem]:
 
     - detrimental contacts at the starts of the scenario;
     - payloads and targets out of reach (`survey.reach`);
-    - overlaps of parts of the arm that no run monitors, at combinations of the hard stops;
+    - overlaps of two arm parts that are not a monitored pair, with the joints at combinations of their hard stops;
     - cameras inside parts (`survey.cameras`).
 
     Raises:
@@ -52,7 +52,7 @@ def _starts(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _folded(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the pairs of arm parts that no run monitors, and that overlap more at hard stops than at mid-range.
+    """Yield the pairs of arm parts that are not monitored and overlap more at hard stops than at mid-range.
 
     An arm whose solids enclose round parts is not tested, because such solids overlap by design at a joint.
     """

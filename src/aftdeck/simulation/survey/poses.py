@@ -29,7 +29,7 @@ def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
     low, high = model.limits.hard.T
     ends, prong = _travel(scenario)
     yield "at the middle of its limits", 0.5 * (low + high), ends[0], prong
-    # if a joint has a range of a full turn or more, its middle replaces its upper stop
+    # if a joint has a range of a full turn or more, the middle of the range replaces the upper stop
     turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))
     for joints in product(*zip(low, turns, strict=True)):
         for end in ends:
@@ -37,7 +37,7 @@ def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
 
 
 def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dict[str, Pose]:
-    """Return the pose in L of each of the arm's frames, for joint angles [rad], telescope length and prong [m]."""
+    """Return the pose in L of each of the arm's frames, for joint angles [rad], telescope and prong positions [m]."""
     arm = frames_of(scenario.arm.model)
     rows = arm.rows()
     place_frames(arm.joints, angles, stand, prong, rows)
@@ -59,7 +59,7 @@ def joints_text(angles: Array) -> str:
 
 
 def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]]:
-    """Yield `TRIED` random poses inside the soft stops: joint angles [rad], telescope and prong [m].
+    """Yield `TRIED` random poses inside the soft stops: joint angles [rad], positions of telescope and prong [m].
 
     The telescope's length is random too; the prong is open. Every call yields the same poses.
     """

@@ -27,7 +27,7 @@ class _ScriptTarget(NamedTuple):
 
 
 def reach(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the payloads that the arm cannot reach in their start berth, and the first phase with such a target.
+    """Yield the payloads that are out of reach in their start berth, and the first phase with a target out of reach.
 
     A pose is within reach if one of RMANGS's solutions is inside the soft stops.
     """
@@ -48,8 +48,8 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
 def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
     """Yield the targets of the script whose poses are known without a run.
 
-    Poses are unknown after the orbiter has moved. They are also unknown for a payload that floats with a motion, or
-    that an earlier phase moved until an event in its berth, such as docking.
+    Poses are unknown after the orbiter has moved. They are also unknown for a payload that moves in free flight, and
+    for a payload that an earlier phase moved to a berth, if that phase ended with an event such as docking.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
     seats = {seat.name: seat for seat in scenario.worksite.seats}
@@ -88,7 +88,7 @@ def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
 
 
 def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:
-    """Return as text why the arm cannot reach a pose in the scene inside its soft stops; "" if it can."""
+    """Return the reason why no joint angles inside the soft stops reach a pose in the scene; "" if some reach it."""
     arm = _at(scenario, stand)
     low, high = arm.limits.soft.T
     try:

@@ -1,6 +1,6 @@
 """Mode 5, manual augmented, end effector: sticks along and about the end effector's axes.
 
-The axes are E, those of the wrist camera's picture; with `strict` they are frame 7's, as in the source.
+The axes are E, the axes of the wrist camera's picture. With `strict` they are the axes of frame 7, as in the source.
 Inputs: THC and RHC, full deflection = POR limits.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
 Ends: when the operator leaves the mode, or at the end time of a scripted phase.

@@ -1,4 +1,4 @@
-"""The report's manual modes, 4 to 7, by number: the twist of the point of resolution that each demands.
+"""The report's manual modes, 4 to 7: the twist that each mode demands for the point of resolution.
 
 `msteer` steers in these modes, and `way_out` evaluates their stick directions. Each manual mode has a file in this
 folder, a row in `steering.mode.MODES`, and a line in this module.

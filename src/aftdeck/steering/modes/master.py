@@ -1,8 +1,8 @@
 """MASTER: the arm follows the six joint angles of a master arm, a small arm that the operator moves.
 
-Inputs: the master arm's six angles, from sliders or a device, at any time. When the mode is selected, the master arm
-gets the arm's angles.
-Limits: each joint's coarse or vernier rate, which is lower with a payload, with a ramp; soft stops. If the master angle
+Inputs: the master arm's six angles, from sliders or a device, at any time. When the mode is selected, the master arm is
+set to the arm's angles.
+Limits: each joint's coarse or vernier rate (lower with a payload), reached by a ramp; soft stops. If the master angle
 is beyond a soft stop, the joint moves up to the stop. A joint that is past its stop can only move back. Singularities
 and the limits of the tip do not act, because the mode demands no twist of the tip.
 Ends: when the operator leaves the mode. Each joint comes to rest at its master angle without passing it.
@@ -21,7 +21,7 @@ from aftdeck.steering.ramp import ramped, rate_towards
 from aftdeck.steering.views import rates_at
 
 ARRIVAL = 1e-9
-"""Greatest distance from its target angle, and greatest motion in one step, with which a joint has arrived [rad]."""
+"""A joint has arrived if its distance from the target angle and its motion in one step are at most this [rad]."""
 
 
 @law
@@ -38,7 +38,7 @@ def _target_angle(rules: Array, command: Array, state: Array, i: int) -> float:
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     """Return this step's joint rates [rad/s].
 
-    Also write the rates into the state, and arrival and the stop that acts into the report.
+    Also write the rates into the state, and write arrival and an active stop into the report.
     """
     arrived = 1.0
     for i in range(6):

@@ -125,5 +125,5 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
 
 @law
 def _share(k: float, of: Array, at: int) -> Rates:
-    """Return `k` times six values of an array, beginning at index `at`."""
+    """Return `k` times six values of an array, from index `at` on."""
     return Rates(k * of[at], k * of[at + 1], k * of[at + 2], k * of[at + 3], k * of[at + 4], k * of[at + 5])

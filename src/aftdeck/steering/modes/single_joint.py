@@ -1,4 +1,4 @@
-"""Mode 8, single joint rate: the drive switch moves one joint, with a ramp; the others hold their initial angles.
+"""Mode 8, single joint rate: the drive switch moves one joint, with a ramp; all other joints hold their angles.
 
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
 Limits: that rate, with a ramp; hard stops, before which the joint slows to rest. Soft stops do not act, because on the
