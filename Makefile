@@ -39,6 +39,7 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	cd web && npm run --silent check
 	$(PY) -m aftdeck.station.messages.typescript | diff -u web/src/link/protocol.ts -
 	$(PY) -m aftdeck.recording.document --check docs/recording.md
+	$(PY) -m aftdeck.simulation.observe.field_values --check
 
 format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 	.venv/bin/ruff format .
@@ -47,7 +48,8 @@ format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 
 # Does not build the page first: the page may need the files that this command writes.
 generate: export PYTHONPATH := src
-generate: .venv/.fly  ## generate web/src/link/protocol.ts and the tables of docs/recording.md from the Python types
+generate: .venv/.fly  ## generate the call of Frame, web/src/link/protocol.ts and docs/recording.md from the types
+	$(PY) -m aftdeck.simulation.observe.field_values
 	$(PY) -m aftdeck.station.messages.typescript > .venv/protocol.ts
 	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md

@@ -18,7 +18,7 @@ DECIMALS = 9
 """Default number of decimals of a recorded number. With 9 decimals, lengths are recorded to 1 nm, angles to 1 nrad."""
 
 
-def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS) -> msgspec.Meta:
+def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS, value: str = "") -> msgspec.Meta:
     """Return a field's metadata.
 
     Args:
@@ -26,8 +26,11 @@ def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIM
         unit: unit of the values.
         frame: coordinate frame of the components.
         decimals: number of decimals of a recorded value.
+        value: for a field of `Frame`, the expression of its value in `simulation.observe.look`; "" if a local variable
+            there has the field's name and value.
     """
-    return msgspec.Meta(description=what, extra={"unit": unit, "frame": frame, "decimals": decimals})
+    extra = {"unit": unit, "frame": frame, "decimals": decimals, "value": value}
+    return msgspec.Meta(description=what, extra=extra)
 
 
 @lru_cache
