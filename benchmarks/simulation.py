@@ -156,5 +156,5 @@ def frame() -> list[Figure]:
         Figure("its frame for the page", wire, "us", None, "poses, panel numbers, lamps"),
         Figure("the frame's encoding", encoding, "us", None, "JSON"),
         Figure("the frame's size", len(text), "bytes", None, "JSON"),
-        Figure("steps with frames per second", 1e6 / (step + wire + encoding), "1/s", None, "on one core"),
+        Figure("steps per second, with frames", 1e6 / (step + wire + encoding), "1/s", None, "on one core"),
     ]

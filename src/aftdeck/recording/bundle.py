@@ -23,7 +23,10 @@ from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
-"""Path of the arm file in a temporary folder: so deep that a shapes file with ``..`` in its path is inside it too."""
+"""Path of the arm file in a temporary folder.
+
+The path has eight subfolders, so that a shapes file with up to eight ``..`` in its path is in this folder too.
+"""
 _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 

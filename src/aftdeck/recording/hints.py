@@ -17,7 +17,7 @@ def apart(hint: Any) -> tuple[Any, msgspec.Meta | None]:
 
 
 def without_none(hint: Any) -> Any:
-    """Return X for X | None, otherwise the type itself."""
+    """Return X for the type X | None; return any other type unchanged."""
     if get_origin(hint) in (Union, UnionType):
         return next(kind for kind in get_args(hint) if kind is not type(None))
     return hint

@@ -143,7 +143,7 @@ class SetName(WireMessage, frozen=True, tag="set_name"):
 
 
 class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
-    """Leave the control roles: the page has become too narrow to control the arm, and now only shows the run.
+    """Give up control and the right to ask for it: the page has become too narrow, and now only shows the run.
 
     If this page was in control, the page that connected first takes control.
     """
@@ -152,7 +152,10 @@ class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
 
 
 class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
-    """Join the control roles: the page is wide enough. If no page is in control, it takes control; else it observes."""
+    """Become a page that can take control, because the page is now wide enough.
+
+    If no page is in control, this page takes control; otherwise it observes.
+    """
 
     seq: Seq
 
@@ -160,7 +163,7 @@ class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
 class HandsOff(WireMessage, frozen=True, tag="hands_off"):
     """Leave the controls unattended: the server centres the sticks, cancels RATE HOLD and sets POSITION HOLD.
 
-    A sequence continues.
+    A sequence in progress continues.
     """
 
     seq: Seq
@@ -168,14 +171,14 @@ class HandsOff(WireMessage, frozen=True, tag="hands_off"):
 
 
 class SetBrakes(WireMessage, frozen=True, tag="brakes"):
-    """Set BRAKES: on stops every joint immediately."""
+    """Set or release BRAKES; set, they stop every joint immediately."""
 
     seq: Seq
     on: bool
 
 
 class SetSafing(WireMessage, frozen=True, tag="safing"):
-    """Set SAFING: on commands zero joint rates; off cancels SAFING."""
+    """Set or cancel SAFING, which commands zero joint rates."""
 
     seq: Seq
     on: bool

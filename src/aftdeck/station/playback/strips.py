@@ -146,7 +146,7 @@ def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> St
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the indices of the values to draw.
 
-    These are the first and the last value, the values on both sides of each edge of a gap, and the least and the
+    These are the first and the last value, the values on both sides of each edge of a gap (NaN), and the least and the
     greatest value of each part (`BUCKETS`). Of these, a value that equals both its neighbours is omitted.
 
     Args:

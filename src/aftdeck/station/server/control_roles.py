@@ -77,7 +77,7 @@ class ControlRoles(Generic[P]):
         return list(names.items())
 
     def display_name(self, page: P) -> str:
-        """Return how to name a page in a sentence: by its person's name, or as ``page 1`` if no name is set."""
+        """Return a page's name for use in a sentence: the name of the person at it; ``page 1`` if no name is set."""
         number = self._numbers[page]
         return dict(self.named()).get(number, f"page {number}")
 
