@@ -124,7 +124,7 @@ def with_frame() -> list[Figure]:
         bare, framed = (min(_median(scenario, inputs, how) for _ in range(3)) for how in ("advance", "step"))
         figures += [
             Figure(f"{name}, advance", bare, "us", None, f"median of {STEPS} steps, best of 3 runs"),
-            Figure(f"{name}, step", framed, "us", 100.0, "as advance, and with the frame"),
+            Figure(f"{name}, step", framed, "us", 100.0, "as advance, but with the frame"),
         ]
     return figures
 

@@ -85,7 +85,7 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
             relative to the working folder.
 
     Raises:
-        RecordingError: the path of the arm's shapes file is outside the recording.
+        RecordingError: the path of the arm's shapes file leads out of the temporary folder of the recorded files.
         InputError: a location in `changes` does not exist in the scenario's file, or the value of an arm or worksite is
             not a text.
         ScenarioError: the scenario is not valid in this version or with these changes.

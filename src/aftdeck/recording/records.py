@@ -89,7 +89,7 @@ class ControllerRecord(Message, frozen=True):
 
 
 class ControllersRecord(Message, frozen=True):
-    """Devices that move the hand controllers from `time_s` on, each with its mapping; `Input` has the inputs."""
+    """Devices that move the hand controllers from `time_s` on, with all mappings; `Input` has the resulting inputs."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     controllers: Annotated[
@@ -112,7 +112,7 @@ class LockRecord(Message, frozen=True):
     """Camera with locked exposure."""
 
     camera: Annotated[str, field_meta("the camera's name")]
-    stops: Annotated[float, field_meta("exposure above that of full sunlight", "stops")]
+    stops: Annotated[float, field_meta("exposure, relative to the exposure for full sunlight", "stops")]
 
 
 class LightRecord(Message, frozen=True):

@@ -212,7 +212,7 @@ export interface Sticks {
   readonly translation: Vec3;
   /** RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame. */
   readonly rotation: Vec3;
-  /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT), in [-1, 1]. */
+  /** DRIVE switch, which moves the selected joint in SINGLE and DIRECT, in [-1, 1]. */
   readonly drive: number;
   /** Telescope: + longer, - shorter, in [-1, 1]. */
   readonly telescope: number;
@@ -252,7 +252,7 @@ export interface ControllerInUse {
   readonly name: string;
   /** Fraction of an axis' travel, about its centre, that counts as zero. */
   readonly deadband: number;
-  /** 0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband. */
+  /** 0 linear, 1 cubic. The output is (1 - expo) x + expo x**3, where x is the deflection beyond the deadband. */
   readonly expo: number;
   /** Key, button or axis, and its function: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
   readonly bindings: readonly string[];
@@ -413,7 +413,7 @@ export interface LookAhead {
   readonly seconds: number;
 }
 
-/** Set or release BRAKES; set, they stop every joint immediately. */
+/** Set or release BRAKES, which stop every joint immediately. */
 export interface SetBrakes {
   readonly type: 'brakes';
   readonly seq: number;
@@ -1336,7 +1336,7 @@ export interface Pictured {
   readonly monitors: readonly (readonly string[])[];
 }
 
-/** Figure of the whole run. */
+/** Number or text that describes the whole run. */
 export interface Measure {
   readonly name: string;
   readonly quantity: Quantity;

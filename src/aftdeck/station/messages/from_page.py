@@ -49,7 +49,7 @@ class Sticks(WireMessage, frozen=True, tag="sticks"):
     rotation: Vec3
     """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
     drive: float
-    """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT), in [-1, 1]."""
+    """DRIVE switch, which moves the selected joint in SINGLE and DIRECT, in [-1, 1]."""
     telescope: float = 0.0
     """Telescope: + longer, - shorter, in [-1, 1]."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
@@ -171,7 +171,7 @@ class HandsOff(WireMessage, frozen=True, tag="hands_off"):
 
 
 class SetBrakes(WireMessage, frozen=True, tag="brakes"):
-    """Set or release BRAKES; set, they stop every joint immediately."""
+    """Set or release BRAKES, which stop every joint immediately."""
 
     seq: Seq
     on: bool
@@ -305,7 +305,7 @@ class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     deadband: Annotated[float, msgspec.Meta(ge=0.0, le=0.5)]
     """Fraction of an axis' travel, about its centre, that counts as zero."""
     expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
-    """0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
+    """0 linear, 1 cubic. The output is (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
     bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
     """Key, button or axis, and its function: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
     centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
