@@ -94,7 +94,7 @@ def _by_jax(arm: aftdeck.Arm) -> Peer:
 
 
 def _step(xp: ModuleType, arm: aftdeck.Arm, q: Fields, target: Fields) -> Fields:
-    """Compute one step of all arms with the array library `xp`; one array holds one value for all arms."""
+    """Compute one step of all arms with the array library `xp`; each array holds one quantity for all arms."""
     l1, l2, l3, l4, l5, upper, lower = (float(x) for x in arm.model.links[:7])
     pitch = q[1] + q[2] + q[3]
     s1, s2, s23, s234, s5, s6 = (xp.sin(x) for x in (q[0], q[1] + upper, q[1] + q[2] + lower, pitch, q[4], q[5]))

@@ -1,4 +1,6 @@
-"""Benchmark of the page in headless Chromium without a graphics card: time between pictures, and from key to picture.
+"""Benchmark of the page in headless Chromium without a graphics card.
+
+It measures the time between two pictures, and the time from a key to its picture.
 
 The computer's processor draws the pictures.
 """

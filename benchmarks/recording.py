@@ -54,7 +54,7 @@ def recording() -> list[Figure]:
 
 
 def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[list[float], list[float]]:
-    """Run in real time; return the time of each step, and the part of it in which the step is queued [us]."""
+    """Run in real time; return the time of each step, and the part of this time in which the step is queued [us]."""
     sim = Simulation(scenario)
     steps, appends = [], []
     due = time.perf_counter()

@@ -124,7 +124,7 @@ def with_frame() -> list[Figure]:
         bare, framed = (min(_median(scenario, inputs, how) for _ in range(3)) for how in ("advance", "step"))
         figures += [
             Figure(f"{name}, advance", bare, "us", None, f"median of {STEPS} steps, best of 3 runs"),
-            Figure(f"{name}, step", framed, "us", 100.0, "as advance, and with the frame"),
+            Figure(f"{name}, step", framed, "us", 100.0, "as advance, but with the frame"),
         ]
     return figures
 
@@ -156,5 +156,5 @@ def frame() -> list[Figure]:
         Figure("its frame for the page", wire, "us", None, "poses, panel numbers, lamps"),
         Figure("the frame's encoding", encoding, "us", None, "JSON"),
         Figure("the frame's size", len(text), "bytes", None, "JSON"),
-        Figure("steps with frames per second", 1e6 / (step + wire + encoding), "1/s", None, "on one core"),
+        Figure("steps per second, with frames", 1e6 / (step + wire + encoding), "1/s", None, "on one core"),
     ]

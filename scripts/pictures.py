@@ -46,7 +46,8 @@ class Picture(NamedTuple):
         scenario: scenario of `aftdeck fly`.
         before: keys that are held first, in the low profile.
         last: keys that are held while the picture is saved, in the full profile. They are held for more than 10 s,
-            because the page measures its delay over the last 10 s: the slow opening of the page is then not included.
+            because the page measures its delay over the last 10 s; a shorter time would include the slow opening of the
+            page.
     """
 
     scenario: str

@@ -15,7 +15,7 @@ from aftdeck.errors import AftdeckError
 __all__ = ["app", "main"]
 
 COMMANDS = (_flights, _arm, _recordings)
-"""Modules that add their commands to `app` when they are imported, in the order of its help."""
+"""Modules that add their commands to `app` when they are imported, in the order of the help text."""
 
 READER_GONE = 141
 """Exit code after the reader of a pipe has closed the pipe: the code that a shell reports for SIGPIPE."""

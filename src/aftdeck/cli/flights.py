@@ -97,7 +97,7 @@ def run(
 
     With --channels, the inputs come from that file and not from the script.
 
-    Exit code 1 if the run ended in a fault.
+    The exit code is 1 if the run ended in a fault.
     """
     from aftdeck.scenario.load import load_scenario
 

@@ -66,7 +66,8 @@ def replay(
 ) -> None:
     """Verify, re-run or play back a recording.
 
-    Exit code 1 if the re-simulated frames differ from the recorded frames; 2 if the file is damaged or not a recording.
+    The exit code is 1 if re-simulated frames differ from the recorded frames, and 2 if the file is damaged or not a
+    recording.
     """
     if verify + bool(changes) + play + (html is not None) > 1:
         raise InputError("--verify, --set, --open and --html cannot be combined")

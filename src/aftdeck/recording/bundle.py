@@ -23,7 +23,10 @@ from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
-"""Path of the arm file in a temporary folder: so deep that a shapes file with ``..`` in its path is inside it too."""
+"""Path of the arm file in a temporary folder.
+
+The path has eight subfolders, so that a shapes file with up to eight ``..`` in its path is in this folder too.
+"""
 _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
@@ -82,7 +85,7 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
             relative to the working folder.
 
     Raises:
-        RecordingError: the path of the arm's shapes file is outside the recording.
+        RecordingError: the path of the arm's shapes file leads out of the temporary folder of the recorded files.
         InputError: a location in `changes` does not exist in the scenario's file, or the value of an arm or worksite is
             not a text.
         ScenarioError: the scenario is not valid in this version or with these changes.

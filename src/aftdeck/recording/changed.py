@@ -54,9 +54,8 @@ def rerun(
 ) -> Outcome:
     """Re-run a recording's inputs with changes in its scenario.
 
-    A re-run by script continues until the script ends in the re-run. A re-run with manual inputs ends where the
-    recording ends. With another control period, each step merges the inputs recorded since the step before
-    (`resample`).
+    A scripted re-run continues until the script ends in the re-run. A manual re-run ends where the recording ends. With
+    another control period, each step merges the inputs recorded since the step before (`resample`).
 
     Args:
         path: the recording.

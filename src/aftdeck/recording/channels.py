@@ -15,7 +15,7 @@ FIXED, SCENE = "/tf_static", "/scene"
 
 
 class Channels:
-    """All channels of a context; the channels of a server for viewers exist for several runs.
+    """All channels of a context; a server for viewers uses the same channels for several runs.
 
     Attributes:
         context: context of the channels.
@@ -24,8 +24,8 @@ class Channels:
         scene: shapes and colours of the bodies.
         measured: measured joint angles and rates.
         commanded: commanded joint angles and rates.
-        tip: the tip's pose.
-        lines: lines of the log.
+        tip: pose of the tip in L.
+        lines: events, as lines of the log.
     """
 
     def __init__(self) -> None:

@@ -33,7 +33,7 @@ _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
     Opcode.CHUNK: ((28, _INT), (0, _LONG)),
     Opcode.MESSAGE_INDEX: ((2, _INT),),
 }
-"""Parts of variable length of a record: number of bytes before each part, and format of the length at its start."""
+"""Parts of variable length in each type of record: number of bytes before the part, and format of the part's length."""
 _SKIPPED: set[int] = {Opcode.MESSAGE_INDEX, Opcode.ATTACHMENT, Opcode.METADATA}
 _KNOWN: set[int] = _SKIPPED | {Opcode.HEADER, Opcode.CHUNK, Opcode.DATA_END}
 _BROKEN = (McapError, zstandard.ZstdError, struct.error, ValueError, OverflowError, MemoryError)

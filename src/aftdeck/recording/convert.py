@@ -11,7 +11,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs
 
 DIGITS = 16
-"""Number of hexadecimal digits of a digest that a frame's record contains: the first ones."""
+"""Number of leading hexadecimal digits of the digest that a frame's record contains."""
 
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:

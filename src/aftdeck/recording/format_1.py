@@ -55,8 +55,8 @@ class FramesOf1:
 
         Args:
             joints: names of the arm's joints.
-            thresholds: returns the scenario's clearances for caution and warning [m]; called only for files without
-                the clearance level.
+            thresholds: returns the scenario's clearance thresholds for caution and warning [m]; called only for files
+                without the clearance level.
         """
         self._joints, self._thresholds = joints, thresholds
         self._level: Level = CLEAR

@@ -9,7 +9,7 @@ import msgspec
 
 
 def apart(hint: Any) -> tuple[Any, msgspec.Meta | None]:
-    """Return a type without its metadata, and the metadata, or None if it has no metadata."""
+    """Return a type without its metadata, and its metadata; the metadata is None if the type has none."""
     if get_origin(hint) is Annotated:
         inner, *more = get_args(hint)
         return inner, next((meta for meta in more if isinstance(meta, msgspec.Meta)), None)
@@ -17,7 +17,7 @@ def apart(hint: Any) -> tuple[Any, msgspec.Meta | None]:
 
 
 def without_none(hint: Any) -> Any:
-    """Return X for X | None, otherwise the type itself."""
+    """Return X for the type X | None; return any other type unchanged."""
     if get_origin(hint) in (Union, UnionType):
         return next(kind for kind in get_args(hint) if kind is not type(None))
     return hint

@@ -36,7 +36,7 @@ class Opening(Message, frozen=True):
     scenario_text: Annotated[str, field_meta("complete text of the scenario's file")]
     arm_text: Annotated[str, field_meta("complete text of the arm's file")]
     shapes_file: Annotated[
-        str, field_meta("name of the shapes file in the arm's file; empty if the arm has no such file")
+        str, field_meta("name of the shapes file, as written in the arm's file; empty if the arm has no shapes file")
     ]
     shapes_text: Annotated[str, field_meta("complete text of the arm's shapes file")]
     worksite_text: Annotated[str, field_meta("complete text of the worksite's file")]
@@ -44,7 +44,11 @@ class Opening(Message, frozen=True):
     participant: Annotated[str, field_meta("code of the participant; empty if not given")] = ""
     condition: Annotated[str, field_meta("condition of the trial; empty if not given")] = ""
     digests: Annotated[
-        str, field_meta("hash of the state's declared fields; frame digests are comparable only if it is equal")
+        str,
+        field_meta(
+            "hash of the state's declared fields; frame digests of two recordings are comparable only if these "
+            "hashes are equal"
+        ),
     ] = ""
 
 
@@ -85,7 +89,7 @@ class ControllerRecord(Message, frozen=True):
 
 
 class ControllersRecord(Message, frozen=True):
-    """Devices that move the hand controllers from a time on, with their mappings; `Input` has the resulting inputs."""
+    """Devices that move the hand controllers from `time_s` on, with all mappings; `Input` has the resulting inputs."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     controllers: Annotated[
@@ -95,7 +99,7 @@ class ControllersRecord(Message, frozen=True):
 
 
 class Shown(Message, frozen=True):
-    """Cameras that the monitors of the operator's page showed from a time on."""
+    """Cameras that the monitors of the operator's page showed from `time_s` on."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     mon_1: Annotated[
@@ -108,11 +112,11 @@ class LockRecord(Message, frozen=True):
     """Camera with locked exposure."""
 
     camera: Annotated[str, field_meta("the camera's name")]
-    stops: Annotated[float, field_meta("exposure above that of full sunlight", "stops")]
+    stops: Annotated[float, field_meta("exposure, relative to the exposure for full sunlight", "stops")]
 
 
 class LightRecord(Message, frozen=True):
-    """Lighting from a time on: sun and Earth, lamps, and locked exposures of cameras."""
+    """Lighting from `time_s` on: sun and Earth, lamps, and locked exposures of cameras."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     condition: Annotated[str, field_meta("positions of sun and Earth: `high sun`, `low sun`, `night`, `terminator`")]

@@ -60,8 +60,8 @@ def verify(
     """Re-simulate a recording's inputs and compare every frame's digest.
 
     A recording of another version is re-simulated too; the verdict names that version. A digest of that version may
-    cover other fields of the state. In this case every recorded value is compared instead of the digest. Of a log line
-    of another version, only time, kind and level are compared, because the text may have changed.
+    cover other fields of the state. In this case every recorded value is compared instead of the digest. If a log line
+    comes from another version, only its time, kind and level are compared, because its text may differ.
 
     Args:
         path: the recording.

@@ -11,14 +11,14 @@ from aftdeck.recording.records import Input
 _SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold", "brakes", "safing", "effector",
              "effector_mode", "rigid", "latch", "master", "initialise", "target")  # fmt: skip
 SAME_TIME = 1e-9
-"""Times that differ by less than this are equal [s]."""
+"""Times that differ by less than this value are equal [s]."""
 
 
 def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input]:
     """Yield the inputs of each step at the new control period: the latest sticks, and every switch that was set.
 
-    A new step merges the inputs of all old steps that began before the end of the new step, except old steps that an
-    earlier new step has used. Together the new steps last at least as long as the old steps.
+    A new step merges the inputs of all old steps that began before the end of the new step and that no earlier new step
+    has used. Together the new steps last at least as long as the old steps.
 
     Args:
         inputs: inputs of every step at the old control period.

@@ -1,4 +1,4 @@
-"""File for the MCAP writer, unbuffered and without exceptions.
+"""Unbuffered file for the MCAP writer; its methods raise no exceptions.
 
 If the program is killed, no bytes are lost in a buffer. The writer's library logs an error instead of raising it.
 Therefore this file, once open, raises no error but stores the first one.
@@ -45,7 +45,7 @@ class Sink:
         return len(data)
 
     def seek(self, offset: int, whence: int = 0) -> int:
-        """Move to an offset, and return the new position, after an error too: the library fails on any other value."""
+        """Move to an offset and return the new position, even after an error; the library needs this value."""
         self._at = offset + (0, self._at, self._end)[whence]
         try:
             if not self.error:

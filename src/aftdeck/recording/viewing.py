@@ -62,7 +62,7 @@ class Viewing:
             self._send_topic(topic, self._began_ns)
 
     def frame(self, frame: Frame) -> None:
-        """Send the events of a step, the topics of new subscriptions, and once in each `PERIOD` the motion."""
+        """Send the events of a step and the topics of new subscriptions; once a `PERIOD`, also send the motion."""
         now = self._began_ns + round(frame.time_s * 1e9)
         for event in frame.events:
             self.line(event, now)

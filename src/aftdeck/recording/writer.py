@@ -231,7 +231,7 @@ class Recorder:
             self.unlisted = str(error)
 
     def _write(self) -> tuple[str, float]:
-        """Write until the run or the recording ends; return the reason for the end, and its simulated time [s]."""
+        """Write until the run or the recording ends; return the reason for this end, and its simulated time [s]."""
         channels = self._live.channels if self._live else Channels()
         file = None
         if self._sink is not None:

@@ -78,7 +78,7 @@ LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
 if TYPE_CHECKING:
     FlightLamp = str
 else:
-    FlightLamp = Literal[tuple(LAMPS)]  # a type of all names, for `station/messages/typescript.py`
+    FlightLamp = Literal[tuple(LAMPS)]  # type of all lamp names, for `station/messages/typescript.py`
 
 
 class Lamp(msgspec.Struct, frozen=True, gc=False):

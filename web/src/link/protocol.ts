@@ -212,7 +212,7 @@ export interface Sticks {
   readonly translation: Vec3;
   /** RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame. */
   readonly rotation: Vec3;
-  /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT), in [-1, 1]. */
+  /** DRIVE switch, which moves the selected joint in SINGLE and DIRECT, in [-1, 1]. */
   readonly drive: number;
   /** Telescope: + longer, - shorter, in [-1, 1]. */
   readonly telescope: number;
@@ -252,7 +252,7 @@ export interface ControllerInUse {
   readonly name: string;
   /** Fraction of an axis' travel, about its centre, that counts as zero. */
   readonly deadband: number;
-  /** 0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband. */
+  /** 0 linear, 1 cubic. The output is (1 - expo) x + expo x**3, where x is the deflection beyond the deadband. */
   readonly expo: number;
   /** Key, button or axis, and its function: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
   readonly bindings: readonly string[];
@@ -375,7 +375,7 @@ export interface SetName {
 }
 
 /**
- * Leave the control roles: the page has become too narrow to control the arm, and now only shows the run.
+ * Give up control and the right to ask for it: the page has become too narrow, and now only shows the run.
  *
  * If this page was in control, the page that connected first takes control.
  */
@@ -384,7 +384,11 @@ export interface LeaveSeat {
   readonly seq: number;
 }
 
-/** Join the control roles: the page is wide enough. If no page is in control, it takes control; else it observes. */
+/**
+ * Become a page that can take control, because the page is now wide enough.
+ *
+ * If no page is in control, this page takes control; otherwise it observes.
+ */
 export interface TakeSeat {
   readonly type: 'take_seat';
   readonly seq: number;
@@ -393,7 +397,7 @@ export interface TakeSeat {
 /**
  * Leave the controls unattended: the server centres the sticks, cancels RATE HOLD and sets POSITION HOLD.
  *
- * A sequence continues.
+ * A sequence in progress continues.
  */
 export interface HandsOff {
   readonly type: 'hands_off';
@@ -409,14 +413,14 @@ export interface LookAhead {
   readonly seconds: number;
 }
 
-/** Set BRAKES: on stops every joint immediately. */
+/** Set or release BRAKES, which stop every joint immediately. */
 export interface SetBrakes {
   readonly type: 'brakes';
   readonly seq: number;
   readonly on: boolean;
 }
 
-/** Set SAFING: on commands zero joint rates; off cancels SAFING. */
+/** Set or cancel SAFING, which commands zero joint rates. */
 export interface SetSafing {
   readonly type: 'safing';
   readonly seq: number;
@@ -759,7 +763,7 @@ export interface StoredPoint {
   readonly pause: boolean;
 }
 
-/** Scenarios that this station can run. The server sends this message on connection and whenever it changes. */
+/** Scenarios that this station can run. The server sends the list on connection and whenever it changes. */
 export interface Scenarios {
   readonly type: 'scenarios';
   readonly scenarios: readonly ScenarioInfo[];
@@ -1134,7 +1138,7 @@ export interface Display {
    * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
    */
   readonly fixture: number | null;
-  /** Vector of the distance `fixture`, in the control frame of the sticks [m]; null also in modes without sticks. */
+  /** Vector of the length `fixture`, in the control frame [m]; null if `fixture` is null or the mode has no sticks. */
   readonly to_fixture: Vec3 | null;
   /** Displacement of the orbiter: forward, starboard, down [m]. */
   readonly orbiter: Vec3;
@@ -1256,7 +1260,7 @@ export interface Strip {
   readonly high: number;
   /** Limit that the page draws as a line across the strip; null if the quantity has no limit. */
   readonly limit: number | null;
-  /** Threshold below which a value causes a caution, such as the scenario's for clearances; null if not applicable. */
+  /** Threshold below which a value causes a caution, such as a clearance threshold; null if not applicable. */
   readonly caution: number | null;
   /** Threshold below which a value causes a warning; null if not applicable. */
   readonly warning: number | null;
@@ -1332,7 +1336,7 @@ export interface Pictured {
   readonly monitors: readonly (readonly string[])[];
 }
 
-/** Figure of the whole run. */
+/** Number or text that describes the whole run. */
 export interface Measure {
   readonly name: string;
   readonly quantity: Quantity;

@@ -62,7 +62,7 @@ class Displays:
         lighting: Lighting | None = None,
         flown_seq: int = -1,
     ) -> Frame:
-        """Return a frame with its display; if `lighting` is None, with the scenario's lighting."""
+        """Return a frame as a message to a page; if `lighting` is None, it has the scenario's lighting."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
@@ -103,7 +103,7 @@ class Displays:
         return _vec3((point - tip.position) @ tip.rotation @ self._hand)
 
     def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
-        """Return the axes of the panel's attitude, in L: in loaded modes the payload's, else the end effector's."""
+        """Return in L the axes whose attitude the panel shows: of the payload if `loaded`, else of the end effector."""
         if loaded and frame.payload is not None:
             return np.array(frame.payload[1])
         return tip.rotation @ self._hand

@@ -67,7 +67,7 @@ class Strip(msgspec.Struct, frozen=True):
     limit: float | None
     """Limit that the page draws as a line across the strip; null if the quantity has no limit."""
     caution: float | None
-    """Threshold below which a value causes a caution, such as the scenario's for clearances; null if not applicable."""
+    """Threshold below which a value causes a caution, such as a clearance threshold; null if not applicable."""
     warning: float | None
     """Threshold below which a value causes a warning; null if not applicable."""
     shown: bool

@@ -98,7 +98,7 @@ class Display(msgspec.Struct, frozen=True):
     Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
     """
     to_fixture: Vec3 | None
-    """Vector of the distance `fixture`, in the control frame of the sticks [m]; null also in modes without sticks."""
+    """Vector of the length `fixture`, in the control frame [m]; null if `fixture` is null or the mode has no sticks."""
     orbiter: Vec3
     """Displacement of the orbiter: forward, starboard, down [m]."""
     orbiter_velocity: Vec3

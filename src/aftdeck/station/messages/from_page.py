@@ -48,7 +48,7 @@ class Sticks(WireMessage, frozen=True, tag="sticks"):
     rotation: Vec3
     """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
     drive: float
-    """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT), in [-1, 1]."""
+    """DRIVE switch, which moves the selected joint in SINGLE and DIRECT, in [-1, 1]."""
     telescope: float = 0.0
     """Telescope: + longer, - shorter, in [-1, 1]."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
@@ -142,7 +142,7 @@ class SetName(WireMessage, frozen=True, tag="set_name"):
 
 
 class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
-    """Leave the control roles: the page has become too narrow to control the arm, and now only shows the run.
+    """Give up control and the right to ask for it: the page has become too narrow, and now only shows the run.
 
     If this page was in control, the page that connected first takes control.
     """
@@ -151,7 +151,10 @@ class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
 
 
 class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
-    """Join the control roles: the page is wide enough. If no page is in control, it takes control; else it observes."""
+    """Become a page that can take control, because the page is now wide enough.
+
+    If no page is in control, this page takes control; otherwise it observes.
+    """
 
     seq: Seq
 
@@ -159,7 +162,7 @@ class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
 class HandsOff(WireMessage, frozen=True, tag="hands_off"):
     """Leave the controls unattended: the server centres the sticks, cancels RATE HOLD and sets POSITION HOLD.
 
-    A sequence continues.
+    A sequence in progress continues.
     """
 
     seq: Seq
@@ -167,14 +170,14 @@ class HandsOff(WireMessage, frozen=True, tag="hands_off"):
 
 
 class SetBrakes(WireMessage, frozen=True, tag="brakes"):
-    """Set BRAKES: on stops every joint immediately."""
+    """Set or release BRAKES, which stop every joint immediately."""
 
     seq: Seq
     on: bool
 
 
 class SetSafing(WireMessage, frozen=True, tag="safing"):
-    """Set SAFING: on commands zero joint rates; off cancels SAFING."""
+    """Set or cancel SAFING, which commands zero joint rates."""
 
     seq: Seq
     on: bool
@@ -301,7 +304,7 @@ class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     deadband: Annotated[float, msgspec.Meta(ge=0.0, le=0.5)]
     """Fraction of an axis' travel, about its centre, that counts as zero."""
     expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
-    """0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
+    """0 linear, 1 cubic. The output is (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
     bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
     """Key, button or axis, and its function: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
     centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]

@@ -2,8 +2,8 @@
 
 Messages are JSON objects; their ``type`` is the tag of the struct. The page's TypeScript is generated from these types
 (``make generate``). All quantities are SI and radians. *panel* components are X = -Xo, Y = Yo, Z = -Zo with pitch, yaw,
-roll applied in that order. *scene* is x aft, y starboard, z up, with its origin at Xo 942, Yo 0, Zo 400 in. Quaternions
-are wxyz.
+roll applied in that order. *scene* is x aft, y starboard, z up, with its origin at Xo 942, Yo 0, Zo 400 inches.
+Quaternions are wxyz.
 """
 
 from __future__ import annotations

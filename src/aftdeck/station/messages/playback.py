@@ -30,7 +30,7 @@ class Pictured(msgspec.Struct, frozen=True):
 
 
 class Measure(msgspec.Struct, frozen=True):
-    """Figure of the whole run."""
+    """Number or text that describes the whole run."""
 
     name: str
     quantity: Quantity

@@ -23,7 +23,7 @@ class ScenarioInfo(msgspec.Struct, frozen=True):
 
 
 class Scenarios(WireMessage, frozen=True, tag="scenarios"):
-    """Scenarios that this station can run. The server sends this message on connection and whenever it changes."""
+    """Scenarios that this station can run. The server sends the list on connection and whenever it changes."""
 
     scenarios: tuple[ScenarioInfo, ...]
     flown: int

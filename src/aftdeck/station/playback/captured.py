@@ -9,7 +9,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Cargo
 
 _OFFSETS = ("pin off axis", "palm along bar")
-"""Capture conditions that measure how far the end effector is off centre, for the snares and for the prong."""
+"""Capture conditions that measure the distance of the end effector from the centre: of the snares, and of the prong."""
 
 
 class CaptureMisalignment(NamedTuple):

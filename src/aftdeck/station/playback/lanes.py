@@ -83,7 +83,7 @@ class Lanes:
 
 
 def phase_of(frame: Frame) -> str:
-    """Return the name of the script's phase; without one, of the task phase (``extraction``) if there are payloads.
+    """Return the name of the script's phase; if there is none, the name of the task phase (``extraction``).
 
     Returns:
         The name; "" if the frame has neither a script phase nor payloads.

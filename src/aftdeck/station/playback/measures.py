@@ -141,13 +141,13 @@ class RunMetrics:
                 "Two-handed share",
                 "share",
                 self._both_hands / moved,
-                "Of the time with any stick deflected: share with both THC and RHC deflected.",
+                "While any stick is deflected: share of the time with both THC and RHC deflected.",
             ),
             _figure(
                 "Multi-axis share",
                 "share",
                 self._several_axes / moved,
-                "Of the time with any stick deflected: share with several axes deflected.",
+                "While any stick is deflected: share of the time with several axes deflected.",
             ),
             _figure(
                 "Reversals a minute",

@@ -147,8 +147,8 @@ def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> St
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the indices of the values to draw.
 
-    These are the first and the last value, the values on both sides of each edge of a gap, and the least and the
-    greatest value of each part (`BUCKETS`). Of these, a value that equals both its neighbours is omitted.
+    These are the first and the last value, the values on both sides of each edge of a gap (NaN), and the least and the
+    greatest value of each part (`BUCKETS`). Of these, a value that equals both neighbouring values is omitted.
 
     Args:
         values: one value for each step, not empty; NaN where there is no value.

@@ -70,14 +70,14 @@ class ControlRoles(Generic[P]):
         return self._names.get(page, "")
 
     def named(self) -> list[tuple[int, str]]:
-        """Return the number and the name of each page with a name; append the page's number to equal names."""
+        """Return the number and the name of each page with a name; add the page's number if a name is not unique."""
         names = {self._numbers[page]: name for page, name in self._names.items() if name}
         while equal := {name for name, pages in Counter(names.values()).items() if pages > 1}:
             names = {number: f"{name} {number}" if name in equal else name for number, name in names.items()}
         return list(names.items())
 
     def display_name(self, page: P) -> str:
-        """Return how to name a page in a sentence: by its person's name, or as ``page 1`` if no name is set."""
+        """Return a page's name for use in a sentence: the name of the person at it; ``page 1`` if no name is set."""
         number = self._numbers[page]
         return dict(self.named()).get(number, f"page {number}")
 

@@ -78,7 +78,7 @@ class Pages:
         self.change = asyncio.create_task(self._change(number, page))
 
     async def _change(self, number: int, page: Connected) -> None:
-        """Replace the present session by one of another scenario; on an error, the present session continues."""
+        """Replace the present session by a session of another scenario; after an error, keep the present one."""
         before, choice = self.driver, self.choice
         try:
             self.driver = Driver(await _make_in_daemon_thread(lambda: before.session.another(choice.load(number))))

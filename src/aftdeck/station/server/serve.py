@@ -26,7 +26,7 @@ from aftdeck.station.session.session import Session
 LAST_PORT = 65535
 COMPILING = "Compiling the steering laws, on the first start only: about half a minute."
 FAREWELL = 3.0
-"""Time for which a station that cannot start continues to run, so that the opened page can receive the reason [s]."""
+"""Time for which the server runs after a failed preparation, so that the opened page can receive the reason [s]."""
 
 
 def serve(

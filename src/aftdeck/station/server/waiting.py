@@ -1,4 +1,4 @@
-"""Pages that wait for a station's first session: they receive lines of progress, or the error that ended it."""
+"""Pages that wait for a station's first session: they receive lines of progress, or the error that prevents it."""
 
 from __future__ import annotations
 

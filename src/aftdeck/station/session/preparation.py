@@ -9,7 +9,7 @@ from aftdeck.errors import AftdeckError
 from aftdeck.station.session.session import Session
 
 Make = Callable[[Callable[[str], None]], Session]
-"""Function that makes a session; its argument is a function to report lines of progress."""
+"""Function that makes a session; its argument is a function that reports lines of progress."""
 
 
 class Preparation:

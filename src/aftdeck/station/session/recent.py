@@ -20,7 +20,7 @@ KEPT_S = 300.0
 SPACING_S = 0.1
 """Time from one sample to the next [s]; the page updates its numbers at the same rate."""
 DECIMALS = 5
-"""Decimals of a sample's values: a hundredth of a millimetre."""
+"""Number of decimals of a sample's values; for a length, a hundredth of a millimetre."""
 
 
 class Mark(NamedTuple):
@@ -28,8 +28,8 @@ class Mark(NamedTuple):
 
     Attributes:
         run: the run.
-        samples: number of samples that the run had.
-        begun: number of lane intervals that had begun.
+        samples: number of samples of the run before the mark.
+        begun: number of lane intervals that began before the mark.
     """
 
     run: RecentRun
