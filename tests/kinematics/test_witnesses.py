@@ -27,7 +27,7 @@ SHUTTLE = Chain(
     np.array([Z, Y, Y, Y, Z, X]),
     AXES,
 )  # fmt: skip
-"""In structural coordinates, from the published joint centres."""
+"""The Shuttle's arm in structural coordinates, built from the published joint centres."""
 OTHER = Chain(
     np.array(
         [
@@ -43,11 +43,11 @@ OTHER = Chain(
     np.array([[0, 0, 1], [0, 1, 0], [0, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0]], dtype=np.float64),
     np.eye(3),
 )
-"""The arm of made-up.toml in its L, from its lengths."""
+"""The arm of made-up.toml in L, built from the lengths in this file."""
 
 
 def concept(height: float) -> Chain:
-    """The concept arm in R at a height of the shoulder [m]: booms of 25 ft, the tip 2 ft from the wrist."""
+    """Return the concept arm in R with its shoulder at a height [m]; booms of 25 ft, 2 ft from wrist to tip."""
     along = np.array([0.0, 0.0, 25.0, 50.0, 50.0, 50.0, 52.0]) * 12.0 * INCH
     down = np.array([0.0, *[-height] * 6])
     return Chain(np.stack([along, np.zeros(7), down], axis=1), np.eye(3)[[2, 1, 1, 2, 1, 0]], np.eye(3))
@@ -60,7 +60,7 @@ engines = pytest.mark.parametrize("engine", [in_mujoco, in_pinocchio])
 def test_srms_agrees_with_a_model_built_from_its_joint_centres(
     arm: aftdeck.Arm, engine: Callable[[Chain], Witness]
 ) -> None:
-    # seven printed centres, each off by up to half a thousandth of an inch in three coordinates
+    # seven printed centres, each with an error of up to half a thousandth of an inch in each of three coordinates
     most = 7 * 3**0.5 * CENTRES["tolerance"] * INCH
     see = engine(SHUTTLE)
     for q in legal(arm, 6, 300):

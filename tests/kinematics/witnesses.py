@@ -1,4 +1,4 @@
-"""The same arm in MuJoCo and in Pinocchio, built from joint centres and axes alone."""
+"""Models of an arm in MuJoCo and in Pinocchio, built from joint centres and axes alone."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from aftdeck.arrays import Array
 
 
 class Seen(NamedTuple):
-    """Pose and Jacobian of the tip from a witness, in the coordinate frame of the joint centres."""
+    """Pose and Jacobian of the tip from such a model, in the coordinate frame of the joint centres."""
 
     position: Array
     rotation: Array
     jacobian: Array
-    """(6, 6): rows angular, then translational."""
+    """(6, 6): rows for the angular velocity, then for the linear velocity."""
 
 
 Witness = Callable[[Array], Seen]
 
 
 class Chain(NamedTuple):
-    """An arm at zero angles: six joint centres and the tip (7, 3) [m], joint axes (6, 3), the tip's axes."""
+    """An arm at zero angles: six joint centres and the tip (7, 3) [m], joint axes (6, 3), axes of the tip (3, 3)."""
 
     centres: Array
     axes: Array

@@ -93,7 +93,7 @@ def test_failed_recording_leaves_no_words_file(run: Run, short: str, tmp_path: P
 
 
 def master_file(path: Path) -> Path:
-    """A flight in MASTER as a file of channels."""
+    """Write the channels of a run in MASTER to a file."""
     turns = [[0.0, 0.07 + 0.0003 * k, -0.23, 0.0, -0.035, 0.0001 * k] for k in range(40)]
     lines = [{"volts": [0.0, 0.0, *turn, -1.0, 0.5, -1.0, 0.75, 1.0]} for turn in turns]
     path.write_text("".join(json.dumps(line) + "\n" for line in lines))
@@ -101,7 +101,7 @@ def master_file(path: Path) -> Path:
 
 
 def test_run_from_channels_writes_equal_channels_and_words(run: Run, short: str, tmp_path: Path) -> None:
-    """By the file, by the file that this writes, and from the recording: the same frames, channels and words."""
+    """The runs from the file, from the channels that this run writes, and from its recording are equal."""
     given, first, second, third = (tmp_path / f"{name}.jsonl" for name in ("given", "first", "second", "third"))
     out = tmp_path / "run.mcap"
     master_file(given)

@@ -14,7 +14,7 @@ from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
 from aftdeck.simulation.constants.flight import FAST, WATCHED
 from aftdeck.simulation.payloads.alignment import alarm_pairs
 from aftdeck.worksite.watch.contact_update import nearest_place, place_everything
-from tests.simulation.flights import anything
+from tests.simulation.flights import random_inputs
 
 
 def rotation(rng: np.random.Generator) -> Array:
@@ -59,7 +59,7 @@ def test_step_equals_its_separate_contact_updates(name: str) -> None:
     sim = aftdeck.Simulation(name)
     state = sim._state
     period = sim.scenario.control_period
-    for inputs in anything(np.random.default_rng(11), 60):
+    for inputs in random_inputs(np.random.default_rng(11), 60):
         worksite = state.worksite
         counts = alarm_pairs(
             sim._flight,
