@@ -48,7 +48,7 @@ def rejection(dimensions: dict[str, str], text: str = "") -> str:
     return "\n".join(raised.value.problems)
 
 
-# --- depth, by an independent solver --------------------------------------------------------------------------------
+# --- depth, by an independent solver ----------------------------------------------------------------------
 
 
 @settings(max_examples=60)
@@ -63,7 +63,7 @@ def test_overlap_depth_agrees_with_an_independent_solver(seed: int) -> None:
     assert overlap(a, b) == pytest.approx(depth(a, b), abs=1e-7)
 
 
-# --- section VI: a dimension moves everything that depends on it ------------------------------------------------------
+# --- section VI: a dimension moves everything that depends on it ------------------------------------------
 
 
 @pytest.mark.slow

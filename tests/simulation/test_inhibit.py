@@ -83,8 +83,8 @@ def check_inhibited_steps(made: Scenario, frames: list[Frame]) -> int:
         was, is_now = harmful(made, before), harmful(made, now)
         closes = not before.work.finger_inhibit and before.work.hand.opening != now.work.hand.opening
         turn = np.subtract(now.orientation, before.orientation)
-        escape = np.linalg.norm(np.subtract(now.position, before.position)) + LEVER * np.linalg.norm(turn)
-        allowed = ASIDE * float(escape)
+        travel = np.linalg.norm(np.subtract(now.position, before.position)) + LEVER * np.linalg.norm(turn)
+        allowed = ASIDE * float(travel)
         for pair, contact in is_now.items():
             if PRONG in pair and closes:
                 continue

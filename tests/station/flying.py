@@ -61,7 +61,7 @@ def shown(session: Session) -> Frame:
     return _frames.decode(session.newest)
 
 
-def comes(session: Session, met: Callable[[Frame], bool], what: str) -> Frame:
+def step_until(session: Session, met: Callable[[Frame], bool], what: str) -> Frame:
     """Step until `met` accepts the frame, and return that frame; `what` names the condition."""
     for _ in range(MAX_STEPS):
         if met(frame := steps(session, 1)):

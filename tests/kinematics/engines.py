@@ -12,7 +12,7 @@ import pinocchio
 from aftdeck.arrays import Array
 
 
-class Seen(NamedTuple):
+class TipResult(NamedTuple):
     """Pose and Jacobian of the tip from such a model, in the coordinate frame of the joint centres."""
 
     position: Array
@@ -21,7 +21,7 @@ class Seen(NamedTuple):
     """(6, 6): rows for the angular velocity, then for the linear velocity."""
 
 
-Witness = Callable[[Array], Seen]
+Solver = Callable[[Array], TipResult]
 
 
 class Chain(NamedTuple):
@@ -32,7 +32,7 @@ class Chain(NamedTuple):
     tip: Array
 
 
-def in_mujoco(chain: Chain) -> Witness:
+def in_mujoco(chain: Chain) -> Solver:
     """Build the chain from MuJoCo bodies, each with a hinge at its origin."""
     spec = mujoco.MjSpec()
     body, before = spec.worldbody, np.zeros(3)
@@ -47,33 +47,33 @@ def in_mujoco(chain: Chain) -> Witness:
     model = spec.compile()
     data = mujoco.MjData(model)
 
-    def see(q: Array) -> Seen:
+    def solve(q: Array) -> TipResult:
         data.qpos[:] = q
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         linear, angular = np.empty((3, 6)), np.empty((3, 6))
         mujoco.mj_jacSite(model, data, linear, angular, 0)
         site = data.site("tip")
-        return Seen(np.array(site.xpos), np.array(site.xmat).reshape(3, 3), np.vstack([angular, linear]))
+        return TipResult(np.array(site.xpos), np.array(site.xmat).reshape(3, 3), np.vstack([angular, linear]))
 
-    return see
+    return solve
 
 
-def in_pinocchio(chain: Chain) -> Witness:
+def in_pinocchio(chain: Chain) -> Solver:
     """Build the chain from Pinocchio revolute joints about free axes."""
     model, joint, before = pinocchio.Model(), 0, np.zeros(3)
     for k in range(6):
-        place = pinocchio.SE3(np.eye(3), chain.centres[k] - before)
-        joint = model.addJoint(joint, pinocchio.JointModelRevoluteUnaligned(chain.axes[k]), place, f"joint {k}")
+        placement = pinocchio.SE3(np.eye(3), chain.centres[k] - before)
+        joint = model.addJoint(joint, pinocchio.JointModelRevoluteUnaligned(chain.axes[k]), placement, f"joint {k}")
         before = chain.centres[k]
-    place = pinocchio.SE3(chain.tip, chain.centres[6] - before)
-    tip = model.addFrame(pinocchio.Frame("tip", joint, place, pinocchio.FrameType.OP_FRAME))
+    placement = pinocchio.SE3(chain.tip, chain.centres[6] - before)
+    tip = model.addFrame(pinocchio.Frame("tip", joint, placement, pinocchio.FrameType.OP_FRAME))
     data = model.createData()
 
-    def see(q: Array) -> Seen:
+    def solve(q: Array) -> TipResult:
         matrix = pinocchio.computeFrameJacobian(model, data, q, tip, pinocchio.LOCAL_WORLD_ALIGNED)
         pinocchio.framesForwardKinematics(model, data, q)
         pose = data.oMf[tip]
-        return Seen(np.array(pose.translation), np.array(pose.rotation), np.vstack([matrix[3:], matrix[:3]]))
+        return TipResult(np.array(pose.translation), np.array(pose.rotation), np.vstack([matrix[3:], matrix[:3]]))
 
-    return see
+    return solve
