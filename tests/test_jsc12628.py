@@ -271,7 +271,7 @@ def test_votran_returns_each_modes_command_in_b(w: list[float], v: list[float], 
 def test_msteer_agrees_with_the_report_step_by_step(
     q: Array, aim: Array, mode: Literal[2, 4, 5, 6, 7], turn: list[float], unit: jsc12628.Units
 ) -> None:
-    """Twenty steps of each mode against the report's: VOTRAN, AVCLMT, RMSRAT, RATLMT, fed back by ERATES."""
+    """Compare twenty steps of each mode with plain VOTRAN, AVCLMT, RMSRAT and RATLMT, with feedback by ERATES."""
     foot, dt, T_78 = FOOT if unit == "ft" else 1.0, 0.08, rotation(turn)
     aim = 0.2 * aim  # slow, so that the arm does not come near a singularity
     most: Limits = {**LIMITS, "V_L": LIMITS["V_L"] / foot, "V_L_dot": LIMITS["V_L_dot"] / foot}

@@ -44,7 +44,10 @@ def words(a: Array, b: Array) -> list[int]:
 
 
 def pierced(a: Array, b: Array) -> tuple[int, int]:
-    """Return an edge of `a` that pierces a face of `b`, and the face, both counted from 0; edge -1 if none does."""
+    """Return an edge of `a` that pierces a face of `b`, and this face, both counted from 0.
+
+    The edge is -1 if no edge pierces a face.
+    """
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)

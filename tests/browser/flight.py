@@ -15,7 +15,7 @@ WAIT_MS = 60_000
 """Longest wait for an action of a page [ms]; software drawing on a busy machine is slow."""
 
 TURNED = "document.querySelector('.rotary .turned')?.textContent"
-"""JavaScript: mode to which the rotary is turned before it is entered."""
+"""JavaScript: mode to which the rotary is turned, as long as this mode is not entered."""
 ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
 """JavaScript: mode that the rotary shows as entered."""
 

@@ -1,4 +1,4 @@
-"""Secondary windows of a flight: keys act for the page of a window, strips follow the run, pages have own windows."""
+"""Secondary windows of a flight: keys act for a window's page, strips follow the run, each page has its own windows."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from aftdeck.arrays import Array
 
 
 class TipResult(NamedTuple):
-    """Pose and Jacobian of the tip from such a model, in the coordinate frame of the joint centres."""
+    """Pose and Jacobian of the tip from a model, in the coordinate frame of the joint centres."""
 
     position: Array
     rotation: Array

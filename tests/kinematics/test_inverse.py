@@ -48,7 +48,7 @@ def test_each_branch_of_50000_poses_maps_back_and_one_is_the_original(any_arm: a
     off = np.linalg.norm(back.position - pose.position[:, None], axis=2)
     turned = np.abs(back.rotation - pose.rotation[:, None]).max(axis=(2, 3))
     assert max(off[found].max(), turned[found].max()) < 1e-9
-    # the accuracy of the angles is proportional to the distance from a singularity
+    # the error of the angles is inversely proportional to the distance from a singularity
     near = nearness(any_arm, q)
     miss = np.where(found, np.abs(apart(angles, q[:, None])).max(axis=2), np.inf).min(axis=1)
     assert (miss * near)[near > 1e-5].max() < 1e-11

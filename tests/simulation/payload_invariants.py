@@ -18,7 +18,7 @@ EXACT = 1e-9
 CARRIAGE, LATCHES = 7.0, 30.0
 """Times of the Shuttle's carriage and latches from end to end [s]."""
 PULLED, TURNED = 0.2, 0.5
-"""Upper bounds for a pin in the snares: distance from its seat [m], and rotation by components of axes [1]."""
+"""Upper bounds for a pin in the snares: distance from its seat [m], and change of its axes' components [1]."""
 
 
 def posed(cargo: Cargo) -> tuple[Array, Array]:

@@ -101,7 +101,7 @@ def test_check_fails_under_a_switch_and_repeats_after_it(law: str, switch: str) 
 
 
 def test_check_repeats_after_the_orbiter_has_moved() -> None:
-    """Previously the GOOD from before the orbiter's motion stayed, and the arm penetrated the port by 0.04 inches."""
+    """Previously GOOD remained when the orbiter moved, and the arm penetrated the port's element by 0.04 inches."""
     script = aftdeck.run("concept-1972-script")
     aside, port = (next(f for f in reversed(script.frames) if f.phase == phase) for phase in ("aside", "to the port"))
     sim = aftdeck.Simulation("concept-1972")

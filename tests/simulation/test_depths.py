@@ -47,7 +47,7 @@ def starts(sim: aftdeck.Simulation) -> list[SavedSimulation]:
 
 
 def random_pushes(rng: np.random.Generator, steps: int) -> Iterator[Inputs]:
-    """Yield random inputs: sticks that change at most every 0.16 to 1.6 s, and now and then a switch."""
+    """Yield random inputs: sticks that are held for 0.16 to 1.6 s, and now and then a switch."""
     deflection = float(rng.choice([0.2, 1.0]))
     yield from random_inputs(rng, steps, deflection, switches=0.1, every=int(rng.integers(8, 80)))
 

@@ -17,7 +17,7 @@ from tests.simulation.shuttle_rules import envelope, latching
 from tests.steering.flying import fly
 
 ROUNDING = 1e-9
-"""Margins of conditions below this value are not compared [m], [rad]."""
+"""Smaller margins are not compared [m], [rad], because the two computations may round differently."""
 seeds = st.integers(0, 2**32 - 1)
 
 

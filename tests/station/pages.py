@@ -48,10 +48,10 @@ def text_of(message: msgspec.Struct) -> str:
     return msgspec.json.encode(message).decode()
 
 
-def until(met: Callable[[], bool], what: str) -> None:
-    """Wait until `met` returns True; `what` names the condition."""
+def until(condition: Callable[[], bool], what: str) -> None:
+    """Wait until `condition` returns True; `what` names the condition."""
     end = time.monotonic() + WAIT_S
-    while not met():
+    while not condition():
         assert time.monotonic() < end, f"not within {WAIT_S:g} s: {what}"
         time.sleep(0.002)
 
@@ -90,12 +90,12 @@ class Page:
         """Return the next message."""
         return _messages.decode(self.socket.recv(timeout=WAIT_S))
 
-    def wait_for(self, kind: type[_M], met: Callable[[_M], bool] = lambda _: True) -> _M:
-        """Return the next message of a type that `met` accepts."""
+    def wait_for(self, kind: type[_M], condition: Callable[[_M], bool] = lambda _: True) -> _M:
+        """Return the next message of a type that `condition` accepts."""
         end = time.monotonic() + WAIT_S
         while True:
             message = self.receive()
-            if isinstance(message, kind) and met(message):
+            if isinstance(message, kind) and condition(message):
                 return message
             assert time.monotonic() < end, f"no such {kind.__name__} within {WAIT_S:g} s"
 
