@@ -26,7 +26,7 @@ from aftdeck.scene.solids import solid as surface_of
 
 FOOT = 0.3048
 MAX_PROJECTION = 1e-3
-"""Distance by which a shape may project from the solids [m], because positions in the arm file are rounded."""
+"""Distance by which a shape may project from the solids [m]: positions in the arm file are rounded, then rotated."""
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 
 

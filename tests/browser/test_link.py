@@ -74,7 +74,7 @@ STALL = "() => { const begun = performance.now(); while (performance.now() - beg
 
 
 @pytest.mark.slow
-def test_page_centres_the_sticks_after_it_was_blocked_with_a_held_key(page: Page, station: str) -> None:
+def test_key_held_while_the_page_was_blocked_does_not_fly(page: Page, station: str) -> None:
     page.goto(f"{station}?quality=low")
     flight = Flight(page).from_the_start()
     flight.hold("w")

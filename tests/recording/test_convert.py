@@ -39,7 +39,7 @@ COARSER = {
 }
 """Fields that are recorded to seven decimals."""
 GRAIN = 0.5000001 * 10**-9
-"""Greatest rounding error of other numbers."""
+"""Greatest rounding error of the numbers that are recorded to nine decimals."""
 COARSE_WORK = 0.5000001 * 10**-5
 """Greatest rounding error of clearances and other quantities between bodies."""
 FINE_FIELDS = {"stand", "orbiter", "orbiter_velocity", "master"}

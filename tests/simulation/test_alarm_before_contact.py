@@ -41,7 +41,7 @@ def until_contact(sim: aftdeck.Simulation, inputs: Inputs, pairs: frozenset[Pair
 
 
 def beside_the_port(seed: int) -> tuple[list[Frame], Pair | None]:
-    """Move the probe towards the CAE, beside the port by more than docking allows; return as `until_contact`."""
+    """Return `until_contact` of a run towards the CAE, with the probe farther beside the port than docking allows."""
     rng = np.random.default_rng(seed)
     aside, angle = rng.uniform(1.3 * DOCKING, 1.6), rng.uniform(0.0, math.tau)
     x, y, z = AT_PORT
