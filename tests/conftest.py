@@ -1,7 +1,7 @@
 """Fixtures and hooks of all tests.
 
 Browser tests run if a Chromium is found; otherwise the summary reports them. Hypothesis tries new examples in every
-run; with ``--hypothesis-profile=ci``, as in `.ci/run`, the same examples.
+run. With ``--hypothesis-profile=ci``, as in `.ci/run`, it tries the same examples in every run.
 """
 
 import os
@@ -29,7 +29,7 @@ settings.register_profile("default", deadline=None, suppress_health_check=[Healt
 
 
 def find_chromium() -> Path | None:
-    """Return the Chromium for the tests: AFTDECK_CHROMIUM, or one on PATH, or one in a usual folder.
+    """Return the Chromium for the tests: that of AFTDECK_CHROMIUM, else the first one on PATH or in a usual folder.
 
     Raises:
         pytest.UsageError: AFTDECK_CHROMIUM is not a file.

@@ -1,4 +1,4 @@
-"""Run without libraries, threads and files: ``python -m tests.elsewhere SCENARIO STEPS``.
+"""Program that runs a scenario without libraries, threads and files: ``python -m tests.elsewhere SCENARIO STEPS``.
 
 The libraries of server, recording and terminal cannot be imported. After the scenario is loaded, no thread can be
 started and no file can be opened.
@@ -21,7 +21,7 @@ MISSING = frozenset({"foxglove", "mcap", "rich", "starlette", "typer", "uvicorn"
 
 
 class _Missing(importlib.abc.MetaPathFinder):
-    """Finder that raises an error for the missing libraries, and leaves others to the next finder."""
+    """Finder that raises an error for the missing libraries, and leaves other modules to the next finder."""
 
     def find_spec(self, name: str, path: Sequence[str] | None, target: ModuleType | None = None) -> ModuleSpec | None:
         """Raise ModuleNotFoundError for a missing library; otherwise return None."""

@@ -21,16 +21,16 @@ from aftdeck.recording.run import record
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from tests.simulation.flights import anything
+from tests.simulation.flights import random_inputs
 
 STICKS, STEPS = 4, 3000
-"""Number of runs with random sticks for each scenario, and number of their steps."""
+"""Number of runs with random sticks for each scenario, and number of steps of each run."""
 WORKSITES = ("first-flight", "srms-deploy", "srms-berth", "concept-1972", "concept-1972-script", "free-flyer")
 """Scenarios for runs with random sticks: 24 runs, 12 for each arm."""
 
 
 def flights() -> Iterator[tuple[str, str, int]]:
-    """Yield the name of each run, its scenario, and the seed of its sticks; -1 for the scenario's script."""
+    """Yield the name of each run, its scenario, and the seed of its sticks; seed -1 means the script."""
     for name in built_in():
         if load_scenario(name).phases:
             yield name, name, -1
@@ -43,12 +43,12 @@ def operator(seed: int) -> Callable[[Simulation], Inputs | None] | None:
     """Return the source of the inputs: None for the script, otherwise random sticks and switches."""
     if seed < 0:
         return None
-    given = anything(np.random.default_rng(seed), STEPS)
+    given = random_inputs(np.random.default_rng(seed), STEPS)
     return lambda _: next(given, None)
 
 
 def compare(path: Path) -> str:
-    """Re-simulate a recording; return the differing fields with their numbers of frames, and the first difference."""
+    """Re-simulate a recording; return the differing fields, the number of frames of each, and the first difference."""
     recording = Recording(path)
     sim = Simulation(scenario_of(recording.opening), recording.opening.seed)
     fields, first, count = Counter[str](), "", 0

@@ -49,7 +49,7 @@ def test_units_propagate_through_products_quotients_and_roots(a: float, b: float
     assert derived("= 3 deg / t + 1 deg/s", **names).endswith(" rad/s")
 
 
-def test_dimension_can_use_only_those_above_it() -> None:
+def test_dimension_can_use_only_dimensions_above_it() -> None:
     assert derived("= c", a="1 m", b="= a * 2", c="= b + a") == "3.0 m"
     assert wrong("= a", a="= b", b="1 m").startswith("dimensions.a: ")
 

@@ -14,7 +14,7 @@ STEPS = 12
 
 @pytest.mark.parametrize("name", ["first-flight", "concept-1972-script", "srms-berth"])
 def test_scenario_runs_without_threads_files_and_libraries(name: str) -> None:
-    """Laws are not compiled here, because compiled laws are read from files at their first call."""
+    """The laws run as plain Python, because the first call of a compiled law would read a file."""
     done = subprocess.run(
         [sys.executable, "-m", "tests.elsewhere", name, str(STEPS)],
         cwd=Path(__file__).parents[1],

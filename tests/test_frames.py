@@ -109,7 +109,7 @@ def test_shoulder_is_at_its_drawn_position_in_each_coordinate_frame() -> None:
     shoulder = Pose(np.zeros(3), np.eye(3))
     panel = mount.to("panel", shoulder).position / INCH
     assert panel == pytest.approx([-679.5, -103.998, -433.452])
-    # the orbiter frame's origin at Xo 1097, Yo 0, Zo 375 in: the shoulder is forward, to port and above it
+    # the origin of the orbiter frame is at Xo 1097, Yo 0, Zo 375 in; the shoulder is forward, to port and above
     body = mount.to("orbiter", shoulder).position / INCH
     assert body == pytest.approx([1097 - 679.5, -103.998, 375 - 433.452])
 

@@ -1,4 +1,4 @@
-"""The direction of imports: a room uses itself and the rooms before it in ROOMS, nothing else of Aftdeck."""
+"""The direction of imports: a package imports only itself and the packages in its layer or in earlier layers."""
 
 import ast
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ from aftdeck.arms.model import ArmFile
 
 SOURCE = Path(aftdeck.__file__).parent
 
-ROOMS = (
+LAYERS = (
     (
         "arrays",
         "tuples",
@@ -45,9 +45,9 @@ ROOMS = (
     ("cli",),
     ("__init__", "__main__"),
 )
-"""The rooms, each a folder or a module of ``src/aftdeck`` (or several with equal rank), in order."""
+"""The layers of ``src/aftdeck``, in order. A layer contains one or more packages (folders or modules)."""
 
-PLACE = {name: place for place, names in enumerate(ROOMS) for name in names}
+LAYER = {name: rank for rank, names in enumerate(LAYERS) for name in names}
 
 WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
     "worksite": (
@@ -82,7 +82,7 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
         ("__init__",),
     ),
 }
-"""Order within the largest rooms; imports only for types may violate it."""
+"""Order within the largest packages; imports only for types may violate this order."""
 
 
 def imports(module: str, text: str) -> Iterator[tuple[int, str]]:
@@ -103,31 +103,31 @@ def imports(module: str, text: str) -> Iterator[tuple[int, str]]:
 
 
 def wrong_imports(module: str, text: str) -> list[str]:
-    """Return a message for each import in ``text`` that violates the order of ROOMS."""
-    room = module.split(".")[1]
-    if room not in PLACE:
-        return [f"{module} is in no room: add {room!r} to ROOMS"]
+    """Return a message for each import in ``text`` that violates the order of LAYERS."""
+    package = module.split(".")[1]
+    if package not in LAYER:
+        return [f"{module} is in no layer: add {package!r} to LAYERS"]
     wrong = []
     for line, name in imports(module, text):
         target = [*name.split("."), "__init__"][1]
-        # A name that is not a room is a name of the package itself, which comes after all rooms.
-        if PLACE.get(target, PLACE["__init__"]) > PLACE[room]:
-            wrong.append(f"{module}, line {line}: {room} may not import {name}")
+        # A name that is not a package is a name of aftdeck itself, which belongs to the last layer.
+        if LAYER.get(target, LAYER["__init__"]) > LAYER[package]:
+            wrong.append(f"{module}, line {line}: {package} may not import {name}")
     return wrong
 
 
 def wrong_within(module: str, text: str) -> list[str]:
     """Return a message for each import in ``text`` that violates the order of WITHIN."""
-    room, own = [*module.split("."), "__init__"][1:3]
-    place = {name: place for place, names in enumerate(WITHIN.get(room, ())) for name in names}
-    if not place:
+    package, own = [*module.split("."), "__init__"][1:3]
+    rank = {name: rank for rank, names in enumerate(WITHIN.get(package, ())) for name in names}
+    if not rank:
         return []
-    if own not in place:
-        return [f"{module} has no place: add {own!r} to WITHIN[{room!r}]"]
+    if own not in rank:
+        return [f"{module} has no rank: add {own!r} to WITHIN[{package!r}]"]
     wrong = []
     for line, name in imports(module, without_types(text)):
         inside = name.split(".")[1:3]
-        if inside[0] == room and place.get(inside[1], -1) > place[own]:
+        if inside[0] == package and rank.get(inside[1], -1) > rank[own]:
             wrong.append(f"{module}, line {line}: {own} may not import {name}")
     return wrong
 
@@ -141,7 +141,7 @@ def without_types(text: str) -> str:
     return ast.unparse(tree)
 
 
-def test_rooms_import_only_themselves_and_earlier_rooms() -> None:
+def test_packages_import_only_from_their_own_and_earlier_layers() -> None:
     wrong = []
     for path in sorted(SOURCE.rglob("*.py")):
         module = ".".join(("aftdeck", *path.relative_to(SOURCE).with_suffix("").parts))
@@ -150,7 +150,7 @@ def test_rooms_import_only_themselves_and_earlier_rooms() -> None:
     assert not wrong, "\n".join(wrong)
 
 
-def test_only_the_arms_room_uses_arm_families() -> None:
+def test_only_the_package_arms_uses_arm_families() -> None:
     families = {family.__name__ for family in get_args(ArmFile)}
     known = {
         path.relative_to(SOURCE).parts[0]
@@ -165,15 +165,15 @@ def test_only_the_arms_room_uses_arm_families() -> None:
 @pytest.mark.parametrize(
     ("module", "text"),
     [
-        pytest.param("aftdeck.kinematics.law", "import aftdeck.station.server.app", id="import of a later room"),
-        pytest.param("aftdeck.kinematics.law", "from aftdeck.steering import modes", id="from a later room"),
-        pytest.param("aftdeck.kinematics.law", "from aftdeck import station", id="later room by name"),
+        pytest.param("aftdeck.kinematics.law", "import aftdeck.station.server.app", id="import from a later layer"),
+        pytest.param("aftdeck.kinematics.law", "from aftdeck.steering import modes", id="'from' a later layer"),
+        pytest.param("aftdeck.kinematics.law", "from aftdeck import station", id="later package by name"),
         pytest.param("aftdeck.kinematics.law", "from ..plant import kinematic", id="relative"),
         pytest.param("aftdeck.plant.__init__", "from ..scenario import load", id="relative, in a package"),
         pytest.param("aftdeck.arms.load", "from aftdeck import load_arm", id="the package's own names"),
         pytest.param("aftdeck.arms.load", "import aftdeck", id="the package itself"),
         pytest.param("aftdeck.units", "def f():\n    from aftdeck.arms import model", id="inside a function"),
-        pytest.param("aftdeck.cellar.rats", "", id="a folder that is no room"),
+        pytest.param("aftdeck.cellar.rats", "", id="a folder that is in no layer"),
     ],
 )
 def test_import_against_the_order_is_found(module: str, text: str) -> None:
@@ -185,19 +185,19 @@ def test_import_against_the_order_is_found(module: str, text: str) -> None:
     [
         pytest.param("aftdeck.simulation.state", "from aftdeck.simulation.payloads import grasp", id="a later folder"),
         pytest.param("aftdeck.simulation.payloads.grasp", "import aftdeck.simulation.step", id="a later module"),
-        pytest.param("aftdeck.station.cellar", "", id="a module without a place"),
+        pytest.param("aftdeck.station.cellar", "", id="a module without a rank"),
     ],
 )
-def test_import_against_the_order_within_a_room_is_found(module: str, text: str) -> None:
+def test_import_against_the_order_within_a_package_is_found(module: str, text: str) -> None:
     assert len(wrong_within(module, text)) == 1
 
 
 @pytest.mark.parametrize(
     ("module", "text"),
     [
-        pytest.param("aftdeck.station.server.app", "from aftdeck.simulation.step import step", id="earlier room"),
-        pytest.param("aftdeck.station.server.app", "from .session import Session", id="own room"),
-        pytest.param("aftdeck.station.server.app", "from .. import errors", id="relative, earlier room"),
+        pytest.param("aftdeck.station.server.app", "from aftdeck.simulation.step import step", id="earlier layer"),
+        pytest.param("aftdeck.station.server.app", "from .session import Session", id="own package"),
+        pytest.param("aftdeck.station.server.app", "from .. import errors", id="relative, earlier layer"),
         pytest.param("aftdeck.frames", "from aftdeck.units import parse", id="shared vocabulary"),
         pytest.param("aftdeck.units", "import pint\nfrom numpy import pi", id="other packages"),
         pytest.param("aftdeck.__init__", "from aftdeck.arms import load_arm", id="the package's own file"),

@@ -26,7 +26,7 @@ E1, E3 = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 
 class Limits(TypedDict):
-    """Of the tip's motion [m], [rad], [s]."""
+    """Limits of the tip's motion, in metres, radians and seconds."""
 
     V_L: float
     omega_L: float
@@ -35,7 +35,7 @@ class Limits(TypedDict):
 
 
 LIMITS: Limits = {"V_L": 0.6, "omega_L": 0.08, "V_L_dot": 0.15, "omega_L_dot": 0.03}
-WAYS = (LIMITS["V_L"], LIMITS["omega_L"], LIMITS["V_L_dot"], LIMITS["omega_L_dot"])
+LIMIT_VALUES = (LIMITS["V_L"], LIMITS["omega_L"], LIMITS["V_L_dot"], LIMITS["omega_L_dot"])
 SERVO = np.array([0.04, 0.04, 0.06, 0.08, 0.08, 0.08])
 
 poses = st.builds(
@@ -70,7 +70,7 @@ R_1B = ARM.model.mount.origin - ARM.model.mount.orbiter_origin
 
 
 def angles_of(q: Array) -> Array:
-    """The report's angles, of an arm without offsets, from the operator's."""
+    """Return the report's angles, which are for an arm without offsets, from the operator's angles."""
     return np.asarray(q + np.array([0.0, UPPER, LOWER - UPPER, -LOWER, 0.0, 0.0]))
 
 
@@ -175,13 +175,13 @@ def test_rmangs_inverts_lnkage_and_rmsist_agrees(q: Array, unit: jsc12628.Units,
     r, T, _ = jsc12628.lnkage(arm, q, unit)
     try:
         theta = jsc12628.rmangs(arm, r, T, unit)
-    except (SingularityError, UnreachableError):  # of another branch of the concept's wrist
+    except (SingularityError, UnreachableError):  # on the other branch of the concept arm's wrist
         assert arm is not ARM
         return
     again = jsc12628.lnkage(arm, theta, unit)
     np.testing.assert_allclose(again.r_6B, r, atol=1e-8)
     np.testing.assert_allclose(again.T_B7, T, atol=1e-9)
-    if arm is ARM:  # the source's branch: the wrist's yaw within 90 deg, the elbow above the line
+    if arm is ARM:  # the report's branch: wrist yaw within 90 deg, and the elbow above the line
         assert abs(theta[4]) <= math.pi / 2 and angles_of(theta)[2] <= 0.0
         np.testing.assert_allclose(theta, q - math.tau * np.round(q / math.tau), atol=1e-8)
     low, high = arm.limits.hard.T
@@ -214,7 +214,7 @@ def test_vclose_and_vtopen_agree_with_the_report(
 ) -> None:
     foot = FOOT if unit == "ft" else 1.0
     most: Limits = {**LIMITS, "V_L": LIMITS["V_L"] / foot, "V_L_dot": LIMITS["V_L_dot"] / foot}
-    v, o, eta = plain_vclose(d, w, *WAYS, dt)
+    v, o, eta = plain_vclose(d, w, *LIMIT_VALUES, dt)
     found = jsc12628.vclose(d / foot, w, **most, DT=dt, TP=tp, units=unit)
     assert found.V_C == pytest.approx(v / foot, abs=1e-12) and found.omega_C == pytest.approx(o, abs=1e-12)
     assert found.ETA == pytest.approx(tp + eta)
@@ -271,9 +271,9 @@ def test_votran_returns_each_modes_command_in_b(w: list[float], v: list[float], 
 def test_msteer_agrees_with_the_report_step_by_step(
     q: Array, aim: Array, mode: Literal[2, 4, 5, 6, 7], turn: list[float], unit: jsc12628.Units
 ) -> None:
-    """Twenty steps of each mode against the report's: VOTRAN, AVCLMT, RMSRAT, RATLMT, fed back by ERATES."""
+    """Compare twenty steps of each mode with plain VOTRAN, AVCLMT, RMSRAT and RATLMT, with feedback by ERATES."""
     foot, dt, T_78 = FOOT if unit == "ft" else 1.0, 0.08, rotation(turn)
-    aim = 0.2 * aim  # so slow that no singularity is come near to
+    aim = 0.2 * aim  # slow, so that the arm does not come near a singularity
     most: Limits = {**LIMITS, "V_L": LIMITS["V_L"] / foot, "V_L_dot": LIMITS["V_L_dot"] / foot}
     r, T, _ = plain_lnkage(q)
     final, Tf = r + 0.5 * E1, T @ T1(0.05).T
@@ -287,7 +287,7 @@ def test_msteer_agrees_with_the_report_step_by_step(
         r, T, _ = plain_lnkage(q)
         if mode == 2:
             d, w, skew = plain_latraj(r, T, final, Tf)
-            v_c, w_c, eta = plain_vclose(d, w, *WAYS, dt)
+            v_c, w_c, eta = plain_vclose(d, w, *LIMIT_VALUES, dt)
             omega, v = w_c * skew / max(float(np.linalg.norm(skew)), 1e-30), v_c * (final - r) / max(d, 1e-30)
             assert step.ETA == pytest.approx(k * dt + eta, abs=1e-6)
         else:

@@ -19,7 +19,7 @@ from aftdeck import law
 from aftdeck.law import sincos
 
 OURS, THEIRS = 2e-16, 1.2e-16
-"""The error that sincos promises, and at most one unit in the last place of math's."""
+"""Greatest error that `sincos` promises, and greatest error of `math`, one unit in the last place."""
 
 
 def off(angle: float) -> float:

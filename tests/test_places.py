@@ -100,7 +100,7 @@ def test_unknown_field_is_reported_with_its_index_and_line(
     _, problems = examine(union, Text("f.toml", "\n".join(lines)))
     sentences = [problem.sentence("f.toml", "\n".join(lines)) for problem in problems]
     found = {m[2]: int(m[1]) for m in (re.match(r"f\.toml:(\d+): (\S*nonsense): ", one) for one in sentences) if m}
-    if any("nonsense" in one for one in sentences):  # a union without its kind is one error
+    if any("nonsense" in one for one in sentences):  # a table without the field that selects its type gives one error
         assert found == expected
 
 

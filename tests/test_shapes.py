@@ -1,4 +1,4 @@
-"""Shapes: rejection of invalid ones, and the arm's shapes against its surveyed dimensions."""
+"""Shapes: rejection of invalid shapes, and the arm's shapes against its surveyed dimensions."""
 
 from __future__ import annotations
 

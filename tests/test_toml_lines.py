@@ -29,7 +29,7 @@ DISGUISED = st.sampled_from(
         "\n\n",
     ]
 )
-"""Texts that look like the file's own lines."""
+"""Texts that look like lines of a TOML file."""
 
 
 class Writer:

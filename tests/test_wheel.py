@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[1]
 UV = Path(find_uv_bin())
 PAGE = "aftdeck/station/static/index.html"
 
-# One worker builds and installs, once for all of them (`--dist loadgroup`).
+# One worker builds and installs once, for all tests of this module (`--dist loadgroup`).
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("wheel")]
 
 WAIT_S = 400.0

@@ -1,4 +1,4 @@
-"""The concept arm's file: its dimensions are consistent, and inconsistent ones are rejected."""
+"""The concept arm's file: its dimensions are consistent, and inconsistent dimensions are rejected."""
 
 from __future__ import annotations
 

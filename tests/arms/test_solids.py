@@ -1,4 +1,4 @@
-"""Solids of an arm: valid, at the arm's pose, and never smaller than its shapes."""
+"""Solids of an arm: they are valid, are at the arm's pose, and enclose the shapes of the arm."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from aftdeck.scene.placed import placed
 from aftdeck.scene.solids import solid as surface_of
 
 FOOT = 0.3048
-HAIR = 1e-3
-"""Allowed distance of a shape outside the solids [m]: the rounded positions in the arm file, after rotation."""
+MAX_PROJECTION = 1e-3
+"""Distance by which a shape may project from the solids [m]: positions in the arm file are rounded, then rotated."""
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 
 
@@ -42,7 +42,7 @@ def file(concept: ArmModel) -> HeadingArmFile:
 
 
 def depth(points: Array, solids: list[Solid]) -> Array:
-    """Return the distance (n,) of each point outside all solids [m]; negative inside one."""
+    """Return the distance (n,) from each point to the nearest solid [m]; negative if the point is inside a solid."""
     out = []
     for solid in solids:
         body = pack(solid.vertices)
@@ -50,7 +50,7 @@ def depth(points: Array, solids: list[Solid]) -> Array:
     return np.asarray(np.min(out, axis=0))
 
 
-def the(model: ArmModel, part: str) -> Solid:
+def solid_of(model: ArmModel, part: str) -> Solid:
     (found,) = [solid for solid in solids_of(model) if solid.part == part]
     return found
 
@@ -82,8 +82,8 @@ def test_shapes_lie_inside_the_solids_of_their_frame(name: str) -> None:
             surface = moved(surface_of(shape, 64), pose)
             corners = surface.vertices[surface.faces]
             inside = np.einsum("nkv,nvc->nkc", rng.dirichlet(np.ones(3), (len(corners), 4)), corners).reshape(-1, 3)
-            assert depth(surface.vertices, solids).max() <= HAIR, (frame, shape)
-            assert depth(inside, solids).max() <= HAIR, (frame, shape)
+            assert depth(surface.vertices, solids).max() <= MAX_PROJECTION, (frame, shape)
+            assert depth(inside, solids).max() <= MAX_PROJECTION, (frame, shape)
 
 
 def test_parts_have_the_names_that_the_operator_reads() -> None:
@@ -101,26 +101,26 @@ def test_parts_have_the_names_that_the_operator_reads() -> None:
 
 
 def test_palm_face_d_points_outward_with_the_tip_at_its_centre(concept: ArmModel) -> None:
-    normal, corners = face(the(concept, "palm"), "d")
+    normal, corners = face(solid_of(concept, "palm"), "d")
     assert normal == pytest.approx([1.0, 0.0, 0.0])
     assert corners.mean(axis=0) == pytest.approx([concept.links[L5], 0.0, 0.0])
-    assert face(the(concept, "palm"), "c")[0] == pytest.approx([-1.0, 0.0, 0.0])
+    assert face(solid_of(concept, "palm"), "c")[0] == pytest.approx([-1.0, 0.0, 0.0])
 
 
 def test_finger_faces_b_and_e_face_each_other(concept: ArmModel, file: HeadingArmFile) -> None:
-    normal, corners = face(the(concept, "fixed finger"), "b")
+    normal, corners = face(solid_of(concept, "fixed finger"), "b")
     assert normal == pytest.approx([0.0, -1.0, 0.0])
     assert corners[:, 1] == pytest.approx(np.full(4, file.effector.fixed_finger.value))
-    prong = the(concept, "prong")
+    prong = solid_of(concept, "prong")
     normal, corners = face(prong, "e")
     assert prong.frame == "arm.prong" and normal == pytest.approx([0.0, 1.0, 0.0])
-    assert corners[:, 1] == pytest.approx(np.zeros(4))  # its frame is at this face
+    assert corners[:, 1] == pytest.approx(np.zeros(4))  # the frame of the prong is at this face
 
 
 def test_first_vertices_of_the_palm_are_those_of_the_report(concept: ArmModel, file: HeadingArmFile) -> None:
     # v1 = -W Y2 + H Z2 at the palm's inner end; v2 = v1 + L X2
     e = file.effector
-    v1, v2 = the(concept, "palm").vertices[:2]
+    v1, v2 = solid_of(concept, "palm").vertices[:2]
     assert v1 == pytest.approx([e.palm.value[0], -e.palm_half_width.value, e.palm_half_height.value])
     assert v2 - v1 == pytest.approx([e.palm.value[1] - e.palm.value[0], 0.0, 0.0])
 

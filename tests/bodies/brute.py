@@ -24,7 +24,10 @@ def clearance(a: Array, b: Array) -> float:
 
 
 def _edges(a: Array, b: Array) -> float:
-    """Return the minimum distance of the edges: between inner points of both, or from an end of one to the other."""
+    """Return the minimum distance between an edge of `a` and an edge of `b`.
+
+    The closest points of two edges are inside both edges, or one of them is an end of its edge.
+    """
     p, q = (a[ends] for ends in np.repeat(EDGES, 12, axis=0).T)
     r, s = (b[ends] for ends in np.tile(EDGES, (12, 1)).T)
     least = min(_to_segments(r, p, q), _to_segments(s, p, q), _to_segments(p, r, s), _to_segments(q, r, s))
@@ -44,7 +47,7 @@ def _to_segments(points: Array, p: Array, q: Array) -> float:
 
 
 def _vertices(points: Array, body: Array) -> float:
-    """Return the minimum distance from a point to a face that is perpendicularly below the point."""
+    """Return the minimum distance from a point to a face. A face counts only if the point projects onto it."""
     least = np.inf
     for normal, rim in zip(normals(body[None])[0], body[FACES], strict=True):
         height = (points - rim[0]) @ normal

@@ -1,4 +1,4 @@
-"""Random hexahedra, and pairs of them near contact whose clearance is known from how they were placed."""
+"""Random hexahedra, and pairs of hexahedra near contact. The clearance of most pairs is known from their placement."""
 
 from __future__ import annotations
 
@@ -65,17 +65,18 @@ def normals(bodies: Array) -> Array:
 
 
 class Placing(NamedTuple):
-    """Translations (n, 3) [m] of the second bodies, and the clearances (n,) [m] after them; NaN if unknown."""
+    """Translations (n, 3) [m] of the second bodies, and the resulting clearances (n,) [m]; NaN if unknown."""
 
     shift: Array
     clearance: Array
 
 
 def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
-    """Return positions of bodies b (n, 8, 3) 1e-10 to 0.3 m outside or inside bodies a, an eighth of them random.
+    """Return positions at which each body of `b` (n, 8, 3) is 1e-10 to 0.3 m outside or inside its body of `a`.
 
-    The closest features are two vertices, a vertex and a face, or two edges. Closest points that are apart are on two
-    parallel planes that separate the bodies, so their distance is the clearance.
+    An eighth of the positions is random. At the others, the closest features are two vertices, a vertex and a face, or
+    two edges. If the bodies do not overlap, their closest points are on two parallel planes that separate the bodies.
+    The distance of the closest points is then the clearance.
     """
     n, rows = len(a), np.arange(len(a))
     kind = rng.integers(8, size=n)
@@ -86,19 +87,19 @@ def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
     middle = a[rows[:, None], EDGES[edge_a]].mean(axis=1) - a.mean(axis=1)
     square *= np.where((square * middle).sum(axis=1) < 0.0, -1.0, 1.0)[:, None]
     choices = [rng.normal(size=(n, 3)), normals(a)[rows, face], -normals(b)[rows, face], square]
-    way = np.choose(np.minimum(kind // 2, 3)[:, None], choices)
-    way /= np.linalg.norm(way, axis=1, keepdims=True)
-    start = _support(rng, a, way)
-    end = _support(rng, b, -way)
+    direction = np.choose(np.minimum(kind // 2, 3)[:, None], choices)
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    start = _support(rng, a, direction)
+    end = _support(rng, b, -direction)
     gap = 10.0 ** rng.uniform(-10.0, -0.5, n) * rng.choice([1.0, -1.0], n)
-    shift = start + gap[:, None] * way - end
+    shift = start + gap[:, None] * direction - end
     anywhere = rng.random(n) < 0.125
     shift[anywhere] = rng.normal(size=(n, 3))[anywhere]
     return Placing(shift, np.where(anywhere | (gap < 0.0), np.nan, gap))
 
 
-def _support(rng: np.random.Generator, bodies: Array, way: Array) -> Array:
+def _support(rng: np.random.Generator, bodies: Array, direction: Array) -> Array:
     """Return a random point (n, 3) of each body's extreme feature along a direction (n, 3)."""
-    height = np.einsum("nvk,nk->nv", bodies, way)
+    height = np.einsum("nvk,nk->nv", bodies, direction)
     share = rng.random(height.shape) * (height >= height.max(axis=1, keepdims=True) - 1e-12)
     return np.asarray(np.einsum("nv,nvk->nk", share / share.sum(axis=1, keepdims=True), bodies))

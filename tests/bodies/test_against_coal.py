@@ -1,4 +1,4 @@
-"""Random pairs near contact: verdicts against coal, clearances against the known ones, and every witness."""
+"""Random pairs near contact: verdicts against coal, clearances against known clearances, and every witness."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ KINDS = {"boxes": boxes, "skewed": skewed}
 
 
 def hull(body: Array) -> object:
-    """Return a body (8, 3) as a convex of coal."""
+    """Return a body (8, 3) as a convex body of coal."""
     points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
     for point in body:
         points.append(point)
@@ -35,8 +35,8 @@ def hull(body: Array) -> object:
     return coal.Convex(points, triangles)
 
 
-def witnessed(a: Array, b: Array, pairs: Array, clearance: Array) -> None:
-    """Check that each separate pair has a plane, and that each overlapping pair names penetrating features."""
+def check_witnesses(a: Array, b: Array, pairs: Array, clearance: Array) -> None:
+    """Check the witnesses: a separating plane for each pair that does not overlap, otherwise penetrating features."""
     apart, inside = clearance > CONTACT, clearance < -ROUNDING
     assert planes_hold(a[apart], b[apart], pairs[apart]).all()
     assert features_penetrate(a[inside], b[inside], pairs[inside]).all()
@@ -44,7 +44,7 @@ def witnessed(a: Array, b: Array, pairs: Array, clearance: Array) -> None:
 
 
 def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, int]:
-    """Return the number of pairs compared, and of disagreements, over random placements of `shapes` pairs per round."""
+    """Place `shapes` random pairs in each round; return the number of compared pairs and of disagreements."""
     rng = np.random.default_rng(seed)
     first = np.einsum("nij,nvj->nvi", rotations(rng, shapes), KINDS[kind](rng, shapes))
     second = KINDS[kind](rng, shapes)
@@ -65,8 +65,8 @@ def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, 
 
         def collide(k: int, order: Ints = order, turn: Array = turn, at: Array = placing.shift) -> bool:
             result.clear()
-            there = coal.Transform3s(turn[k], at[k])
-            return bool(coal.collide(hulls_first[k], at_origin, hulls_second[order[k]], there, request, result) > 0)
+            pose = coal.Transform3s(turn[k], at[k])
+            return bool(coal.collide(hulls_first[k], at_origin, hulls_second[order[k]], pose, request, result) > 0)
 
         request.gjk_convergence_criterion = GAP
         bodies, pairs = np.empty((2 * shapes, BODY)), np.zeros((shapes, PAIR))
@@ -86,11 +86,11 @@ def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, 
         known = np.isfinite(placing.clearance)
         assert np.abs(clearance - placing.clearance)[known].max() <= ROUNDING
         assert points_hold(a, b, pairs).all()
-        witnessed(a, b, pairs, clearance)
+        check_witnesses(a, b, pairs, clearance)
         pairs[:] = 0.0
         verdicts = [verdict(bodies[k], bodies[shapes + k], pairs[k]) for k in range(shapes)]
         assert np.array_equal(verdicts, collides)
-        witnessed(a, b, pairs, clearance)
+        check_witnesses(a, b, pairs, clearance)
         seen += shapes
     return seen, wrong
 

@@ -37,7 +37,7 @@ def radii(bodies: Array, axis: Axis) -> Array:
 
 
 def around(axis: Axis, along: Array, radius: Array, angle: Array) -> Array:
-    """Return points from their position along an axis, distance from it and angle about it."""
+    """Return the points with these positions along an axis, distances from the axis and angles about the axis."""
     points = np.empty((len(along), 3))
     for k, values in zip(AXES[axis], (along, radius * np.cos(angle), radius * np.sin(angle)), strict=True):
         points[:, k] = values

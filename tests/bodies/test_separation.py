@@ -16,7 +16,7 @@ PLATE = CUBE * [4.0, 4.0, 0.5]
 
 
 def near_pairs(seed: int, count: int) -> list[tuple[Array, Array]]:
-    """Return pairs near contact, boxes and skewed bodies mixed."""
+    """Return random pairs of boxes and skewed bodies near contact."""
     rng = np.random.default_rng(seed)
     both = np.concatenate([boxes(rng, count), skewed(rng, count)])
     bodies = np.einsum("nij,nvj->nvi", rotations(rng, 2 * count), both)[rng.permutation(2 * count)]
@@ -108,7 +108,7 @@ def test_needle_through_a_face_collides_in_either_argument_order(across: bool) -
 
 
 def test_needle_that_ends_before_a_face_does_not_collide() -> None:
-    # The extensions of its edges pierce the plate.
+    # The edges of the needle do not pierce the plate; only their extensions do.
     found = separation(moved(NEEDLE, 0.3, 0.2, 3.25 + 1e-6), PLATE)
     assert found.clearance == pytest.approx(1e-6, abs=1e-12)
     assert not found.collides

@@ -1,4 +1,4 @@
-"""The page computes camera views with its own code: both the page and `view` have to give these views."""
+"""Views of cameras: `view` gives the same views as the page, which computes them with its own code."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from aftdeck.tuples import Vec3
 VIEWS = Path(__file__).parents[2] / "web" / "tests" / "views.json"
 
 
-class Witness(msgspec.Struct):
+class CameraView(msgspec.Struct):
     """A camera, the setting of its drives, and its view at that setting."""
 
     camera: Camera
@@ -24,10 +24,10 @@ class Witness(msgspec.Struct):
 
 
 def test_simulation_computes_the_camera_views_of_the_page() -> None:
-    witnesses = msgspec.json.decode(VIEWS.read_bytes(), type=list[Witness])
-    assert len(witnesses) > 10
-    for one in witnesses:
-        seen = view(one.camera, one.setting)
-        assert seen.position == pytest.approx(one.position, abs=1e-8)
-        assert seen.boresight == pytest.approx(one.boresight, abs=1e-8)
-        assert seen.up == pytest.approx(one.up, abs=1e-8)
+    expected = msgspec.json.decode(VIEWS.read_bytes(), type=list[CameraView])
+    assert len(expected) > 10
+    for case in expected:
+        found = view(case.camera, case.setting)
+        assert found.position == pytest.approx(case.position, abs=1e-8)
+        assert found.boresight == pytest.approx(case.boresight, abs=1e-8)
+        assert found.up == pytest.approx(case.up, abs=1e-8)

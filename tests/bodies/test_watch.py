@@ -1,4 +1,4 @@
-"""Pairs measured repeatedly: their memory makes a result faster, and never changes it."""
+"""Pairs that are measured repeatedly: the memory of a pair makes a measurement faster, and never changes its result."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ from tests.bodies.witnesses import features_penetrate, planes_hold, points_hold
 
 
 def motions(seed: int, count: int, frames: int) -> list[tuple[Array, list[Array]]]:
-    """Return bodies, each with the vertices of another body that drifts past it and turns, in steps of millimetres."""
+    """Return bodies, each with a second body that drifts past it and rotates, by a few millimetres in each frame.
+
+    The second body is given by its vertices in each frame.
+    """
     rng = np.random.default_rng(seed)
     a, b = skewed(rng, count), boxes(rng, count)
     start = near_contact(rng, a, b).shift
@@ -32,11 +35,11 @@ def motions(seed: int, count: int, frames: int) -> list[tuple[Array, list[Array]
         turn = np.eye(3) + np.cross(np.eye(3), spin)
         turn, _ = np.linalg.qr(turn)
         turn *= np.sign(np.diag(turn))
-        places, body = [], b[k]
+        second, body = [], b[k]
         for frame in range(frames):
-            places.append(body + start[k] + (frame - frames / 2) * drift)
+            second.append(body + start[k] + (frame - frames / 2) * drift)
             body = body @ turn.T
-        passes.append((a[k], places))
+        passes.append((a[k], second))
     return passes
 
 

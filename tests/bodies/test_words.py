@@ -13,7 +13,7 @@ from aftdeck.bodies.location_words import heights, location_words
 from tests.bodies.shapes import CUBE, rotations, skewed
 
 BIT = {"a": 1, "b": 2, "c": 4, "d": 8, "e": 16, "f": 32}
-PLACES = {
+POSITIONS = {
     (0, 0, 0): "",
     (-1, 0, 0): "a",
     (0, -1, 0): "b",
@@ -32,11 +32,11 @@ PLACES = {
     (1, -1, 1): "bdf",
     (-1, 1, -1): "ace",
 }
-"""Position of a small body around a large one, and the faces that have all its vertices on their TRUE side."""
+"""Positions of a small body around a large body; faces of the large body with the small body on their TRUE side."""
 
 
 def words(a: Array, b: Array) -> list[int]:
-    """Return the location words of body a relative to body b."""
+    """Return the location words of the body `a` relative to the body `b`."""
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)
@@ -44,7 +44,10 @@ def words(a: Array, b: Array) -> list[int]:
 
 
 def pierced(a: Array, b: Array) -> tuple[int, int]:
-    """Return the edge of a that pierces a face of b, and that face, counted from 0; -1 if no edge does."""
+    """Return an edge of `a` that pierces a face of `b`, and this face, both counted from 0.
+
+    The edge is -1 if no edge pierces a face.
+    """
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)
@@ -52,12 +55,12 @@ def pierced(a: Array, b: Array) -> tuple[int, int]:
     return int(edge), int(face)
 
 
-@pytest.mark.parametrize(("place", "faces"), PLACES.items(), ids=str)
-def test_location_words_name_the_faces_that_a_vertex_is_outside_of(place: tuple[int, int, int], faces: str) -> None:
+@pytest.mark.parametrize(("position", "faces"), POSITIONS.items(), ids=str)
+def test_location_words_name_the_faces_that_a_vertex_is_outside_of(position: tuple[int, int, int], faces: str) -> None:
     word = sum(BIT[letter] for letter in faces)
     turn = rotations(np.random.default_rng(21), 1)[0]
     for rotation in (np.eye(3), turn):
-        small, large = (CUBE * 0.1 + place) @ rotation.T, CUBE @ rotation.T
+        small, large = (CUBE * 0.1 + position) @ rotation.T, CUBE @ rotation.T
         assert words(small, large) == [word] * 8
 
 
@@ -104,7 +107,7 @@ def test_each_vertex_is_inside_the_faces_that_do_not_contain_it() -> None:
 
 @pytest.mark.parametrize("reach", [0.6, 1.5, 5.0])
 def test_edge_that_passes_through_a_face_pierces_it(reach: float) -> None:
-    # Edges 12 and 56 of the needle run along z, through face c, where they are inside in x and y.
+    # Edges 12 and 56 of the needle run along z. They pass through face c, because their x and y are inside this face.
     needle = CUBE * [0.02, 0.02, 2.0 * reach]
     edge, face = pierced(needle, CUBE)
     assert EDGES[edge] == (1, 2)

@@ -22,7 +22,7 @@ def vertices(packed: Array) -> Array:
 
 
 def planes_hold(a: Array, b: Array, pairs: Array) -> Bools:
-    """Return whether each pair's plane (n,) separates a (n, 8, 3) from b, with a gap of more than CONTACT."""
+    """Return whether the plane of each pair (n,) separates `a` (n, 8, 3) from `b` by more than CONTACT."""
     normal = pairs[:, NORMAL : NORMAL + 3]
     reach = np.einsum("nvk,nk->nv", a, normal).max(axis=1)
     begin = np.einsum("nvk,nk->nv", b, normal).min(axis=1)
@@ -32,7 +32,7 @@ def planes_hold(a: Array, b: Array, pairs: Array) -> Bools:
 
 
 def features_penetrate(a: Array, b: Array, pairs: Array) -> Bools:
-    """Return whether each pair (n,) names a vertex inside the other body, or an edge that passes through its face."""
+    """Return for each pair (n,) whether its features are a vertex inside the other body, or an edge through a face."""
     of_a, of_b = pairs[:, FEATURE_A].astype(int), pairs[:, FEATURE_B].astype(int)
     return np.asarray(_enters(a, b, of_a, of_b) | _enters(b, a, of_b, of_a))
 

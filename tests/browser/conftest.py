@@ -18,10 +18,10 @@ from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.programs import running
 
 START_S = 120.0
-"""Longest time until a station prints its address, and until the browser has started [s]."""
+"""Longest time in which a station prints its address, and in which the browser starts [s]."""
 
 COMPILED_S = 300.0
-"""Longest time until the station answers after that [s]; the first run compiles the laws."""
+"""Longest time from the printed address to the first answer of the station [s]; the first run compiles the laws."""
 
 # As in benchmarks/page.py: Mesa's GL draws the scene, but does not composite the page.
 FLAGS = [
@@ -60,7 +60,7 @@ def station(request: pytest.FixtureRequest) -> Iterator[str]:
 
 @contextmanager
 def running_station(*options: str) -> Iterator[str]:
-    """Run `aftdeck fly` with these options inside the `with` block; yields its address."""
+    """Run `aftdeck fly` with these options inside the `with` block; yield the address of the station."""
     command = [sys.executable, "-m", "aftdeck.cli", "fly", *options, "--no-browser", "--port", "0"]
     with running(command, stdout=subprocess.PIPE, text=True) as process:
         address = _address(process)
@@ -99,7 +99,7 @@ def browser(chromium: Path) -> Iterator[Browser]:
 
 @pytest.fixture
 def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
-    """Function that opens a page of the station in the low profile. An error in a console fails the test."""
+    """Function that opens a page of the station with `quality=low`. An error in its console fails the test."""
     errors: list[str] = []
     pages: list[Page] = []
 

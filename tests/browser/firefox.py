@@ -140,7 +140,7 @@ def started(programs: Programs, folder: Path) -> Iterator[Firefox]:
 
 @contextmanager
 def _screen(program: str) -> Iterator[str]:
-    """Run an invisible screen inside the `with` block; yields the name of its display."""
+    """Run an invisible screen inside the `with` block; yield the name of its display."""
     command = [program, "-displayfd", "1", "-screen", "0", "1920x1200x24", "-nolisten", "tcp"]
     with running(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
         assert process.stdout is not None

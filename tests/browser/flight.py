@@ -15,7 +15,7 @@ WAIT_MS = 60_000
 """Longest wait for an action of a page [ms]; software drawing on a busy machine is slow."""
 
 TURNED = "document.querySelector('.rotary .turned')?.textContent"
-"""JavaScript: mode to which the rotary is turned, but which is not entered."""
+"""JavaScript: mode to which the rotary is turned, as long as this mode is not entered."""
 ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
 """JavaScript: mode that the rotary shows as entered."""
 
@@ -26,9 +26,9 @@ FLIES = "document.querySelector('.rail .who').matches('.flying')"
 OBSERVES = "document.querySelector('.rail .who').matches(':not(.flying, .lost)')"
 """JavaScript condition: the page observes."""
 NAMING = "!document.querySelector('.choices.naming').hidden"
-"""JavaScript: the field for the name is open."""
+"""JavaScript condition: the field for the name is open."""
 TYPING = "document.body.classList.contains('typing')"
-"""JavaScript: keys write text and do not fly."""
+"""JavaScript condition: keys write text, and do not move the arm."""
 LOGGED = "[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.dataset.kind)"
 """JavaScript: kinds of the lines of the log that are on the page, the newest first."""
 
@@ -167,6 +167,6 @@ class Flight:
 
 
 def shows(monitor: int, *names: str) -> str:
-    """JavaScript condition: the pictures of a monitor are from these cameras, from the left."""
+    """JavaScript condition: a monitor shows the pictures of these cameras, from left to right."""
     pictures = f"document.querySelectorAll('.monitor')[{monitor}].querySelectorAll('.picture .name b')"
     return f"[...{pictures}].map((name) => name.textContent).join() === '{','.join(names)}'"

@@ -27,7 +27,7 @@ HELD = "frame.work.cargo[0].held"
 NORTH, MENU, CROSS_UP = 3, 9, 12
 """Buttons of the standard mapping."""
 MOST_TRIES = 10
-"""A key that is released late moves the palm out of its range of 0.75 in."""
+"""Greatest number of tries to stop the palm in its range of 0.75 inches. A key may be released too late."""
 
 
 def test_every_body_of_the_concept_worksite_is_drawn(flight: Flight) -> None:

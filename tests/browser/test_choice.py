@@ -27,7 +27,7 @@ def choose(flight: Flight, title: str) -> None:
 
 def test_scenario_chosen_from_the_list_opens_on_every_page(flight: Flight, open_page: OpenPage) -> None:
     observer = open_page()
-    for page in (flight, observer):  # a new scenario opens with the desk, whatever was shown
+    for page in (flight, observer):  # a new scenario shows the desk, even if the page showed something else before
         page.press("c")
         page.until("document.querySelector('.matrix').checkVisibility()")
     choose(flight, "Three singularities")
@@ -41,7 +41,7 @@ def test_scenario_chosen_from_the_list_opens_on_every_page(flight: Flight, open_
     flight.until("frame.translation[0] < -0.9")
     flight.release("s")
     choose(flight, "First flight")
-    flight.until(LEAVING)  # the arm was flown, so that the page asks
+    flight.until(LEAVING)  # the arm has moved, so the page asks
     assert "Leave “Three singularities” for “First flight”?" in flight.page.locator(".leaving").inner_text()
     flight.press_key("Stay")
     flight.until(f"!{LEAVING} && {TITLE} === 'Three singularities'")

@@ -74,7 +74,7 @@ def sheet(page: Page) -> Locator:
 
 
 def close_sheet(flight: Flight) -> None:
-    """Close the sheet and wait until the page has seen centred devices, which can then fly."""
+    """Close the sheet, and wait until the page has read the devices as centred; only then can they move the arm."""
     flight.press("Escape")
     sheet(flight.page).wait_for(state="hidden")
     flight.polled()

@@ -101,7 +101,7 @@ def test_log_and_mode_have_the_telemetry_delay(page: Flight) -> None:
     page.enter("ORB UNL")
 
 
-def test_rail_and_lamp_show_delays_that_stick_to_picture_excludes(page: Flight) -> None:
+def test_rail_and_lamp_show_delays_outside_the_stick_to_picture_time(page: Flight) -> None:
     assert page.script("document.querySelector('.rail .delay').textContent") == "Delay TLM 1.00 · CAM 3.00 s"
     link = page.page.locator(".lamp.info", has_text="LINK DELAY")
     assert link.get_attribute("title") == "figures are 1.00 s old, pictures are 3.00 s old"

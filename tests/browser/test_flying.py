@@ -162,7 +162,7 @@ def test_target_that_is_not_a_number_is_rejected(flight: Flight) -> None:
 
 
 def key_in_x(flight: Flight, by: float) -> float:
-    """Key in the present point moved along X by `by` [m]; return the new X [m]."""
+    """Enter a target: the present point, displaced by `by` [m] along X. Return the X of the target [m]."""
     flight.page.get_by_role("button", name="Present").click()
     field = flight.page.get_by_label("Target X", exact=True)
     target = float(field.input_value().replace("−", "-")) + by / INCH

@@ -78,7 +78,7 @@ _COLOURED = """() => {
         return most;
     });
 }"""
-"""Greatest difference of two colours of one pixel, in each picture."""
+"""Greatest difference between two colour components of one pixel, for each picture."""
 
 
 def test_early_flights_make_television_but_not_windows_grey(flight: Flight) -> None:

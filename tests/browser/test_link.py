@@ -74,7 +74,7 @@ STALL = "() => { const begun = performance.now(); while (performance.now() - beg
 
 
 @pytest.mark.slow
-def test_blocked_page_does_not_fly_the_key_held_meanwhile(page: Page, station: str) -> None:
+def test_key_held_while_the_page_was_blocked_does_not_fly(page: Page, station: str) -> None:
     page.goto(f"{station}?quality=low")
     flight = Flight(page).from_the_start()
     flight.hold("w")

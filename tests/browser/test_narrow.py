@@ -52,7 +52,7 @@ COVERED = """() => {
             if (text.checkVisibility() && meet(stick, text)) found.push(`a touch stick covers “${name(text)}”`);
     return found;
 }"""
-"""Texts of the pictures that overlap each other, or that MON 2 or a touch stick covers."""
+"""Texts in the pictures that overlap each other, or that are covered by MON 2 or a touch stick."""
 
 
 @pytest.fixture(scope="module")

@@ -79,7 +79,7 @@ def test_units_button_changes_the_units(flight: Flight) -> None:
     flight.until(f"{unit} !== '{before}'")
 
 
-def test_the_hook_measures_stick_to_picture(flight: Flight) -> None:
+def test_page_measures_the_stick_to_picture_time(flight: Flight) -> None:
     before = flight.script("performance.now()")
     flight.hold("w")
     flight.until("frame.translation[0] === 1")

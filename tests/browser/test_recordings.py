@@ -1,4 +1,4 @@
-"""From the flight to its replay and back."""
+"""Change from the flight to its replay, and back."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ LATCHES_MS = 120_000
 """Longest wait for the latches [ms], which take 30 s."""
 MOST_TRIES = 20
 MIDDLE = 1.5 * INCH
-"""Greatest distance from the axis of the pin when the step is flown [m]; the step allows 2 in."""
+"""Distance from the axis of the pin within which the test stops to align [m]; the tutorial allows 2 inches."""
 
 CLASHES = """() => {
     const box = (node) => node.getBoundingClientRect();
@@ -84,7 +84,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
     flight.until(r"/ \([LR].\) /.test(document.querySelector('.cells .way').title)")
     _close_in(flight)
 
-    # Capture: held, not tapped.
+    # Capture: the button has to be held.
     flight.until(f"{STEP} === '5 of 6' && {WORDS}.includes('Hold North until')")
     flight.until("document.querySelector('.conditions h2').textContent.includes('capture, hold North')")
     flight.pad_buttons(NORTH)

@@ -1,4 +1,4 @@
-"""Secondary windows of a flight: their keys act for their page, strips follow the run, and each page has its own."""
+"""Secondary windows of a flight: keys act for a window's page, strips follow the run, each page has its own windows."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_keys_of_a_secondary_window_fly_stop_and_brake(flight: Flight, second: F
     flight.until(FORWARD)
     second.page.get_by_role("button", name="Split").focus()
     split = second.page.locator(".picture").count()
-    second.press("Space")  # stops, and does not press the button
+    second.press("Space")  # stops the arm, and does not press the button that has the focus
     flight.until(f"{AT_ZERO} && !document.querySelector('.monitor .split')")
     assert second.page.locator(".picture").count() == split
     second.release("w")

@@ -1,4 +1,4 @@
-"""A station with the worksite of a test: it changes frames before the page receives them, and only stores commands."""
+"""The worksite of a test: it replaces the worksite in the frames for the page, and stores the messages of the page."""
 
 from __future__ import annotations
 

@@ -14,5 +14,5 @@ def arm() -> aftdeck.Arm:
 
 @pytest.fixture(scope="session", params=["srms", "concept-1972"])
 def any_arm(request: pytest.FixtureRequest) -> aftdeck.Arm:
-    """Return one arm of each family."""
+    """An arm of each family."""
     return aftdeck.load_arm(request.param)

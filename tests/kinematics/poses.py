@@ -25,9 +25,9 @@ AXES = np.array(
 ORIGIN = np.array(CENTRES["shoulder_yaw"]) * INCH
 """L's origin, structural [m]."""
 BODY = np.diag([-1.0, 1.0, -1.0])
-"""From structural components (aft, starboard, up) to the orbiter's body axes (forward, starboard, down)."""
+"""Conversion of structural components (aft, starboard, up) to the orbiter's axes (forward, starboard, down)."""
 STRAIGHT = -(math.atan2(6.0, 251.05) + math.atan2(6.0, 277.95))
-"""Elbow angle at which upper and lower arm are in line [rad]; both are 6 in off the boom line."""
+"""Elbow angle at which upper and lower arm are in line [rad]. The elbow is 6 inches off the boom line."""
 
 
 def structural(position: Array) -> Array:
@@ -59,7 +59,7 @@ def over_the_shoulder(arm: aftdeck.Arm) -> Array:
 
 
 def singular_poses(arm: aftdeck.Arm) -> dict[str, Array]:
-    """Return angles exactly at each singularity, away from the others."""
+    """Return joint angles exactly at each singularity and away from the other two."""
     return {
         "shoulder": over_the_shoulder(arm),
         "elbow": np.array([0.3, 1.0, STRAIGHT, 0.4, 0.2, 0.1]),
@@ -68,7 +68,7 @@ def singular_poses(arm: aftdeck.Arm) -> dict[str, Array]:
 
 
 def turned(a: Array, b: Array) -> Array:
-    """Return the rotation vectors [rad] (..., 3) from b to a, rotation matrices (..., 3, 3), for small rotations."""
+    """Return the rotation vectors (..., 3) [rad] from matrices `b` (..., 3, 3) to matrices `a`; for small rotations."""
     r = a @ np.swapaxes(b, -1, -2)
     return 0.5 * np.stack([r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]], -1)
 

@@ -96,7 +96,7 @@ def test_telescope_length_outside_its_limits_is_rejected(concept: aftdeck.Arm) -
             concept.at(stand=given)  # type: ignore[arg-type]
 
 
-def test_arm_without_a_telescope_rejects_a_stand() -> None:
+def test_arm_without_a_telescope_rejects_a_telescope_length() -> None:
     srms = aftdeck.load_arm("srms")
     assert srms.stand is None
     with pytest.raises(InputError, match=r"srms .*telescope"):
@@ -163,7 +163,7 @@ def test_every_branch_near_the_wrist_singularity_maps_back(concept: aftdeck.Arm)
 # --- singularities ----------------------------------------------------------------------------------------
 
 SINGULAR = {
-    "shoulder": np.radians([20.0, 110.0, -40.0, 10.0, -40.0, 15.0]),  # equal booms: wrist over the heading's axis
+    "shoulder": np.radians([20.0, 110.0, -40.0, 10.0, -40.0, 15.0]),  # equal booms: the wrist is over the axis
     "elbow": np.radians([20.0, 60.0, 0.0, 10.0, -40.0, 15.0]),
     "wrist": np.radians([20.0, 60.0, -90.0, 10.0, 90.0, 15.0]),
     "wrist, down": np.radians([20.0, 60.0, -90.0, 10.0, -90.0, 15.0]),
@@ -218,11 +218,13 @@ def test_singular_wrist_is_rejected_only_among_returned_solutions(
 # --- the mission ------------------------------------------------------------------------------------------
 
 BAR = np.array([28.0, 0.0, 0.74])
-"""Centre of the top of the payload's bar in the bay [ft]: a prism 11.26 across flats, 7.12 deep, a bar 0.75 high."""
+"""Centre of the top of the bar of the payload in the bay [ft]. The payload is a prism, 11.26 across flats.
+Its centre is at a depth of 7.12, and its bar is 0.75 high."""
 DOCKED = np.array([-4.0 + 16.0, 16.0, -22.0 - (7.12 - 0.74)])
-"""The same with the probe's forward face, 16 ft ahead of the payload's centre, in the port (-4, 16, -22) [ft]."""
+"""The same point of the docked payload [ft]. The forward face of the probe, 16 ft from the centre of the payload, is in
+the port at (-4, 16, -22)."""
 DOWN = by_the_report(np.radians([0, 0, 0, 0, -90, 0]))
-"""Orientation with the end effector straight down and its fingers on the sides of a bar along the bay."""
+"""Orientation of the end effector that points straight down, with a finger on each side of a bar along the bay."""
 PATH: list[Array] = [
     BAR - [0, 0, 4.0],
     BAR - [0, 0, 0.03],

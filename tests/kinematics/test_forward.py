@@ -1,4 +1,4 @@
-"""LNKAGE against published poses, and its arguments."""
+"""LNKAGE: agreement with published poses, and rejected arguments."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ def anywhere(seed: int, count: int) -> Array:
 
 
 def all_branches(arm: aftdeck.Arm, q: Array) -> tuple[Array, Array]:
-    """Return angles (n, 8, 6) and excess (n, 8) of RMANGS at the poses of angles (n, 6)."""
+    """Return the angles (n, 8, 6) and excess (n, 8) that RMANGS gives for the poses of the joint angles `q` (n, 6)."""
     pose = arm.forward(q)
     packed = np.concatenate([pose.position, pose.rotation.reshape(-1, 9)], axis=1)
     angles, excess = np.empty((len(q), BRANCHES, 6)), np.empty((len(q), BRANCHES))
@@ -40,7 +40,7 @@ def nearness(arm: aftdeck.Arm, q: Array) -> Array:
 
 
 @pytest.mark.parametrize("where", ["legal", "anywhere"])
-def test_every_branch_of_50000_poses_maps_back_and_one_is_the_original(any_arm: aftdeck.Arm, where: str) -> None:
+def test_each_branch_of_50000_poses_maps_back_and_one_is_the_original(any_arm: aftdeck.Arm, where: str) -> None:
     q = legal(any_arm, 10, 50_000) if where == "legal" else anywhere(11, 50_000)
     angles, excess = all_branches(any_arm, q)
     found = excess == 0.0
@@ -48,7 +48,7 @@ def test_every_branch_of_50000_poses_maps_back_and_one_is_the_original(any_arm: 
     off = np.linalg.norm(back.position - pose.position[:, None], axis=2)
     turned = np.abs(back.rotation - pose.rotation[:, None]).max(axis=(2, 3))
     assert max(off[found].max(), turned[found].max()) < 1e-9
-    # the accuracy of the angles is proportional to the distance from a singularity
+    # the error of the angles is inversely proportional to the distance from a singularity
     near = nearness(any_arm, q)
     miss = np.where(found, np.abs(apart(angles, q[:, None])).max(axis=2), np.inf).min(axis=1)
     assert (miss * near)[near > 1e-5].max() < 1e-11
@@ -145,7 +145,7 @@ def test_limits_exclude_exactly_the_solutions_outside_the_stops(arm: aftdeck.Arm
 def test_pose_out_of_reach_is_rejected_with_its_excess(arm: aftdeck.Arm, beyond: float) -> None:
     q = np.array([0.4, 0.7, STRAIGHT, -0.1, 0.15, 0.3])
     pose = arm.forward(q)
-    # the straight line from shoulder pitch to wrist pitch lies a boom angle above the upper arm's line
+    # the line from shoulder pitch to wrist pitch is above the line of the upper arm by a constant angle
     lift = q[1] - math.atan2(6.0, 251.05)
     along = np.array([math.cos(0.4) * math.cos(lift), math.sin(0.4) * math.cos(lift), -math.sin(lift)])
     with pytest.raises(UnreachableError, match="too far") as caught:
@@ -163,7 +163,7 @@ def test_stretched_arm_is_within_reach(arm: aftdeck.Arm) -> None:
 
 
 def test_pose_too_close_is_rejected_with_its_excess(arm: aftdeck.Arm) -> None:
-    # the wrist yaw joint is 0.1 m from shoulder pitch, the end effector level: wrist pitch is 18 in further in or out
+    # the wrist yaw joint is 0.1 m from shoulder pitch; the level end effector puts wrist pitch 18 inches from wrist yaw
     upper, lower = math.hypot(251.05, 6.0) * 0.0254, math.hypot(277.95, 6.0) * 0.0254
     inside = lower - upper - (0.1 - 18 * 0.0254) * -1.0
     outside = lower - upper - (0.1 + 18 * 0.0254)

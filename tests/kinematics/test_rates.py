@@ -39,7 +39,10 @@ def test_rates_agree_with_a_general_linear_solver(any_arm: aftdeck.Arm) -> None:
 
 
 def by_the_report(arm: aftdeck.Arm, angles: Array, twist: Array, floor: float) -> Array:
-    """Return RMSRAT by the report's equations in frame 5, with denominators of at least `floor`, for one pose."""
+    """Return the joint rates of RMSRAT at one pose, by the report's equations in frame 5.
+
+    Denominators are at least `floor`.
+    """
     links = arm.model.links
     _, l2, l3, l4, *_ = (float(x) for x in links)
     a = sines(links, *angles)

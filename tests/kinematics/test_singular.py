@@ -1,4 +1,4 @@
-"""The three singularities: where they are, their sign, and the Jacobian's determinant as a witness."""
+"""The three singularities: positions, signs of the distances, and agreement with the determinant of the Jacobian."""
 
 from __future__ import annotations
 

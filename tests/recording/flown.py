@@ -85,7 +85,7 @@ def read_until_error(path: Path) -> tuple[list[Message], RecordingError | None]:
 def rewritten(
     source: Path, out: Path, change: dict[str, bytes], *, profile: str = "aftdeck", leave_out: tuple[str, ...] = ()
 ) -> None:
-    """Write a recording again with another library, with other first messages on some topics."""
+    """Rewrite a recording with another library; `change` replaces the first message on some topics."""
     topics: dict[int, str] = {}
     channels: dict[str, int] = {}
     changes = dict(change)

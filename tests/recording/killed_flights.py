@@ -31,7 +31,7 @@ from aftdeck.simulation.warm import warm_up
 AT_ONCE = 5
 """Number of simultaneous runs; two slow processors are sufficient for them."""
 LEAST_S, MOST_S = 0.0, 2.0
-"""Range of the time from the first step of the last simultaneous run until a run is killed [s]."""
+"""Range of the random time until a run is killed [s]; it starts when every simultaneous run has made a step."""
 PERIOD_S = 0.02
 WAIT_S = 60.0
 """Longest wait for a condition [s]."""
@@ -69,7 +69,7 @@ class Index(listing.Index):
 
 
 def fly(scenario: Scenario, path: Path, steps: int, checks: int, seed: int) -> NoReturn:
-    """Record a run until killed; write to one pipe each step handed over, to the other each check of the queue.
+    """Record a run until the process is killed. Write each recorded step and each check of the queue to a pipe.
 
     The run starts when the file is in the list of recordings. If the machine pauses, the run does not catch up.
     """
@@ -116,7 +116,7 @@ class ForkedRun:
         self._handed_over.append(first)
 
     def wait_for_check(self) -> None:
-        """Wait until the recorder's thread checks the queue after now."""
+        """Wait for the next check of the queue by the recorder's thread."""
         now = time.perf_counter()
         while not self._read_checks or self._read_checks[-1].time_s < now:
             self._read_checks.append(Check._make(struct.unpack("dd", self._read(self._checks, 16))))
@@ -140,7 +140,7 @@ class ForkedRun:
 def kill_some(scenario: Scenario, files: list[Path], rng: random.Random) -> None:
     """Record a few runs simultaneously, kill each after a random time, and print the data about them.
 
-    Each is killed soon after its recorder's thread has checked the queue.
+    Each run is killed soon after the thread of its recorder has checked the queue.
     """
     runs = [ForkedRun(scenario, path, number) for number, path in enumerate(files)]
     for forked in runs:

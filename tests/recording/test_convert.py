@@ -39,7 +39,7 @@ COARSER = {
 }
 """Fields that are recorded to seven decimals."""
 GRAIN = 0.5000001 * 10**-9
-"""Greatest rounding error of a number."""
+"""Greatest rounding error of the numbers that are recorded to nine decimals."""
 COARSE_WORK = 0.5000001 * 10**-5
 """Greatest rounding error of clearances and other quantities between bodies."""
 FINE_FIELDS = {"stand", "orbiter", "orbiter_velocity", "master"}
@@ -108,7 +108,7 @@ def test_sticks_given_as_numpy_numbers_are_recorded() -> None:
 
 
 def near(one: Any, other: Any, grain: float) -> bool:
-    """Return whether all numbers of two values differ by at most `grain`, and all else is equal."""
+    """Return whether all numbers of two values differ by at most `grain`, and everything else is equal."""
     if isinstance(one, float) and isinstance(other, float | int):
         return abs(one - other) <= grain
     if isinstance(one, msgspec.Struct) and type(one) is type(other):

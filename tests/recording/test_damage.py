@@ -106,7 +106,7 @@ def test_cut_file_is_verified_up_to_the_cut(whole: Path, tmp_path: Path) -> None
 
 
 def flips(data: bytes, count: int, seed: int) -> list[int]:
-    """Return bits to flip: one half anywhere, the other half at the beginnings of records."""
+    """Return numbers of bits to flip: one half anywhere, the other half at the beginnings of records."""
     rng = random.Random(seed)
     starts = [at + d for at, _, _ in chunks(data) for d in range(60) if at + d < len(data)]
     return [8 * rng.randrange(len(data)) + rng.randrange(8) for _ in range(count // 2)] + [

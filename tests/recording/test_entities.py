@@ -43,7 +43,7 @@ def entity_of(*shapes: Shape) -> dict[str, Any]:
 
 
 def corners(primitive: dict[str, Any], unit: np.ndarray[Any, np.dtype[np.float64]]) -> Any:
-    """Return the points of a unit primitive, scaled and moved as the primitive."""
+    """Return the points of a unit primitive, scaled and moved like the primitive."""
     size = [primitive["size"][k] for k in "xyz"]
     turn = Rotation.from_quat([primitive["pose"]["orientation"][k] for k in "xyzw"])
     return turn.apply(unit * size) + [primitive["pose"]["position"][k] for k in "xyz"]

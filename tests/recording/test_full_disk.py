@@ -41,7 +41,7 @@ def compiled() -> None:
 
 @contextmanager
 def full_disk(room: int = ROOM) -> Iterator[None]:
-    """Limit the size of every file to `room` bytes: the system rejects more, as on a full disk."""
+    """Limit every file to `room` bytes. The system rejects further bytes, as on a full disk."""
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (room, hard))
     try:

@@ -1,4 +1,4 @@
-"""A record_and_kill program loses at most its last second: every file can be read and verifies up to its end."""
+"""A killed program loses at most the last second of its recording: each file can be read, and verifies to its end."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def record_and_kill(folder: Path, count: int) -> list[Killed]:
 
 
 def delay(checks: list[Check], since_s: float) -> float:
-    """Return how long a recorder's thread was delayed since a time by a busy machine or disk [s].
+    """Return the delay of a recorder's thread by a busy machine or disk, since a time [s].
 
     This is the sum of the pauses between its checks of the queue, without its own work and its sleep.
     """
@@ -46,7 +46,7 @@ def delay(checks: list[Check], since_s: float) -> float:
 
 
 def lost_s(run_: Killed) -> float:
-    """Return the length of the part of a run that is not in its file, without delays by the machine [s]."""
+    """Return the length of the part of a run that its file lacks, minus the delay by the machine [s]."""
     recording = Recording(Path(run_.file))
     kept, handed_over = sum(1 for _ in recording.steps()), len(run_.handed_over_s)
     assert recording.cut and recording.ended == ""

@@ -95,26 +95,26 @@ def test_file_is_read_without_loading_its_scenario_if_possible(tmp_path: Path) -
 def test_escape_by_stick_is_read_from_its_text(direction: int, position: str) -> None:
     sim = Simulation("first-flight")
     sim.step(Inputs(mode="ORB UNL" if position == "" else "OPR CMD"))
-    way = by_stick(sim._state, "contact", direction)
-    assert read(way) == way and way.position == position
+    escape = by_stick(sim._state, "contact", direction)
+    assert read(escape) == escape and escape.position == position
 
 
 @pytest.mark.parametrize("joint", range(6))
 def test_escape_by_joint_or_telescope_is_read_from_its_text(joint: int) -> None:
     sim = Simulation("concept-1972")
     for sign in (-1, 1):
-        way = by_joint(sim._flight, "SINGLE", "contact", joint, sign)
-        assert read(way, sim.scenario.arm.joints) == way
+        escape = by_joint(sim._flight, "SINGLE", "contact", joint, sign)
+        assert read(escape, sim.scenario.arm.joints) == escape
     for text, sign in (("telescope longer", 1), ("telescope shorter", -1)):
-        way = WayOut("contact", text, "telescope", 0, sign)
-        assert read(way) == way
+        escape = WayOut("contact", text, "telescope", 0, sign)
+        assert read(escape) == escape
 
 
-def read(way: WayOut, joints: tuple[str, ...] = ()) -> WayOut:
-    """Return an escape direction after conversion from a reason for an inhibit in layout 1."""
+def read(escape: WayOut, joints: tuple[str, ...] = ()) -> WayOut:
+    """Write an escape direction as layout 1 does, as text among the reasons for an inhibit; return it as read."""
     recording = Recording(FILES[0])
     written = raw_frames(FILES[0])[0]
-    written["work"]["inhibits"] = ["palm touches bar", f"way out: {way.text}"]
+    written["work"]["inhibits"] = ["palm touches bar", f"way out: {escape.text}"]
     frame = FramesOf1(joints or recording.opening.joints, lambda: (0.5, 0.15)).frame(written)
     assert frame["work"]["inhibits"] == ["palm touches bar"]
     return msgspec.convert(frame["ways_out"][-1], WayOut)

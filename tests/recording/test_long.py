@@ -24,7 +24,7 @@ from tests.steering.random_runs import inputs
 
 HOUR_S = 3600.0
 WARM_S = 600.0
-"""Time at the beginning in which growth of the memory is not counted [s]."""
+"""Initial time in which growth of the memory is not counted [s]."""
 MAX_GROWTH = 16e6
 """Maximum growth of the memory in two hours, mostly by the index of the file [bytes]."""
 MAX_MINUTE_SIZE = 1.5e6

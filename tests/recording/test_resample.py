@@ -1,4 +1,4 @@
-"""Inputs resample_to another control period: no switch is lost or doubled."""
+"""Inputs resampled to another control period: no switch is lost or doubled."""
 
 from __future__ import annotations
 

@@ -23,13 +23,13 @@ FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in MISSIONS else nam
 """The scripted scenarios as test parameters; the missions are marked slow."""
 TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
 """Kinds of log lines that mark the progress of a mission."""
-HOLD, LET_GO, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"
-TOLD = {
-    "concept-1972-script": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
-    "free-flyer": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
-    "srms-berth": ["latch", "latched", LET_GO, LET_GO],  # the pin, then the payload
-    "srms-deploy": [HOLD, "unlatched", UNDOCK, LET_GO, LET_GO],
-    "tutorial": [HOLD, "unlatched", UNDOCK],
+ACQUIRE, RELEASE, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"
+EXPECTED_KINDS = {
+    "concept-1972-script": [ACQUIRE, DOCK, RELEASE, ACQUIRE, UNDOCK, RELEASE],
+    "free-flyer": [ACQUIRE, DOCK, RELEASE, ACQUIRE, UNDOCK, RELEASE],
+    "srms-berth": ["latch", "latched", RELEASE, RELEASE],  # first the pin is released, then the payload
+    "srms-deploy": [ACQUIRE, "unlatched", UNDOCK, RELEASE, RELEASE],
+    "tutorial": [ACQUIRE, "unlatched", UNDOCK],
 }
 """Expected turning points of each mission, in order."""
 _SAVED = 1.0 / 1500.0
@@ -60,16 +60,16 @@ class Flown(NamedTuple):
         return [event.kind for event in self.events if event.kind in TURNING_POINTS]
 
     def at(self, kind: str, which: int = 0) -> Work:
-        """Return the worksite after the step with the first log line of a kind, or with a later one by its index."""
+        """Return the worksite after the step that logged the first line of a kind, or its line number `which`."""
         return self.about(kind, which)[1]
 
     def about(self, kind: str, which: int = 0) -> tuple[Work, Work]:
-        """Return the worksite before and after that step."""
+        """Return the worksite before and after the step that logged a line of a kind; `which` is as in `at`."""
         ticks = [self.tick(event) for event in self.events if event.kind == kind]
         return self.work[ticks[which] - 2], self.work[ticks[which] - 1]
 
     def tick(self, event: Event) -> int:
-        """Return the number of the step of a log line, from 1."""
+        """Return the number of the step that wrote a log line; the first step is 1."""
         return round(event.time_s / self.scenario.control_period)
 
     def during(self, phase: str) -> list[Work]:

@@ -27,7 +27,7 @@ from tests.bodies.minkowski import depth
 FOOT = 0.3048
 G_IN_WRIST = r"camera G is \S+ \S+ inside wrist"
 FREE_STANDING = r"camera [ABCDHI] is \S+ (in|ft|cm|mm|m) inside .* at joint angles"
-"""Report of the survey for a camera of the concept's worksite that has no housing."""
+"""Report of the survey on a camera without a housing at the concept's worksite."""
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -48,7 +48,7 @@ def rejection(dimensions: dict[str, str], text: str = "") -> str:
     return "\n".join(raised.value.problems)
 
 
-# --- depth, by another way --------------------------------------------------------------------------------
+# --- depth, by an independent solver ----------------------------------------------------------------------
 
 
 @settings(max_examples=60)
@@ -63,7 +63,7 @@ def test_overlap_depth_agrees_with_an_independent_solver(seed: int) -> None:
     assert overlap(a, b) == pytest.approx(depth(a, b), abs=1e-7)
 
 
-# --- section VI: one number moves what depends on it ------------------------------------------------------
+# --- section VI: a dimension moves everything that depends on it ------------------------------------------
 
 
 @pytest.mark.slow
@@ -95,12 +95,12 @@ def runs_without_overlap(made: Scenario) -> bool:
         if step % 10 == 0:
             assert not [c for c in sim.look().work.contacts if not c.essential]
             if step % 50 == 0:
-                assert deepest_apart(made, sim) < 1e-6
+                assert deepest_overlap(made, sim) < 1e-6
     return sim.ended == "completed"
 
 
-def deepest_apart(made: Scenario, sim: aftdeck.Simulation) -> float:
-    """Return the greatest penetration depth of a payload and the worksite, by another solver [m]."""
+def deepest_overlap(made: Scenario, sim: aftdeck.Simulation) -> float:
+    """Return the greatest penetration depth of a payload and the worksite, by the independent solver [m]."""
     frame = sim.look()
     worst = 0.0
     away = np.array(frame.work.orbiter)
@@ -110,9 +110,9 @@ def deepest_apart(made: Scenario, sim: aftdeck.Simulation) -> float:
             body = solid.vertices @ np.array(held.orientation).T + np.array(held.position)
             low, high = body.min(axis=0), body.max(axis=0)
             for other in made.worksite.solids:
-                there = other.vertices @ scene.T - (away if other.frame == "space" else 0.0)
-                if (low < there.max(axis=0)).all() and (there.min(axis=0) < high).all():
-                    worst = max(worst, depth(body, there))
+                other_body = other.vertices @ scene.T - (away if other.frame == "space" else 0.0)
+                if (low < other_body.max(axis=0)).all() and (other_body.min(axis=0) < high).all():
+                    worst = max(worst, depth(body, other_body))
     return worst
 
 
@@ -150,7 +150,7 @@ EDITS = int(os.environ.get("AFTDECK_EDITS", "10"))
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(EDITS))
 def test_edited_dimensions_are_rejected_with_depth_or_run_cleanly(seed: int) -> None:
-    """A position that the arm reaches only beyond a stop is reported by the survey; the script then fails."""
+    """If the arm can reach a position only beyond a stop, the survey reports the position, and the script fails."""
     dimensions = edited(np.random.default_rng(seed))
     try:
         made = resized(dimensions)
@@ -241,7 +241,7 @@ def test_unused_berth_that_does_not_fit_a_payload_is_a_caution() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["concept-1972", "concept-1972-script", "free-flyer", "srms-deploy", "first-flight"])
 def test_built_in_scenario_has_no_overlap_over_sampled_poses(name: str) -> None:
-    """Exception: cameras of the concept's worksite, which have no housing; the arm reaches some of them."""
+    """Cameras of the concept's worksite are an exception: they have no housing, and the arm can reach some of them."""
     scenario = load_scenario(name)
     assert scenario.cautions == ()
     assert [one.what for one in survey(scenario) if not re.match(FREE_STANDING, one.what)] == []

@@ -1,4 +1,4 @@
-"""Light conditions of a scenario: their names, and the rejection of invalid ones."""
+"""Light conditions of a scenario: their names, and the rejection of invalid conditions."""
 
 from __future__ import annotations
 
@@ -80,10 +80,10 @@ def test_light_conditions_match_their_names() -> None:
     known = {condition.name: condition for condition in conditions()}
     assert list(known) == ["high sun", "low sun", "night", "terminator"]
     up = (0.0, 0.0, 1.0)
-    limb = 71.4  # from the nadir, as seen from 350 km
+    limb = 71.4  # angle of the Earth's limb from the nadir, at an altitude of 350 km [deg]
     for name, condition in known.items():
         assert (condition.sun.strength == 0.0) == (name == "night")
-        assert (angle(condition.to_sun, condition.nadir) < limb) == (name == "night"), "the Earth hides the sun"
+        assert (angle(condition.to_sun, condition.nadir) < limb) == (name == "night"), "the sun is hidden at night"
     assert angle(known["high sun"].to_sun, up) < 45.0
     assert 65.0 < angle(known["low sun"].to_sun, up) < 80.0
     assert angle(known["low sun"].to_sun, (-1.0, 0.0, 0.0)) < 30.0

@@ -149,7 +149,7 @@ def test_payload_mass_selects_the_por_limits() -> None:
     por = por_with(made.arm.model, made.payload.mass if made.payload else 0.0, made.por)
     assert por.translation[0] == pytest.approx(0.2 * 0.3048)
     assert made.payload is not None and made.payload.centre.tolist() == [3.0, 0.0, 0.0]
-    # turned by 90 deg about axis 3, the payload's axis 1 is frame 7's axis 2
+    # the payload is rotated by 90 deg about axis 3, so its axis 1 is axis 2 of frame 7
     assert made.payload.rotation[:, 0] == pytest.approx([0.0, 1.0, 0.0])
     assert made.payload.por.tolist() == [0.0, 1.0, 0.0]
 

@@ -19,7 +19,7 @@ from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Work
-from tests.scenario.missions import MISSIONS, TOLD, flown
+from tests.scenario.missions import EXPECTED_KINDS, MISSIONS, flown
 from tests.steering.flying import fly
 
 FOOT, INCH = 0.3048, 0.0254
@@ -32,7 +32,7 @@ GOES_ON = 150
 def test_mission_completes_with_its_expected_events(name: str) -> None:
     done = flown(name)
     assert done.ended == "completed"
-    assert done.turning_points() == TOLD[name]
+    assert done.turning_points() == EXPECTED_KINDS[name]
     assert not {event.kind for event in done.events} & {"refused", "missed", "fault", "inhibit"}
 
 
@@ -79,14 +79,14 @@ def test_deployed_payload_stays_at_rest_where_it_was_released() -> None:
     assert not payload.held and not payload.seat and not last.hand.flags.count("CAPTURE")
     down = done.scenario.arm.model.mount.rotation.T @ [0.0, 0.0, 1.0]
     lifted = np.subtract(payload.position, first.cargo[0].position)
-    assert lifted == pytest.approx(-11.0 * FOOT * down, abs=1e-3)  # as the script says
+    assert lifted == pytest.approx(-11.0 * FOOT * down, abs=1e-3)  # as in the script
     assert turned(first, last) < 1e-4
     assert math.hypot(*payload.velocity) < 1e-6
     assert done.at("released", 1).cargo[0].position == pytest.approx(payload.position, abs=1e-6)
 
 
 @pytest.mark.slow
-def test_tutorial_starts_square_beside_the_pin_and_lifts_the_payload() -> None:
+def test_tutorial_starts_beside_the_pin_and_lifts_the_payload() -> None:
     done = flown("tutorial")
     first, last = done.work[0], done.work[-1]
     wanting = {condition.name for condition in first.conditions if not condition.holds}
@@ -196,7 +196,7 @@ def made(text: str) -> Scenario:
 
 
 def srms(above: float, y: float = 0.0, roll: float = 0.0, grasped: str = "") -> aftdeck.Simulation:
-    """Return a run with the end effector above the fixture [in], beside it [in] and rolled [deg]."""
+    """Return a run that starts with the end effector above and beside the fixture [in], and rolled [deg]."""
     return aftdeck.Simulation(made(SRMS.format(y=y, z=-(FIXTURE + above), roll=roll, grasped=grasped)))
 
 
@@ -246,7 +246,7 @@ def test_rejected_latch_lists_each_misplaced_trunnion_with_its_distance() -> Non
     assert [condition.margin for condition in ready] == pytest.approx([0.05 - 5.0 * INCH] * 5, abs=2e-3)
 
 
-def test_latch_far_from_a_berth_and_unlatch_of_nothing_are_rejected() -> None:
+def test_latch_far_from_a_berth_and_unlatch_without_payload_are_rejected() -> None:
     sim = srms(above=150.0, grasped=GRASPED)
     (latch,) = texts(fly(sim, 0.1, aftdeck.Inputs(latch="latch")), "refused")
     assert re.match(r"LATCH .* Deployable payload .*12\.5 ft", latch)
@@ -267,7 +267,7 @@ name = "payload"
 APOTHEM = 6.5 * math.cos(math.pi / 6)
 """Apothem of the payload, which is 13 ft across corners [ft]."""
 BAR = 13.5 - 0.75 - 2.0 * APOTHEM - 0.75
-"""Top of the bar, 0.75 ft high, on the payload, which is 0.75 ft above the floor, at 28 ft [ft, Z]."""
+"""Z of the top of the bar [ft]. The bar is 0.75 ft high, and the payload is 0.75 ft above the floor of the bay."""
 
 
 def test_prong_closed_too_high_acquires_nothing_and_reports_the_height() -> None:

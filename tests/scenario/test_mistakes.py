@@ -1,6 +1,6 @@
 """Mistakes in a scenario file, and the location, names and values that are reported for them.
 
-In the patterns, the location comes first; after it, only names and values count.
+Each pattern begins with the location. After it come only names and values, not the wording of the message.
 """
 
 from __future__ import annotations

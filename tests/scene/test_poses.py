@@ -13,7 +13,7 @@ from aftdeck.kinematics.linkage import L5
 from aftdeck.scene.poses import ArmPoses, point_in_scene, sevens
 
 SCENE = np.diag([-1.0, 1.0, -1.0])
-"""Scene axes (aft, starboard, up) of panel components (forward, starboard, down)."""
+"""Conversion of panel components (forward, starboard, down) to scene components (aft, starboard, up)."""
 ORIGIN = np.array([942.0, 0.0, 400.0]) * 0.0254
 """The scene's origin, structural (aft, starboard, up) [m]."""
 
@@ -42,7 +42,7 @@ def test_tip_is_where_forward_kinematics_puts_it(name: str) -> None:
         places, turns = placed(arm, q)
         tip = arm.model.mount.to("panel", arm.forward(q))
         assert turns[6].as_matrix() == pytest.approx(SCENE @ tip.rotation, abs=1e-12)
-        # structural = -X aft, Y starboard, -Z up of the panel
+        # structural components: aft is -X of the panel, starboard is Y, up is -Z
         assert places[6] + turns[6].apply([hand, 0.0, 0.0]) == pytest.approx(SCENE @ tip.position - ORIGIN, abs=1e-12)
 
 
@@ -79,7 +79,7 @@ def test_frames_are_parallel_to_the_base_at_zero_angles(arm: aftdeck.Arm) -> Non
 
 def test_scene_origin_is_the_middle_of_the_bay() -> None:
     assert point_in_scene(np.array([-942.0, 0.0, -400.0]) * 0.0254) == pytest.approx([0.0, 0.0, 0.0], abs=1e-12)
-    # 1 m forward, 2 m to starboard, 3 m down of it
+    # the point 1 m forward, 2 m to starboard and 3 m down from the origin
     there = point_in_scene(np.array([-942.0, 0.0, -400.0]) * 0.0254 + [1.0, 2.0, 3.0])
     assert there == pytest.approx([-1.0, 2.0, -3.0], abs=1e-12)
 
@@ -116,7 +116,7 @@ def test_telescope_and_prong_are_drawn_at_their_positions() -> None:
     assert as_loaded[7, 2] - as_loaded[0, 2] == pytest.approx(arm.stand)
 
 
-def test_quaternion_is_right_whichever_component_is_largest() -> None:
+def test_quaternion_is_correct_for_any_largest_component() -> None:
     rows = np.zeros((400, 12))
     turns = Rotation.random(400, random_state=7).as_matrix()
     turns[:4] = [np.eye(3), np.diag([1.0, -1.0, -1.0]), np.diag([-1.0, 1.0, -1.0]), np.diag([-1.0, -1.0, 1.0])]

@@ -36,7 +36,7 @@ HULL = (
     Section(x=3.0, half_width=1.0, top=2.0, middle=0.5, bottom=0.0),
 )
 EDGED = ((0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0))
-"""An L of area 4 and girth 10."""
+"""Outline of an L, with an area of 4 and a perimeter of 10."""
 
 ROUND: list[tuple[Leaf, float, float]] = [
     (Cylinder(material="metal", length=2.0, radius=0.5), PI * 0.5, PI * 2.5),
@@ -80,7 +80,7 @@ def test_round_surface_is_closed_and_converges_with_more_sides(shape: Leaf, hold
     surfaces = [solid(shape, sides) for sides in (32, 256)]
     assert all(closed(surface) for surface in surfaces)
     misses = [abs(volume(surface) - holds) for surface in surfaces]
-    assert misses[0] > 40.0 * misses[1], "of second order: about 64 times"
+    assert misses[0] > 40.0 * misses[1], "the error is of second order: it becomes about 64 times smaller"
     assert volume(surfaces[-1]) == pytest.approx(holds, rel=0.002)
     if not math.isnan(shows):
         assert area(surfaces[-1]) == pytest.approx(shows, rel=0.002)
@@ -140,7 +140,7 @@ def test_bevel_removes_a_rounded_corner_from_every_rim(bevel: float) -> None:
     square = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
     surface = solid(Plate(material="metal", normal="z", outline=square, thickness=0.5, bevel=bevel))
     assert closed(surface)
-    # two chords of the quarter round, between inscribed square and circle
+    # the removed part is limited by two chords of the quarter circle, so it lies between these bounds
     off = 2.0 - volume(surface)
     rims = 2 * 8.0 * bevel**2
     assert rims * (1.0 - PI / 4.0) * 0.8 < off < rims * 0.5

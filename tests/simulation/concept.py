@@ -19,7 +19,7 @@ Vec3 = tuple[float, float, float]
 
 FOOT = 0.3048
 DOWN = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-"""Axes of frame 2 in R with X2 down."""
+"""Axes of system 2 in R, with X2 pointing down."""
 STAND = 16.0
 NATURAL = np.radians([0.0, 32.0, -106.0, 0.0, -16.0, 0.0])
 """Joint angles with the elbow up and the wrist not flipped [rad]."""
@@ -32,7 +32,7 @@ AT_PORT: Vec3 = (12.02, 16.0, -28.41)
 AT_STOWED = np.array([28.0, 0.0, 7.12])
 """Centre of the payload in the bay, in R [ft]."""
 IN_BAY = 'name = "payload"'
-"""A [[cargo]] table."""
+"""Content of a [[cargo]] table: the payload in the bay."""
 
 
 @functools.cache
@@ -41,7 +41,7 @@ def arm() -> aftdeck.Arm:
 
 
 def joints(at: Vec3, turned: Vec3 = (0.0, 0.0, 0.0), stand: float = STAND) -> list[str]:
-    """Return joint angles for a position of the palm's centre in R [ft] and a rotation from X2 down [deg]."""
+    """Return joint angles for a position of the palm's centre in R [ft] and a rotation [deg] from X2 pointing down."""
     roll, pitch, yaw = np.radians(turned)
     turn = rotation_z(yaw) @ rotation_y(pitch) @ rotation_x(roll) @ DOWN
     standing = arm().at(stand=stand * FOOT)
@@ -58,12 +58,12 @@ def scenario(
     cargo: str = IN_BAY,
     extra: str = "",
 ) -> Scenario:
-    """Return a scenario that starts with the palm at a position in R, with the payload held at its middle or not.
+    """Return a scenario that starts with the palm at a position in R, with or without a held payload.
 
     Args:
         at: position of the palm's centre [ft].
-        turned: roll, pitch and yaw about R's axes from X2 down [deg].
-        held: whether the arm holds the payload, as captured in the bay.
+        turned: roll, pitch and yaw about the axes of R, from the orientation with X2 down [deg].
+        held: whether the arm holds the payload, at its middle, as after a capture in the bay.
         stand: the telescope's length [ft].
         cargo: lines of the [[cargo]] table.
         extra: more lines of the scenario's head.

@@ -45,7 +45,7 @@ joints = ["-31.097 deg", "80.888 deg", "-120.011 deg", "-61.23 deg", "16.592 deg
 FIXTURE = 400.0 + 2.26 / 0.0254
 """Zo of the payload's grapple fixture in the bay [in]."""
 OVER = -903.7323
-"""X of the end effector above it [in]."""
+"""X of the end effector above the fixture, in the panel frame [in]."""
 
 
 @functools.cache
@@ -53,7 +53,7 @@ def srms(
     above: float, x: float = 0.0, y: float = 0.0, turned: tuple[float, float, float] = (0.0, 0.0, 0.0), *,
     held: bool = False, head: str = "",
 ) -> Scenario:  # fmt: skip
-    """Scenario with the end effector above the payload's fixture in the bay, offset from it [in] and rotated [deg]."""
+    """Return a scenario that starts above the payload's fixture in the bay, offset from it [in] and rotated [deg]."""
     roll, pitch, yaw = turned
     text = SRMS.format(
         x=OVER + x, y=y, z=-(FIXTURE + above), pitch=270.0 + pitch, yaw=yaw, roll=roll,
@@ -65,13 +65,13 @@ def srms(
 MODES = ("ORB UNL", "ORB LD", "END EFF", "PL", "SINGLE", "DIRECT", "MASTER")
 
 
-def anything(
+def random_inputs(
     rng: np.random.Generator,
     steps: int,
-    pace: float = 1.0,
+    deflection: float = 1.0,
     *,
     switches: float = 0.15,
-    but: tuple[str, ...] = (),
+    without: tuple[str, ...] = (),
     every: int = 16,
 ) -> Iterator[Inputs]:
     """Yield random inputs: sticks in every direction, changed every third of a second, and random switches.
@@ -79,9 +79,9 @@ def anything(
     Args:
         rng: random generator.
         steps: number of inputs.
-        pace: greatest deflection of the sticks, 0 to 1.
+        deflection: greatest deflection of the sticks, 0 to 1.
         switches: probability of a switch command when the sticks change, 0 to 1.
-        but: switches that are not commanded.
+        without: switches that are not commanded.
         every: steps between two changes of the sticks.
     """
     held = Inputs()
@@ -89,13 +89,13 @@ def anything(
         if k % every == 0:
             some = rng.random(5) < 0.6
             held = Inputs(
-                vec3(pace * rng.uniform(-1.0, 1.0, 3) * some[0]),
-                vec3(pace * rng.uniform(-1.0, 1.0, 3) * some[1]),
-                drive=float(pace * rng.uniform(-1.0, 1.0)),
-                telescope=float(pace * rng.choice([-1.0, 0.0, 1.0]) * some[2]),
+                vec3(deflection * rng.uniform(-1.0, 1.0, 3) * some[0]),
+                vec3(deflection * rng.uniform(-1.0, 1.0, 3) * some[1]),
+                drive=float(deflection * rng.uniform(-1.0, 1.0)),
+                telescope=float(deflection * rng.choice([-1.0, 0.0, 1.0]) * some[2]),
                 orbiter=vec3(rng.choice([-1.0, 0.0, 1.0], 3) * some[3]),
             )
-            put = {name: values[rng.integers(len(values))] for name, values in SWITCHES.items() if name not in but}
+            put = {name: values[rng.integers(len(values))] for name, values in SWITCHES.items() if name not in without}
             yield _with(held, {name: value for name, value in put.items() if rng.random() < switches})
         else:
             yield held
@@ -163,5 +163,5 @@ def same_possession(one: Frame, other: Frame) -> bool:
 
 
 def in_turn(frames: list[Frame]) -> Iterator[tuple[Frame, Frame]]:
-    """Yield each frame with the one before, without those in which the run was re-initialised."""
+    """Yield each frame with the previous frame. Frames in which the run was re-initialised are left out."""
     return ((before, now) for before, now in pairwise(frames) if not is_initialised(now))

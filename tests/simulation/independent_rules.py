@@ -12,7 +12,7 @@ from aftdeck.simulation.frame import Frame
 
 FOOT = 0.3048
 SCENE = np.diag([1.0, -1.0, -1.0])
-"""The scene (x aft, y starboard, z up) in R (x aft, y port, z down), and back."""
+"""Conversion between components in the scene (x aft, y starboard, z up) and in R (x aft, y port, z down)."""
 BAR = np.array([[x, y, z] for x in (-1.5, 1.5) for y in (-0.25, 0.25) for z in (0.0, 0.75)])
 """RECPT [ft], relative to the middle of the payload's top."""
 X, Z = np.eye(3)[[0, 2]]
@@ -21,7 +21,7 @@ FIXED_FINGER = 0.375
 PALM = 2.0
 """x2 of HEX 1's face d [ft]."""
 SPACING, WINDOW, INWARD, TESTED = 0.8, 1.0 / 16.0, 0.5, 8.0
-"""PRGSPC, TOPB, FRONT and REAR, and the greatest distance at which the fingers are tested [ft]."""
+"""PRGSPC, TOPB, FRONT (equal to REAR), and the greatest distance at which the fingers are tested [ft]."""
 CAE = np.array([-11.5, -16.0, 22.0])
 """Centre of the CAE in the scene [ft]."""
 CAE_APOTHEM, CAE_HALF = 7.5, 7.5
@@ -39,7 +39,7 @@ class Size(NamedTuple):
 
     @property
     def top(self) -> float:
-        """Height of its upper side above its axis."""
+        """Height of the upper side of the body above its axis."""
         return self.across / 2.0 * math.cos(math.pi / 6.0)
 
 
@@ -71,19 +71,23 @@ def vertices(size: Size) -> Array:
 
 
 def acquisition(frame: Frame, k: int = 0) -> Array:
-    """Return the (8,) margins of acquisition [ft]: the six conditions, with two bounds of the fifth, and the range."""
+    """Return the (8,) margins of acquisition [ft].
+
+    They are one margin for each of the six conditions, a second one for the fifth condition, which has two bounds, and
+    one for the distance at which the fingers are tested.
+    """
     centre, axes = pose(frame, k)
     size = SIZES[frame.work.cargo[k].name]
-    palm, hand = np.array(frame.position) / FOOT, np.array(frame.orientation)
+    palm, system_2 = np.array(frame.position) / FOOT, np.array(frame.orientation)
     bar = centre + (BAR + size.top * Z) @ axes.T
-    in_hand = (bar - palm) @ hand  # relative to the palm's centre, in frame 2
+    in_system_2 = (bar - palm) @ system_2  # relative to the palm's centre, in system 2
     spacing = frame.work.hand.spacing
     assert spacing is not None
     over = axes.T @ (palm - centre) - [0.0, 0.0, size.top + 0.75]
     return np.array([
-        in_hand[:, 0].min(),
-        FIXED_FINGER - in_hand[:, 1].max(),
-        in_hand[:, 1].min() - (FIXED_FINGER - spacing / FOOT),
+        in_system_2[:, 0].min(),
+        FIXED_FINGER - in_system_2[:, 1].max(),
+        in_system_2[:, 1].min() - (FIXED_FINGER - spacing / FOOT),
         SPACING - spacing / FOOT,
         over[2],
         WINDOW - over[2],

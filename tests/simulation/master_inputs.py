@@ -14,8 +14,8 @@ from aftdeck.simulation.camera_drives import CameraDrive
 STATIONS = "ABCDEFGH"
 
 
-def mastered(rng: np.random.Generator, scenario: Scenario, steps: int) -> Iterator[Inputs]:
-    """A flight in MASTER that moves all that TABLE I has, as a person would give it: switches when they change."""
+def random_master_inputs(rng: np.random.Generator, scenario: Scenario, steps: int) -> Iterator[Inputs]:
+    """Yield random inputs in MASTER, with every input of TABLE I. A switch is sent only in the step that sets it."""
     angles = scenario.initial_angles.copy()
     parts = [part for part in scenario.parts if part != "manoeuvring"] or ["full problem"]
     yield Inputs(mode="MASTER")

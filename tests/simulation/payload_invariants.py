@@ -18,7 +18,7 @@ EXACT = 1e-9
 CARRIAGE, LATCHES = 7.0, 30.0
 """Times of the Shuttle's carriage and latches from end to end [s]."""
 PULLED, TURNED = 0.2, 0.5
-"""Upper bounds of the distance of a pin in the snares from its seat [m], and of its rotation, as sum of components."""
+"""Upper bounds for a pin in the snares: distance from its seat [m], and change of its axes' components [1]."""
 
 
 def posed(cargo: Cargo) -> tuple[Array, Array]:
@@ -26,10 +26,10 @@ def posed(cargo: Cargo) -> tuple[Array, Array]:
     return np.array(cargo.position), np.array(cargo.orientation)
 
 
-def in_hand(frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
+def in_frame_7(frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
     """Return a payload's centre [m] and axes in frame 7."""
-    hand, (centre, axes) = np.array(frame.orientation), posed(cargo)
-    return hand.T @ (centre - frame.position), hand.T @ axes
+    tip, (centre, axes) = np.array(frame.orientation), posed(cargo)
+    return tip.T @ (centre - frame.position), tip.T @ axes
 
 
 def in_space(frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
@@ -38,7 +38,7 @@ def in_space(frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
     return centre + frame.work.orbiter, axes
 
 
-def in_place(scenario: Scenario, frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
+def at_berth(scenario: Scenario, frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
     """Return a fixed payload's centre [m] and axes relative to its berth."""
     (seat,) = (seat for seat in scenario.worksite.seats if seat.name == cargo.seat)
     return in_space(frame, cargo) if seat.frame == "space" else posed(cargo)
@@ -50,7 +50,7 @@ def moved(one: tuple[Array, Array], other: tuple[Array, Array]) -> tuple[float, 
 
 
 def check_possession(scenario: Scenario, frames: list[Frame]) -> None:
-    """Check every frame, and every step of each payload by its carrier before the step."""
+    """Check every frame, and the motion of each payload in every step."""
     names = [cargo.name for cargo in scenario.cargo]
     for frame in frames:
         check_frame(names, frame)
@@ -60,7 +60,7 @@ def check_possession(scenario: Scenario, frames: list[Frame]) -> None:
 
 
 def check_frame(names: list[str], frame: Frame) -> None:
-    """Check that each payload exists once, at most one is held and shown as held, and no berth holds two."""
+    """Check that each payload exists once, at most one is held and reported as held, and no berth contains two."""
     work = frame.work
     assert [cargo.name for cargo in work.cargo] == names
     held = [cargo for cargo in work.cargo if cargo.held]
@@ -83,15 +83,15 @@ def check_step(scenario: Scenario, before: Frame, now: Frame, was: Cargo, is_now
     period, where = scenario.control_period, f"{now.time_s} s: {was} to {is_now}"
     if was.seat:
         reach = 2.0 * period / LATCHES * PULLED
-        way, turn = moved(in_place(scenario, before, was), in_place(scenario, now, _fixed_as(was, is_now)))
-        assert way <= (reach if drawn(scenario, was) else EXACT) and turn <= max(reach, EXACT), where
+        shift, turn = moved(at_berth(scenario, before, was), at_berth(scenario, now, _fixed_as(was, is_now)))
+        assert shift <= (reach if drawn(scenario, was) else EXACT) and turn <= max(reach, EXACT), where
         if not drawn(scenario, was):
             assert turn <= EXACT, where
     elif was.held:
         carriage = before.work.hand.carriage is not None
-        way, turn = moved(in_hand(before, was), in_hand(now, is_now))
+        shift, turn = moved(in_frame_7(before, was), in_frame_7(now, is_now))
         share = 2.0 * period / CARRIAGE if carriage else 0.0
-        assert way <= EXACT + share * PULLED and turn <= EXACT + share * TURNED, where
+        assert shift <= EXACT + share * PULLED and turn <= EXACT + share * TURNED, where
     else:
         (here, _), (there, _) = in_space(before, was), in_space(now, is_now)
         velocity = np.array(is_now.velocity) + np.subtract(now.work.orbiter, before.work.orbiter) / period

@@ -1,6 +1,6 @@
-"""Outside witness of contacts: penetration depths of near pairs of solids by the separating axis theorem.
+"""Independent measurement of penetration depths, for near pairs of solids, by the separating axis theorem.
 
-The witness shares no code with `aftdeck.bodies`: face normals are cross products of the diagonals of faces, and all
+This module shares no code with `aftdeck.bodies`: face normals are cross products of the diagonals of faces, and all
 12 x 12 pairs of edges are tested.
 """
 
@@ -24,7 +24,7 @@ _PARALLEL = 1e-9
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
 def overlap(a: Array, b: Array, x: float, y: float, z: float) -> float:
-    """Return the overlap of two hulls (8, 3) along an axis [m], negative if they are apart; inf for a zero axis."""
+    """Return the overlap of two hulls (8, 3) along an axis [m]; negative if there is a gap, inf for a zero axis."""
     length = np.sqrt(x * x + y * y + z * z)
     if length < _PARALLEL:
         return np.inf
@@ -39,9 +39,9 @@ def overlap(a: Array, b: Array, x: float, y: float, z: float) -> float:
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
 def depth(a: Array, b: Array, axis: Array) -> float:
-    """Return the penetration depth of two convex hexahedra (8, 3), negative if an axis separates them [m].
+    """Return the penetration depth of two convex hexahedra (8, 3) [m]; negative if an axis separates them.
 
-    `axis` (3,) is the axis that separated them last: it is tested first, and updated.
+    `axis` (3,) is the axis that separated the two solids last. It is tested first, and is updated.
     """
     least = overlap(a, b, axis[0], axis[1], axis[2])
     if least < 0.0:
@@ -80,9 +80,9 @@ def place(vertices: Array, frame: Indices, frames: Array, placed: Array) -> None
 
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
-def look(
+def measure(
     placed: Array, radius: Array, pairs: Indices, begins: Indices, active: Mask, before: Array, now: Array,
-    vertices: Array, frame: Indices, axes: Array, depths: Array, ways: Array,
+    vertices: Array, frame: Indices, axes: Array, depths: Array, travels: Array,
 ) -> None:  # fmt: skip
     """Write the depth of each monitored pair of parts, and the distance that its parts moved in the step.
 
@@ -96,16 +96,16 @@ def look(
         now: (F, 12) poses of the frames after the step.
         vertices: (n, 8, 3) vertices in the axes of their frames.
         frame: (n,) frame of each solid.
-        axes: (m, 3) axes that separated each pair last; changed.
-        depths: (g,) out: depth of each pair of parts [m]; -inf if it is not near.
-        ways: (g,) out: greatest motion of a vertex of one part in the axes of the other [m].
+        axes: (m, 3) the axis that last separated each pair of solids; updated.
+        depths: (g,) out: depth of each pair of parts [m]; -inf if the parts are not near each other.
+        travels: (g,) out: greatest motion of a vertex of one part in the axes of the other part [m].
     """
     middles = np.empty((len(placed), 3))
     for i in range(len(placed)):
         for k in range(3):
             middles[i, k] = placed[i, :, k].mean()
     for g in range(len(active)):
-        depths[g], ways[g] = -np.inf, 0.0
+        depths[g], travels[g] = -np.inf, 0.0
         if active[g] == 0:
             continue
         for m in range(begins[g], begins[g + 1]):
@@ -119,7 +119,7 @@ def look(
             depths[g] = max(depths[g], deep)
             if deep > 0.0:
                 first, second = moved(before, now, vertices, frame, i, j), moved(before, now, vertices, frame, j, i)
-                ways[g] = max(ways[g], first, second)
+                travels[g] = max(travels[g], first, second)
 
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
@@ -128,7 +128,7 @@ def moved(before: Array, now: Array, vertices: Array, frame: Indices, i: int, j:
     most = 0.0
     f, g = frame[i], frame[j]
     for v in range(8):
-        way = 0.0
+        squared = 0.0
         was, is_now = np.empty(3), np.empty(3)
         for frames, out in ((before, was), (now, is_now)):
             a, b = frames[f], frames[g]
@@ -140,31 +140,32 @@ def moved(before: Array, now: Array, vertices: Array, frame: Indices, i: int, j:
             for k in range(3):
                 out[k] = b[3 + k] * p[0] + b[6 + k] * p[1] + b[9 + k] * p[2]
         for k in range(3):
-            way += (is_now[k] - was[k]) ** 2
-        most = max(most, np.sqrt(way))
+            squared += (is_now[k] - was[k]) ** 2
+        most = max(most, np.sqrt(squared))
     return most
 
 
-class Witness:
-    """Measurement of a simulation's penetration depths after each step, and their allowed values.
+class DepthMeter:
+    """Measurement of the penetration depths in a simulation after each step, and their allowed values.
 
-    The witness measures the monitored pairs, and the fingers and the bar that they hold.
+    It covers the monitored pairs, and also the fingers with the bar that they hold.
 
     Attributes:
-        worst: for each pair of parts, greatest excess of its depth over two steps' travel and the permitted depth [m].
+        worst: for each pair of parts, greatest excess of its depth over the sum of two steps' travel and the permitted
+            depth [m].
         deepest: for each pair of parts, greatest depth [m].
     """
 
     def __init__(self, sim: aftdeck.Simulation) -> None:
         self.sim, site = sim, sim._flight.site
         self.layout = site.layout
-        # the packed body begins with its vertices' x, then y, then z
+        # a packed body begins with the x of its vertices, then their y, then their z
         self.vertices = self.layout.solids[:, :24].reshape(-1, 3, 8).transpose(0, 2, 1).copy()
         middles = self.vertices.mean(axis=1, keepdims=True)
         self.radius = np.linalg.norm(self.vertices - middles, axis=2).max(axis=1)
         self.placed, self.axes = np.empty_like(self.vertices), np.zeros((len(self.layout.pairs), 3))
         groups = len(self.layout.groups)
-        self.depths, self.ways, self.last = np.empty(groups), np.empty(groups), np.zeros(groups)
+        self.depths, self.travels, self.last = np.empty(groups), np.empty(groups), np.zeros(groups)
         self.budget, self.steps = np.zeros(groups), np.zeros(groups, np.int64)
         self.was_active, self.fingers = np.zeros(groups, np.uint8), np.zeros(groups, np.uint8)
         self.permitted = np.zeros(groups)
@@ -178,21 +179,21 @@ class Witness:
         """Continue from another state of the simulation."""
         self.budget[:], self.steps[:], self.was_active[:] = 0.0, 0, 0
 
-    def look(self) -> None:
+    def measure(self) -> None:
         """Measure the state after the last step."""
         worksite = self.sim._state.worksite
         active = worksite.watch.active | self.fingers
         place(self.vertices, self.layout.frame, worksite.frames, self.placed)
-        look(
+        measure(
             self.placed, self.radius, self.layout.pairs, self.layout.begins, active, worksite.before,
-            worksite.frames, self.vertices, self.layout.frame, self.axes, self.depths, self.ways,
+            worksite.frames, self.vertices, self.layout.frame, self.axes, self.depths, self.travels,
         )  # fmt: skip
-        # the allowed depth counts motion from the step in which the two parts first touch
+        # the allowed depth includes the motion from the step in which the two parts come into contact
         entered = (self.depths > 0.0) & (self.steps == 0)
         self.steps = np.where(self.depths > 0.0, self.steps + 1, 0)
         known = self.was_active & active
         here = np.where(known != 0, 0.0, np.maximum(self.depths, 0.0))
-        self.budget = np.where(entered, here + self.ways, self.budget + np.where(self.steps == 2, self.ways, 0.0))
+        self.budget = np.where(entered, here + self.travels, self.budget + np.where(self.steps == 2, self.travels, 0.0))
         self.was_active = active
         for g in np.flatnonzero(self.depths > 0.0).tolist():
             pair = self.layout.named(g)

@@ -19,7 +19,7 @@ UPRIGHT: Vec3 = (0.0, 0.0, 0.0)
 
 
 def first(above: float, x: float = 0.0, y: float = 0.0, turned: Vec3 = UPRIGHT) -> Frame:
-    """Return the first frame with the end effector above the pin and beside it [in], rotated [deg]."""
+    """Return the first frame of a run that starts above the pin, offset from it [in] and rotated [deg]."""
     return aftdeck.Simulation(srms(above, x, y, turned)).step(Inputs())
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.simulation.frame import Frame
-from tests.simulation.flights import anything
+from tests.simulation.flights import random_inputs
 from tests.steering.flying import BAY, fly, scenario, target
 
 SWITCHES = ("brakes", "safing")
@@ -20,7 +20,7 @@ AUTOMATIC = 'mode = "OPR CMD"'
 
 
 def put(switch: str, on: bool, inputs: Inputs = FULL) -> Inputs:
-    """Return inputs with a switch command as well."""
+    """Return the inputs with an additional switch command."""
     brakes = on if switch == "brakes" else None
     safing = on if switch == "safing" else None
     return Inputs(
@@ -59,10 +59,10 @@ def test_joints_stop_in_the_step_of_the_switch_in_every_mode(mode: str, switch: 
 def test_no_input_moves_a_stopped_joint(seed: int, switch: str) -> None:
     sim = aftdeck.Simulation("concept-1972")
     rng = np.random.default_rng(seed)
-    for inputs in anything(rng, 40):
+    for inputs in random_inputs(rng, 40):
         sim.advance(inputs)
     stood = sim.step(put(switch, on=True))
-    for inputs in anything(rng, 80, but=("initialise",)):
+    for inputs in random_inputs(rng, 80, without=("initialise",)):
         frame = sim.step(inputs)
         assert frame.angles == stood.angles and frame.rates == (0.0,) * 6
         assert frame.work.stand == stood.work.stand

@@ -102,7 +102,7 @@ def test_check_fails_under_a_switch_and_repeats_after_it(law: str, switch: str) 
 
 
 def test_check_repeats_after_the_orbiter_has_moved() -> None:
-    """Previously the arm moved with a GOOD from before the orbiter's motion, 0.04 in into the port's element."""
+    """Previously GOOD remained when the orbiter moved, and the arm penetrated the port's element by 0.04 inches."""
     script = aftdeck.run("concept-1972-script")
     aside, port = (next(f for f in reversed(script.frames) if f.phase == phase) for phase in ("aside", "to the port"))
     sim = aftdeck.Simulation("concept-1972")
@@ -140,8 +140,8 @@ def test_check_fails_for_arm_in_contact_with_parts_and_position() -> None:
         assert contact.a in verdict.text and contact.b in verdict.text and re.search(r"X -?\d+, Y -?\d+", verdict.text)
 
 
-def fastest_by_hand(arm: aftdeck.Arm, start: Array, goal: aftdeck.Target) -> float:
-    """Return the least time of mode 1 over all branches inside the soft stops, each run by itself [s]."""
+def fastest_branch_s(arm: aftdeck.Arm, start: Array, goal: aftdeck.Target) -> float:
+    """Return the least time of mode 1 over all branches inside the soft stops, each in its own run [s]."""
     low, high = arm.limits.soft.T
     times = []
     for angles in arm.inverse(goal.pose, near=np.radians(start)):
@@ -162,7 +162,7 @@ def test_mode_1_selects_the_quickest_branch_inside_soft_stops(seed: int) -> None
     sim = aftdeck.Simulation(scenario(start.tolist(), f'{OPR}law = "position"'))
     verdict = checked(sim, aftdeck.Inputs(target=goal))[-1].check
     assert verdict is not None and verdict.good
-    assert verdict.seconds == pytest.approx(fastest_by_hand(arm, start, goal), abs=0.05)
+    assert verdict.seconds == pytest.approx(fastest_branch_s(arm, start, goal), abs=0.05)
 
 
 def inside_soft_stops(arm: aftdeck.Arm, goal: aftdeck.Target, start: Array) -> bool:
@@ -175,8 +175,8 @@ def inside_soft_stops(arm: aftdeck.Arm, goal: aftdeck.Target, start: Array) -> b
     return bool(((found >= low) & (found <= high)).all(axis=1).any())
 
 
-def flown_as_checked(start: Array, goal: aftdeck.Target, law: str, more: str = "") -> None:
-    """Check that a target's verdict, time and cause are those of the motion, which runs after any verdict."""
+def check_predicts_motion(start: Array, goal: aftdeck.Target, law: str, more: str = "") -> None:
+    """Compare the verdict, time and cause of a check with those of the motion, which is made even after a FAIL."""
     sim = aftdeck.Simulation(scenario(start.tolist(), f'{OPR}law = "{law}"\n{more}'))
     frame = checked(sim, aftdeck.Inputs(target=goal))[-1]
     verdict = frame.check
@@ -220,7 +220,7 @@ def test_verdict_time_and_cause_equal_those_of_the_motion(law: str) -> None:
     rng, arm = np.random.default_rng(5), aftdeck.load_arm("srms")
     for k in range(8):
         start, goal = random_target(rng, arm)
-        flown_as_checked(start, goal, law, 'worksite = "orbiter"\n' if k % 2 else "")
+        check_predicts_motion(start, goal, law, 'worksite = "orbiter"\n' if k % 2 else "")
 
 
 @pytest.mark.slow
@@ -230,7 +230,7 @@ def test_many_verdicts_times_and_causes_equal_those_of_the_motion(law: str) -> N
     rng, arm = np.random.default_rng(7), aftdeck.load_arm("srms")
     for k in range(int(os.environ.get("AFTDECK_MOVES", "24"))):
         start, goal = random_target(rng, arm)
-        flown_as_checked(start, goal, law, 'worksite = "orbiter"\n' if k % 2 else "")
+        check_predicts_motion(start, goal, law, 'worksite = "orbiter"\n' if k % 2 else "")
 
 
 def test_sts_400_check_is_good_with_the_time_of_the_motion() -> None:

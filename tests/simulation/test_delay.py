@@ -22,7 +22,7 @@ STEPS = 200
 
 
 def flight(delay: int, seed: int) -> tuple[aftdeck.Scenario, list[Inputs]]:
-    """Return a scenario with a delay in steps, and random sticks, switches, targets and holds."""
+    """Return a scenario with a delay [steps], and random inputs: sticks, switches, targets and holds."""
     rng = np.random.default_rng(seed)
     extra = equipped(rng, np.array(BAY), "32000 lb" if seed % 2 else "")
     made = scenario(BAY, f"command_delay = {delay * 0.02!r}\n" + extra)

@@ -1,7 +1,7 @@
-"""Penetration depths under random inputs stay within the two-frame rule, by an outside witness.
+"""Penetration depths under random inputs stay within the two-frame rule; an independent program measures them.
 
-`python -m tests.simulation.test_depths 1000000` makes a million steps of every built-in scenario; the normal tests make
-`STEPS` of each.
+`python -m tests.simulation.test_depths 1000000` runs a million steps of every built-in scenario. The normal tests run
+`STEPS` steps of each scenario.
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ import aftdeck
 from aftdeck import Inputs
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.run import SavedSimulation
-from tests.simulation.flights import anything
-from tests.simulation.sat import Witness
+from tests.simulation.flights import random_inputs
+from tests.simulation.sat import DepthMeter
 
 STEPS = 20_000
 SEGMENT = 500
-"""Steps flown by hand from a place on the script's way."""
+"""Number of steps with random inputs, from one of the starts."""
 STARTS = 12
-"""Places on the script's way from which segments begin."""
+"""Number of states of the scripted run that are starts."""
 SLIGHTLY = 5e-5
-"""What a step that leads out of several contacts may deepen one of them by [m], and more than rounding makes."""
+"""Greatest depth by which a step out of several contacts may deepen one of them [m]; rounding errors are smaller."""
 
 
 def starts(sim: aftdeck.Simulation) -> list[SavedSimulation]:
-    """States on the way of a scenario's script, its first instant among them; of one without a script that alone."""
+    """Return the first state of a run, and states during its script if there is one."""
     found = [sim.save()]
     if not sim.scenario.phases:
         return found
@@ -46,42 +46,42 @@ def starts(sim: aftdeck.Simulation) -> list[SavedSimulation]:
     return found
 
 
-def pushes(rng: np.random.Generator, steps: int) -> Iterator[Inputs]:
-    """Sticks that are held for up to a second and a half, with every switch put now and then."""
-    pace = float(rng.choice([0.2, 1.0]))
-    yield from anything(rng, steps, pace, switches=0.1, every=int(rng.integers(8, 80)))
+def random_pushes(rng: np.random.Generator, steps: int) -> Iterator[Inputs]:
+    """Yield random inputs: sticks that are held for 0.16 to 1.6 s, and now and then a switch."""
+    deflection = float(rng.choice([0.2, 1.0]))
+    yield from random_inputs(rng, steps, deflection, switches=0.1, every=int(rng.integers(8, 80)))
 
 
-def deepest(name: str, steps: int, seed: int = 1) -> Witness:
-    """The witness of so many random steps of a built-in scenario."""
+def deepest(name: str, steps: int, seed: int = 1) -> DepthMeter:
+    """Return the depths measured in this number of random steps of a built-in scenario."""
     sim = aftdeck.Simulation(name)
     rng = np.random.default_rng(seed)
     begin = starts(sim)
-    witness = Witness(sim)
+    meter = DepthMeter(sim)
     for _ in range(steps // SEGMENT):
         sim.restore(begin[rng.integers(len(begin))])
-        witness.begin()
-        for inputs in pushes(rng, SEGMENT):
+        meter.begin()
+        for inputs in random_pushes(rng, SEGMENT):
             sim.advance(inputs)
-            witness.look()
-    return witness
+            meter.measure()
+    return meter
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", built_in())
 def test_penetration_stays_within_two_steps_travel(name: str) -> None:
-    witness = deepest(name, STEPS)
-    over = {pair: depth for pair, depth in witness.worst.items() if depth > SLIGHTLY}
+    meter = deepest(name, STEPS)
+    over = {pair: depth for pair, depth in meter.worst.items() if depth > SLIGHTLY}
     assert not over
 
 
 def main(steps: int, names: tuple[str, ...]) -> None:
-    """Print the deepest pair and the one farthest over its limit, of each scenario."""
+    """Print for each scenario the four pairs with the greatest depth over their limit."""
     for name in names:
-        witness = deepest(name, steps)
-        over = sorted(((depth, pair) for pair, depth in witness.worst.items()), reverse=True)[:4]
-        told = "; ".join(f"{a} – {b} {1e3 * most:.4g} mm" for most, (a, b) in over)
-        print(f"{name}: {len(witness.worst)} pairs met; farthest over: {told}", flush=True)
+        meter = deepest(name, steps)
+        over = sorted(((depth, pair) for pair, depth in meter.worst.items()), reverse=True)[:4]
+        summary = "; ".join(f"{a} – {b} {1e3 * most:.4g} mm" for most, (a, b) in over)
+        print(f"{name}: {len(meter.worst)} pairs penetrated; greatest excess: {summary}", flush=True)
 
 
 if __name__ == "__main__":

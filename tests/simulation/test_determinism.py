@@ -84,8 +84,8 @@ def test_restored_script_continues_bit_for_bit(name: str, encode: str) -> None:
         sim = aftdeck.Simulation(name)
         for _ in range(tick):
             sim.step()
-        saved = carried(sim.save(), encode)
-        fly(sim, 1.0, aftdeck.Inputs(rotation=(1.0, 1.0, 1.0)))  # what happens after does not reach the saved state
+        saved = decoded(sim.save(), encode)
+        fly(sim, 1.0, aftdeck.Inputs(rotation=(1.0, 1.0, 1.0)))  # later steps do not change the saved state
         other = aftdeck.Simulation(name)
         other.restore(saved)
         rest = []
@@ -95,7 +95,7 @@ def test_restored_script_continues_bit_for_bit(name: str, encode: str) -> None:
         assert other.ended == whole.summary.ended
 
 
-def carried(saved: SavedSimulation, encode: str) -> SavedSimulation:
+def decoded(saved: SavedSimulation, encode: str) -> SavedSimulation:
     match encode:
         case "msgpack":
             return msgspec.msgpack.decode(msgspec.msgpack.encode(saved), type=SavedSimulation)
@@ -118,7 +118,7 @@ def test_restored_manual_run_continues_bit_for_bit(seed: int) -> None:
         frames.append(sim.step(given[-1]))
     for tick in rng.integers(0, 300, 3):
         other = aftdeck.Simulation(made)
-        other.restore(carried(states[tick], "msgpack"))
+        other.restore(decoded(states[tick], "msgpack"))
         assert bits([other.step(i) for i in given[tick:]]) == bits(frames[tick:])
 
 
@@ -154,7 +154,7 @@ def test_restored_modes_holds_and_sequences_continue_bit_for_bit(beginning: list
         frames.append(sim.step(given))
     for tick in rng.integers(0, len(later), 2):
         other = aftdeck.Simulation(made)
-        other.restore(carried(states[tick], "json"))
+        other.restore(decoded(states[tick], "json"))
         assert bits([other.step(given) for given in later[tick:]]) == bits(frames[tick:])
 
 

@@ -14,13 +14,13 @@ from aftdeck.scenario.load import built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from tests.simulation import concept
-from tests.simulation.flights import anything, flown, srms
+from tests.simulation.flights import flown, random_inputs, srms
 
 FIXED = '[payload]\nmass = 1000\nposition = ["0 m", "0 m", "1 m"]\n'
 AT = (28.0, 0.0, -20.0)
-"""Where the tip begins, over the bay [ft]."""
+"""Start position of the tip, above the bay [ft]."""
 HELD = {"CAPTURE", "CLOSE"}
-"""Lit on either hand while it holds a payload; the snares' RIGID as well, once they are."""
+"""Flags that are lit on either end effector while it holds a payload. RIGID is added on a rigidized Shuttle payload."""
 
 
 @functools.cache
@@ -41,7 +41,7 @@ MADE: dict[str, Callable[[], Scenario]] = {
 
 
 def agrees(frame: Frame) -> bool:
-    """Whether flags and grasp are those of one end effector."""
+    """Return whether the flags are consistent with the payload in the grasp and with each other."""
     flags = set(frame.work.hand.flags)
     holds = frame.payload is not None
     apart = not {"CLOSE", "OPEN"} <= flags and not {"RIGID", "DERIGID"} <= flags
@@ -61,7 +61,7 @@ def test_flags_agree_with_grasp_at_every_start(name: str) -> None:
 @pytest.mark.parametrize("made", MADE.values(), ids=MADE)
 def test_flags_agree_with_grasp_under_random_switches(made: Callable[[], Scenario]) -> None:
     rng = np.random.default_rng(16)
-    frames = flown(made(), anything(rng, 1200, 0.1, switches=0.4))
+    frames = flown(made(), random_inputs(rng, 1200, 0.1, switches=0.4))
     assert [frame.work.hand for frame in frames if not agrees(frame)] == []
 
 

@@ -1,4 +1,4 @@
-"""A payload that the scenario fixes in the grasp is monitored like a captured one: it stops at the bay."""
+"""A payload that the scenario fixes in the grasp is monitored like a captured payload: it stops at the bay."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from aftdeck.worksite.report import Near
 from tests.simulation.flights import log_of
 
 
-def over(points: Array, solids: Sequence[Array]) -> Array:
-    """(n,) how far points stand over the nearest face of the nearest solid; below zero inside one [m]."""
+def heights_over(points: Array, solids: Sequence[Array]) -> Array:
+    """Return the height (n,) of each point over the nearest face of the nearest solid [m]; negative inside a solid."""
     packed = np.array([pack(vertices) for vertices in solids])
     normals = packed[:, NX:D].reshape(-1, 3, 6).transpose(0, 2, 1)
     heights = np.einsum("sfk,vk->vsf", normals, points) - packed[:, D:]
@@ -35,7 +35,7 @@ def test_solids_enclose_drawn_payload_except_fixture() -> None:
     assert payload is not None
     for shape, pose in placed(payload.shapes):
         if not isinstance(shape, Light) and shape.material != "metal":
-            assert over(moved(solid(shape, 24), pose).vertices, payload.solids).max() < 1e-9, shape
+            assert heights_over(moved(solid(shape, 24), pose).vertices, payload.solids).max() < 1e-9, shape
 
 
 def test_monitored_solids_are_at_the_drawn_payload() -> None:
@@ -50,11 +50,11 @@ def test_monitored_solids_are_at_the_drawn_payload() -> None:
         centre, axes = (np.array(part) for part in frame.payload)
         points = np.array([near.point_a if near.a == "payload" else near.point_b for near in pairs(sim)])
         assert len(points) > 10
-        assert over((points - centre) @ axes, payload.solids) == pytest.approx(np.zeros(len(points)), abs=1e-9)
+        assert heights_over((points - centre) @ axes, payload.solids) == pytest.approx(np.zeros(len(points)), abs=1e-9)
 
 
 def pairs(sim: aftdeck.Simulation) -> list[Near]:
-    """Those of the payload, which is never one with the hand that holds it."""
+    """Return the monitored pairs of the payload; check that none of them contains the end effector that holds it."""
     found = [near for near in sim.watched() if "payload" in (near.a, near.b)]
     assert not any("end effector" in (near.a, near.b) for near in found)
     return found

@@ -94,7 +94,7 @@ def test_sticks_override_position_hold_and_new_pose_is_kept() -> None:
     moved = [fly(sim, 3.0, PUSH) for sim in (plain, hold)]
     assert moved[0][-1].angles == pytest.approx(moved[1][-1].angles, abs=1e-12)
     kept = fly(hold, 8.0, aftdeck.Inputs())[-1]
-    assert tip_error(kept, moved[1][-1])[0] > 0.05  # it ramped to rest; it was not pulled back
+    assert tip_error(kept, moved[1][-1])[0] > 0.05  # the arm ramped to rest, and was not pulled back
     disturbed(hold, {0: math.degrees(kept.angles[0]) - 1.0})
     assert tip_error(fly(hold, 12.0, aftdeck.Inputs())[-1], kept) < (1e-4, 2e-5)
 

@@ -14,63 +14,63 @@ from aftdeck.scenario.target import Target
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.operator.sequence import begin
 from tests.simulation.concept import AT_PORT, ON_BAR, held_for, log_of, scenario, vec3
-from tests.simulation.flights import anything, flown, harmful, in_turn, same_possession, srms
+from tests.simulation.flights import flown, harmful, in_turn, random_inputs, same_possession, srms
 
 DEPTH = 1e-9
 """Decrease of a clearance that counts as no change [m]."""
 ASIDE = 0.05
 """Allowed decrease for each metre that the parts move, in a step that leads out of several contacts [1]."""
 LEVER = 10.0
-"""Greatest distance of a touching point from the tip [m]."""
+"""Greatest distance of a contact point from the tip [m]."""
 PRONG = "prong"
 seeds = st.integers(0, 2**32 - 1)
 
 
 def over_the_bar(rng: np.random.Generator) -> Scenario:
-    """The concept's open hand about the bar, deep in it or just clear."""
+    """Start with the concept's open end effector about the bar, deep in the bar or just clear of it."""
     off = rng.uniform(-1.0, 1.0, 3) * [0.6, 0.5, 0.3]
     return scenario(vec3(ON_BAR + off), vec3(rng.uniform(-3.0, 3.0, 3)))
 
 
 def held_in_the_bay(rng: np.random.Generator) -> Scenario:
-    """The payload in the grasp, at a wall or on the floor of the bay."""
+    """Start with the concept's payload held, at a wall or at the floor of the bay."""
     off = rng.choice([-1.0, 1.0], 3) * [0.0, 1.0, 0.75] + rng.uniform(-0.1, 0.1, 3)
     return scenario(vec3(ON_BAR + off), held=True)
 
 
 def held_at_the_port(rng: np.random.Generator) -> Scenario:
-    """The payload in the grasp, turned, its rim at the assembly element."""
+    """Start with the concept's payload held and rotated, with its rim at the assembly element."""
     return scenario(vec3(AT_PORT + rng.uniform(-0.5, 0.5, 3)), vec3(rng.uniform(-12.0, 12.0, 3)), held=True)
 
 
 def near_the_bar(rng: np.random.Generator) -> Scenario:
-    """The concept's open hand over the bar, clear of it."""
+    """Start with the concept's open end effector above the bar, without a contact."""
     off = rng.uniform(-1.0, 1.0, 3) * [0.6, 0.08, 0.2] - [0.0, 0.0, 0.4]
     return scenario(vec3(ON_BAR + off))
 
 
-def met_in_flight(rng: np.random.Generator) -> Scenario:
-    """The Shuttle's end effector clear of the fixture, before it meets something."""
+def near_the_fixture(rng: np.random.Generator) -> Scenario:
+    """Start with the Shuttle's end effector near the fixture, without a contact."""
     above, x, y = rng.uniform(1.0, 4.0), *rng.uniform(-20.0, 20.0, 2)
     return srms(float(above), float(x), float(y), vec3(rng.uniform(-10.0, 10.0, 3)))
 
 
 def shuttle(rng: np.random.Generator) -> Scenario:
-    """The Shuttle's end effector about the payload's fixture in the bay."""
+    """Start with the Shuttle's end effector about the payload's fixture in the bay."""
     above, x, y = rng.uniform(-8.0, 4.0), *rng.uniform(-20.0, 20.0, 2)
     return srms(float(above), float(x), float(y), vec3(rng.uniform(-10.0, 10.0, 3)))
 
 
 def shuttle_loaded(rng: np.random.Generator) -> Scenario:
-    """The Shuttle's payload in the grasp at its place in the bay."""
+    """Start with the Shuttle's payload held, near its stowed position in the bay."""
     x, y, above = rng.uniform(-3.0, 3.0, 3)
     return srms(float(above), float(x), float(y), vec3(rng.uniform(-2.0, 2.0, 3)), held=True)
 
 
-PLACES = [over_the_bar, held_in_the_bay, held_at_the_port, shuttle, shuttle_loaded]
+STARTS = [over_the_bar, held_in_the_bay, held_at_the_port, shuttle, shuttle_loaded]
 
 
-def check_kept(made: Scenario, frames: list[Frame]) -> int:
+def check_inhibited_steps(made: Scenario, frames: list[Frame]) -> int:
     """Check that no inhibited step makes or deepens a contact of the arm; return the number of inhibited steps.
 
     A prong that is not inhibited yet may still close and make contacts.
@@ -83,16 +83,19 @@ def check_kept(made: Scenario, frames: list[Frame]) -> int:
         was, is_now = harmful(made, before), harmful(made, now)
         closes = not before.work.finger_inhibit and before.work.hand.opening != now.work.hand.opening
         turn = np.subtract(now.orientation, before.orientation)
-        way = np.linalg.norm(np.subtract(now.position, before.position)) + LEVER * np.linalg.norm(turn)
-        aside = ASIDE * float(way)
+        travel = np.linalg.norm(np.subtract(now.position, before.position)) + LEVER * np.linalg.norm(turn)
+        allowed = ASIDE * float(travel)
         for pair, contact in is_now.items():
             if PRONG in pair and closes:
                 continue
             if pair in was:
-                assert contact.clearance >= was[pair].clearance - DEPTH - aside, (now.time_s, pair)
-            else:  # it was there, and not the arm's: of something just taken, or made to touch till now
-                there = {(c.a, c.b): c.clearance for c in before.work.contacts}
-                assert not same_possession(before, now) or contact.clearance >= there[pair] - DEPTH, (now.time_s, pair)
+                assert contact.clearance >= was[pair].clearance - DEPTH - allowed, (now.time_s, pair)
+            else:  # the contact existed before, but was essential, or was not one of the arm
+                earlier = {(c.a, c.b): c.clearance for c in before.work.contacts}
+                assert not same_possession(before, now) or contact.clearance >= earlier[pair] - DEPTH, (
+                    now.time_s,
+                    pair,
+                )
     return inhibited
 
 
@@ -116,20 +119,20 @@ def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
         finger = {pair for pair in twice if PRONG in pair}
         expected = (bool(twice), bool(finger) if now.work.task == 1 else bool(twice))
         assert (now.work.arm_inhibit, now.work.finger_inhibit) == expected, now.time_s
-        told = " ".join(event.text for event in now.events if event.kind == "inhibit")
-        assert ("ARM INHIBIT:" in told) == (now.work.arm_inhibit and not before.work.arm_inhibit)
-        assert ("ARM INHIBIT off" in told) == (before.work.arm_inhibit and not now.work.arm_inhibit)
+        text = " ".join(event.text for event in now.events if event.kind == "inhibit")
+        assert ("ARM INHIBIT:" in text) == (now.work.arm_inhibit and not before.work.arm_inhibit)
+        assert ("ARM INHIBIT off" in text) == (before.work.arm_inhibit and not now.work.arm_inhibit)
 
 
-@pytest.mark.parametrize("place", PLACES, ids=lambda place: place.__name__)
+@pytest.mark.parametrize("start", STARTS, ids=lambda start: start.__name__)
 @settings(max_examples=3)
 @given(seed=seeds)
-def test_inhibited_arm_deepens_no_contact_under_random_inputs(place: object, seed: int) -> None:
-    assert callable(place)
+def test_inhibited_arm_deepens_no_contact_under_random_inputs(start: object, seed: int) -> None:
+    assert callable(start)
     rng = np.random.default_rng(seed)
-    made = place(rng)
-    frames = flown(made, anything(rng, 200, but=("effector",) if rng.random() < 0.5 else ()))
-    check_kept(made, frames)
+    made = start(rng)
+    frames = flown(made, random_inputs(rng, 200, without=("effector",) if rng.random() < 0.5 else ()))
+    check_inhibited_steps(made, frames)
     check_two_frames(made, frames)
 
 
@@ -137,7 +140,7 @@ def test_inhibited_arm_deepens_no_contact_under_random_inputs(place: object, see
 
 DOWN, UP = Inputs((0.0, 0.0, 0.3)), Inputs((0.0, 0.0, -0.3))
 ABOVE_BAR = (28.0, 0.0, 0.6)
-"""The palm 0.14 ft over the bar [ft]."""
+"""Start position of the palm, 0.14 ft above the bar [ft]."""
 
 
 def test_palm_contact_stops_the_arm_from_the_second_step() -> None:
@@ -156,7 +159,7 @@ def test_palm_contact_stops_the_arm_from_the_second_step() -> None:
 
 
 def test_prong_contact_inhibits_finger_and_arm_but_prong_may_open() -> None:
-    """The hand leans over the payload's starboard edge, so that the prong closes on its side."""
+    """The end effector leans over the starboard edge of the payload, so the prong closes on the side of the payload."""
     made = scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0))
     sim = aftdeck.Simulation(made)
     frames = flown(sim, [Inputs(effector="close"), *[Inputs()] * 200])
@@ -174,15 +177,15 @@ def test_prong_contact_inhibits_finger_and_arm_but_prong_may_open() -> None:
 
 def advised(frame: Frame) -> Inputs:
     """Return the inputs of the escape that a frame names for its contacts, at a tenth of full deflection."""
-    (way,) = frame.ways_out
-    assert way.cause == "contact"
-    value, mode = 0.1 * way.sign, way.position or None
-    if way.stick == "telescope":
+    (escape,) = frame.ways_out
+    assert escape.cause == "contact"
+    value, mode = 0.1 * escape.sign, escape.position or None
+    if escape.stick == "telescope":
         return Inputs(telescope=value)
-    if way.stick == "joint":
-        return Inputs(mode=mode, joint=way.axis, drive=value)
-    three = vec3(np.eye(3)[way.axis] * value)
-    return Inputs(three, mode=mode) if way.stick == "translation" else Inputs(rotation=three, mode=mode)
+    if escape.stick == "joint":
+        return Inputs(mode=mode, joint=escape.axis, drive=value)
+    three = vec3(np.eye(3)[escape.axis] * value)
+    return Inputs(three, mode=mode) if escape.stick == "translation" else Inputs(rotation=three, mode=mode)
 
 
 def freed(sim: aftdeck.Simulation, frame: Frame) -> bool:
@@ -196,19 +199,19 @@ def freed(sim: aftdeck.Simulation, frame: Frame) -> bool:
     return False
 
 
-CONTACTS = [near_the_bar, met_in_flight]
+CLEAR_STARTS = [near_the_bar, near_the_fixture]
 
 
-@pytest.mark.parametrize("place", CONTACTS, ids=lambda place: place.__name__)
+@pytest.mark.parametrize("start", CLEAR_STARTS, ids=lambda start: start.__name__)
 @settings(max_examples=4)
 @given(seed=seeds, mode=st.sampled_from(["ORB UNL", "END EFF", "SINGLE"]))
-def test_escape_leads_out_of_any_contact(place: object, seed: int, mode: str) -> None:
-    assert callable(place)
+def test_escape_leads_out_of_any_contact(start: object, seed: int, mode: str) -> None:
+    assert callable(start)
     rng = np.random.default_rng(seed)
-    sim = aftdeck.Simulation(place(rng))
+    sim = aftdeck.Simulation(start(rng))
     frame = flown(sim, [Inputs(mode=mode), Inputs()])[-1]
-    assume(not frame.work.contacts)  # flown into, not begun in
-    for inputs in anything(rng, 200, but=("latch", "mode"), every=40):
+    assume(not frame.work.contacts)  # the run must not start in contact
+    for inputs in random_inputs(rng, 200, without=("latch", "mode"), every=40):
         if frame.work.arm_inhibit:
             break
         frame = sim.step(inputs)
@@ -229,11 +232,11 @@ def test_motion_into_contact_fails_its_check_and_is_abandoned() -> None:
         target = sim.scenario.phases[0].target
         assert isinstance(target, Target)
         begin(sim._flight, sim._state, target)
-        flown_on = [sim.step(Inputs()) for _ in range(1500)]
-        blocked = next(frame for frame in flown_on if "blocked" in {event.kind for event in frame.events})
-        touched = next(frame for frame in flown_on if frame.work.arm_inhibit)
+        later = [sim.step(Inputs()) for _ in range(1500)]
+        blocked = next(frame for frame in later if "blocked" in {event.kind for event in frame.events})
+        touched = next(frame for frame in later if frame.work.arm_inhibit)
         assert touched.time_s - frames[-1].time_s == pytest.approx(check.seconds, abs=0.1)
-        assert blocked.time_s > touched.time_s and min(frame.ratio for frame in flown_on) == 0.0
+        assert blocked.time_s > touched.time_s and min(frame.ratio for frame in later) == 0.0
 
 
 def test_capture_does_not_log_separation_of_touching_parts() -> None:

@@ -21,7 +21,7 @@ from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite import load_worksite
 from tests.simulation.concept import held_for, joints, scenario
-from tests.simulation.flights import anything, flown
+from tests.simulation.flights import flown, random_inputs
 from tests.steering.flying import checked
 
 PARTS = ("full problem", "acquisition", "extraction", "manoeuvring")
@@ -56,7 +56,7 @@ def _toml(value: object) -> str:
 
 
 def timeless(frames: list[Frame], *, first: bool) -> list[Frame]:
-    """Return frames without time and digest, and the first one without the log lines of its initialisation."""
+    """Return frames without time and digest; if `first`, without the log lines of initialisation in the first frame."""
     found = []
     for k, frame in enumerate(frames):
         events = tuple(msgspec.structs.replace(event, time_s=0.0) for event in frame.events)
@@ -74,22 +74,22 @@ def turning(given: Iterable[Inputs], made: Scenario, rng: np.random.Generator) -
         yield msgspec.structs.replace(inputs, camera=drive)
 
 
-def check_begun(made: Scenario, fresh: Scenario, part: str, seed: int) -> None:
+def check_initialised(made: Scenario, direct: Scenario, part: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     sim = aftdeck.Simulation(made)
-    flown(sim, turning(anything(rng, 150), made, rng))
-    later = list(anything(rng, 120))
-    begun = [sim.step(Inputs(initialise=part)), *flown(sim, later)]  # type: ignore[arg-type]
-    other = flown(fresh, [Inputs(), *later])
-    for one, two in zip(timeless(begun, first=True), timeless(other, first=True), strict=True):
-        assert one == two, begun[0].tick
-    assert begun[0].events[0].kind == "initialise" and part in begun[0].events[0].text
+    flown(sim, turning(random_inputs(rng, 150), made, rng))
+    later = list(random_inputs(rng, 120))
+    initialised = [sim.step(Inputs(initialise=part)), *flown(sim, later)]  # type: ignore[arg-type]
+    other = flown(direct, [Inputs(), *later])
+    for one, two in zip(timeless(initialised, first=True), timeless(other, first=True), strict=True):
+        assert one == two, initialised[0].tick
+    assert initialised[0].events[0].kind == "initialise" and part in initialised[0].events[0].text
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "free-flyer"])
 @pytest.mark.parametrize("part", PARTS)
 def test_initialised_run_equals_run_that_starts_there(part: str, name: str) -> None:
-    check_begun(problem("", name), begins_there(part, "", name), part, 7 + PARTS.index(part))
+    check_initialised(problem("", name), begins_there(part, "", name), part, 7 + PARTS.index(part))
 
 
 @pytest.mark.parametrize(("part", "task"), [("acquisition", 1), ("extraction", 2), ("manoeuvring", 3)])
@@ -103,7 +103,7 @@ def test_each_start_has_its_task_phase_and_no_contact(name: str, part: str, task
 
 def test_initialisation_resets_every_switch() -> None:
     head = 'position_hold = true\nrate = "vernier"\nlaw = "position"'
-    check_begun(problem(head), begins_there("extraction", head), "extraction", 3)
+    check_initialised(problem(head), begins_there("extraction", head), "extraction", 3)
     sim = aftdeck.Simulation(problem(head))
     flown(sim, [Inputs(position_hold=False, rate="coarse", joint=3, effector_mode="manual", rigid="derigid")])
     frame = sim.step(Inputs(initialise="full problem"))
@@ -146,7 +146,7 @@ def test_initialisation_without_start_is_rejected_without_effect() -> None:
 
 def test_start_with_impossible_grasp_is_rejected() -> None:
     text = load_scenario("concept-1972").text
-    over = text.replace('above = "0.36 in"', 'above = "1 in"')  # the palm above the bar, not on it
+    over = text.replace('above = "0.36 in"', 'above = "1 in"')  # the palm is above the bar, not on it
     assert over != text
     with pytest.raises(ScenarioError) as raised:
         aftdeck.Simulation(parse_scenario(over, "test", "test.toml", Path(".")))

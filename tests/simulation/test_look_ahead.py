@@ -11,7 +11,7 @@ import aftdeck
 from aftdeck import Inputs
 from aftdeck.errors import InputError
 from aftdeck.simulation.observe.look_ahead import Axis
-from tests.simulation.flights import anything
+from tests.simulation.flights import random_inputs
 from tests.steering.flying import BAY, checked, fly, scenario, target
 
 STICKS = [
@@ -120,7 +120,7 @@ def test_look_ahead_names_joint_nearest_to_its_limit() -> None:
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy"])
 def test_look_ahead_changes_no_state(name: str) -> None:
     one, other = aftdeck.Simulation(name), aftdeck.Simulation(name)
-    for k, inputs in enumerate(anything(np.random.default_rng(2), 60)):
+    for k, inputs in enumerate(random_inputs(np.random.default_rng(2), 60)):
         one.advance(inputs)
         other.advance(inputs)
         if k % 7 == 0:

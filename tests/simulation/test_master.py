@@ -16,12 +16,12 @@ START = {"srms": BAY, "concept-1972": (20.0, 60.0, -100.0, 5.0, -30.0, 10.0)}
 ARMS = pytest.mark.parametrize("name", START)
 
 
-def an_arm(name: str) -> Scenario:
+def master_scenario(name: str) -> Scenario:
     return scenario(START[name], f'arm = "{name}"\nmode = "MASTER"')
 
 
 def pushed(axis: int, by: float) -> Inputs:
-    """One axis of the sticks deflected."""
+    """Return inputs with one deflected axis of the sticks."""
     sticks = [0.0] * 6
     sticks[axis] = by
     roll, pitch, yaw, x, y, z = sticks
@@ -30,7 +30,7 @@ def pushed(axis: int, by: float) -> Inputs:
 
 @ARMS
 def test_each_axis_moves_one_master_joint_and_rhc_the_wrist(name: str) -> None:
-    made = an_arm(name)
+    made = master_scenario(name)
     axes = axes_of(made.arm.model)
     assert sorted(axes) == list(range(6))
     for joint, axis in zip(made.arm.joints[3:], axes[3:], strict=True):
@@ -41,7 +41,7 @@ def test_each_axis_moves_one_master_joint_and_rhc_the_wrist(name: str) -> None:
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("rate", ["coarse", "vernier"])
 def test_stick_moves_master_joint_at_its_rate_limit(name: str, joint: int, rate: str) -> None:
-    made = an_arm(name)
+    made = master_scenario(name)
     axis, rates = axes_of(made.arm.model)[joint], made.arm.model.rates
     most = float((rates.coarse if rate == "coarse" else rates.vernier)[joint])
     sim = aftdeck.Simulation(made)
@@ -61,7 +61,7 @@ def test_stick_moves_master_joint_at_its_rate_limit(name: str, joint: int, rate:
 @ARMS
 @pytest.mark.parametrize("by", [1.0, -1.0])
 def test_sticks_move_master_only_to_soft_stops(name: str, by: float) -> None:
-    made = an_arm(name)
+    made = master_scenario(name)
     low, high = made.arm.model.limits.soft.T
     for joint, axis in enumerate(axes_of(made.arm.model)):
         sim, end = aftdeck.Simulation(made), (high if by > 0.0 else low)[joint]
@@ -74,7 +74,7 @@ def test_sticks_move_master_only_to_soft_stops(name: str, by: float) -> None:
 
 
 def test_master_beyond_a_stop_can_only_move_back() -> None:
-    sim = aftdeck.Simulation(an_arm("srms"))
+    sim = aftdeck.Simulation(master_scenario("srms"))
     beyond = (np.radians(200.0), *np.radians(BAY)[1:].tolist())
     sim.step(Inputs(master=beyond))
     assert sim.step(pushed(4, 1.0)).work.master == pytest.approx(beyond)

@@ -18,7 +18,7 @@ from tests.simulation.payload_invariants import check_possession, in_space
 
 seeds = st.integers(0, 2**32 - 1)
 SPEED, REACHED = 0.2 * FOOT, 2.0
-"""[m/s], [s]."""
+"""Speed of the orbiter [m/s], and the time in which it is reached [s]."""
 FORWARD, AFT = Inputs(orbiter=(1.0, 0.0, 0.0)), Inputs(orbiter=(-1.0, 0.0, 0.0))
 PERIOD = 0.02
 UNDER_THE_HAND = 'name = "payload"\nstart = { position = ["28 ft", "0 ft", "12.6 ft"] }'

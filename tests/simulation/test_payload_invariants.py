@@ -14,8 +14,8 @@ from aftdeck import Inputs
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from tests.simulation.concept import AT_PORT, ON_BAR, held_for, scenario, vec3
-from tests.simulation.flights import anything, events_of, flown, srms
-from tests.simulation.payload_invariants import EXACT, check_possession, in_hand, in_space, moved, posed
+from tests.simulation.flights import events_of, flown, random_inputs, srms
+from tests.simulation.payload_invariants import EXACT, check_possession, in_frame_7, in_space, moved, posed
 from tests.steering.flying import fly
 
 seeds = st.integers(0, 2**32 - 1)
@@ -29,7 +29,7 @@ def test_concept_payload_keeps_invariants_under_random_inputs(seed: int) -> None
     rng = np.random.default_rng(seed)
     made = scenario(vec3(ON_BAR + rng.uniform(-0.2, 0.2, 3) * [1.0, 0.3, 0.1]), cargo=TWO)
     sim = aftdeck.Simulation(made)
-    frames = flown(sim, [Inputs(effector="close"), *[Inputs()] * 190, *anything(rng, 250)])
+    frames = flown(sim, [Inputs(effector="close"), *[Inputs()] * 190, *random_inputs(rng, 250)])
     check_possession(made, frames)
 
 
@@ -38,7 +38,7 @@ def test_concept_payload_keeps_invariants_under_random_inputs(seed: int) -> None
 def test_concept_payload_keeps_invariants_at_the_port(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made = scenario(vec3(AT_PORT + rng.uniform(-0.1, 0.1, 3)), vec3(rng.uniform(-1.0, 1.0, 3)), held=True)
-    frames = flown(made, anything(rng, 300, 0.3, switches=0.25))
+    frames = flown(made, random_inputs(rng, 300, 0.3, switches=0.25))
     check_possession(made, frames)
 
 
@@ -51,7 +51,7 @@ def test_shuttle_payload_keeps_invariants_under_random_inputs(seed: int) -> None
     sim = aftdeck.Simulation(made)
     mode = "auto" if rng.random() < 0.5 else "manual"
     capture = [Inputs(effector="close", effector_mode=mode, mode="END EFF"), *[Inputs()] * 140]  # type: ignore[arg-type]
-    rest = [Inputs(latch="unlatch"), *anything(rng, 250, 0.1, switches=0.25, but=("effector_mode",))]
+    rest = [Inputs(latch="unlatch"), *random_inputs(rng, 250, 0.1, switches=0.25, without=("effector_mode",))]
     frames = flown(sim, [*capture, *rest])
     assert any(frame.work.cargo[0].held for frame in frames)
     check_possession(made, frames)
@@ -62,7 +62,7 @@ LIFT = Inputs((0.0, 0.0, -1.0), mode="ORB UNL")
 
 
 def captured(share: float) -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
-    """Return the Shuttle's payload in its latches, just captured with 3 in and up to 5 deg of misalignment."""
+    """Capture the Shuttle's payload in its latches, from 3 inches and with up to 6 deg of error; return the run."""
     made = srms(3.0, 1.0, 2.0, (5.0 * share, -4.0 * share, 6.0 * share), head=SLOWLY)
     sim = aftdeck.Simulation(made)
     frames = fly(sim, 2.64, Inputs(effector="close", effector_mode="manual", mode="END EFF"))
@@ -73,25 +73,25 @@ def captured(share: float) -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
 def stowed() -> tuple[np.ndarray, np.ndarray]:
     """Return the pose of a rigidized payload in frame 7, as accurate as the given joint angles."""
     frame = aftdeck.Simulation(srms(0.0, held=True)).step(Inputs())
-    return in_hand(frame, frame.work.cargo[0])
+    return in_frame_7(frame, frame.work.cargo[0])
 
 
 @pytest.mark.parametrize("retracted", [0.0, 0.3, 0.95, 1.0])
 def test_unlatched_payload_does_not_jump_while_carriage_draws_in(retracted: float) -> None:
-    """The travel of the carriage while the payload was fixed is not made up later."""
+    """While the payload is fixed, the carriage travels without it. It does not make up for this travel later."""
     made, sim, frames = captured(0.1)
     if retracted:
         frames += fly(sim, retracted * 7.0, Inputs(rigid="rigid"))
     frames += fly(sim, 30.4, Inputs(rigid="off", latch="unlatch"))
     assert not frames[-1].work.cargo[0].seat
     frames += fly(sim, 24.0, LIFT)
-    off = in_hand(frames[-1], frames[-1].work.cargo[0])
+    off = in_frame_7(frames[-1], frames[-1].work.cargo[0])
     frames += fly(sim, 12.0, Inputs(rigid="rigid"))
     check_possession(made, frames)
     assert "RIGID" in frames[-1].work.hand.flags
-    way, _ = moved(off, in_hand(frames[-1], frames[-1].work.cargo[0]))
+    shift, _ = moved(off, in_frame_7(frames[-1], frames[-1].work.cargo[0]))
     whole, _ = moved(off, stowed())
-    assert way == pytest.approx((1.0 - retracted) * whole, abs=0.02 * whole)
+    assert shift == pytest.approx((1.0 - retracted) * whole, abs=0.02 * whole)
 
 
 def test_carriage_stops_before_a_wall_and_continues_when_clear() -> None:
@@ -129,13 +129,13 @@ def test_released_payload_keeps_velocity_and_angular_velocity() -> None:
     free = [frame for frame in frames if not frame.work.cargo[0].held]
     assert len(free) > 50 and len(free) < 250
     check_possession(made, frames)
-    ways = np.diff([in_space(frame, frame.work.cargo[0])[0] for frame in free], axis=0) / 0.02
-    assert np.ptp(ways, axis=0) == pytest.approx(np.zeros(3), abs=1e-9)
+    velocities = np.diff([in_space(frame, frame.work.cargo[0])[0] for frame in free], axis=0) / 0.02
+    assert np.ptp(velocities, axis=0) == pytest.approx(np.zeros(3), abs=1e-9)
     # motion in space of the last step before the release continues
     last = frames[len(frames) - len(free) - 1], free[0]
     before = np.subtract(*(in_space(frame, frame.work.cargo[0])[0] for frame in last[::-1])) / 0.02
     assert np.linalg.norm(before) > 0.05
-    assert ways[0] == pytest.approx(before, abs=2e-4)  # that step's displacement is a chord
+    assert velocities[0] == pytest.approx(before, abs=2e-4)  # that step's displacement is a chord
     turns = [np.array(a.work.cargo[0].orientation).T @ b.work.cargo[0].orientation for a, b in pairwise(free)]
     assert np.ptp(turns, axis=0) == pytest.approx(np.zeros((3, 3)), abs=1e-9)
     held = np.array(last[0].work.cargo[0].orientation).T @ last[1].work.cargo[0].orientation

@@ -16,7 +16,7 @@ from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, fly, scenario
 
 CONCEPT = (10.0, 50.0, -80.0, 15.0, 20.0, -10.0)
 V, W = np.array([0.1, -0.2, 0.05]), np.array([0.3, 0.6, -0.5])
-"""V_C' [ft/s] and omega_C' [deg/s], under every limit."""
+"""V_C' [ft/s] and omega_C' [deg/s], below every limit."""
 SLOW_JOINTS = """
 [phase.limits]
 coarse = ["0.6 deg/s", "0.6 deg/s", "0.6 deg/s", "0.6 deg/s", "0.6 deg/s", "0.6 deg/s"]
@@ -29,7 +29,7 @@ por = { translation = "0.3 ft/s", vernier_translation = "0.1 ft/s", acceleration
 
 
 def flown(made: aftdeck.Scenario) -> list[Frame]:
-    """Every frame of a script, but the one in which it has ended."""
+    """Return the frames of a script, without the frame in which it has ended."""
     sim = aftdeck.Simulation(made)
     frames = [sim.step()]
     while not sim.ended:
@@ -38,7 +38,7 @@ def flown(made: aftdeck.Scenario) -> list[Frame]:
 
 
 def by_script(joints: Sequence[float], *phases: str, head: str = "") -> list[Frame]:
-    """Every frame of a script of these phases."""
+    """Return the frames of a script with these phases."""
     return flown(
         scenario(joints, f"control_period = 0.08\n{head}\n" + "".join(f"[[phase]]\n{phase}\n" for phase in phases))
     )
@@ -109,7 +109,7 @@ def test_automatic_phase_keeps_its_limits_also_after_restore(law: str, strict: s
             saved = sim.save()
         frames.append(sim.step())
     assert sim.ended == "completed"
-    if not (law == "position" and strict == "true"):  # the source's mode 1 knows no limit of the point
+    if not (law == "position" and strict == "true"):  # mode 1 of the report has no POR limit
         assert max(np.linalg.norm(f.twist_commanded[3:]) for f in frames) <= 0.3 * FOOT + 1e-9
     assert saved is not None
     sim.restore(saved)

@@ -18,45 +18,45 @@ from tests.simulation.concept import ABOVE, AT_PORT, ON_BAR, flown, scenario, ve
 from tests.simulation.independent_rules import acquisition, depth_in_bay, docking
 
 ROUNDING = 1e-9
-"""Conditions that hold or fail by less [ft] are not told apart: one way of computing them has them so, one not."""
+"""Smaller margins are not compared [ft], [rad], because the two computations may round differently."""
 FIRST, EXTRACTION, MANOEUVRING, DOCKED = 1, 2, 3, 4
 AT_RIM = (28.0, 0.0, -12.04)
-"""Where the palm is when the payload that it holds comes clear of the bay [ft]."""
+"""Position of the palm at which the held payload leaves the bay [ft]."""
 seeds = st.integers(0, 2**32 - 1)
 
 
-def wandering(rng: np.random.Generator, steps: int, pace: float, **first: str) -> Iterator[Inputs]:
-    """Small sticks in all directions, changed every half second; switches act at the first step."""
+def random_deflections(rng: np.random.Generator, steps: int, deflection: float, **first: str) -> Iterator[Inputs]:
+    """Yield random deflections in all directions, changed every half second; switches act in the first step."""
     inputs = Inputs()
     for k in range(steps):
         if k % 25 == 0:
-            translation, rotation = (vec3(pace * rng.uniform(-1.0, 1.0, 3)) for _ in range(2))
+            translation, rotation = (vec3(deflection * rng.uniform(-1.0, 1.0, 3)) for _ in range(2))
             inputs = Inputs(translation, rotation)
         yield Inputs(inputs.translation, inputs.rotation, **first) if k == 0 else inputs  # type: ignore[arg-type]
 
 
-def is_so(margins: np.ndarray, said: bool) -> bool:
-    """Whether a verdict is that of the conditions' margins."""
-    return bool((margins >= -ROUNDING).all() if said else not (margins > ROUNDING).all())
+def agrees(margins: np.ndarray, verdict: bool) -> bool:
+    """Return whether a verdict agrees with the margins of the conditions."""
+    return bool((margins >= -ROUNDING).all() if verdict else not (margins > ROUNDING).all())
 
 
 def check_entries(frames: Sequence[Frame]) -> None:
-    """What holds at every frame at which a mode is entered, and of the modes themselves."""
+    """Check the conditions of each entry of a task phase, and the task phase of each frame."""
     for before, now in pairwise(frames):
         cargo, was = now.work.cargo[0], before.work.cargo[0]
         if cargo.held and not was.held:
-            assert is_so(acquisition(now), True), now.time_s
+            assert agrees(acquisition(now), True), now.time_s
         if cargo.seat == "port" and not was.seat:
-            assert is_so(docking(now), True), now.time_s
+            assert agrees(docking(now), True), now.time_s
         if not cargo.held:
             assert now.work.task == FIRST
         elif cargo.seat == "port":
             assert now.work.task == DOCKED
         elif abs(depth := depth_in_bay(now)) > ROUNDING:
             assert now.work.task == (EXTRACTION if depth > 0.0 else MANOEUVRING), now.time_s
-        told = [event.text for event in now.events if event.kind == "task"]
-        assert bool(told) == (now.work.task != before.work.task)
-        assert all(f"MODE {now.work.task}" in text for text in told)
+        texts = [event.text for event in now.events if event.kind == "task"]
+        assert bool(texts) == (now.work.task != before.work.task)
+        assert all(f"MODE {now.work.task}" in text for text in texts)
 
 
 @settings(max_examples=15)
@@ -66,11 +66,11 @@ def test_payload_is_captured_exactly_when_six_conditions_hold(seed: int, spread:
     off = spread * rng.uniform(-1.0, 1.0, 3) * [1.3, 0.15, 0.05] - [0.0, 0.0, 0.02]
     turned = spread * rng.uniform(-1.0, 1.0, 3) * [1.5, 1.2, 4.0]
     sim = aftdeck.Simulation(scenario(vec3(ON_BAR + off), vec3(turned)))
-    frames = flown(sim, wandering(rng, 200, 0.05, rate="vernier", effector="close"))
+    frames = flown(sim, random_deflections(rng, 200, 0.05, rate="vernier", effector="close"))
     check_entries(frames)
     for before, now in pairwise(frames):
         if not before.work.cargo[0].held:
-            assert is_so(acquisition(now), now.work.cargo[0].held), now.time_s
+            assert agrees(acquisition(now), now.work.cargo[0].held), now.time_s
 
 
 def test_prong_closed_above_the_bar_captures_nothing() -> None:
@@ -92,11 +92,11 @@ def test_payload_docks_exactly_when_all_conditions_hold(seed: int, spread: float
     made = scenario(vec3(AT_PORT + off), vec3(turned), held=True, extra=f'docking = "{axes}"')
     sim = aftdeck.Simulation(made)
     inward = Inputs(translation=(0.3, 0.0, 0.0))
-    frames = flown(sim, [*wandering(rng, 50, 0.2), *[inward] * 150])
+    frames = flown(sim, [*random_deflections(rng, 50, 0.2), *[inward] * 150])
     compared = "y" if axes == "y axis" else "xyz"
     for before, now in pairwise(frames):
         if not before.work.cargo[0].seat:
-            assert is_so(docking(now, axes=compared), now.work.cargo[0].seat == "port"), now.time_s
+            assert agrees(docking(now, axes=compared), now.work.cargo[0].seat == "port"), now.time_s
     if axes == "all axes":
         check_entries(frames)
 
@@ -107,7 +107,7 @@ def test_held_payload_is_in_extraction_exactly_inside_the_bay(seed: int) -> None
     rng = np.random.default_rng(seed)
     at = np.array(AT_RIM) + rng.uniform(-1.0, 1.0, 3) * [0.5, 0.4, 0.3]
     sim = aftdeck.Simulation(scenario(vec3(at), held=True))
-    frames = flown(sim, wandering(rng, 250, 0.5))
+    frames = flown(sim, random_deflections(rng, 250, 0.5))
     check_entries(frames)
 
 

@@ -22,7 +22,7 @@ from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.camera_drives import CameraDrive
 
-KINDS: list[Callable[[Any], Any]] = [
+NUMBER_TYPES: list[Callable[[Any], Any]] = [
     np.float64,
     np.float32,
     np.float16,
@@ -32,7 +32,7 @@ KINDS: list[Callable[[Any], Any]] = [
     lambda x: np.int64(x) if float(x).is_integer() else np.float64(x),
     float,
 ]
-"""Ways to hand in a number that half precision holds."""
+"""Types in which a number can be given that is exact in half precision."""
 halves = st.integers(-64, 64).map(lambda k: k / 64)
 threes = st.tuples(halves, halves, halves)
 flags = st.one_of(st.none(), st.booleans())
@@ -43,22 +43,22 @@ def choice(*names: str) -> st.SearchStrategy[str | None]:
 
 
 ARM = load_scenario("concept-1972").arm
-HERE = target_at(ARM.forward(load_scenario("concept-1972").initial_angles))
+START = target_at(ARM.forward(load_scenario("concept-1972").initial_angles))
 inputs = st.builds(
     Inputs, translation=threes, rotation=threes, drive=halves, mode=choice("MASTER", "SINGLE", "OPR CMD", "END EFF"),
     joint=st.one_of(st.none(), st.integers(0, 5)), rate=choice("coarse", "vernier"), law=choice("open loop"),
-    target=st.sampled_from([None, HERE]), rate_hold=st.booleans(), position_hold=flags, brakes=flags, safing=flags,
+    target=st.sampled_from([None, START]), rate_hold=st.booleans(), position_hold=flags, brakes=flags, safing=flags,
     proceed=st.booleans(), stop=st.booleans(), effector=choice("stop", "close", "open"), latch=choice("latch"),
     telescope=halves, orbiter=threes, master=st.one_of(st.none(), st.tuples(*[halves] * 6)),
     camera=st.one_of(st.none(), st.builds(CameraDrive, st.sampled_from("ABF"), halves, halves, halves, st.booleans())),
 )  # fmt: skip
 
 
-def numpys(given: Inputs, data: st.DataObject) -> Inputs:
-    """The same inputs in NumPy's kinds."""
+def as_numpy(given: Inputs, data: st.DataObject) -> Inputs:
+    """Return the same inputs with values of random NumPy types."""
 
     def number(value: float) -> Any:
-        return data.draw(st.sampled_from(KINDS))(value)
+        return data.draw(st.sampled_from(NUMBER_TYPES))(value)
 
     def some(values: Any) -> Any:
         wrapped: Any = data.draw(st.sampled_from([tuple, list, np.array]))
@@ -90,7 +90,7 @@ def numpys(given: Inputs, data: st.DataObject) -> Inputs:
 def test_run_with_numpy_inputs_is_the_same(flight: list[Inputs], data: st.DataObject) -> None:
     plain, other = aftdeck.Simulation("concept-1972"), aftdeck.Simulation("concept-1972", np.int64(0))  # type: ignore[arg-type]
     for step in flight:
-        assert plain.step(step) == other.step(numpys(step, data))
+        assert plain.step(step) == other.step(as_numpy(step, data))
         one, two = (msgspec.msgpack.encode(sim.save()) for sim in (plain, other))
         assert one == two and msgspec.msgpack.decode(two, type=type(plain.save())) == plain.save()
 
@@ -114,7 +114,7 @@ def test_delayed_input_is_stored_in_plain_values() -> None:
 
 
 def test_negative_zero_deflection_equals_zero() -> None:
-    """Digests tell -0.0 from 0.0, and a page's stick sends either."""
+    """A digest distinguishes -0.0 from 0.0, and a page can send either of them for a centred stick."""
     one, other = aftdeck.Simulation("first-flight"), aftdeck.Simulation("first-flight")
     for sim, zero in ((one, 0.0), (other, -0.0)):
         sim.step(Inputs((zero, 0.5, zero), (zero, zero, zero), zero, telescope=zero, orbiter=(zero, zero, zero)))
@@ -133,7 +133,7 @@ def test_seed_time_and_axis_may_be_numpy_numbers(tmp_path: Path) -> None:
 
 
 @settings(max_examples=10)
-@given(st.sampled_from(KINDS[:5]))
+@given(st.sampled_from(NUMBER_TYPES[:5]))
 def test_scenario_changes_may_be_numpy_numbers(kind: Callable[[Any], Any]) -> None:
     text = load_scenario("first-flight").text
     joints = np.array([0.0, 0.5, -0.5, 0.25, 0.0, 0.0], dtype=np.float32)

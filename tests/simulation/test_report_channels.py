@@ -1,6 +1,6 @@
 """TABLE I in both directions: channels written by runs in MASTER give the same frames, bit for bit.
 
-More and longer flights: ``AFTDECK_CHANNEL_FLIGHTS=20 AFTDECK_CHANNEL_STEPS=5000 pytest tests/simulation/
+For more and longer runs: ``AFTDECK_CHANNEL_FLIGHTS=20 AFTDECK_CHANNEL_STEPS=5000 pytest tests/simulation/
 test_report_channels.py -k from_written_channels``.
 """
 
@@ -26,15 +26,15 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.frame import Frame
 from tests.simulation import concept
-from tests.simulation.flights import anything
-from tests.simulation.master_inputs import mastered
+from tests.simulation.flights import random_inputs
+from tests.simulation.master_inputs import random_master_inputs
 
 FLIGHTS = int(os.environ.get("AFTDECK_CHANNEL_FLIGHTS", "1"))
 STEPS = int(os.environ.get("AFTDECK_CHANNEL_STEPS", "400"))
 
 
 def written(scenario: Scenario, given: Iterator[Inputs]) -> tuple[list[Frame], str]:
-    """The frames of a flight, and its file of channels and words."""
+    """Return the frames of a run, and the text of its file of channels and words."""
     file = io.StringIO()
     sim, writer, frames = aftdeck.Simulation(scenario), WordsWriter(file, scenario), []
     for inputs in given:
@@ -43,7 +43,7 @@ def written(scenario: Scenario, given: Iterator[Inputs]) -> tuple[list[Frame], s
     return frames, file.getvalue()
 
 
-def flown_again(scenario: Scenario, text: str, folder: Path) -> list[Frame]:
+def run_from_channels(scenario: Scenario, text: str, folder: Path) -> list[Frame]:
     path = folder / "channels.jsonl"
     path.write_text(text)
     samples = read_channels(path, scenario.control_period).samples
@@ -68,21 +68,21 @@ QUICK, *SLOW = SCENARIOS
 def test_run_from_written_channels_is_equal(name: str, seed: int, tmp_path: Path) -> None:
     scenario = SCENARIOS[name]()
     rng = np.random.default_rng([seed, len(name)])
-    frames, text = written(scenario, mastered(rng, scenario, STEPS))
+    frames, text = written(scenario, random_master_inputs(rng, scenario, STEPS))
     assert all("unsaid" not in json.loads(line) for line in text.splitlines())
-    assert flown_again(scenario, text, tmp_path) == frames
+    assert run_from_channels(scenario, text, tmp_path) == frames
     assert {frame.mode for frame in frames} == {"MASTER"}
-    assert len({frame.angles for frame in frames}) > STEPS / 20  # over the bar contacts inhibit the arm for long
+    assert len({frame.angles for frame in frames}) > STEPS / 20  # contacts with the bar inhibit the arm for a long time
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_run_from_channels_is_equal_up_to_first_unsaid_command(seed: int, tmp_path: Path) -> None:
-    """Any inputs: up to the first line that names something unsaid, the flight by the channels is the same."""
+    """A line names commands without a channel in `unsaid`. Up to the first such line, the two runs are equal."""
     rng = np.random.default_rng(seed)
     scenario = load_scenario("concept-1972")
-    said, anyhow = mastered(rng, scenario, 60 + 40 * seed), anything(rng, 100, switches=0.5)
-    frames, text = written(scenario, itertools.chain(said, anyhow))
-    again = flown_again(scenario, text, tmp_path)
+    expressible, any_inputs = random_master_inputs(rng, scenario, 60 + 40 * seed), random_inputs(rng, 100, switches=0.5)
+    frames, text = written(scenario, itertools.chain(expressible, any_inputs))
+    again = run_from_channels(scenario, text, tmp_path)
     unsaid = [bool(json.loads(line).get("unsaid")) for line in text.splitlines()]
     equal = [one == other for one, other in zip(frames, again, strict=True)]
     assert unsaid.index(True) >= 60 + 40 * seed and False in equal
@@ -124,8 +124,8 @@ def test_channels_contain_inputs_after_the_command_delay(tmp_path: Path) -> None
     scenario = load_scenario("concept-1972")
     late = replace(scenario, delay=5)
     rng = np.random.default_rng(5)
-    frames, text = written(late, mastered(rng, scenario, 80))
-    again = flown_again(scenario, text, tmp_path)
+    frames, text = written(late, random_master_inputs(rng, scenario, 80))
+    again = run_from_channels(scenario, text, tmp_path)
     start = [json.loads(line).get("unsaid", []) for line in text.splitlines()]
     assert start[:5] == [["mode"]] * 5 and not any(start[5:])
     assert [frame.angles for frame in again] == [frame.angles for frame in frames]

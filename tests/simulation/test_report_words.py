@@ -18,18 +18,18 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.units import FOOT
 from tests.simulation import concept
-from tests.simulation.flights import anything
-from tests.simulation.master_inputs import mastered
+from tests.simulation.flights import random_inputs
+from tests.simulation.master_inputs import random_master_inputs
 
 HALF_B0, HALF_B1, HALF_B11 = 2.0**-24, 2.0**-23, 2.0**-13 * FOOT
 """Half a last bit of a word at these scales: [1], [1], [m]."""
 GREATEST = 1.0 - 2.0**-23
-"""Of a word at B0, which cannot hold 1: the report's scale for normals."""
+"""Greatest value of a word at B0, the report's scale for normals; 1 has no such word."""
 FINGERS = ("palm", "fixed finger", "prong")
 
 
-class Look(NamedTuple):
-    """A step of a flight: the frame before, its own, its words, and the simulation that made them."""
+class StepWords(NamedTuple):
+    """A step of a run: the previous frame, the frame and words of the step, and the simulation."""
 
     before: Frame
     frame: Frame
@@ -37,31 +37,33 @@ class Look(NamedTuple):
     sim: aftdeck.Simulation
 
 
-def told(made: Scenario, given: Iterable[Inputs | None], every: int) -> Iterator[Look]:
-    """Some steps of a flight."""
+def sampled_steps(made: Scenario, given: Iterable[Inputs | None], every: int) -> Iterator[StepWords]:
+    """Yield every `every`-th step of a run."""
     sim = aftdeck.Simulation(made)
     last, before = sim.step(Inputs()), places_of(sim._state)
     for k, inputs in enumerate(given):
         if sim.ended:
             return
-        looked = k % every == 0
-        if looked:
+        sampled = k % every == 0
+        if sampled:
             last, before = sim.look(), places_of(sim._state)
         sim.advance(inputs)
-        if looked:
+        if sampled:
             words = encode_block(block_of(sim._flight, sim._state, before).block)
-            yield Look(last, sim.look(), words, sim)
+            yield StepWords(last, sim.look(), words, sim)
 
 
 def check(before: Frame, frame: Frame, words: tuple[int, ...], sim: aftdeck.Simulation) -> None:
-    """The words against the frame, by means of their own."""
+    """Compare the words of a step with its frame, by computations that are independent of the encoder."""
     work, was, control = frame.work, before.work, decode_control(words[0])
-    begun = any(event.kind == "initialise" for event in frame.events)
-    assert (control.mode, control.initialise) == (work.task, begun)
+    initialised = any(event.kind == "initialise" for event in frame.events)
+    assert (control.mode, control.initialise) == (work.task, initialised)
     assert (control.finger_inhibited, control.arm_inhibited) == (work.finger_inhibit, work.arm_inhibit)
-    assert control.telescope == (0 if begun else np.sign((work.stand or 0.0) - (was.stand or 0.0)))
-    assert control.prong == (0 if begun else np.sign(round((was.hand.spacing or 0.0) - (work.hand.spacing or 0.0), 12)))
-    if not begun:
+    assert control.telescope == (0 if initialised else np.sign((work.stand or 0.0) - (was.stand or 0.0)))
+    assert control.prong == (
+        0 if initialised else np.sign(round((was.hand.spacing or 0.0) - (work.hand.spacing or 0.0), 12))
+    )
+    if not initialised:
         k = sim.cameras.index(control.station)
         now, then = frame.views[k], before.views[k]
         moved = (now.pan - then.pan, now.tilt - then.tilt, then.zoom - now.zoom)
@@ -80,7 +82,10 @@ def check(before: Frame, frame: Frame, words: tuple[int, ...], sim: aftdeck.Simu
 
 
 def planes(frame: Frame, sim: aftdeck.Simulation) -> list[tuple[float, ...] | None]:
-    """Normal and distance of D1 to D3: the hand's faces while it holds a payload, else the collision test's planes."""
+    """Return normal and distance of each of the planes D1, D2 and D3; None for a plane that does not exist.
+
+    They are faces of the end effector while it holds a payload, otherwise separating planes of the collision test.
+    """
     if any(cargo.held for cargo in frame.work.cargo):
         tip, (x2, y2, _) = np.array(frame.position), np.array(frame.orientation).T
         prong = sim.scenario.arm.model.equipment.prong
@@ -94,9 +99,9 @@ def planes(frame: Frame, sim: aftdeck.Simulation) -> list[tuple[float, ...] | No
     return [found.get(name) for name in FINGERS]
 
 
-def by_hand(rng: np.random.Generator, scenario: Scenario) -> Iterator[Inputs]:
-    yield from mastered(rng, scenario, 300)
-    yield from anything(rng, 300, switches=0.3)
+def manual_inputs(rng: np.random.Generator, scenario: Scenario) -> Iterator[Inputs]:
+    yield from random_master_inputs(rng, scenario, 300)
+    yield from random_inputs(rng, 300, switches=0.3)
 
 
 @pytest.mark.parametrize(
@@ -105,15 +110,15 @@ def by_hand(rng: np.random.Generator, scenario: Scenario) -> Iterator[Inputs]:
 )
 def test_words_of_random_run_decode_to_its_frames(name: str) -> None:
     scenario = load_scenario(name)
-    for step in told(scenario, by_hand(np.random.default_rng(19), scenario), 3):
+    for step in sampled_steps(scenario, manual_inputs(np.random.default_rng(19), scenario), 3):
         check(*step)
 
 
 @pytest.mark.parametrize("held_at", [concept.ON_BAR, (28.0, 0.0, -25.0)])
 def test_words_with_held_payload_decode_to_its_frames(held_at: concept.Vec3) -> None:
     scenario = concept.scenario(held_at, held=True)
-    given = list(anything(np.random.default_rng(7), 300, 0.3, but=("effector",)))
-    for step in told(scenario, given, 3):
+    given = list(random_inputs(np.random.default_rng(7), 300, 0.3, without=("effector",)))
+    for step in sampled_steps(scenario, given, 3):
         assert step.frame.work.task in (2, 3)
         check(*step)
 
@@ -122,7 +127,7 @@ def test_words_with_held_payload_decode_to_its_frames(held_at: concept.Vec3) -> 
 def test_words_of_full_problem_decode_to_its_frames() -> None:
     scenario = load_scenario("concept-1972-script")
     tasks = set()
-    for step in told(scenario, iter(lambda: None, 0), 15):
+    for step in sampled_steps(scenario, iter(lambda: None, 0), 15):
         tasks.add(step.frame.work.task)
         check(*step)
     assert tasks == {1, 2, 3, 4}

@@ -19,7 +19,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import SavedSimulation
 from tests.recording.flown import record_steps
 from tests.simulation.concept import AT_PORT, ON_BAR, scenario, vec3
-from tests.simulation.flights import anything, srms
+from tests.simulation.flights import random_inputs, srms
 
 seeds = st.integers(0, 2**32 - 1)
 FLYER = """
@@ -30,30 +30,30 @@ start = { position = ["40 ft", "30 ft", "20 ft"], velocity = ["0.1 ft/s", "0 ft/
 
 
 def acquiring(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
-    """The prong closes about the bar, while a free flyer drifts, the orbiter moves, and then anything."""
+    """The prong closes about the bar, while a free flyer drifts and the orbiter moves; then random inputs follow."""
     close = Inputs(effector="close", orbiter=(1.0, 0.0, -1.0))
 
     def given_() -> Iterator[Inputs]:
         yield close
         yield from (Inputs(orbiter=close.orbiter) for _ in range(175))
-        yield from anything(rng, 150)
+        yield from random_inputs(rng, 150)
 
     return scenario(ON_BAR, cargo=f'name = "payload"{FLYER}'), given_()
 
 
 def docking(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
-    """The payload is docked, let go and taken again in any order."""
+    """The payload is docked, released and captured in random order."""
     made = scenario(vec3(np.add(AT_PORT, [0.1, 0.0, 0.0])), held=True, cargo=f'name = "payload"{FLYER}')
-    return made, anything(rng, 300, 0.2, switches=0.3)
+    return made, random_inputs(rng, 300, 0.2, switches=0.3)
 
 
 def latching(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
-    """The Shuttle's latches close on a payload that the arm holds, while the carriage goes in and out."""
+    """The Shuttle's latches close on a payload that the arm holds, while the carriage moves in and out."""
     made = srms(0.5, 0.5, -0.3, (0.1, 0.1, -0.1), held=True)
 
     def given_() -> Iterator[Inputs]:
         yield Inputs(latch="latch", effector_mode="manual", rigid="derigid")
-        yield from anything(rng, 250, 0.3, switches=0.25, but=("effector",))
+        yield from random_inputs(rng, 250, 0.3, switches=0.25, without=("effector",))
 
     return made, given_()
 
@@ -65,7 +65,7 @@ def capturing(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
     def given_() -> Iterator[Inputs]:
         yield Inputs(effector="close", mode="END EFF")
         yield from (Inputs() for _ in range(150))
-        yield from anything(rng, 150, 0.3, switches=0.2)
+        yield from random_inputs(rng, 150, 0.3, switches=0.2)
 
     return made, given_()
 

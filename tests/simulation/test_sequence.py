@@ -15,20 +15,20 @@ from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.frame import Frame
 from tests.steering.flying import BAY, checked, disturbed, fly, log_of, scenario, speed
 
-LEGS = [(12.0, 0.0, 0.0), (12.0, -10.0, 0.0), (0.0, -10.0, 8.0), (0.0, 0.0, 0.0)]
-"""Points as angles [deg] of the first three joints from those over the bay."""
+POINTS = [(12.0, 0.0, 0.0), (12.0, -10.0, 0.0), (0.0, -10.0, 8.0), (0.0, 0.0, 0.0)]
+"""Points of the sequence: differences [deg] of the first three joint angles from those above the bay."""
 
 
-def joints(leg: Sequence[float]) -> list[float]:
-    return [a + b for a, b in zip(BAY, (*leg, 0.0, 0.0, 0.0), strict=True)]
+def joints(point: Sequence[float]) -> list[float]:
+    return [a + b for a, b in zip(BAY, (*point, 0.0, 0.0, 0.0), strict=True)]
 
 
-def tour(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> aftdeck.Simulation:
+def auto_1(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> aftdeck.Simulation:
     """Return a simulation in AUTO 1 whose points with these numbers (from 1) are pause points."""
     points = "\n".join(
-        f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(leg)]} }}\n"
+        f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(point)]} }}\n"
         f"pause = {'true' if k in pauses else 'false'}"
-        for k, leg in enumerate(LEGS, 1)
+        for k, point in enumerate(POINTS, 1)
     )
     return aftdeck.Simulation(
         scenario(BAY, f'mode = "AUTO 1"\nlaw = "{law}"\n{more}\n[[sequence]]\nslot = 1\n{points}\n')
@@ -36,7 +36,10 @@ def tour(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> aft
 
 
 def until(sim: aftdeck.Simulation, sequence: str, first: aftdeck.Inputs, seconds: float = 120.0) -> list[Frame]:
-    """Return the frames up to the next one with this state of the sequence, after the motion has begun or failed."""
+    """Return the frames up to the next frame in which the sequence has this state.
+
+    After PROCEED, frames before the motion has begun or its check has failed do not count.
+    """
     frames = [sim.step(first)]
     while first.proceed and frames[-1].sequence in {"checking", "ready"}:
         frames.append(sim.step(aftdeck.Inputs()))
@@ -46,12 +49,12 @@ def until(sim: aftdeck.Simulation, sequence: str, first: aftdeck.Inputs, seconds
     return frames
 
 
-def away(sim: aftdeck.Simulation, frames: Sequence[Frame], leg: Sequence[float]) -> tuple[np.ndarray, np.ndarray]:
-    """Return distances [m] and angles [rad] between a point and the tips of frames."""
-    pose = sim.scenario.arm.forward(np.radians(joints(leg)))
-    way = np.linalg.norm(np.array([f.position for f in frames]) - pose.position, axis=1)
+def away(sim: aftdeck.Simulation, frames: Sequence[Frame], point: Sequence[float]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the distance [m] and the angle [rad] between a point and the tip, for each frame."""
+    pose = sim.scenario.arm.forward(np.radians(joints(point)))
+    distance = np.linalg.norm(np.array([f.position for f in frames]) - pose.position, axis=1)
     cosine = [(np.trace(np.array(f.orientation).T @ pose.rotation) - 1.0) / 2.0 for f in frames]
-    return way, np.arccos(np.clip(cosine, -1.0, 1.0))
+    return distance, np.arccos(np.clip(cosine, -1.0, 1.0))
 
 
 PROCEED = aftdeck.Inputs(proceed=True)
@@ -60,71 +63,71 @@ laws = pytest.mark.parametrize("law", ["position", "closed loop", "open loop"])
 
 @laws
 def test_sequence_waits_at_pause_points_and_completes(law: str) -> None:
-    sim = tour([2, 4], law)
+    sim = auto_1([2, 4], law)
     first = until(sim, "ready", PROCEED)
     assert {f.sequence for f in first[:-1]} == {"checking", "in progress"}
     assert (first[0].point, first[0].points, first[-1].point) == (1, 4, 3)
     assert first[-1].check is not None and first[-1].check.good
-    way, turn = away(sim, fly(sim, 10.0, aftdeck.Inputs())[-1:], LEGS[1])
-    assert way[0] < 0.02 and turn[0] < 0.005  # waits there, however long
+    distance, turn = away(sim, fly(sim, 10.0, aftdeck.Inputs())[-1:], POINTS[1])
+    assert distance[0] < 0.02 and turn[0] < 0.005  # the arm waits at the point
     assert sim.frame is not None and sim.frame.sequence == "ready" and sim.frame.point == 3
     rest = until(sim, "idle", PROCEED)
     assert [event.kind for event in rest[-1].events] == ["arrived", "sequence"]
-    assert away(sim, rest[-1:], LEGS[3])[0][0] < 0.02 and rest[-1].goal is None and rest[-1].point == 4
+    assert away(sim, rest[-1:], POINTS[3])[0][0] < 0.02 and rest[-1].goal is None and rest[-1].point == 4
 
 
 def test_fly_by_point_is_passed_without_slowing_to_rest() -> None:
-    sim = tour([4], more="fly_by_within = 0.4\nfly_by_angle = 0.15")
+    sim = auto_1([4], more="fly_by_within = 0.4\nfly_by_angle = 0.15")
     frames = until(sim, "idle", PROCEED)
     assert [t.split(", ")[1] for t in log_of(frames) if "point" in t] == [
         "point 1 of 4 passed", "point 2 of 4 passed", "point 3 of 4 passed", "point 4 of 4 reached",
     ]  # fmt: skip
-    for number, leg in enumerate(LEGS[:3], 1):
-        way, turn = away(sim, frames, leg)
+    for number, point in enumerate(POINTS[:3], 1):
+        distance, turn = away(sim, frames, point)
         passed = next(k for k, f in enumerate(frames) if f"AUTO 1, point {number} of 4 passed" in log_of([f]))
         # the line is written one step after the tip was in the sphere
-        assert way[passed - 1] <= 0.4 and turn[passed - 1] <= 0.15
+        assert distance[passed - 1] <= 0.4 and turn[passed - 1] <= 0.15
         assert min(speed(f) for f in frames[passed - 10 : passed + 200]) > 0.05
-    assert frames[-1].time_s < until(tour([1, 2, 3, 4]), "ready", PROCEED)[-1].time_s * 4
+    assert frames[-1].time_s < until(auto_1([1, 2, 3, 4]), "ready", PROCEED)[-1].time_s * 4
 
 
 def test_modes_1_and_3_reach_each_fly_by_point() -> None:
     for law in ("position", "open loop"):
-        sim = tour([4], law)
+        sim = auto_1([4], law)
         frames = until(sim, "idle", PROCEED)
-        for leg in LEGS:
-            way, turn = away(sim, frames, leg)
-            assert way.min() < 0.02 and turn[way.argmin()] < 0.005
+        for point in POINTS:
+            distance, turn = away(sim, frames, point)
+            assert distance.min() < 0.02 and turn[distance.argmin()] < 0.005
         assert {f.sequence for f in frames[:-1]} == {"checking", "in progress"}
 
 
 @laws
 def test_proceed_after_stop_continues_to_the_same_point(law: str) -> None:
-    sim = tour([1, 2, 3, 4], law)
+    sim = auto_1([1, 2, 3, 4], law)
     fly(sim, 3.0, PROCEED)
     stopped = fly(sim, 6.0, aftdeck.Inputs(stop=True))
     assert {(f.sequence, f.point) for f in stopped} == {("ready", 1)} and speed(stopped[-1]) == 0.0
-    assert away(sim, stopped[-1:], LEGS[0])[0][0] > 0.3
+    assert away(sim, stopped[-1:], POINTS[0])[0][0] > 0.3
     going = until(sim, "ready", PROCEED)
-    assert going[-1].point == 2 and away(sim, going[-1:], LEGS[0])[0][0] < 0.02
+    assert going[-1].point == 2 and away(sim, going[-1:], POINTS[0])[0][0] < 0.02
 
 
 def test_proceed_restarts_a_complete_sequence() -> None:
-    sim = tour([4])
+    sim = auto_1([4])
     until(sim, "idle", PROCEED)
     again = until(sim, "idle", PROCEED)
     assert [t for t in log_of(again) if "reached" in t] and again[0].point == 1
 
 
 def test_proceed_restarts_a_sequence_of_one_point() -> None:
-    point = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(LEGS[0])]} }}"
+    point = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(POINTS[0])]} }}"
     sim = aftdeck.Simulation(scenario(BAY, f'mode = "AUTO 1"\n[[sequence]]\nslot = 1\n{point}\n'))
-    for _ in range(4):  # from the third on, the arm is at the start of the last check
+    for _ in range(4):  # from the third PROCEED on, the arm has not moved since the last check began
         assert until(sim, "idle", PROCEED)[-1].events[-1].kind == "sequence"
 
 
 def test_entering_the_mode_again_begins_at_first_point() -> None:
-    sim = tour([1, 2, 3, 4])
+    sim = auto_1([1, 2, 3, 4])
     until(sim, "ready", PROCEED)
     assert sim.step(aftdeck.Inputs(mode="ORB UNL")).sequence == "idle"
     frame = checked(sim, aftdeck.Inputs(mode="AUTO 1"))[-1]
@@ -132,22 +135,22 @@ def test_entering_the_mode_again_begins_at_first_point() -> None:
 
 
 def test_auto_mode_without_points_is_rejected() -> None:
-    frame = tour([4]).step(aftdeck.Inputs(mode="AUTO 2"))
+    frame = auto_1([4]).step(aftdeck.Inputs(mode="AUTO 2"))
     assert frame.mode == "AUTO 1"
     assert frame.events[-1].kind == "refused" and "AUTO 2" in frame.events[-1].text
 
 
 def test_sequence_continues_from_disturbed_position() -> None:
-    sim = tour([1, 2, 3, 4])
+    sim = auto_1([1, 2, 3, 4])
     until(sim, "ready", PROCEED)
     disturbed(sim, {0: BAY[0] + 9.0})
     going = until(sim, "ready", PROCEED)
-    assert going[-1].point == 3 and away(sim, going[-1:], LEGS[1])[0][0] < 1e-3
+    assert going[-1].point == 3 and away(sim, going[-1:], POINTS[1])[0][0] < 1e-3
 
 
 def test_impossible_point_stops_the_sequence_with_its_cause() -> None:
     far = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in (*BAY[:3], -118.5, *BAY[4:])]} }}\n"
-    near = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(LEGS[0])]} }}\npause = true\n"
+    near = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(POINTS[0])]} }}\npause = true\n"
     for law in ("closed loop", "position", "open loop"):
         sim = aftdeck.Simulation(scenario(BAY, f'mode = "AUTO 3"\nlaw = "{law}"\n[[sequence]]\nslot = 3\n{near}{far}'))
         frames = until(sim, "idle", PROCEED)
@@ -160,7 +163,7 @@ def test_impossible_point_stops_the_sequence_with_its_cause() -> None:
 
 
 def test_script_gives_proceed_at_every_pause_point() -> None:
-    text = tour([2, 4]).scenario.text + '\n[[phase]]\nname = "tour"\nmode = "AUTO 1"\n'
+    text = auto_1([2, 4]).scenario.text + '\n[[phase]]\nname = "tour"\nmode = "AUTO 1"\n'
     done = aftdeck.run(parse_scenario(text, "t", "t.toml", Path(".")))
     assert done.summary.ended == "completed"
     assert sum(e.kind == "proceed" for e in done.summary.events) == 2
@@ -168,15 +171,15 @@ def test_script_gives_proceed_at_every_pause_point() -> None:
 
 def test_sequence_at_0_08_s_ends_at_its_last_point() -> None:
     for law in ("position", "closed loop", "open loop"):
-        sim = tour([4], law, "control_period = 0.08\nduration = 240")
+        sim = auto_1([4], law, "control_period = 0.08\nduration = 240")
         frames = until(sim, "idle", PROCEED)
-        assert away(sim, frames[-1:], LEGS[3])[0][0] < 0.02
+        assert away(sim, frames[-1:], POINTS[3])[0][0] < 0.02
         assert math.isfinite(frames[-1].time_s)
 
 
 @pytest.mark.parametrize("law", ["position", "open loop"])
 def test_missed_point_is_logged_and_sequence_continues(law: str) -> None:
-    sim = tour([4], law)
+    sim = auto_1([4], law)
     flown = fly(sim, 3.0, PROCEED)
     disturbed(sim, {1: math.degrees(flown[-1].angles[1]) + 1.0})
     frames = until(sim, "idle", aftdeck.Inputs())

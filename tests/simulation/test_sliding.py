@@ -21,17 +21,17 @@ from tests.simulation.payload_invariants import check_possession
 
 seeds = st.integers(0, 2**32 - 1)
 TOUCH = 1e-9
-"""What counts as contact, and the deepest that a sliding payload gets into a wall [m]."""
+"""Greatest clearance of a contact, and greatest depth of a sliding payload in a wall [m]."""
 WALLS = {"bay wall port", "bay wall starboard", "bay floor"}
 
 
 def wall_contacts(frame: Frame) -> dict[str, float]:
-    """The walls that the payload touches, and its clearance to each [m]."""
+    """Return the walls in contact with the payload, and the clearance to each of them [m]."""
     return {c.b: c.clearance for c in frame.work.contacts if c.a.startswith("payload") and c.b in WALLS}
 
 
 def check_slides(frames: list[Frame]) -> None:
-    """No frame is deeper in a wall than contact, none is inhibited, and the contact is told as one made to be."""
+    """Check that the payload penetrates no wall, that the arm is not inhibited, and that the contacts are essential."""
     for frame in frames:
         assert all(clearance >= -TOUCH for clearance in wall_contacts(frame).values()), frame.time_s
         assert not frame.work.arm_inhibit

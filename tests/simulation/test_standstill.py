@@ -47,7 +47,7 @@ def test_check_fails_while_latched_and_repeats_after_unlatch(seated: aftdeck.Sim
         frames.append(seated.step(Inputs()))
         assert len(frames) <= 1600
     frames += [seated.step(Inputs()) for _ in range(5)]
-    assert frames[-1].sequence == "checking"  # 60 m and more at the payload's speed
+    assert frames[-1].sequence == "checking"  # the checked motion is 60 m or longer, at the speed limit of the payload
 
 
 def test_contact_limit_is_active_if_motion_would_deepen_it() -> None:

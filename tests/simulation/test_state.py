@@ -19,7 +19,7 @@ from aftdeck.simulation.payloads.grasp import update_steering
 from aftdeck.simulation.resume import restore_clearances, resume
 from aftdeck.simulation.state import State
 from aftdeck.state_part import Cache, StatePart, copied, digest, encoded
-from tests.simulation.flights import anything
+from tests.simulation.flights import random_inputs
 
 FLOWN = ("srms-berth", "srms-deploy", "concept-1972-script", "free-flyer", "sts-400-closed")
 """Scenarios that are run with their scripts, or with random sticks if they have no script."""
@@ -29,14 +29,14 @@ FLOWN = ("srms-berth", "srms-deploy", "concept-1972-script", "free-flyer", "sts-
 def flight(name: str) -> tuple[aftdeck.Simulation, tuple[bytes, ...], tuple[bytes, ...]]:
     """Return a run of a scenario: the simulation, the digest of each step, and the first state of each kind."""
     sim = aftdeck.Simulation(name)
-    sticks = None if sim.scenario.phases else anything(np.random.default_rng(3), 100_000)
-    seals: list[bytes] = []
+    sticks = None if sim.scenario.phases else random_inputs(np.random.default_rng(3), 100_000)
+    digests: list[bytes] = []
     states: dict[object, bytes] = {}
-    while len(seals) < 3000 and not sim.ended:
+    while len(digests) < 3000 and not sim.ended:
         sim.advance(None if sticks is None else next(sticks))
-        seals.append(sim.seal())
+        digests.append(sim.seal())
         states.setdefault(kind(sim._state), encoded(sim._state))
-    return sim, tuple(seals), (*states.values(), encoded(sim._state))
+    return sim, tuple(digests), (*states.values(), encoded(sim._state))
 
 
 def kind(state: State) -> tuple[object, ...]:
@@ -122,9 +122,9 @@ def test_restored_state_equals_the_saved_one(name: str) -> None:
 
 @pytest.mark.parametrize("name", FLOWN)
 def test_run_without_caches_is_bit_for_bit_equal(name: str) -> None:
-    """In most steps the clearances are lost; in every twentieth all caches are, as after saving and restoring."""
+    """Most steps lose the cached clearances. Every twentieth step loses all caches, as after saving and restoring."""
     sim, rng, lost = aftdeck.Simulation(name), np.random.default_rng(9), set[str]()
-    sticks = None if sim.scenario.phases else anything(np.random.default_rng(3), 100_000)
+    sticks = None if sim.scenario.phases else random_inputs(np.random.default_rng(3), 100_000)
     for tick, expected in enumerate(flight(name)[1]):
         if tick % 20 == 0:
             forget_everything(sim, lost)

@@ -25,8 +25,8 @@ def flown(sim: aftdeck.Simulation, seconds: float, inputs: aftdeck.Inputs) -> li
     return [sim.step(inputs) for _ in range(round(seconds / sim.scenario.control_period))]
 
 
-def driven(stand: float) -> aftdeck.Inputs:
-    """Sticks at rest while the stand is driven: -1 shorter, +1 longer."""
+def telescope_inputs(stand: float) -> aftdeck.Inputs:
+    """Return inputs with centred sticks and a command for the telescope: -1 shortens it, +1 extends it."""
     return aftdeck.Inputs(telescope=stand)
 
 
@@ -51,21 +51,21 @@ def test_twist_includes_telescope_motion() -> None:
 @pytest.mark.parametrize("stand", [-1.0, 1.0])
 def test_automatic_motion_reaches_pose_after_telescope_motion(law: str, stand: float) -> None:
     sim = aftdeck.Simulation(concept(f'mode = "OPR CMD"\nlaw = "{law}"'))
-    goal = target(sim.scenario.arm, GOAL)  # at 12 ft
-    flown(sim, 1.5, driven(stand))
+    goal = target(sim.scenario.arm, GOAL)  # for a telescope of 12 ft
+    flown(sim, 1.5, telescope_inputs(stand))
     frame = sim.step(aftdeck.Inputs(target=goal, proceed=True))
     while frame.sequence in {"checking", "in progress"}:
         frame = sim.step(aftdeck.Inputs())
         assert frame.time_s < 120.0
     assert frame.goal is not None and frame.goal.distance < 0.02 and frame.goal.angle < 0.004
-    assert np.abs(np.degrees(frame.angles) - GOAL).max() > 1.0  # the stand has taken a part of the way
+    assert np.abs(np.degrees(frame.angles) - GOAL).max() > 1.0  # the telescope made part of the motion
 
 
 def test_closed_loop_reaches_pose_during_telescope_motion() -> None:
     sim = aftdeck.Simulation(concept('mode = "OPR CMD"'))
     goal = target(sim.scenario.arm, GOAL)
     sim.step(aftdeck.Inputs(target=goal, proceed=True))
-    flown(sim, 5.0, driven(0.5))
+    flown(sim, 5.0, telescope_inputs(0.5))
     frame = flown(sim, 40.0, aftdeck.Inputs())[-1]
     assert frame.sequence == "idle"
     assert frame.goal is not None and frame.goal.distance < 1e-3
@@ -74,7 +74,7 @@ def test_closed_loop_reaches_pose_during_telescope_motion() -> None:
 def test_position_hold_keeps_tip_during_telescope_motion() -> None:
     sim = aftdeck.Simulation(concept("position_hold = true"))
     start = flown(sim, 0.1, aftdeck.Inputs())[-1]
-    frames = flown(sim, 4.0, driven(0.3))
+    frames = flown(sim, 4.0, telescope_inputs(0.3))
     frames += flown(sim, 8.0, aftdeck.Inputs())
     assert max(np.linalg.norm(np.array(frame.position) - start.position) for frame in frames) < 0.2
     assert frames[-1].position == pytest.approx(start.position, abs=2e-3)
@@ -84,7 +84,7 @@ def test_target_angles_for_another_length_lead_to_the_pose() -> None:
     goal = [f"{angle} deg" for angle in GOAL]
     point = f"[[sequence]]\nslot = 1\n[[sequence.point]]\ntarget = {{ joints = {goal} }}"
     sim = aftdeck.Simulation(concept(f'mode = "AUTO 1"\nlaw = "position"\n{point}'))
-    flown(sim, 1.0, driven(1.0))
+    flown(sim, 1.0, telescope_inputs(1.0))
     frame = sim.step(aftdeck.Inputs(proceed=True))
     while frame.sequence in {"checking", "in progress"}:
         frame = sim.step(aftdeck.Inputs())
@@ -100,7 +100,7 @@ def test_restored_telescope_continues_bit_for_bit() -> None:
     saved = sim.save()
     on = flown(sim, 1.0, push)
     other = aftdeck.Simulation(made)
-    flown(other, 0.5, driven(-1.0))
+    flown(other, 0.5, telescope_inputs(-1.0))
     other.restore(saved)
     again = flown(other, 1.0, push)
     assert msgspec.msgpack.encode(on) == msgspec.msgpack.encode(again)

@@ -1,4 +1,4 @@
-"""TP, ETA, ETAP and T_B5 of a frame, against the flight itself and an independent linkage."""
+"""TP, ETA, ETAP and T_B5 of a frame, against the run itself and an independent linkage."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PERIOD = 0.08
 
 
 def motion(law: str, strict: bool = False) -> list[Frame]:
-    """The frames of an automatic motion, from the step in which it sets off to the one in which it arrives."""
+    """Return the frames of an automatic motion, from the step in which it starts to the step in which it ends."""
     sim = aftdeck.Simulation(scenario(BAY, f"control_period = {PERIOD}\nstrict = {str(strict).lower()}\n"))
     sim.step(aftdeck.Inputs(mode="OPR CMD", law=law))  # type: ignore[arg-type]
     checked(sim, aftdeck.Inputs(target=target(sim.scenario.arm, THERE)))
@@ -34,7 +34,7 @@ def test_motion_ends_at_eta(law: str, strict: bool) -> None:
     assert [f.times.tp_s for f in frames] == pytest.approx([PERIOD * (k + 1) for k in range(len(frames))])
     etas = np.array([f.times.eta_s for f in frames], dtype=np.float64)
     assert abs(etas[-1] - frames[-1].times.tp_s) <= 2.0 * PERIOD
-    if law == "open loop" and strict:  # its clock runs on, whatever the joints do
+    if law == "open loop" and strict:  # the clock of the plan does not depend on the joints
         np.testing.assert_allclose(etas[:-1], etas[0], atol=1e-9)
     tail = etas[len(etas) // 2 :]
     assert np.abs(tail - tail[-1]).max() <= max(2.0, 0.1 * len(etas) * PERIOD)
@@ -70,7 +70,7 @@ def test_entry_of_a_mode_begins_a_phase() -> None:
 
 
 def turned(axis: int, angle: float) -> Array:
-    """The rotation about an axis, active."""
+    """Return the matrix of an active rotation about an axis."""
     c, s = np.cos(angle), np.sin(angle)
     i, j = (axis + 1) % 3, (axis + 2) % 3
     matrix = np.eye(3)

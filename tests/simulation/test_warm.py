@@ -14,18 +14,18 @@ import aftdeck
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.warm import warm_up
 
-def met():
+def compiled():
     laws = (law for law in gc.get_objects() if isinstance(law, Dispatcher))
     return {(law.py_func.__module__, law.py_func.__qualname__, len(law.signatures)) for law in laws}
 
 scenario = load_scenario(sys.argv[1])
 warm_up(scenario)
-before = met()
+before = compiled()
 sim = aftdeck.Simulation(scenario)
 down = aftdeck.Inputs(translation=(0.0, 0.0, 1.0))
 for _ in range(int(sys.argv[2])):
     sim.step(down if sys.argv[3] == "down" else None)
-for module, name, _ in sorted(met() - before):
+for module, name, _ in sorted(compiled() - before):
     print(module, name)
 """
 """Program that prints the laws that are compiled, for new argument types, during a run."""
@@ -34,7 +34,7 @@ for module, name, _ in sorted(met() - before):
 @pytest.mark.parametrize(
     ("scenario", "steps", "by"),
     [("concept-1972", 400, "down"), ("concept-1972-script", 2600, "script"), ("srms-deploy", 1500, "script")],
-    ids=["a palm that touches", "acquired, slid and docked", "captured"],
+    ids=["palm in contact", "acquisition, sliding and docking", "capture"],
 )
 def test_no_law_is_compiled_during_a_run(scenario: str, steps: int, by: str) -> None:
     command = [sys.executable, "-c", COUNT, scenario, str(steps), by]

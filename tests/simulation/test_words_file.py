@@ -62,8 +62,8 @@ def test_words_file_has_one_line_per_step(run: Run, short: str, tmp_path: Path) 
 @pytest.mark.usefixtures("grounded")
 def test_words_of_another_arm_are_rejected_before_the_run(run: Run, tmp_path: Path) -> None:
     words, out = tmp_path / "words.jsonl", tmp_path / "run.mcap"
-    code, said, err = run("run", "uncradle", "--words", str(words), "--out", str(out))
-    assert (code, said) == (2, "")
+    code, output, err = run("run", "uncradle", "--words", str(words), "--out", str(out))
+    assert (code, output) == (2, "")
     assert err.startswith("aftdeck: uncradle: ") and "srms" in err
     assert not words.exists() and not out.exists()
 
@@ -75,8 +75,8 @@ def test_unwritable_words_file_is_rejected_before_the_run(
 ) -> None:
     (tmp_path / "file").write_text("kept")
     out = tmp_path / "run.mcap"
-    code, said, err = run("run", short, "--words", str(tmp_path / place), "--out", str(out))
-    assert (code, said) == (2, "")
+    code, output, err = run("run", short, "--words", str(tmp_path / place), "--out", str(out))
+    assert (code, output) == (2, "")
     assert err.startswith(f"aftdeck: {tmp_path / place}: cannot be written: ") and why in err
     assert (tmp_path / "file").read_text() == "kept" and not out.exists()
 
@@ -85,15 +85,15 @@ def test_unwritable_words_file_is_rejected_before_the_run(
 def test_failed_recording_leaves_no_words_file(run: Run, short: str, tmp_path: Path) -> None:
     words, out = tmp_path / "words.jsonl", tmp_path / "run.mcap"
     out.write_text("kept")
-    code, said, _ = run("run", short, "--words", str(words), "--out", str(out))
-    assert (code, said) == (2, "") and not words.exists()
-    code, said, err = run("run", short, "--words", str(words), "--out", str(words))
-    assert (code, said) == (2, "")
+    code, output, _ = run("run", short, "--words", str(words), "--out", str(out))
+    assert (code, output) == (2, "") and not words.exists()
+    code, output, err = run("run", short, "--words", str(words), "--out", str(words))
+    assert (code, output) == (2, "")
     assert str(words) in err
 
 
 def master_file(path: Path) -> Path:
-    """A flight in MASTER as a file of channels."""
+    """Write the channels of a run in MASTER to a file."""
     turns = [[0.0, 0.07 + 0.0003 * k, -0.23, 0.0, -0.035, 0.0001 * k] for k in range(40)]
     lines = [{"volts": [0.0, 0.0, *turn, -1.0, 0.5, -1.0, 0.75, 1.0]} for turn in turns]
     path.write_text("".join(json.dumps(line) + "\n" for line in lines))
@@ -101,7 +101,7 @@ def master_file(path: Path) -> Path:
 
 
 def test_run_from_channels_writes_equal_channels_and_words(run: Run, short: str, tmp_path: Path) -> None:
-    """By the file, by the file that this writes, and from the recording: the same frames, channels and words."""
+    """The runs from the file, from the channels that this run writes, and from its recording are equal."""
     given, first, second, third = (tmp_path / f"{name}.jsonl" for name in ("given", "first", "second", "third"))
     out = tmp_path / "run.mcap"
     master_file(given)
@@ -159,15 +159,15 @@ def test_unknown_camera_in_channels_is_rejected_with_its_line(run: Run, short: s
 def test_run_without_script_prints_a_note_first(
     run: Run, short: str, tmp_path: Path, scripted: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    said: list[str] = []
+    output: list[str] = []
     path = tmp_path / "idle.toml"
     path.write_text(SCENARIO if scripted else SCENARIO.partition("[[phase]]")[0])
     fly = Simulation.advance
 
     def heard(sim: Simulation, inputs: Inputs | None = None) -> None:
-        said.append(run.capsys.readouterr().err)
+        output.append(run.capsys.readouterr().err)
         fly(sim, inputs)
 
     monkeypatch.setattr(Simulation, "advance", heard)
     assert run("run", str(path))[0] == 0
-    assert ("has no script" in said[0]) is not scripted and not any(said[1:])
+    assert ("has no script" in output[0]) is not scripted and not any(output[1:])

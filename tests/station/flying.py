@@ -61,10 +61,10 @@ def shown(session: Session) -> Frame:
     return _frames.decode(session.newest)
 
 
-def comes(session: Session, met: Callable[[Frame], bool], what: str) -> Frame:
-    """Step until `met` accepts the frame, and return that frame; `what` names the condition."""
+def step_until(session: Session, condition: Callable[[Frame], bool], what: str) -> Frame:
+    """Step until `condition` accepts the frame, and return that frame; `what` names the condition."""
     for _ in range(MAX_STEPS):
-        if met(frame := steps(session, 1)):
+        if condition(frame := steps(session, 1)):
             return frame
     pytest.fail(f"not within {MAX_STEPS} steps: {what}")
 

@@ -49,16 +49,16 @@ def text_of(message: msgspec.Struct) -> str:
     return msgspec.json.encode(message).decode()
 
 
-def until(met: Callable[[], bool], what: str) -> None:
-    """Wait until `met` returns True; `what` names the condition."""
+def until(condition: Callable[[], bool], what: str) -> None:
+    """Wait until `condition` returns True; `what` names the condition."""
     end = time.monotonic() + WAIT_S
-    while not met():
+    while not condition():
         assert time.monotonic() < end, f"not within {WAIT_S:g} s: {what}"
         time.sleep(0.002)
 
 
 def in_time(begun: float, steps: int) -> bool:
-    """Return whether this number of steps, begun at this time [s], took no longer than they should.
+    """Return whether `steps` control steps since the time `begun` [s] have taken no longer than expected.
 
     A busy machine delays some series of steps, a fault delays every series. A test therefore waits `until` one series
     is in time.
@@ -67,13 +67,13 @@ def in_time(begun: float, steps: int) -> bool:
 
 
 class Page:
-    """Page that the server cannot distinguish from one in a browser."""
+    """Page that the server cannot distinguish from a page in a browser."""
 
     def __init__(self, socket: ClientConnection) -> None:
         self.socket = socket
         self.seq = -1
 
-    def say(self, message: msgspec.Struct | str | bytes) -> None:
+    def send(self, message: msgspec.Struct | str | bytes) -> None:
         """Send a message, or any text or bytes."""
         self.socket.send(message if isinstance(message, str | bytes) else text_of(message))
 
@@ -84,19 +84,19 @@ class Page:
     def push(self, translation: Vec3 = STILL, rotation: Vec3 = STILL, drive: float = 0.0) -> int:
         """Send stick deflections, and return the number of the message."""
         seq = self.next_seq()
-        self.say(from_page.Sticks(seq, translation, rotation, drive))
+        self.send(from_page.Sticks(seq, translation, rotation, drive))
         return seq
 
-    def hear(self) -> to_page.FromServer:
+    def receive(self) -> to_page.FromServer:
         """Return the next message."""
         return _messages.decode(self.socket.recv(timeout=WAIT_S))
 
-    def wait_for(self, kind: type[_M], met: Callable[[_M], bool] = lambda _: True) -> _M:
-        """Return the next message of a type that `met` accepts."""
+    def wait_for(self, kind: type[_M], condition: Callable[[_M], bool] = lambda _: True) -> _M:
+        """Return the next message of a type that `condition` accepts."""
         end = time.monotonic() + WAIT_S
         while True:
-            message = self.hear()
-            if isinstance(message, kind) and met(message):
+            message = self.receive()
+            if isinstance(message, kind) and condition(message):
                 return message
             assert time.monotonic() < end, f"no such {kind.__name__} within {WAIT_S:g} s"
 
@@ -105,7 +105,7 @@ class Page:
         return self.wait_for(Frame, lambda frame: frame.display.stick_seq >= seq)
 
     def is_answered(self, steps: int) -> bool:
-        """Return whether this number of steps takes as long as it should, if each frame answers a stick message."""
+        """Answer each frame with a stick message, for `steps` control steps; return whether they are in time."""
         first, begun = self.flown(self.push()), time.monotonic()
         last = first
         while last.tick < first.tick + steps:
@@ -116,7 +116,7 @@ class Page:
         return self.wait_for(to_page.Refused).text
 
     def greet(self) -> Welcome:
-        self.say(from_page.Hello(kinds.PROTOCOL))
+        self.send(from_page.Hello(kinds.PROTOCOL))
         return self.wait_for(Welcome)
 
 
@@ -125,7 +125,7 @@ def closing(page: Page) -> ConnectionClosed:
     end = time.monotonic() + WAIT_S
     while time.monotonic() < end:
         try:
-            page.hear()
+            page.receive()
         except ConnectionClosed as closed:
             return closed
     pytest.fail("the server does not close the connection")
@@ -150,7 +150,7 @@ class Server:
 
     @contextmanager
     def unannounced(self, *, buffered: int | None = None, origin: str | None = None) -> Iterator[Page]:
-        """Yield a page that has not sent hello; `buffered`: number of unread messages that it accepts, None: all."""
+        """Yield a page that has not sent hello. It accepts `buffered` unread messages, or any number if None."""
         url = f"ws://{self.address}/ws"
         own = None if origin is None else Origin(origin)
         with connect(

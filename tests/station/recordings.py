@@ -42,7 +42,7 @@ def ended(path: Path) -> str:
 
 
 def record_run(path: Path, steps: int = 600, *, script: bool = True, trial: Trial = NO_TRIAL) -> list[Frame]:
-    """Record a manual run that translates, then also rotates, and at last is scripted; return its frames."""
+    """Record a run and return its frames: manual translation, then also rotation, and at the end the script."""
     simulation = Simulation(scenario())
     recorder = Recorder(path, simulation.scenario, 0, trial=trial)
     recorder.controllers(0.0, CONTROLLERS)
@@ -68,7 +68,7 @@ def record_run(path: Path, steps: int = 600, *, script: bool = True, trial: Tria
 
 
 def record_capture(path: Path) -> list[Frame]:
-    """Record a manual capture, 1 in and 3 deg off, with brakes, a camera change and release; return its frames.
+    """Record a capture with an error of 1 inch and 3 deg, brakes, camera changes and a release; return its frames.
 
     Afterwards the end effector approaches the payload away from the pin, and retreats.
     """

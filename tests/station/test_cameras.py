@@ -19,7 +19,7 @@ from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.station.session import page_inputs
 from aftdeck.station.session.page_inputs import SILENCE
-from tests.station.flying import Flown, comes, flying, shown, steps
+from tests.station.flying import Flown, flying, shown, step_until, steps
 from tests.station.pages import STILL, text_of
 
 _from_page: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
@@ -38,7 +38,7 @@ def session() -> Iterator[Flown]:
 def test_camera_pans_while_its_switch_is_set(session: Flown) -> None:
     before = shown(session).views
     session.turn(turn(0, pan=1.0))
-    comes(session, lambda frame: frame.views[1][0] > before[1][0] + 0.01, "B pans to the right")
+    step_until(session, lambda frame: frame.views[1][0] > before[1][0] + 0.01, "B pans to the right")
     session.turn(turn(1))
     steps(session, 2)
     still = shown(session).views
@@ -95,7 +95,7 @@ def test_camera_is_not_moved_while_the_script_runs() -> None:
         with pytest.raises(CommandError):
             session.turn(turn(0, pan=1.0))
         session.steer(from_page.Sticks(1, (0.5, 0.0, 0.0), STILL, 0.0))
-        comes(session, lambda frame: frame.by == "hand", "manual control")
+        step_until(session, lambda frame: frame.by == "hand", "manual control")
         session.turn(turn(2, pan=1.0))
 
 

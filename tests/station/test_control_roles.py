@@ -29,7 +29,7 @@ def roles(clock: Clock) -> ControlRoles[str]:
     return roles
 
 
-def test_first_page_takes_control_and_the_next_one_follows(roles: ControlRoles[str]) -> None:
+def test_first_page_takes_control_and_the_next_page_follows_it(roles: ControlRoles[str]) -> None:
     assert roles.operator == "a" and [roles.number(page) for page in "abc"] == [1, 2, 3]
     roles.leave("a")
     assert roles.operator == "b" and len(roles) == 2

@@ -34,7 +34,7 @@ def test_driver_goes_from_ready_to_flying_to_closed() -> None:
 
 
 def test_steps_keep_the_control_period_and_gain_no_more_than_the_delay() -> None:
-    def a_second_takes_one(session: Session) -> bool:
+    def second_of_steps_is_in_time(session: Session) -> bool:
         begun = time.monotonic()
         first = shown(session).tick
         until(lambda: shown(session).tick >= first + 50, "50 steps")
@@ -43,14 +43,14 @@ def test_steps_keep_the_control_period_and_gain_no_more_than_the_delay() -> None
         return in_time(begun, 50)
 
     with driven() as driver:
-        until(lambda: a_second_takes_one(driver.session), "50 steps in a second")
+        until(lambda: second_of_steps_is_in_time(driver.session), "50 steps in a second")
 
 
-def test_commands_from_many_threads_are_all_taken_or_rejected() -> None:
+def test_commands_from_many_threads_are_all_executed_or_rejected() -> None:
     with driven() as driver:
         session, rejected = driver.session, set[str]()
 
-        def hammer() -> None:
+        def send_many() -> None:
             for seq in range(2000):
                 session.steer(from_page.Sticks(seq, STILL, STILL, 0.0))
                 try:
@@ -58,16 +58,16 @@ def test_commands_from_many_threads_are_all_taken_or_rejected() -> None:
                 except CommandError as error:
                     rejected.add(str(error))
 
-        threads = [threading.Thread(target=hammer) for _ in range(3)]
+        threads = [threading.Thread(target=send_many) for _ in range(3)]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join(WAIT_S)
-        until(lambda: shown(session).rate == "vernier", "a command is taken")
+        until(lambda: shown(session).rate == "vernier", "a command is executed")
     assert all(str(MAX_WAITING) in text for text in rejected)
 
 
-def test_recorded_wall_time_is_real_and_simulated_time_keeps_to_it(tmp_path: Path) -> None:
+def test_recorded_wall_time_is_real_and_simulated_time_follows_it(tmp_path: Path) -> None:
     begun = time.perf_counter()
     with driven(record=tmp_path) as driver:
         until(lambda: shown(driver.session).tick > 40, "40 steps")

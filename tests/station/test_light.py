@@ -15,7 +15,7 @@ from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.station.messages import from_page
 from aftdeck.station.playback.store import PlaybackStore
-from tests.station.flying import comes, flying, shown, steps
+from tests.station.flying import flying, shown, step_until, steps
 from tests.station.pages import scenario, text_of
 
 NIGHT = Lighting("night", ("end effector",), (LockedExposure("B", 1.25),))
@@ -28,17 +28,17 @@ def test_restart_sets_the_scenarios_lighting_again() -> None:
     with flying() as session:
         assert shown(session).display.lighting == own
         session.light(from_page.SetLight(0, NIGHT))
-        comes(session, lambda frame: frame.display.lighting == NIGHT, "night")
+        step_until(session, lambda frame: frame.display.lighting == NIGHT, "night")
         (line,) = [event.text for event in session.log.since(0) if event.kind == "light"]
         assert "night" in line and "end effector" in line
         session.command(from_page.Restart(1))
-        assert comes(session, lambda frame: frame.tick == 1, "the first instant again").display.lighting == own
+        assert step_until(session, lambda frame: frame.tick == 1, "the first instant again").display.lighting == own
 
 
 def test_lighting_can_be_set_while_the_script_runs() -> None:
     with flying(demo=True) as session:
         session.light(from_page.SetLight(0, NIGHT))
-        assert comes(session, lambda frame: frame.display.lighting == NIGHT, "night").by == "script"
+        assert step_until(session, lambda frame: frame.display.lighting == NIGHT, "night").by == "script"
 
 
 @pytest.mark.parametrize(
@@ -68,11 +68,11 @@ def test_recording_keeps_changes_of_the_lighting_for_playback(tmp_path: Path) ->
     with flying(record=tmp_path) as session:
         steps(session, 20)
         session.light(from_page.SetLight(0, NIGHT))
-        first = comes(session, lambda frame: frame.display.lighting == NIGHT, "night").tick
+        first = step_until(session, lambda frame: frame.display.lighting == NIGHT, "night").tick
         session.light(from_page.SetLight(1, NIGHT))
         steps(session, 300)  # into the recording's next block
         session.light(from_page.SetLight(2, own))
-        last = comes(session, lambda frame: frame.display.lighting == own, "day").tick
+        last = step_until(session, lambda frame: frame.display.lighting == own, "day").tick
         steps(session, 5)
     (path,) = tmp_path.glob("*.mcap")
     records = [message for message in Recording(path).messages() if isinstance(message, LightRecord)]

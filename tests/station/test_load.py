@@ -22,7 +22,7 @@ def test_flood_of_commands_ends_its_page_and_not_the_run(station: Station) -> No
     with station.page() as page:
         try:
             for seq in range(10_000):
-                page.say(from_page.SelectJoint(seq, seq % 6))
+                page.send(from_page.SelectJoint(seq, seq % 6))
         except ConnectionClosed:
             pass  # the server closes the connection during the flood
         closing(page)
@@ -53,11 +53,11 @@ def test_stop_is_never_rejected_and_overtakes_waiting_commands(
         monkeypatch.setattr(simulation, "step", wait)
         assert waits.wait(WAIT_S)
         for _ in range(MAX_WAITING):
-            page.say(from_page.SelectJoint(page.next_seq(), 5))
+            page.send(from_page.SelectJoint(page.next_seq(), 5))
         page.push(translation=(0.5, 0.0, 0.0))
         until(lambda: len(queue) == MAX_WAITING, "the queue is full")
-        page.say(from_page.Stop(page.next_seq()))
-        page.say(from_page.SelectRate(page.next_seq(), "vernier"))
+        page.send(from_page.Stop(page.next_seq()))
+        page.send(from_page.SelectRate(page.next_seq(), "vernier"))
         until(lambda: len(queue) == 2, "only STOP and the command after it wait")
         released.set()
         frame = page.wait_for(Frame, lambda frame: frame.rate == "vernier")

@@ -11,7 +11,7 @@ from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.session import LOOK_EVERY, LOOK_S
-from tests.station.flying import comes, flying
+from tests.station.flying import flying, step_until
 from tests.station.pages import STILL
 
 FORWARD = Inputs(translation=(1.0, 0.3, 0.0))
@@ -39,18 +39,20 @@ def test_ghost_has_the_poses_that_the_bodies_reach(name: str) -> None:
 
 def test_frames_carry_a_look_ahead_over_the_time_that_a_page_sets() -> None:
     with flying() as session:
-        first = comes(session, lambda frame: frame.display.ahead is not None, "a look-ahead").display.ahead
+        first = step_until(session, lambda frame: frame.display.ahead is not None, "a look-ahead").display.ahead
         assert first is not None and first.seconds == LOOK_S and not first.held and not first.moves
         session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
-        comes(
+        step_until(
             session,
             lambda frame: frame.display.ahead is not None and frame.display.ahead.held and frame.display.ahead.moves,
             "it moves",
         )
         session.command(from_page.LookAhead(2, 12.0))
-        comes(session, lambda frame: frame.display.ahead is not None and frame.display.ahead.seconds == 12.0, "12 s")
+        step_until(
+            session, lambda frame: frame.display.ahead is not None and frame.display.ahead.seconds == 12.0, "12 s"
+        )
         session.set_unattended()
-        at_rest = comes(
+        at_rest = step_until(
             session,
             lambda f: f.display.ahead is not None and not f.display.ahead.held and f.display.ahead.stopping == 0.0,
             "rest",
@@ -62,10 +64,10 @@ def test_frames_carry_a_look_ahead_over_the_time_that_a_page_sets() -> None:
 def test_restart_resets_the_axis_that_was_used_last() -> None:
     with flying() as session:
         session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
-        comes(session, lambda frame: frame.display.ahead is not None and frame.display.ahead.held, "it is held")
+        step_until(session, lambda frame: frame.display.ahead is not None and frame.display.ahead.held, "it is held")
         session.set_unattended()
         session.command(from_page.Restart(2))
-        comes(
+        step_until(
             session,
             lambda f: f.tick > LOOK_EVERY and f.display.ahead is not None and not f.display.ahead.moves,
             "nothing moves",

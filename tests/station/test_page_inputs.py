@@ -33,7 +33,7 @@ def sticks(seq: int, forward: float) -> from_page.Sticks:
     st.integers(0, 5),
 )
 def test_deflected_sticks_act_only_while_messages_arrive(events: list[tuple[float, float, bool]], delay: int) -> None:
-    """No deflection acts after `SILENCE` without a message, nor after `LOST` before the sticks were centred."""
+    """Without a message for `SILENCE`, no deflection acts; after `LOST`, none acts until the sticks were centred."""
     inputs, now, last_message, centred_since_loss = PageInputs(delay), 10.0, -math.inf, True
     zeroed = False
     for seq, (pause, forward, sends) in enumerate(events):
@@ -55,7 +55,7 @@ def test_deflected_sticks_act_only_while_messages_arrive(events: list[tuple[floa
 
 
 @given(st.lists(st.integers(0, 10_000), min_size=1, max_size=40), st.integers(0, 30))
-def test_numbers_of_sticks_leave_the_delay_after_its_length(numbers: list[int], delay: int) -> None:
+def test_stick_numbers_leave_the_delay_after_its_duration(numbers: list[int], delay: int) -> None:
     inputs, flown = PageInputs(delay), []
     for number in numbers:
         inputs.steer(sticks(number, 0.0), 1.0)

@@ -21,7 +21,7 @@ def hand_overs(station: Station) -> list[str]:
 
 def test_secondary_window_is_neither_operator_nor_observer(station: Station) -> None:
     with station.unannounced() as window:
-        window.say(from_page.Hello(kinds.PROTOCOL, shows=True))
+        window.send(from_page.Hello(kinds.PROTOCOL, shows=True))
         assert not window.wait_for(to_page.Role).flying
         with station.page() as page:
             assert page.wait_for(to_page.Role) == to_page.Role(True, 0, 1, 1, asking=0, name="", names=())
@@ -35,17 +35,17 @@ def test_narrow_page_loses_control_and_rejoins_behind_the_others(station: Statio
         narrow.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 1)
         narrow.push(translation=(1.0, 0.0, 0.0))
         narrow.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
-        narrow.say(from_page.LeaveSeat(narrow.next_seq()))
+        narrow.send(from_page.LeaveSeat(narrow.next_seq()))
         assert narrow.wait_for(to_page.Role, lambda role: not role.flying) == to_page.Role(
             False, 0, 0, flier=2, asking=0, name="", names=()
         )
         assert narrow.wait_for(Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
-        narrow.say(from_page.AskSticks(narrow.next_seq()))
+        narrow.send(from_page.AskSticks(narrow.next_seq()))
         assert narrow.rejection() == NOT_IN_CONTROL
         other.wait_for(to_page.Role, lambda role: role.flying)
-        narrow.say(from_page.TakeSeat(narrow.next_seq()))
+        narrow.send(from_page.TakeSeat(narrow.next_seq()))
         assert narrow.wait_for(to_page.Role, lambda role: role.number == 1).flier == 2, "the operator stays in control"
-        other.say(from_page.LeaveSeat(other.next_seq()))
+        other.send(from_page.LeaveSeat(other.next_seq()))
         narrow.wait_for(to_page.Role, lambda role: role.flying)
         assert narrow.flown(narrow.push((0.5, 0.0, 0.0))).translation == (0.5, 0.0, 0.0)
 
@@ -86,14 +86,14 @@ def test_control_goes_to_the_page_that_asks_with_centred_sticks(station: Station
     with station.page() as operator, station.page() as other:
         operator.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 1)
         assert other.wait_for(to_page.Role).flier == 1
-        other.say(from_page.AskSticks(other.next_seq()))
+        other.send(from_page.AskSticks(other.next_seq()))
         operator.wait_for(to_page.Role, lambda role: role.asking == 2)
         operator.push(translation=(1.0, 0.0, 0.0))
         operator.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
-        operator.say(from_page.GiveSticks(operator.next_seq()))
+        operator.send(from_page.GiveSticks(operator.next_seq()))
         assert operator.wait_for(to_page.Refused).seq == operator.seq
         operator.flown(operator.push())
-        operator.say(from_page.GiveSticks(operator.next_seq()))
+        operator.send(from_page.GiveSticks(operator.next_seq()))
         assert other.wait_for(to_page.Role, lambda role: role.flying).flier == 2
         assert not operator.wait_for(to_page.Role, lambda role: role.flier == 2).flying
         operator.push(translation=(1.0, 0.0, 0.0))
@@ -105,34 +105,34 @@ def test_control_goes_to_the_page_that_asks_with_centred_sticks(station: Station
 
 def test_operator_keeps_control_when_the_request_is_declined(station: Station) -> None:
     with station.page() as operator, station.page() as other:
-        operator.say(from_page.AskSticks(operator.next_seq()))
+        operator.send(from_page.AskSticks(operator.next_seq()))
         assert operator.wait_for(to_page.Refused).seq == operator.seq
-        operator.say(from_page.GiveSticks(operator.next_seq()))
+        operator.send(from_page.GiveSticks(operator.next_seq()))
         assert operator.wait_for(to_page.Refused).seq == operator.seq
-        other.say(from_page.AskSticks(other.next_seq()))
+        other.send(from_page.AskSticks(other.next_seq()))
         operator.wait_for(to_page.Role, lambda role: role.asking == 2)
-        operator.say(from_page.KeepSticks(operator.next_seq()))
+        operator.send(from_page.KeepSticks(operator.next_seq()))
         assert "page 1" in other.rejection()
         assert operator.wait_for(to_page.Role, lambda role: role.asking == 0).flying
 
 
 def test_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
     with station.page() as operator, station.page() as other:
-        operator.say(from_page.SetName(operator.next_seq(), "Anna"))
+        operator.send(from_page.SetName(operator.next_seq(), "Anna"))
         anna = to_page.NamedPage(1, "Anna")
         assert other.wait_for(to_page.Role, lambda role: role.names == (anna,)).name == ""
-        other.say(from_page.SetName(other.next_seq(), "Ben"))  # an observer may have a name too
+        other.send(from_page.SetName(other.next_seq(), "Ben"))  # an observer may have a name too
         both = operator.wait_for(to_page.Role, lambda role: len(role.names) == 2)
         assert both.names == (anna, to_page.NamedPage(2, "Ben")) and both.name == "Anna"
-        other.say(from_page.AskSticks(other.next_seq()))
+        other.send(from_page.AskSticks(other.next_seq()))
         operator.wait_for(to_page.Role, lambda role: role.asking == 2)
-        operator.say(from_page.KeepSticks(operator.next_seq()))
+        operator.send(from_page.KeepSticks(operator.next_seq()))
         assert "Anna" in other.rejection()
-        other.say(from_page.AskSticks(other.next_seq()))
+        other.send(from_page.AskSticks(other.next_seq()))
         operator.wait_for(to_page.Role, lambda role: role.asking == 2)
-        operator.say(from_page.GiveSticks(operator.next_seq()))
+        operator.send(from_page.GiveSticks(operator.next_seq()))
         other.wait_for(to_page.Role, lambda role: role.flying)
-        other.say(from_page.SetName(other.next_seq(), ""))
+        other.send(from_page.SetName(other.next_seq(), ""))
         assert operator.wait_for(to_page.Role, lambda role: len(role.names) == 1).names == (anna,)
     until(lambda: bool(hand_overs(station)), "the line of the log")
     (line,) = hand_overs(station)
@@ -151,12 +151,12 @@ def test_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
 )
 def test_invalid_name_is_rejected_and_not_corrected(station: Station, name: str, part: str) -> None:
     with station.page() as page:
-        page.say(from_page.SetName(page.next_seq(), "Anna"))
+        page.send(from_page.SetName(page.next_seq(), "Anna"))
         page.wait_for(to_page.Role, lambda role: role.name == "Anna")
-        page.say(from_page.SetName(page.next_seq(), name))
+        page.send(from_page.SetName(page.next_seq(), name))
         refused = page.wait_for(to_page.Refused)
         assert refused.seq == page.seq and part in refused.text
-        page.say(from_page.AskSticks(page.next_seq()))
+        page.send(from_page.AskSticks(page.next_seq()))
         page.wait_for(to_page.Refused)
         with station.page() as other:
             assert other.wait_for(to_page.Role, lambda role: role.number == 2).names == (to_page.NamedPage(1, "Anna"),)
@@ -164,6 +164,6 @@ def test_invalid_name_is_rejected_and_not_corrected(station: Station, name: str,
 
 def test_secondary_window_has_no_name(station: Station) -> None:
     with station.page(), station.unannounced() as window:
-        window.say(from_page.Hello(kinds.PROTOCOL, shows=True))
-        window.say(from_page.SetName(window.next_seq(), "Anna"))
+        window.send(from_page.Hello(kinds.PROTOCOL, shows=True))
+        window.send(from_page.SetName(window.next_seq(), "Anna"))
         assert window.rejection() == NOT_IN_CONTROL

@@ -93,7 +93,7 @@ def test_phase_lane_of_a_manual_run_has_the_task_phases(recorded: RecordedRun) -
     assert [label for label, _ in stretches(recorded[1], "Phase")] == ["acquisition", "extraction", "acquisition"]
 
 
-def test_capture_misalignment_is_that_of_the_step_before(recorded: RecordedRun) -> None:
+def test_capture_misalignment_is_that_of_the_previous_step(recorded: RecordedRun) -> None:
     frames, index = recorded
     held = capture_frame(frames)
     measures = figures(index)

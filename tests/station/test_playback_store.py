@@ -52,7 +52,7 @@ def test_blocks_have_every_frame_once_with_its_display(recorded: RecordedRun) ->
     assert blocks[300 // BLOCK][300 % BLOCK].frame.display.poses == pytest.approx(shown.display.poses, abs=1e-7)
 
 
-def test_number_of_no_block_is_an_index_error(recorded: RecordedRun) -> None:
+def test_block_number_out_of_range_is_an_index_error(recorded: RecordedRun) -> None:
     with PlaybackStore(recorded[0]) as store:
         for number in (-1, 3):
             with pytest.raises(IndexError, match=f"0 to 2, got {number}$"):
@@ -139,7 +139,7 @@ def test_index_survives_json(index: PlaybackIndex) -> None:
 
 def test_recording_cut_short_is_played_to_its_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "cut.mcap"
-    monkeypatch.setattr(writer, "FLUSH_S", 0.0)  # each step is flushed, so that the cut file has some
+    monkeypatch.setattr(writer, "FLUSH_S", 0.0)  # each step is flushed, so the cut file contains some steps
     record_run(path)
     data = path.read_bytes()
     path.write_bytes(data[: data.rfind(b"zstd", 0, len(data) * 3 // 4) + 20])  # within a chunk

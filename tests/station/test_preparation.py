@@ -44,7 +44,7 @@ def server(slow: Slow) -> Iterator[Server]:
 
 
 def wait_for_progress(page: Page) -> None:
-    page.say(HELLO)
+    page.send(HELLO)
     page.wait_for(to_page.Preparing, lambda message: message.text == "Loading.")
 
 
@@ -76,7 +76,7 @@ def test_page_that_leaves_while_it_waits_does_not_take_control(slow: Slow, serve
 
 def test_page_of_another_protocol_is_rejected_during_preparation(server: Server) -> None:
     with server.unannounced() as page:
-        page.say(from_page.Hello(99))
+        page.send(from_page.Hello(99))
         assert re.search(rf"\b99\b.*\b{kinds.PROTOCOL}\b", page.rejection())
 
 
@@ -86,7 +86,7 @@ def test_no_more_pages_may_wait_than_may_be_connected(server: Server) -> None:
         for page in pages[:-1]:
             wait_for_progress(page.__enter__())
         late = pages[-1].__enter__()
-        late.say(HELLO)
+        late.send(HELLO)
         assert late.rejection() == TOO_MANY_PAGES
     finally:
         for page in pages:
@@ -107,11 +107,11 @@ def test_failed_preparation_is_reported_to_every_page(error: Exception, part: st
             wait_for_progress(early)
             slow.go.set()
             assert slow.failed.wait(WAIT_S)
-            late.say(HELLO)
+            late.send(HELLO)
             for page in (early, late):
                 assert part in page.rejection()
                 with pytest.raises(ConnectionClosed):
-                    page.hear()
+                    page.receive()
         assert server.get("/health") == (200, "failed\n")
 
 

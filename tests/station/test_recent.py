@@ -87,10 +87,10 @@ def test_data_older_than_the_last_minutes_is_deleted(monkeypatch: pytest.MonkeyP
 
 def test_only_pages_with_strips_receive_them_and_a_restart_clears_them() -> None:
     with served(Session(scenario())) as station, station.unannounced() as strips, station.page() as page:
-        strips.say(from_page.Hello(kinds.PROTOCOL, shows=True, strips=True))
+        strips.send(from_page.Hello(kinds.PROTOCOL, shows=True, strips=True))
         assert strips.wait_for(to_page.Recent).strips
         assert not strips.wait_for(to_page.Recent).strips
-        page.say(from_page.Restart(page.next_seq()))
+        page.send(from_page.Restart(page.next_seq()))
         first = strips.wait_for(to_page.Recent, lambda recent: bool(recent.strips))
         assert first.samples[0].time_s == pytest.approx(PERIOD)
-        assert not any(isinstance(page.hear(), to_page.Recent) for _ in range(30))
+        assert not any(isinstance(page.receive(), to_page.Recent) for _ in range(30))

@@ -20,7 +20,7 @@ from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
-from tests.station.flying import Flown, comes, flying, shown, steps
+from tests.station.flying import Flown, flying, shown, step_until, steps
 from tests.station.pages import STILL, WAIT_S, scenario, until
 from tests.station.recordings import ended, files
 
@@ -29,7 +29,7 @@ ROOM = 90_000
 
 def restarted(session: Flown) -> Frame:
     """Step until the first frame after a restart, and return it."""
-    return comes(session, lambda frame: frame.tick == 1, "the restart")
+    return step_until(session, lambda frame: frame.tick == 1, "the restart")
 
 
 def has_warned(session: Flown) -> bool:
@@ -92,7 +92,7 @@ def test_demonstration_and_change_to_manual_control_are_recorded(tmp_path: Path)
     with flying(record=tmp_path, demo=True) as session:
         steps(session)
         session.steer(from_page.Sticks(0, (0.0, 0.5, 0.0), STILL, 0.0))
-        comes(session, lambda frame: frame.by == "hand", "manual control")
+        step_until(session, lambda frame: frame.by == "hand", "manual control")
     (path,) = files(tmp_path)
     assert verify(path).equal
     assert {m.script for m in Recording(path).messages() if isinstance(m, Input)} == {True, False}
@@ -109,7 +109,7 @@ def test_frames_have_the_length_of_the_recording(tmp_path: Path) -> None:
         assert frame.display.recording_s == pytest.approx(frame.tick * 0.02)
 
 
-def test_frames_without_recording_have_no_length_of_it() -> None:
+def test_frames_without_recording_have_no_recording_length() -> None:
     with flying() as session:
         assert shown(session).display.recording_s is None
 

@@ -64,7 +64,7 @@ def test_index_and_blocks_are_those_of_the_recording(address: str) -> None:
     assert len(first) == BLOCK
 
 
-def test_number_of_no_block_is_not_found(address: str) -> None:
+def test_block_number_out_of_range_is_not_found(address: str) -> None:
     with pytest.raises(HTTPError) as rejected:
         get(f"{address}recording/blocks/2")
     assert rejected.value.code == 404 and b"0 to 1, got 2" in rejected.value.read()

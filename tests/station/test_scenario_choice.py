@@ -43,7 +43,7 @@ def choose(page: Page, name: str) -> None:
     """Choose a scenario, once the page is in control."""
     scenarios = page.wait_for(to_page.Scenarios)
     page.wait_for(to_page.Role, lambda role: role.flying)
-    page.say(from_page.FlyScenario(page.next_seq(), number(scenarios, name)))
+    page.send(from_page.FlyScenario(page.next_seq(), number(scenarios, name)))
 
 
 def own_file() -> Scenario:
@@ -101,13 +101,13 @@ def test_arm_stops_while_another_scenario_is_prepared(station: Station, monkeypa
     with station.page() as page:
         choose(page, OTHER)
         page.wait_for(Frame, lambda frame: frame.translation == (0.0, 0.0, 0.0) and not any(frame.rates_commanded))
-        page.say(from_page.FlyScenario(page.next_seq(), 0))
+        page.send(from_page.FlyScenario(page.next_seq(), 0))
         assert "'Three singularities'" in page.rejection()
         page.push((1.0, 0.0, 0.0))
-        page.say(from_page.EnterMode(page.next_seq(), "END EFF"))
+        page.send(from_page.EnterMode(page.next_seq(), "END EFF"))
         assert page.wait_for(to_page.Refused).seq == page.seq
         assert page.wait_for(Frame).translation == (0.0, 0.0, 0.0)
-        page.say(from_page.SetBrakes(page.next_seq(), on=True))
+        page.send(from_page.SetBrakes(page.next_seq(), on=True))
         page.wait_for(Frame, lambda frame: frame.brakes)
         made.set()
         assert page.wait_for(Welcome).scenario == OTHER
@@ -118,7 +118,7 @@ def test_each_scenario_is_recorded_into_its_own_file(tmp_path: Path) -> None:
         page.wait_for(Frame, lambda frame: frame.tick > 20)
         with station.page():
             page.flown(page.push((1.0, 0.0, 0.0)))
-        page.say(from_page.FlyScenario(page.next_seq(), number(ScenarioList(scenario()).message(), OTHER)))
+        page.send(from_page.FlyScenario(page.next_seq(), number(ScenarioList(scenario()).message(), OTHER)))
         page.wait_for(Welcome)
         page.wait_for(Frame, lambda frame: frame.tick > 20 and frame.display.recording_s is not None)
     first, second = files(tmp_path)
@@ -129,19 +129,19 @@ def test_each_scenario_is_recorded_into_its_own_file(tmp_path: Path) -> None:
 
 def test_invalid_choice_is_rejected_and_the_run_continues(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
     with station.page() as page, station.page() as observer:
-        observer.say(from_page.FlyScenario(observer.next_seq(), 0))
+        observer.send(from_page.FlyScenario(observer.next_seq(), 0))
         assert observer.rejection() == NOT_IN_CONTROL
         before = page.wait_for(to_page.Scenarios)
-        page.say(from_page.FlyScenario(page.next_seq(), len(before.scenarios)))
+        page.send(from_page.FlyScenario(page.next_seq(), len(before.scenarios)))
         assert re.search(rf"0 to {len(before.scenarios) - 1}\b.* {len(before.scenarios)}$", page.rejection())
-        page.say(from_page.FlyScenario(page.next_seq(), before.flown))
+        page.send(from_page.FlyScenario(page.next_seq(), before.flown))
         assert re.match("'First flight' .*Restart", page.rejection())
 
         def broken(self: ScenarioList, chosen: int) -> Scenario:
             raise ScenarioError(["singular.toml: is gone"])
 
         monkeypatch.setattr(ScenarioList, "load", broken)
-        page.say(from_page.FlyScenario(page.next_seq(), number(before, OTHER)))
+        page.send(from_page.FlyScenario(page.next_seq(), number(before, OTHER)))
         assert re.match("'Three singularities' .*singular.toml", page.rejection())
         after = page.wait_for(to_page.Scenarios, lambda message: message.coming is None)
         assert after.flown == before.flown

@@ -18,7 +18,7 @@ FOOT = 0.3048
 BAY = (-31.0, 79.0, -103.0, -77.0, 17.0, -128.0)
 """Joint angles above the payload bay, far from every limit [deg]."""
 QUICK = f"[limits]\nservo = {['20 deg/s'] * 6}"
-"""Joints so quick that only the limits of the point of resolution act; a scenario's `extra`."""
+"""Value of `extra`: joint rate limits so high that only the POR limits act."""
 PAYLOAD = """
 [payload]
 mass = "{mass}"
@@ -27,7 +27,7 @@ yaw = "30 deg"
 position = [0.5, 0.2, 2.6]
 por = [0.3, -0.4, 0.1]
 """
-"""Payload with other axes than frame 7, held beside its centre; `format` inserts its `mass`."""
+"""Payload whose axes differ from frame 7, held away from its centre; `format` inserts its `mass`."""
 LEAN = math.radians(19.48)
 BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
     [
@@ -36,7 +36,7 @@ BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
         [0.0, -math.sin(LEAN), -math.cos(LEAN)],
     ]
 )
-"""Orbiter body axes (forward, starboard, down) from L's (aft, port, down, leaning 19.48 deg to port)."""
+"""Conversion from L (aft, port, down, leaning 19.48 deg to port) to the orbiter's axes (forward, starboard, down)."""
 
 
 def scenario(joints: Sequence[float] = BAY, extra: str = "", name: str = "test") -> Scenario:
@@ -72,7 +72,7 @@ def log_of(frames: Sequence[Frame]) -> list[str]:
 
 
 def finished(sim: aftdeck.Simulation, first: aftdeck.Inputs, seconds: float) -> list[Frame]:
-    """Return the frames of an automatic motion and its check until the motion ends, or for a time [s]."""
+    """Return the frames of a check and its automatic motion, until the motion ends or a time [s] has passed."""
     frames = [sim.step(first)]
     while frames[-1].sequence in {"checking", "in progress"} and frames[-1].time_s - frames[0].time_s < seconds:
         frames.append(sim.step(aftdeck.Inputs()))

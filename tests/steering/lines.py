@@ -1,4 +1,4 @@
-"""Random straight moves whose joint angles along the line are computed by Pinocchio alone."""
+"""Random straight moves; Pinocchio alone computes the joint angles along their lines."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from scipy.spatial.transform import Rotation
 
 import aftdeck
 from aftdeck.arrays import Array
-from tests.kinematics.witnesses import Chain, Witness, in_pinocchio
+from tests.kinematics.engines import Chain, Solver, in_pinocchio
 
 CLEAR = 0.05
-"""Normalised distance from a singularity beyond which a pose is clear of it."""
+"""Normalised distance from a singularity; at a greater distance, a pose is clear of the singularity."""
 SAMPLES = 120
-"""Poses on a line at which its joint angles are found."""
+"""Number of poses on a line for which joint angles are computed."""
 FURTHEST = math.radians(10.0)
-"""Rotation of a joint between two samples [rad] beyond which it is on another branch or at a singularity."""
+"""Rotation of a joint between two samples [rad]; more means a change of the branch, or a singularity."""
 
 
 class Move(NamedTuple):
@@ -43,7 +43,7 @@ def chain_of(arm: aftdeck.Arm) -> Chain:
 
 
 def distances(chain: Chain, q: Array) -> Array:
-    """Return the normalised distances from the shoulder, elbow and wrist singularities, from the joints' positions."""
+    """Return the normalised distances from the shoulder, elbow and wrist singularities, by the joints' positions."""
 
     def pitched(v: Array, slope: float) -> Array:
         return np.array(
@@ -52,15 +52,15 @@ def distances(chain: Chain, q: Array) -> Array:
 
     c = chain.centres
     pitches = np.cumsum(q[1:4] if (chain.axes[3] == chain.axes[2]).all() else [q[1], q[2], 0.0])
-    upper, lower, hand = (pitched(b - a, s) for a, b, s in zip(c[1:4], c[2:5], pitches, strict=True))
-    out = abs(upper[0] + lower[0] + hand[0])
-    reach = np.linalg.norm(upper) + np.linalg.norm(lower) + np.linalg.norm(hand)
+    upper, lower, wrist_link = (pitched(b - a, s) for a, b, s in zip(c[1:4], c[2:5], pitches, strict=True))
+    out = abs(upper[0] + lower[0] + wrist_link[0])
+    reach = np.linalg.norm(upper) + np.linalg.norm(lower) + np.linalg.norm(wrist_link)
     bend = abs(upper[0] * lower[1] - upper[1] * lower[0]) / (np.linalg.norm(upper) * np.linalg.norm(lower))
     return np.array([out / reach, bend, abs(math.cos(q[4]))])
 
 
 def trapezoid(time: Array, eta: float, ramp: float) -> Array:
-    """Return the share of a way that a trapezoidal profile of duration `eta`, with two ramps, has made at a time."""
+    """Return the share of the distance that a trapezoidal profile of duration `eta`, with two ramps, has covered."""
     if ramp == 0.0:
         return np.zeros_like(time)
     up, down = np.minimum(time, ramp), np.minimum(eta - time, ramp)
@@ -69,37 +69,37 @@ def trapezoid(time: Array, eta: float, ramp: float) -> Array:
     return np.asarray((rise + level + np.where(time > eta - ramp, 0.5 * ramp - fall, 0.0)) / (eta - ramp))
 
 
-def shares_of_the_plan(arm: aftdeck.Arm, distance: float, angle: float, samples: int) -> tuple[Array, Array]:
-    """Return the shares of translation and rotation, 0 to 1, over time (VTOPEN, each with its acceleration time)."""
+def shares_of_the_plan(arm: aftdeck.Arm, length: float, angle: float, samples: int) -> tuple[Array, Array]:
+    """Return the shares of translation and rotation, 0 to 1, over time, as VTOPEN plans them."""
     por = arm.model.por_limits(0.0)
     alone = []
-    for way, most, up in (
-        (distance, por.translation[0], por.acceleration),
+    for distance, limit, up in (
+        (length, por.translation[0], por.acceleration),
         (angle, por.rotation[0], por.angular_acceleration),
     ):
-        ramp = min(most / up, math.sqrt(way / up))
-        alone.append((way / most + ramp if ramp == most / up else 2.0 * ramp, ramp))
+        ramp = min(limit / up, math.sqrt(distance / up))
+        alone.append((distance / limit + ramp if ramp == limit / up else 2.0 * ramp, ramp))
     eta = max(alone)[0]
     time = np.linspace(0.0, eta, samples + 1)
     return trapezoid(time, eta, alone[0][1]), trapezoid(time, eta, alone[1][1])
 
 
-def along(see: Witness, arm: aftdeck.Arm, move: Move, clear: float, samples: int) -> Array | None:
+def along(solve: Solver, arm: aftdeck.Arm, move: Move, clear: float, samples: int) -> Array | None:
     """Return joint angles (samples + 1, 6) along the line of a move in mode 3.
 
     Returns:
-        The angles; None if the line passes a soft stop, a singularity or another branch, or ends at other angles.
+        The angles. None if the line passes a soft stop, a singularity or another branch, or ends at other angles.
     """
     chain, soft = chain_of(arm), arm.limits.soft
-    a, b = see(move.start), see(move.end)
+    a, b = solve(move.start), solve(move.end)
     turn = Rotation.from_matrix(b.rotation @ a.rotation.T).as_rotvec()
-    way = b.position - a.position
-    ways, turns = shares_of_the_plan(arm, float(np.linalg.norm(way)), float(np.linalg.norm(turn)), samples)
-    facing = Rotation.from_rotvec(turns[:, None] * turn).as_matrix() @ a.rotation
-    places = a.position + ways[:, None] * way
+    displacement = b.position - a.position
+    shares, turns = shares_of_the_plan(arm, float(np.linalg.norm(displacement)), float(np.linalg.norm(turn)), samples)
+    orientations = Rotation.from_rotvec(turns[:, None] * turn).as_matrix() @ a.rotation
+    positions = a.position + shares[:, None] * displacement
     q, found = move.start, [move.start]
-    for place, matrix in zip(places[1:], facing[1:], strict=True):
-        before, q = q, _solved(see, q, place, matrix)
+    for position, matrix in zip(positions[1:], orientations[1:], strict=True):
+        before, q = q, _solved(solve, q, position, matrix)
         if not ((q >= soft[:, 0]) & (q <= soft[:, 1])).all() or np.abs(q - before).max() > FURTHEST * SAMPLES / samples:
             return None
         if (distances(chain, q) < clear).any():
@@ -108,12 +108,12 @@ def along(see: Witness, arm: aftdeck.Arm, move: Move, clear: float, samples: int
     return np.array(found) if np.abs(q - move.end).max() < 1e-6 else None
 
 
-def _solved(see: Witness, q: Array, place: Array, facing: Array) -> Array:
+def _solved(solve: Solver, q: Array, position: Array, orientations: Array) -> Array:
     """Return the joint angles at a pose, near to `q`, by Newton's method; NaN if it does not converge."""
     for _ in range(12):
-        now = see(q)
-        rest = 0.5 * sum(np.cross(now.rotation[:, k], facing[:, k]) for k in range(3))
-        error = np.concatenate([rest, place - now.position])
+        now = solve(q)
+        rest = 0.5 * sum(np.cross(now.rotation[:, k], orientations[:, k]) for k in range(3))
+        error = np.concatenate([rest, position - now.position])
         if np.abs(error).max() < 1e-9:
             return q
         try:
@@ -124,7 +124,7 @@ def _solved(see: Witness, q: Array, place: Array, facing: Array) -> Array:
 
 
 def random_moves(arm: aftdeck.Arm, seed: int) -> Iterator[Move]:
-    """Yield moves between joint angles inside the soft stops, near and far, without end."""
+    """Yield moves between joint angles inside the soft stops, near and far; there is no last one."""
     rng = np.random.default_rng(seed)
     low, high = np.maximum(arm.limits.soft[:, 0], -math.pi), np.minimum(arm.limits.soft[:, 1], math.pi)
     while True:
@@ -137,10 +137,10 @@ def random_moves(arm: aftdeck.Arm, seed: int) -> Iterator[Move]:
 def clear_moves(arm: aftdeck.Arm, seed: int, count: int, clear: float = CLEAR) -> list[Move]:
     """Return `count` random moves whose lines Pinocchio finds inside the soft stops and clear of singularities."""
     found: list[Move] = []
-    see = in_pinocchio(chain_of(arm))
+    solve = in_pinocchio(chain_of(arm))
     for move in random_moves(arm, seed):
         if len(found) == count:
             break
-        if all(along(see, arm, move, clear, samples) is not None for samples in (SAMPLES // 12, SAMPLES)):
+        if all(along(solve, arm, move, clear, samples) is not None for samples in (SAMPLES // 12, SAMPLES)):
             found.append(move)
     return found

@@ -126,19 +126,19 @@ def check(
     if not mended or by_joints(frame) or (before is not None and by_joints(before)):
         return
     if before is not None and before.payload is not None and by_point(before) != by_point(frame):
-        return  # the commanded twist now is that of another point
+        return  # the commanded twist is now that of another point
     if at_rate(frame) or kinds(frame) & {"soft stop", "hard stop", "singularity", "joint acceleration", "contact"}:
         return
     last = np.array(before.twist_commanded if before else (0.0,) * 6)
     change = np.array(frame.twist_commanded) - last
-    # mode 3 looks half a step ahead at the last clock rate; while this rate rises, its plan brakes a little more
+    # mode 3 predicts half a step with the last clock rate, so it brakes a little more while this rate rises
     more = 0.05 if frame.law == 3 else 1e-6
     assert np.linalg.norm(change[3:]) <= up[0] * period * (1 + more) + 1e-12, where
     assert np.linalg.norm(change[:3]) <= up[1] * period * (1 + more) + 1e-12, where
 
 
 def by_joints(frame: Frame) -> bool:
-    """Return whether the mode commands joint rates, so that the limits of the tip do not act."""
+    """Return whether the mode commands joint rates; the POR limits then do not act."""
     return frame.mode in JOINT_MODES or frame.law == 1
 
 

@@ -24,8 +24,8 @@ def arm() -> aftdeck.Arm:
     return aftdeck.load_arm("srms")
 
 
-def flock(arm: aftdeck.Arm, seed: int, count: int, spread: float) -> tuple[Array, Array]:
-    """Return (count, 6) angles above the bay, and (count, 12) targets that near angles reach."""
+def random_batch(arm: aftdeck.Arm, seed: int, count: int, spread: float) -> tuple[Array, Array]:
+    """Return (count, 6) angles above the bay, and (count, 12) targets, which are the poses of nearby angles."""
     rng = np.random.default_rng(seed)
     start = np.radians(BAY) + rng.uniform(-0.4, 0.4, (count, 6))
     pose = arm.forward(start + rng.uniform(-spread, spread, (count, 6)))
@@ -45,17 +45,17 @@ def chained_step(arm: aftdeck.Arm, q: Array, target: Array) -> Array:
     """Return the angles after a step, computed by chained rotations, joint axes and positions, and a linear solver."""
     l1, l2, l3, l4, l5, upper, lower = arm.model.links[:7]
     yaw = about(2, q[:, 0])
-    hand = yaw @ about(1, q[:, 1:4].sum(axis=1))
-    wrist = hand @ about(2, q[:, 4])
+    pitched = yaw @ about(1, q[:, 1:4].sum(axis=1))
+    wrist = pitched @ about(2, q[:, 4])
     tip = wrist @ about(0, q[:, 5])
     shoulder = np.broadcast_to([0.0, 0.0, -l1], (len(q), 3))
     elbow = shoulder + l2 * (yaw @ about(1, q[:, 1] + upper))[:, :, 0]
     pitch = elbow + l3 * (yaw @ about(1, q[:, 1] + q[:, 2] + lower))[:, :, 0]
-    bend = pitch + l4 * hand[:, :, 0]
+    bend = pitch + l4 * pitched[:, :, 0]
     end = bend + l5 * wrist[:, :, 0]
-    axes = np.stack([yaw[:, :, 2], yaw[:, :, 1], yaw[:, :, 1], yaw[:, :, 1], hand[:, :, 2], wrist[:, :, 0]], axis=2)
-    places = np.stack([shoulder, shoulder, elbow, pitch, bend, end], axis=2)
-    arms = np.cross(axes, end[:, :, None] - places, axis=1)
+    axes = np.stack([yaw[:, :, 2], yaw[:, :, 1], yaw[:, :, 1], yaw[:, :, 1], pitched[:, :, 2], wrist[:, :, 0]], axis=2)
+    positions = np.stack([shoulder, shoulder, elbow, pitch, bend, end], axis=2)
+    arms = np.cross(axes, end[:, :, None] - positions, axis=1)
     turn = target[:, 3:].reshape(-1, 3, 3) @ np.swapaxes(tip, 1, 2)
     skew = 0.5 * (turn - np.swapaxes(turn, 1, 2))
     twist = GAIN * np.concatenate([skew[:, [2, 0, 1], [1, 2, 0]], target[:, :3] - end], axis=1)
@@ -70,7 +70,7 @@ def steered(arm: aftdeck.Arm, start: Array, targets: Array, steps: int) -> Steer
 
 @pytest.mark.parametrize("spread", [1e-3, 0.3, 2.0])
 def test_each_arm_of_a_batch_equals_the_single_arm(arm: aftdeck.Arm, spread: float) -> None:
-    start, targets = flock(arm, 60, 2000, spread)
+    start, targets = random_batch(arm, 60, 2000, spread)
     alone, pace = start.copy(), pace_of(arm, PERIOD, GAIN)
     for q, target in zip(alone, targets, strict=True):
         for _ in range(3):
@@ -80,7 +80,7 @@ def test_each_arm_of_a_batch_equals_the_single_arm(arm: aftdeck.Arm, spread: flo
 
 def test_batch_of_one_equals_the_single_step(arm: aftdeck.Arm) -> None:
     pace = pace_of(arm, PERIOD, GAIN)
-    for start, target in zip(*flock(arm, 61, 200, 0.3), strict=True):
+    for start, target in zip(*random_batch(arm, 61, 200, 0.3), strict=True):
         alone = start.copy()
         steer_one(arm.model.links, pace, alone, target)
         assert (steered(arm, start, target, 1).angles == alone).all()
@@ -88,7 +88,7 @@ def test_batch_of_one_equals_the_single_step(arm: aftdeck.Arm) -> None:
 
 @pytest.mark.parametrize("spread", [1e-3, 0.2])
 def test_batch_steps_agree_with_an_independent_solver(arm: aftdeck.Arm, spread: float) -> None:
-    q, targets = flock(arm, 62, 3000, spread)
+    q, targets = random_batch(arm, 62, 3000, spread)
     clear = np.abs(np.stack(arm.singularities(q))).min(axis=0) > 0.05
     q, targets = q[clear], targets[clear]
     assert len(q) > 2000
@@ -99,7 +99,7 @@ def test_batch_steps_agree_with_an_independent_solver(arm: aftdeck.Arm, spread: 
 
 
 def test_batch_arms_reach_their_targets(arm: aftdeck.Arm) -> None:
-    start, targets = flock(arm, 63, 500, 0.2)
+    start, targets = random_batch(arm, 63, 500, 0.2)
     clear = np.abs(np.stack(arm.singularities(start))).min(axis=0) > 0.3
     start, targets = start[clear], targets[clear]
     end = steered(arm, start, targets, 2000)
@@ -111,7 +111,7 @@ def test_batch_arms_reach_their_targets(arm: aftdeck.Arm) -> None:
 
 
 def test_returned_errors_belong_to_the_returned_angles(arm: aftdeck.Arm) -> None:
-    start, targets = flock(arm, 64, 300, 0.5)
+    start, targets = random_batch(arm, 64, 300, 0.5)
     end = steered(arm, start, targets, 7)
     pose = arm.forward(end.angles)
     assert end.position_error == pytest.approx(targets[:, :3] - pose.position, abs=1e-13)
@@ -126,7 +126,7 @@ def test_batch_keeps_rate_limits_at_singularities(arm: aftdeck.Arm) -> None:
     rng = np.random.default_rng(65)
     q = rng.uniform(-math.pi, math.pi, (3000, 6))
     q[::3, 4] = math.pi / 2
-    _, targets = flock(arm, 65, 3000, 1.0)
+    _, targets = random_batch(arm, 65, 3000, 1.0)
     period = 2.0**-4  # a power of two: dividing by it does not round
     moved = steer_batch(arm, q, targets, period=period, gain=10.0).angles - q
     rates = np.abs(moved) / period
@@ -137,7 +137,7 @@ def test_batch_keeps_rate_limits_at_singularities(arm: aftdeck.Arm) -> None:
 
 
 def test_many_steps_in_one_call_equal_single_steps(arm: aftdeck.Arm) -> None:
-    start, targets = flock(arm, 66, 10 * LANES + 3, 0.3)
+    start, targets = random_batch(arm, 66, 10 * LANES + 3, 0.3)
     whole, q = steered(arm, start, targets, 100).angles, start
     for _ in range(100):
         q = steered(arm, q, targets, 1).angles
@@ -146,7 +146,7 @@ def test_many_steps_in_one_call_equal_single_steps(arm: aftdeck.Arm) -> None:
 
 @pytest.mark.parametrize("lead", [(), (1,), (LANES - 1,), (LANES,), (2, 3, LANES), (0,)])
 def test_result_keeps_leading_dimensions(arm: aftdeck.Arm, lead: tuple[int, ...]) -> None:
-    start, targets = flock(arm, 67, math.prod(lead), 0.1)
+    start, targets = random_batch(arm, 67, math.prod(lead), 0.1)
     flat = steered(arm, start, targets, 2)
     end = steered(arm, start.reshape(*lead, 6), targets.reshape(*lead, 12), 2)
     assert end.angles.shape == (*lead, 6)
@@ -155,7 +155,7 @@ def test_result_keeps_leading_dimensions(arm: aftdeck.Arm, lead: tuple[int, ...]
 
 
 def test_targets_may_be_poses_or_rows_shared_or_single(arm: aftdeck.Arm) -> None:
-    start, targets = flock(arm, 68, 5, 0.1)
+    start, targets = random_batch(arm, 68, 5, 0.1)
     each = steered(arm, start, targets, 2)
     poses = Pose(targets[:, :3], targets[:, 3:].reshape(-1, 3, 3))
     assert (steer_batch(arm, start, poses, steps=2, period=PERIOD, gain=GAIN).angles == each.angles).all()
@@ -164,14 +164,14 @@ def test_targets_may_be_poses_or_rows_shared_or_single(arm: aftdeck.Arm) -> None
 
 
 def test_zero_steps_return_the_errors(arm: aftdeck.Arm) -> None:
-    start, targets = flock(arm, 69, 5, 0.1)
+    start, targets = random_batch(arm, 69, 5, 0.1)
     end = steered(arm, start, targets, 0)
     assert (end.angles == start).all()
     assert end.position_error == pytest.approx(targets[:, :3] - arm.forward(start).position, abs=1e-14)
 
 
 def test_batch_does_not_change_its_inputs(arm: aftdeck.Arm) -> None:
-    start, targets = flock(arm, 70, LANES, 0.1)
+    start, targets = random_batch(arm, 70, LANES, 0.1)
     before = start.copy(), targets.copy()
     steered(arm, start, targets, 5)
     assert (start == before[0]).all() and (targets == before[1]).all()

@@ -46,8 +46,8 @@ def off_the_line(start: Sequence[float], frames: Sequence[Frame]) -> float:
     assert goal is not None
     a, b = np.array(start), np.array(goal.position)
     along = (b - a) / np.linalg.norm(b - a)
-    way = np.array([f.position for f in frames]) - a
-    return float(np.linalg.norm(way - np.outer(way @ along, along), axis=1).max())
+    offset = np.array([f.position for f in frames]) - a
+    return float(np.linalg.norm(offset - np.outer(offset @ along, along), axis=1).max())
 
 
 def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
@@ -61,13 +61,13 @@ def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
     return float((Rotation.from_rotvec(np.outer(best, axis)).inv() * done).magnitude().max())
 
 
-def misses(frames: Sequence[Frame]) -> tuple[np.ndarray, np.ndarray]:
+def final_errors(frames: Sequence[Frame]) -> tuple[np.ndarray, np.ndarray]:
     """Return distance [m] and angle [rad] of each frame's tip from the target."""
     goal = frames[-1].goal
     assert goal is not None
-    way = np.linalg.norm(np.array([f.position for f in frames]) - goal.position, axis=1)
+    offset = np.linalg.norm(np.array([f.position for f in frames]) - goal.position, axis=1)
     turn = Rotation.from_matrix([f.orientation for f in frames]).inv() * Rotation.from_matrix(goal.rotation)
-    return way, np.asarray(turn.magnitude())
+    return offset, np.asarray(turn.magnitude())
 
 
 def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> list[Frame]:
@@ -79,9 +79,9 @@ def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> 
     return frames + [sim.step(aftdeck.Inputs()) for _ in range(round(1.0 / period))]
 
 
-def arrival(misses: np.ndarray, within: float, period: float) -> float:
+def arrival(final_errors: np.ndarray, within: float, period: float) -> float:
     """Return the time [s] from which an error stays within a limit."""
-    outside = np.flatnonzero(misses > within)
+    outside = np.flatnonzero(final_errors > within)
     return float((outside[-1] + 1 if len(outside) else 0) * period)
 
 
@@ -90,16 +90,16 @@ def test_sts_400_move_is_straight_and_ends_together(period: float) -> None:
     done = aftdeck.run(changed(f"control_period = {period}"))
     assert done.summary.ended == "completed"
     start = done.scenario.arm.forward(done.scenario.initial_angles)
-    way, turn = misses([done.frames[0], *done.frames])
-    assert way[0] == pytest.approx(STS_400["way"], abs=0.05)
+    offset, turn = final_errors([done.frames[0], *done.frames])
+    assert offset[0] == pytest.approx(STS_400["way"], abs=0.05)
     assert math.degrees(turn[0]) == pytest.approx(STS_400["turn"], abs=0.05)
     assert off_the_line(start.position.tolist(), done.frames) < 5e-3
     assert off_the_axis(start.rotation, done.frames) < math.radians(0.05)
-    assert abs(arrival(way, 1e-4, period) - arrival(turn, 2e-5, period)) <= 0.1
+    assert abs(arrival(offset, 1e-4, period) - arrival(turn, 2e-5, period)) <= 0.1
     assert done.summary.position_error_m is not None and done.summary.position_error_m < 1e-6
     assert done.summary.rotation_error_rad is not None and done.summary.rotation_error_rad < 1e-6
-    assert way[-1] == pytest.approx(done.summary.position_error_m, abs=1e-12)
-    assert any(at_rate(f) for f in done.frames)  # the shoulder's rate acts for most of the way
+    assert offset[-1] == pytest.approx(done.summary.position_error_m, abs=1e-12)
+    assert any(at_rate(f) for f in done.frames)  # the rate limit of the shoulder acts during most of the motion
 
 
 def test_strict_leaves_the_line_by_the_reference_distance() -> None:
@@ -107,15 +107,15 @@ def test_strict_leaves_the_line_by_the_reference_distance() -> None:
     start = done.scenario.arm.forward(done.scenario.initial_angles)
     share = STS_400["tolerance"]
     assert off_the_line(start.position.tolist(), done.frames) == pytest.approx(STS_400["off_the_line"], rel=share)
-    way, turn = misses(done.frames)
-    assert arrival(way, 1e-3, PERIOD) == pytest.approx(STS_400["tip_arrives"], rel=share)
+    offset, turn = final_errors(done.frames)
+    assert arrival(offset, 1e-3, PERIOD) == pytest.approx(STS_400["tip_arrives"], rel=share)
     assert arrival(turn, 1e-3, PERIOD) == pytest.approx(STS_400["rotation_arrives"], rel=share)
-    assert arrival(way, 1e-3, PERIOD) > arrival(turn, 1e-3, PERIOD) + 0.5
-    assert way[-1] < 1e-3
+    assert arrival(offset, 1e-3, PERIOD) > arrival(turn, 1e-3, PERIOD) + 0.5
+    assert offset[-1] < 1e-3
 
 
 def moves(count: int) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Pairs of joint angles [deg], a few metres and tens of degrees apart, far from stops and singularities."""
+    """Return pairs of joint angles [deg], a few metres and tens of degrees apart, far from stops and singularities."""
     rng = np.random.default_rng(70)
     found: list[tuple[np.ndarray, np.ndarray]] = []
     while len(found) < count:
@@ -136,9 +136,9 @@ def test_path_is_straight_to_1_mm_without_joint_rate_limits(period: float) -> No
         assert off_the_line(first.position.tolist(), frames) < 1e-3
         assert off_the_axis(first.rotation, frames) < math.radians(0.01)
         assert frames[-1].sequence == "idle"
-        way, turn = misses(frames)
-        assert way[-1] < 1e-4 and turn[-1] < 2e-5
-        assert abs(arrival(way, 1e-4, period) - arrival(turn, 2e-5, period)) <= 0.1 + period
+        offset, turn = final_errors(frames)
+        assert offset[-1] < 1e-4 and turn[-1] < 2e-5
+        assert abs(arrival(offset, 1e-4, period) - arrival(turn, 2e-5, period)) <= 0.1 + period
 
 
 def test_path_is_straight_to_5_mm_with_joint_rate_limits() -> None:
@@ -156,8 +156,8 @@ def test_rotation_by_180_deg_has_one_axis(roll: float) -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     frames = fly(sim, 60.0, aftdeck.Inputs(target=target(sim.scenario.arm, end), proceed=True))
     assert frames[-1].sequence == "idle"
-    way, turn = misses(frames)
-    assert way.max() < 1e-3 and turn[-1] < 2e-5
+    offset, turn = final_errors(frames)
+    assert offset.max() < 1e-3 and turn[-1] < 2e-5
     assert np.degrees(frames[-1].angles[:5]) == pytest.approx(BAY[:5], abs=0.01)
     assert abs(frames[-1].angles[5] - math.radians(BAY[5])) == pytest.approx(math.radians(abs(roll)), abs=1e-4)
 
@@ -169,10 +169,10 @@ def test_pure_translation_and_pure_rotation_reach_the_target() -> None:
     x, y, z = pose.position.tolist()
     along = aftdeck.Target((x - 1.0, y + 0.5, z), here.rotation)
     frames = fly(sim, 30.0, aftdeck.Inputs(target=along, proceed=True))
-    assert frames[-1].sequence == "idle" and misses(frames)[0][-1] < 1e-4
+    assert frames[-1].sequence == "idle" and final_errors(frames)[0][-1] < 1e-4
     about = aftdeck.Target(along.position, _turned(here, [0.3, -0.2, 0.1]))
     frames = fly(sim, 30.0, aftdeck.Inputs(target=about, proceed=True))
-    assert frames[-1].sequence == "idle" and misses(frames)[1][-1] < 2e-5
+    assert frames[-1].sequence == "idle" and final_errors(frames)[1][-1] < 2e-5
     frames = fly(sim, 1.0, aftdeck.Inputs(target=about, proceed=True))
     assert frames[-1].sequence == "idle"
 
@@ -199,7 +199,7 @@ def test_proceed_after_stop_reaches_the_target() -> None:
     assert still[-1].angles == stopping[-1].angles
     going = fly(sim, 60.0, aftdeck.Inputs(proceed=True))
     assert going[-1].sequence == "idle"
-    assert misses(going)[0][-1] < 1e-4 and misses(going)[1][-1] < 2e-5
+    assert final_errors(going)[0][-1] < 1e-4 and final_errors(going)[1][-1] < 2e-5
     assert [e.kind for f in flying + stopping + going for e in f.events if e.kind != "limit"] == [
         "target", "check", "proceed", "stop", "check", "proceed", "arrived",
     ]  # fmt: skip

@@ -44,7 +44,7 @@ def test_orb_unl_stick_moves_tip_along_orbiter_axis(axis: int, in_l: list[int]) 
     assert twist[:3] == pytest.approx(np.zeros(3), abs=1e-4)
 
 
-def test_end_eff_sticks_act_along_frame_2() -> None:
+def test_end_eff_sticks_act_along_the_axes_of_system_2() -> None:
     sim = aftdeck.Simulation(concept('mode = "END EFF"'))
     last = fly(sim, 4.0, aftdeck.Inputs(translation=(0.2, 0.0, 0.0), rotation=(0.0, 0.0, 0.3)))[-1]
     hand = sim.scenario.arm.forward(last.angles).rotation

@@ -75,19 +75,19 @@ def rules_with(dt: float, strict: bool = False, as_flown: bool = False) -> np.nd
 @given(wanted=twists, present=twists, dt=periods, strict=st.booleans())
 def test_avclmt_keeps_acceleration_and_speed_limits(wanted: Twist, present: Twist, dt: float, strict: bool) -> None:
     rules = rules_with(dt, strict)
-    got, met = avclmt(rules, wanted, present)
+    limited, active = avclmt(rules, wanted, present)
     for part, most, up, bit in ((slice(0, 3), TURN, TURN_UP, 4), (slice(3, 6), SPEED, SPEED_UP, 1)):
-        after, before, asked = (np.array(t[part]) for t in (got, present, wanted))
+        after, before, demanded = (np.array(t[part]) for t in (limited, present, wanted))
         change = float(rules[up]) * dt
         inside = np.linalg.norm(before) <= rules[most]
         if inside:
             assert np.linalg.norm(after) <= rules[most] * (1 + 1e-12)
         if inside or not strict:
             assert np.linalg.norm(after - before) <= change * (1 + 1e-9)
-        if not inside and not strict:  # braking, never further out
+        if not inside and not strict:  # braking: the speed does not increase
             assert np.linalg.norm(after) <= np.linalg.norm(before) * (1 + 1e-12)
-        if not met & bit and np.linalg.norm(asked) <= rules[most]:
-            assert after == pytest.approx(asked, abs=1e-12)
+        if not active & bit and np.linalg.norm(demanded) <= rules[most]:
+            assert after == pytest.approx(demanded, abs=1e-12)
 
 
 @PROVE
@@ -102,9 +102,9 @@ def test_avclmt_does_not_change_a_twist_within_limits(wanted: Twist) -> None:
 def test_avclmt_changes_velocity_by_the_allowed_amount(strict: bool) -> None:
     rules = rules_with(0.02, strict)
     step = 2.0 * 0.3048 / 4.0 * 0.02  # 2 ft/s in 4 s
-    got, met = avclmt(rules, Twist(0, 0, 0, 0.3, 0.4, 0), Twist(0, 0, 0, 0, 0, 0))
-    assert got[3:] == pytest.approx((0.6 * step, 0.8 * step, 0.0))
-    assert met == 1
+    limited, active = avclmt(rules, Twist(0, 0, 0, 0.3, 0.4, 0), Twist(0, 0, 0, 0, 0, 0))
+    assert limited[3:] == pytest.approx((0.6 * step, 0.8 * step, 0.0))
+    assert active == 1
 
 
 rates6 = st.tuples(*[st.floats(-2.0, 2.0)] * 6)

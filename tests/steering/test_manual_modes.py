@@ -16,7 +16,7 @@ from tests.kinematics.poses import turned
 from tests.steering.flying import BAY, BODY_FROM_L, FOOT, QUICK, at_rate, fly, kinds, scenario, speed, turning
 
 LEVEL = (0.0, 60.0, -90.0, 30.0, 0.0, 0.0)
-"""Joint angles with the end effector pointing aft; its axes are aft, port, down [deg]."""
+"""Joint angles [deg] at which the end effector points aft; its axes point aft, to port and down."""
 AXES = {"+1": (1.0, 0.0, 0.0), "-1": (-1.0, 0.0, 0.0), "+2": (0.0, 1.0, 0.0), "-2": (0.0, -1.0, 0.0)}
 AXES |= {"+3": (0.0, 0.0, 1.0), "-3": (0.0, 0.0, -1.0), "askew": (0.5, -0.7, 0.4)}
 axes = pytest.mark.parametrize("stick", AXES.values(), ids=AXES.keys())
@@ -28,10 +28,10 @@ A_HUNDREDTH_OF_A_DEGREE = math.radians(0.01)
 def moved(frames: Sequence[Frame]) -> tuple[Array, Array]:
     """Return displacement [m] and rotation [rad] of the tip in a run, in orbiter body axes; rotations up to 90 deg."""
     first, last = frames[0], frames[-1]
-    way = BODY_FROM_L @ (np.array(last.position) - np.array(first.position))
+    displacement = BODY_FROM_L @ (np.array(last.position) - np.array(first.position))
     sine = turned(np.array(last.orientation), np.array(first.orientation))
     size = float(np.linalg.norm(sine))
-    return way, BODY_FROM_L @ sine * (math.asin(min(size, 1.0)) / size if size else 1.0)
+    return displacement, BODY_FROM_L @ sine * (math.asin(min(size, 1.0)) / size if size else 1.0)
 
 
 def e_axes(frame: Frame) -> Array:
@@ -43,10 +43,10 @@ def e_axes(frame: Frame) -> Array:
 @axes
 def test_mode_4_translates_along_orbiter_axes_without_rotation(stick: tuple[float, float, float]) -> None:
     frames = fly(aftdeck.Simulation(scenario()), 5.0, aftdeck.Inputs(translation=stick, mode="ORB UNL"))
-    way, turn = moved(frames)
-    along = way @ stick / np.linalg.norm(stick)
+    displacement, turn = moved(frames)
+    along = displacement @ stick / np.linalg.norm(stick)
     assert along > 0.5
-    assert np.linalg.norm(way - along * np.array(stick) / np.linalg.norm(stick)) < A_MILLIMETRE
+    assert np.linalg.norm(displacement - along * np.array(stick) / np.linalg.norm(stick)) < A_MILLIMETRE
     assert np.linalg.norm(turn) < A_HUNDREDTH_OF_A_DEGREE
 
 
@@ -55,22 +55,22 @@ def test_mode_4_rotates_about_orbiter_axes_without_translation(
     stick: tuple[float, float, float],
 ) -> None:
     frames = fly(aftdeck.Simulation(scenario()), 5.0, aftdeck.Inputs(rotation=stick, mode="ORB UNL"))
-    way, turn = moved(frames)
+    displacement, turn = moved(frames)
     along = turn @ stick / np.linalg.norm(stick)
     assert along > math.radians(5.0)
     assert np.linalg.norm(turn - along * np.array(stick) / np.linalg.norm(stick)) < A_HUNDREDTH_OF_A_DEGREE
-    assert np.linalg.norm(way) < A_MILLIMETRE
+    assert np.linalg.norm(displacement) < A_MILLIMETRE
 
 
 @axes
 @pytest.mark.parametrize("start", [BAY, LEVEL], ids=["bay", "level"])
 def test_mode_5_translates_along_end_effector_axes(start: tuple[float, ...], stick: tuple[float, float, float]) -> None:
     frames = fly(aftdeck.Simulation(scenario(start)), 5.0, aftdeck.Inputs(translation=stick, mode="END EFF"))
-    way, turn = moved(frames)
+    displacement, turn = moved(frames)
     wanted = e_axes(frames[0]) @ stick / np.linalg.norm(stick)
-    along = way @ wanted
+    along = displacement @ wanted
     assert along > 0.5
-    assert np.linalg.norm(way - along * wanted) < A_MILLIMETRE
+    assert np.linalg.norm(displacement - along * wanted) < A_MILLIMETRE
     assert np.linalg.norm(turn) < A_HUNDREDTH_OF_A_DEGREE
 
 
@@ -78,28 +78,28 @@ def test_mode_5_translates_along_end_effector_axes(start: tuple[float, ...], sti
 @pytest.mark.parametrize("start", [BAY, LEVEL], ids=["bay", "level"])
 def test_mode_5_rotates_about_end_effector_axes(start: tuple[float, ...], stick: tuple[float, float, float]) -> None:
     frames = fly(aftdeck.Simulation(scenario(start)), 5.0, aftdeck.Inputs(rotation=stick, mode="END EFF"))
-    way, turn = moved(frames)
+    displacement, turn = moved(frames)
     wanted = e_axes(frames[0]) @ stick / np.linalg.norm(stick)
     along = turn @ wanted
     assert along > math.radians(5.0)
     assert np.linalg.norm(turn - along * wanted) < A_HUNDREDTH_OF_A_DEGREE
-    assert np.linalg.norm(way) < A_MILLIMETRE
+    assert np.linalg.norm(displacement) < A_MILLIMETRE
 
 
 def test_mode_5_at_level_end_effector_moves_aft_port_and_down() -> None:
     for stick, body in (((1.0, 0, 0), (-1.0, 0, 0)), ((0, 1.0, 0), (0, -1.0, 0)), ((0, 0, 1.0), (0, 0, 1.0))):
         frames = fly(aftdeck.Simulation(scenario(LEVEL)), 3.0, aftdeck.Inputs(translation=stick, mode="END EFF"))
-        way, _ = moved(frames)
-        assert way / np.linalg.norm(way) == pytest.approx(body, abs=2e-3)
+        displacement, _ = moved(frames)
+        assert displacement / np.linalg.norm(displacement) == pytest.approx(body, abs=2e-3)
 
 
 def test_strict_mode_5_moves_along_frame_7() -> None:
     flight = aftdeck.Simulation(scenario(LEVEL, "strict = true"))
     frames = fly(flight, 3.0, aftdeck.Inputs(translation=(0.0, 0.0, 1.0), mode="END EFF"))
-    way, _ = moved(frames)
+    displacement, _ = moved(frames)
     lean = math.radians(19.48)
-    # frame 7's axis 3 at a level hand is L's: down, leaning to starboard as the yaw axis leans to port
-    assert way / np.linalg.norm(way) == pytest.approx((0.0, math.sin(lean), math.cos(lean)), abs=2e-2)
+    # with a level end effector, axis 3 of frame 7 is that of L: it points down, and leans to starboard
+    assert displacement / np.linalg.norm(displacement) == pytest.approx((0.0, math.sin(lean), math.cos(lean)), abs=2e-2)
 
 
 @pytest.mark.parametrize("mode", ["ORB UNL", "END EFF"])

@@ -31,13 +31,13 @@ from aftdeck.steering.limiters import BY_STOP
 from aftdeck.steering.msteer import msteer
 from tests.steering.flying import BAY, fly, kinds, scenario
 
-HAIR = 1e-12
+ROUNDING = 1e-12
 """Rounding of an angle [rad]."""
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 CONCEPT = (20.0, 60.0, -100.0, 5.0, -30.0, 10.0)
 
 
-def an_arm(name: str, extra: str = "") -> Scenario:
+def master_scenario(name: str, extra: str = "") -> Scenario:
     return scenario(BAY if name == "srms" else CONCEPT, f'arm = "{name}"\nmode = "MASTER"\n{extra}')
 
 
@@ -58,7 +58,7 @@ class Follower:
         rates = self.state[RATES : RATES + 6].copy()
         dt, most, up = self.rules[DT], self.rules[RATE : RATE + 6], self.rules[RATE_UP : RATE_UP + 6]
         assert (np.abs(rates) <= most).all()
-        assert (np.abs(rates - before) <= up * dt * (1.0 + 1e-9) + HAIR).all()
+        assert (np.abs(rates - before) <= up * dt * (1.0 + 1e-9) + ROUNDING).all()
         self.state[:6] += rates * dt
         self.state[MEASURED : MEASURED + 6] = rates
         return rates, self.state[:6].copy()
@@ -82,19 +82,19 @@ class Follower:
 def test_joints_reach_master_angles_without_overshoot(name: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     period = float(rng.choice([0.005, 0.02, 0.08, 0.2])) if seed else 0.02
-    made = an_arm(name, f"control_period = {period}\nduration = {1000 * period}")
+    made = master_scenario(name, f"control_period = {period}\nduration = {1000 * period}")
     soft = made.arm.limits.soft
     start, master = rng.uniform(soft[:, 0], soft[:, 1], (2, 6))
     if seed % 3 == 0:
         master = start + rng.normal(0.0, 0.02, 6).clip(-0.05, 0.05)
         master = master.clip(soft[:, 0], soft[:, 1])
     arm = Follower(made, start, "vernier" if seed % 4 == 3 else "coarse")
-    way = np.sign(master - start)
+    direction = np.sign(master - start)
     last = start
     for _ in range(int(arm.longest / period) + 1):
         _, angles = arm.step(master)
-        assert (way * (angles - last) >= -HAIR).all()  # never back
-        assert (way * (angles - master) <= HAIR).all()  # never past
+        assert (direction * (angles - last) >= -ROUNDING).all()  # no joint moves away from the master
+        assert (direction * (angles - master) <= ROUNDING).all()  # no joint passes the master
         last = angles
         if arm.report[ARRIVED]:
             break
@@ -109,7 +109,7 @@ def test_joints_reach_master_angles_without_overshoot(name: str, seed: int) -> N
 @pytest.mark.parametrize("seed", range(6))
 def test_jumping_master_is_followed_within_every_limit(name: str, seed: int) -> None:
     rng = np.random.default_rng(100 + seed)
-    made = an_arm(name)
+    made = master_scenario(name)
     soft = made.arm.limits.soft
     arm = Follower(made, rng.uniform(soft[:, 0], soft[:, 1]))
     master = arm.state[:6].copy()
@@ -117,26 +117,26 @@ def test_jumping_master_is_followed_within_every_limit(name: str, seed: int) -> 
         if rng.random() < 0.01:
             master = rng.uniform(soft[:, 0] - 0.5, soft[:, 1] + 0.5)
         _, angles = arm.step(master)
-        assert (angles >= soft[:, 0] - HAIR).all() and (angles <= soft[:, 1] + HAIR).all()
+        assert (angles >= soft[:, 0] - ROUNDING).all() and (angles <= soft[:, 1] + ROUNDING).all()
 
 
 @pytest.mark.parametrize("joint", range(6))
-@pytest.mark.parametrize("way", [1, -1])
-def test_master_beyond_a_stop_moves_the_joint_up_to_the_stop(joint: int, way: int) -> None:
-    made = an_arm("concept-1972")
+@pytest.mark.parametrize("direction", [1, -1])
+def test_master_beyond_a_stop_moves_the_joint_up_to_the_stop(joint: int, direction: int) -> None:
+    made = master_scenario("concept-1972")
     soft = made.arm.limits.soft
     arm = Follower(made, soft.mean(axis=1))
     master = soft.mean(axis=1)
-    master[joint] = soft[joint, 1 if way > 0 else 0] + 0.3 * way
+    master[joint] = soft[joint, 1 if direction > 0 else 0] + 0.3 * direction
     for _ in range(int(arm.longest / 0.02)):
         _, angles = arm.step(master)
-    assert angles[joint] == pytest.approx(soft[joint, 1 if way > 0 else 0], abs=1e-9)
+    assert angles[joint] == pytest.approx(soft[joint, 1 if direction > 0 else 0], abs=1e-9)
     assert (int(arm.report[CAUSE]), int(arm.report[LIMITING_JOINT])) == (BY_STOP, joint)
 
 
 def test_joints_past_their_stops_move_only_back() -> None:
     # the Shuttle's arm at its cradle: shoulder and elbow pitch outside their soft stops
-    made = an_arm("srms")
+    made = master_scenario("srms")
     arm = Follower(made, np.zeros(6))
     for master in (np.zeros(6), np.radians([0.0, -1.0, 1.0, 0.0, 0.0, 0.0])):
         for _ in range(100):
@@ -150,7 +150,7 @@ def test_joints_past_their_stops_move_only_back() -> None:
 
 @ARMS
 def test_arm_rests_until_the_master_moves(name: str) -> None:
-    sim = aftdeck.Simulation(an_arm(name))
+    sim = aftdeck.Simulation(master_scenario(name))
     frames = fly(sim, 2.0, aftdeck.Inputs())
     assert (np.array([frame.angles for frame in frames]) == sim.scenario.initial_angles).all()
     assert frames[-1].mode == "MASTER" and frames[-1].law == 10
@@ -168,7 +168,7 @@ def test_master_holds_a_fast_joint_at_its_soft_stop() -> None:
     sim = aftdeck.Simulation(scenario((0.0, 140.0, -80.0, 10.0, 0.0, 0.0)))
     fly(sim, 1.9, aftdeck.Inputs(mode="SINGLE", joint=1, drive=1.0))
     frames = fly(sim, 5.0, aftdeck.Inputs(mode="MASTER"))
-    assert max(frame.angles[1] for frame in frames) <= sim.scenario.arm.limits.soft[1, 1] + HAIR
+    assert max(frame.angles[1] for frame in frames) <= sim.scenario.arm.limits.soft[1, 1] + ROUNDING
 
 
 def test_master_is_followed_more_slowly_with_a_payload() -> None:

@@ -37,9 +37,9 @@ def test_every_mode_of_the_report_has_a_position(number: int) -> None:
     assert number in MODES[found[0]].laws
 
 
-def test_modes_of_a_payload_are_the_two_that_move_its_point_of_resolution() -> None:
+def test_orb_ld_and_pl_are_the_only_positions_for_a_payload() -> None:
     assert {position for position, mode in MODES.items() if mode.loaded} == {"ORB LD", "PL"}
 
 
-def test_mode_seven_alone_has_the_switch_for_payload_axes() -> None:
+def test_only_the_position_of_modes_4_and_7_has_payload_axes() -> None:
     assert [mode.laws for mode in MODES.values() if mode.has_payload_axes] == [(4, 7)]

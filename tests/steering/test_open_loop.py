@@ -35,11 +35,11 @@ def final_error(frames: list[aftdeck.Frame]) -> tuple[float, float]:
     [
         # 20 s at 2 ft/s and a ramp of 4 s at both ends
         (20.0 * V, 0.0, V, 0.0, 24.0, 4.0, None),
-        # 2 ft are too short for the ramps: 2 s up at 0.5 ft/s2, 2 s down
+        # 2 ft are too short for the ramps: 2 s of acceleration at 0.5 ft/s2, and 2 s of braking
         (V, 0.0, 0.5 * V, 0.0, 4.0, 2.0, None),
-        # the turn would take 10 + 4 s; it takes the way's 24 s, with its own ramps: 10 W over 24 - 4 s
+        # alone, the rotation would take 10 + 4 s; here it takes 24 s, as the translation: 10 W over 24 - 4 s
         (20.0 * V, 10.0 * W, V, 0.5 * W, 24.0, 4.0, 4.0),
-        # the way would take 4 s; it takes the turn's 14 s, with its own ramps: V over 14 - 2 s
+        # alone, the translation would take 4 s; here it takes 14 s, as the rotation: V over 14 - 2 s
         (V, 10.0 * W, V / 12.0, W, 14.0, 2.0, 4.0),
         (0.0, W, 0.0, 0.5 * W, 4.0, None, 2.0),
     ],
@@ -64,7 +64,7 @@ def test_tip_follows_the_plan_without_joint_limits(period: float) -> None:
     sim = aftdeck.Simulation(scenario(BAY, f"{OPEN}\ncontrol_period = {period}\nduration = 80\n{QUICK}"))
     here = target(sim.scenario.arm, BAY)
     x, y, z = here.position
-    goal = aftdeck.Target((x, y, z - 10.0 * V / 3.0), here.rotation)  # 10/3 s at full speed: too short for the ramps
+    goal = aftdeck.Target((x, y, z - 10.0 * V / 3.0), here.rotation)  # 10/3 s at full speed are too short for the ramps
     frames = finished(sim, aftdeck.Inputs(target=goal, proceed=True), 60.0)
     eta = 2.0 * math.sqrt(4.0 * 10.0 / 3.0)
     flown = [f for f in frames if f.sequence == "in progress"]
@@ -94,7 +94,7 @@ def test_strict_open_loop_has_the_reference_final_error() -> None:
     assert re.search(amount, texts["arrived"]) and re.search(rf"GOOD: \d+ s, .*{amount}", texts["check"])
 
 
-def ends_after_a_push(law: str) -> tuple[float, float]:
+def final_error_after_a_disturbance(law: str) -> tuple[float, float]:
     sim = aftdeck.Simulation(scenario(BAY, f'mode = "OPR CMD"\nlaw = "{law}"'))
     goal = target(sim.scenario.arm, (BAY[0] + 25.0, BAY[1] - 10.0, *BAY[2:]))
     flown = fly(sim, 6.0, aftdeck.Inputs(target=goal, proceed=True))
@@ -103,10 +103,10 @@ def ends_after_a_push(law: str) -> tuple[float, float]:
 
 
 def test_mode_2_corrects_a_disturbance_and_mode_3_does_not() -> None:
-    assert ends_after_a_push("closed loop") < (1e-4, 2e-5)
-    way, turn = ends_after_a_push("open loop")
-    # half a degree of shoulder pitch, 8 m and more from the tip
-    assert 0.05 < way < 0.2 and turn == pytest.approx(math.radians(0.5), rel=0.2)
+    assert final_error_after_a_disturbance("closed loop") < (1e-4, 2e-5)
+    distance, turn = final_error_after_a_disturbance("open loop")
+    # half a degree of shoulder pitch, which is 8 m or more from the tip
+    assert 0.05 < distance < 0.2 and turn == pytest.approx(math.radians(0.5), rel=0.2)
 
 
 def test_proceed_after_stop_makes_a_new_plan() -> None:

@@ -83,7 +83,7 @@ def test_rhc_rotates_about_the_por(mode: str, mixed: bool, stick: Stick) -> None
     assert turn @ wanted > math.radians(4.0)
     assert np.linalg.norm(turn - (turn @ wanted) * wanted) < math.radians(0.01)
     assert max(np.linalg.norm(point(f) - point(frames[0])) for f in frames) < 1e-3
-    assert np.linalg.norm(np.array(frames[-1].position) - frames[0].position) > 0.1  # the tip goes round it
+    assert np.linalg.norm(np.array(frames[-1].position) - frames[0].position) > 0.1  # the tip moves around the POR
 
 
 @MODES
@@ -102,7 +102,7 @@ def test_heavy_payload_reaches_por_limits_within_acceleration(mode: str, mixed: 
         assert frames[-1].por_limits == pytest.approx((most, most_turn))
         values = np.array([reached(f) for f in frames])
         assert values[-1] == pytest.approx(limit) and values.max() <= limit * (1 + 1e-9)
-        # reached in 17 s, evenly
+        # the limit is reached in 17 s, at a constant acceleration
         assert np.diff(values, prepend=0.0).max() <= limit / 17.0 * 0.05 * (1 + 1e-9)
         assert values[round(8.5 / 0.05) - 1] == pytest.approx(0.5 * limit, rel=1e-6)
         assert [f.time_s for f in frames if "POR acceleration" in kinds(f)][-1] == pytest.approx(17.0, abs=0.06)
@@ -120,7 +120,7 @@ def test_por_acceleration_keeps_its_limits(mode: str, mixed: bool) -> None:
             change = np.array(frame.twist_commanded) - before.twist_commanded
             assert np.linalg.norm(change[3:]) <= up * 0.02 * (1 + 1e-6) + 1e-15
             assert np.linalg.norm(change[:3]) <= turn_up * 0.02 * (1 + 1e-6) + 1e-15
-            # what is commanded is what the point does
+            # the POR moves as commanded
             moved = (point(frame) - point(before)) / 0.02
             assert moved == pytest.approx(frame.twist_commanded[3:], abs=1e-6)
             before = frame
@@ -134,7 +134,7 @@ def test_change_between_tip_and_por_causes_no_velocity_jump() -> None:
     for mode in positions:
         frames += fly(sim, 10.0, aftdeck.Inputs(mode=mode, rotation=turn))
     rates = np.array([f.rates_commanded for f in frames])
-    # the payload's own acceleration, a few metres from the tip, is some 1e-4 rad/s2 of any joint
+    # the acceleration of the payload, a few metres from the tip, needs about 1e-4 rad/s2 of any joint
     assert np.abs(np.diff(rates, axis=0)).max() < 2e-3 * 0.02
 
 

@@ -16,15 +16,15 @@ POSITION = 'mode = "OPR CMD"\nlaw = "position"'
 MOVES = [(20.0, -15.0, 12.0, 30.0, -20.0, 60.0), (-3.0, 1.0, 0.5, 0.0, 8.0, -200.0), (0.0, 0.0, 0.0, 0.0, 0.0, 3.0)]
 
 
-@pytest.mark.parametrize("way", MOVES)
+@pytest.mark.parametrize("rotations", MOVES)
 @pytest.mark.parametrize("period", [0.02, 0.08])
-def test_all_joints_move_in_proportion_to_their_final_angles(way: tuple[float, ...], period: float) -> None:
+def test_all_joints_move_in_proportion_to_their_final_angles(rotations: tuple[float, ...], period: float) -> None:
     sim = aftdeck.Simulation(scenario(BAY, f"{POSITION}\ncontrol_period = {period}\nduration = 80"))
-    end = [a + b for a, b in zip(BAY, way, strict=True)]
+    end = [a + b for a, b in zip(BAY, rotations, strict=True)]
     frames = finished(sim, aftdeck.Inputs(target=joint_target(sim.scenario.arm, end), proceed=True), 120.0)
     assert frames[-1].sequence == "idle"
     rates = np.array([f.rates_commanded for f in frames])
-    whole = np.radians(way)
+    whole = np.radians(rotations)
     share = rates @ whole / (whole @ whole)
     assert rates == pytest.approx(np.outer(share, whole), abs=1e-12)
     moving = np.flatnonzero(share > 0.0)
@@ -36,32 +36,34 @@ def test_all_joints_move_in_proportion_to_their_final_angles(way: tuple[float, .
 
 
 @pytest.mark.parametrize(
-    ("way", "eta", "peak"),
+    ("rotations", "eta", "peak"),
     [
-        # 10 s at 1.27 deg/s, and a ramp of 2 ft/s over 0.5 ft/s2 = 4 s at both ends, which costs 4 s in all
+        # 10 s at 1.27 deg/s; the ramps at both ends take 2 ft/s over 0.5 ft/s2 = 4 s each, which adds 4 s
         ((12.7, 0.0, 0.0, 0.0, 0.0, 0.0), 14.0, 1.27),
         # the slowest joint counts: 17.8 deg of elbow at 1.78 deg/s
         ((-6.0, 8.0, 17.8, -20.0, 5.0, 22.0), 14.0, 1.78),
-        # 1.27 deg: up for 2 s at 1.27/4 deg/s2 and down again, the rate never reached
+        # 1.27 deg: 2 s of acceleration at 1.27/4 deg/s2 and 2 s of braking; the rate limit is not reached
         ((-1.27, 0.0, 0.0, 0.0, 0.0, 0.0), 4.0, 1.27 / 2.0),
-        # just long enough for its ramps
+        # the motion is just long enough for the ramps
         ((0.0, 0.0, 0.0, 4.0 * 2.64, 0.0, 0.0), 8.0, 2.64),
     ],
 )
-def test_duration_and_peak_rate_agree_with_hand_calculation(way: tuple[float, ...], eta: float, peak: float) -> None:
+def test_duration_and_peak_rate_agree_with_hand_calculation(
+    rotations: tuple[float, ...], eta: float, peak: float
+) -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 30, 10, 0), POSITION))
-    end = np.degrees(sim.scenario.initial_angles) + way
+    end = np.degrees(sim.scenario.initial_angles) + rotations
     frames = finished(sim, aftdeck.Inputs(target=joint_target(sim.scenario.arm, end.tolist()), proceed=True), 60.0)
     flown = [f for f in frames if f.sequence == "in progress"]
     assert flown[0].goal is not None and flown[0].goal.remaining_s == pytest.approx(eta, abs=1e-9)
     assert frames[-1].time_s - flown[0].time_s == pytest.approx(eta, abs=0.05)
     rates = np.degrees([np.abs(f.rates_commanded).max() for f in flown])
-    slowest = int((np.abs(np.radians(way)) / COARSE).argmax())
+    slowest = int((np.abs(np.radians(rotations)) / COARSE).argmax())
     assert math.degrees(max(abs(f.rates_commanded[slowest]) for f in frames)) == pytest.approx(peak, rel=0.01)
     assert rates[round(eta / 0.02) // 4] == pytest.approx(rates[round(0.75 * eta / 0.02)], rel=0.03)  # symmetrical
 
 
-def test_target_angles_keep_the_long_way_and_a_pose_the_short_one() -> None:
+def test_target_angles_can_take_the_long_rotation_and_a_pose_does_not() -> None:
     end = [*BAY[:5], BAY[5] + 310.0]
     by_angles = aftdeck.Simulation(scenario(BAY, POSITION))
     goal = joint_target(by_angles.scenario.arm, end)
@@ -82,7 +84,7 @@ def test_stop_slows_all_joints_in_proportion() -> None:
     rates = np.array([f.rates_commanded for f in stopping])
     assert np.linalg.matrix_rank(rates, tol=1e-9) == 1
     assert (np.diff(np.abs(rates), axis=0) <= 1e-15).all() and (rates[-1] == 0.0).all()
-    # a joint gives up at most a quarter of its servo maximum a second
+    # a joint rate decreases by at most a quarter of the servo maximum in a second
     assert (np.abs(np.diff(rates, axis=0)) <= SERVO / 4.0 * 0.02 * (1 + 1e-9)).all()
     frames = finished(sim, aftdeck.Inputs(proceed=True), 60.0)
     assert frames[-1].sequence == "idle" and (frames[-1].events[-1].kind, frames[-1].events[-1].level) == (
@@ -133,13 +135,13 @@ def test_proceed_at_speed_first_stops_the_joints(before: str) -> None:
     goal = joint_target(sim.scenario.arm, [BAY[0] + 20.0, *BAY[1:]])
     frames = finished(sim, aftdeck.Inputs(mode="OPR CMD", law="position", target=goal, proceed=True), 60.0)
     rates = np.array([f.rates_commanded for f in [flown[-1], *frames]])
-    # the joints come out of ORB UNL faster than this mode may move them: they slow down by its ramp
+    # the joints are faster than mode 1 allows; they slow down with the ramp of mode 1
     assert (np.abs(np.diff(rates, axis=0)) <= SERVO / 4.0 * 0.02 * (1 + 1e-9)).all()
     assert np.degrees(frames[-1].angles) == pytest.approx([BAY[0] + 20.0, *BAY[1:]], abs=1e-9)
 
 
 def test_mode_1_passes_every_singularity() -> None:
-    """From one side of each singularity to the other, one joint at a time: 17 deg to 100 deg of wrist yaw first."""
+    """One joint at a time moves across a singularity; the first is wrist yaw, from 17 deg to 100 deg."""
     start = np.array([0.0, 60.0, -80.0, 20.0, 17.0, 0.0])
     for joint, angle in ((4, 100.0), (2, -0.5), (1, 140.0)):
         sim = aftdeck.Simulation(scenario(start.tolist(), POSITION))
@@ -150,7 +152,7 @@ def test_mode_1_passes_every_singularity() -> None:
         frames = finished(sim, aftdeck.Inputs(target=joint_target(sim.scenario.arm, end.tolist()), proceed=True), 200.0)
         assert frames[-1].angles == pytest.approx(np.radians(end), abs=1e-12), (joint, frames[-1].check)
         assert (before * after < 0.0).any() or np.abs(after).min() < 0.05, "the motion crosses no singularity"
-        assert any(f.singular for f in frames)  # the lamp is still lit
+        assert any(f.singular for f in frames)  # SINGULAR is lit nevertheless
 
 
 @pytest.mark.parametrize("mass", ["0 lb", "5000 lb", "65000 lb"])
@@ -184,7 +186,7 @@ def test_vernier_is_slower_than_coarse() -> None:
         took[rate] = finished(sim, aftdeck.Inputs(target=joint_target(sim.scenario.arm, end), proceed=True), 200.0)[
             -1
         ].time_s
-    assert took["vernier"] > 2.0 * took["coarse"]  # 1.27 to 0.42 deg/s, ramps apart
+    assert took["vernier"] > 2.0 * took["coarse"]  # 1.27 instead of 0.42 deg/s, except in the ramps
 
 
 def test_strict_mode_1_uses_servo_maxima() -> None:

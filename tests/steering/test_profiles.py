@@ -73,8 +73,8 @@ def test_vclose_ends_both_motions_together(distance: float, angle: float) -> Non
     assert all(ended) and abs(ended[0] - ended[1]) <= 0.1
 
 
-def test_vclose_time_of_long_way_is_that_of_a_trapezoid() -> None:
-    # 12 m at 2 ft/s, then 4 s of braking, in which half as far is flown
+def test_vclose_time_of_a_long_distance_is_that_of_a_trapezoid() -> None:
+    # 12 m at 2 ft/s; braking takes the last 4 s, at half the speed on average, so it adds 2 s
     assert vclose(rules(0.001), 12.0, 0.0).remaining == pytest.approx(12.0 / SPEED + 2.0, rel=1e-3)
 
 

@@ -29,7 +29,7 @@ def test_selected_joint_ramps_and_no_other_moves(joint: int, rate: str, drive: f
     own = rates[:, joint]
     assert own[299] == pytest.approx(drive * most)
     assert own[-1] == 0.0
-    # coarse is reached in the POR's 4 s; no step changes more
+    # the coarse rate is reached in 4 s, like the POR speed; no step changes the rate by more
     change = math.radians(LIMITS["coarse"][joint]) / 4.0 * 0.02
     assert np.abs(np.diff(own, prepend=0.0)).max() <= change * (1 + 1e-9)
     ramp = abs(drive) * most / change
@@ -60,7 +60,7 @@ def test_deselected_joint_returns_to_its_angle() -> None:
     angle = fly(sim, 5.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))[-1].angles[0]
     frames = fly(sim, 20.0, aftdeck.Inputs(joint=5, drive=1.0))
     rates, angles = np.array([f.rates_commanded for f in frames]), np.array([f.angles[0] for f in frames])
-    # 1.27 deg/s over 4 s: it coasts on for 2.54 deg while it slows down
+    # the joint slows down from 1.27 deg/s in 4 s, and moves by 2.54 deg in this time
     assert np.degrees(angles.max() - angle) == pytest.approx(2.54, abs=0.02)
     assert angles[-1] == pytest.approx(angle, abs=1e-12) and rates[-1, 0] == pytest.approx(0.0, abs=1e-12)
     assert (np.diff(rates[:, 5]) >= 0.0).all() and rates[-1, 5] == pytest.approx(math.radians(2.64))
@@ -76,7 +76,7 @@ def test_other_joints_return_to_their_angles_at_entry(seed: int) -> None:
     frames = fly(sim, 25.0, aftdeck.Inputs(mode="SINGLE", joint=joint, drive=0.5))
     others = np.arange(6) != joint
     angles = np.array([f.angles for f in frames])
-    assert np.abs(angles[:, others] - entered[others]).max() > math.radians(0.05)  # they moved as it was entered
+    assert np.abs(angles[:, others] - entered[others]).max() > math.radians(0.05)  # the joints moved at entry
     assert angles[-1, others] == pytest.approx(entered[others], abs=1e-12)
 
 
@@ -99,5 +99,5 @@ def test_uncradle_ends_at_pre_cradle() -> None:
 def test_joints_are_slower_with_a_payload() -> None:
     sim = aftdeck.Simulation(scenario(BAY, '[payload]\nmass = "32000 lb"'))
     frames = fly(sim, 30.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))
-    # as much slower as the POR: 0.115 of 2 ft/s
+    # the rate limit decreases like that of the POR: from 2 ft/s to 0.115 ft/s
     assert frames[-1].rates_commanded[0] == pytest.approx(math.radians(1.27) * 0.115 / 2.0)

@@ -1,4 +1,4 @@
-"""Random straight moves that Pinocchio finds free, made by modes 1, 2 and 3 on the kinematic plant."""
+"""Random straight moves whose line is free according to Pinocchio, made by modes 1, 2 and 3 on the kinematic plant."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.steering.rehearsal import rehearse
 from aftdeck.steering.rules import rules_of
-from tests.kinematics.witnesses import in_pinocchio
+from tests.kinematics.engines import in_pinocchio
 from tests.steering.lines import Move, chain_of, clear_moves
 
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
@@ -35,7 +35,7 @@ def arm_of(name: str) -> aftdeck.Arm:
     return aftdeck.load_arm(name)
 
 
-def beside(name: str, move: Move, law: int) -> tuple[float, float, bool]:
+def final_error(name: str, move: Move, law: int) -> tuple[float, float, bool]:
     """Return the final error of a motion [m], [deg], and whether the motion ended."""
     arm = arm_of(name)
     rules = rules_of(arm.model, arm.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", law]
@@ -52,21 +52,21 @@ def beside(name: str, move: Move, law: int) -> tuple[float, float, bool]:
 
 def reached(name: str, move: Move, law: int) -> bool:
     """Return whether the motion ends at its target, even if a stop holds its last part."""
-    distance, turn, _ = beside(name, move, law)
+    distance, turn, _ = final_error(name, move, law)
     return distance <= NEAR and turn <= NEAR_TURN
 
 
 @ARMS
 def test_pinocchio_agrees_with_the_arm(name: str) -> None:
     arm = arm_of(name)
-    see = in_pinocchio(chain_of(arm))
+    solve = in_pinocchio(chain_of(arm))
     for q in np.random.default_rng(3).uniform(-1.0, 1.0, (20, 6)):
-        ours, theirs = arm.forward(q), see(q)
+        ours, theirs = arm.forward(q), solve(q)
         assert ours.position == pytest.approx(theirs.position, abs=1e-12)
         assert ours.rotation == pytest.approx(theirs.rotation, abs=1e-12)
 
 
-def refused(name: str, seed: int, count: int) -> dict[int, list[Move]]:
+def missed_moves(name: str, seed: int, count: int) -> dict[int, list[Move]]:
     """Return, for each steering law, the moves that do not reach their target."""
     moves = clear_moves(arm_of(name), seed, count)
     return {law: [move for move in moves if not reached(name, move, law)] for law in (1, 2, 3)}
@@ -74,15 +74,15 @@ def refused(name: str, seed: int, count: int) -> dict[int, list[Move]]:
 
 @ARMS
 def test_modes_1_and_3_reach_every_free_target(name: str) -> None:
-    found = refused(name, 1, 30)
+    found = missed_moves(name, 1, 30)
     assert found[3] == [] and found[1] == []
 
 
 @pytest.mark.slow
 @ARMS
 def test_modes_1_and_3_reach_each_of_many_free_targets(name: str) -> None:
-    """200 moves, or `AFTDECK_MOVES`. Prints for each law the number of moves that do not reach their target."""
+    """200 moves, or `AFTDECK_MOVES`. The test prints the number of moves that miss their target, for each law."""
     count = int(os.environ.get("AFTDECK_MOVES", "200"))
-    found = refused(name, 2, count)
+    found = missed_moves(name, 2, count)
     print(f"{name}: of {count} moves not reached: { ({law: len(moves) for law, moves in found.items()}) }")
     assert found[3] == [] and found[1] == []

@@ -1,4 +1,4 @@
-"""`strict` adds nothing to the source, and `guards` is a setting of its own."""
+"""`strict` runs the steering as published, and `guards` is a separate setting."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ HARD = np.radians(table("srms-limits")["hard"])
 
 
 def by_rmangs(arm: aftdeck.Arm, position: Array, rotation: Array) -> Array:
-    """Return the angles of RMANGS by its flowchart, with theta_2 by an arc tangent, converted to the panel's angles."""
+    """Return the panel's joint angles by the flowchart of RMANGS, with theta_2 by an arc tangent."""
     l1, l2, l3, l4, l5, upper, lower = arm.model.links[:7]
     r = position - l5 * rotation[:, 0] + [0.0, 0.0, l1]
     q1 = math.atan2(r[1], r[0])

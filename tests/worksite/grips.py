@@ -1,4 +1,4 @@
-"""End effector of the concept arm and its bar, with the dimensions of its file, at any pose; half-space arithmetic."""
+"""The concept arm's end effector and a payload's bar, with the dimensions of their files; half-space arithmetic."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ TOLERANCES = Tolerances(
     spacing=0.8 * FOOT, window=FOOT / 16.0, front=0.5 * FOOT, rear=0.5 * FOOT, fingers_within=8.0 * FOOT
 )
 BAR = np.array([3.0, 0.5, 0.75]) * FOOT
-"""Length, width and height of the bar."""
+"""Length, width and height of the bar [m]."""
 OUT = 2.0
 """x2 of the palm's outer face [ft]."""
 WHICH = np.arange(4)
@@ -49,16 +49,16 @@ def over(
     roll: float = 0.0,
     yaw: float = 0.0,
     spacing: float = 0.75,
-    way: int = 1,
+    side: int = 1,
 ) -> list[Array]:
     """Return the three bodies of the end effector in the bar's frame.
 
     The offsets [ft] are from the centre of the bar's top to the palm's centre. Pitch is about the bar's y axis, roll
-    about its length, yaw about the vertical, all through the palm's centre [rad]. With `way` -1 the end effector is
-    turned by 180 deg in yaw, so that its prong is on the other side of the bar.
+    about its length, yaw about the vertical, all through the palm's centre [rad]. With `side` -1, the end effector is
+    rotated by 180 deg in yaw, so that its prong is on the other side of the bar.
     """
     turn = rotation_z(yaw) @ rotation_y(pitch) @ rotation_x(roll)
-    if way < 0:
+    if side < 0:
         turn = turn @ rotation_z(np.pi)
     centre = np.array([along, across, -height]) * FOOT
     return [(body - [0.0, 0.0, OUT * FOOT]) @ turn.T + centre for body in end_effector(spacing)]

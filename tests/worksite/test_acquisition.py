@@ -54,7 +54,7 @@ def test_conditions_agree_with_half_space_arithmetic(seed: int) -> None:
     rng = np.random.default_rng(seed)
     along, across, height, pitch, roll, yaw = (rng.normal(size=6) * [0.5, 0.1, 0.05, 0.03, 0.1, 0.1]).tolist()
     end_effector = over(
-        along, across, height, pitch, roll, yaw, spacing=rng.uniform(0.7, 0.9), way=int(rng.choice([-1, 1]))
+        along, across, height, pitch, roll, yaw, spacing=rng.uniform(0.7, 0.9), side=int(rng.choice([-1, 1]))
     )
     palm, fixed, prong, held = bodies = anywhere(seed, [*end_effector, bar()])
     taken, found = found_at(bodies)
@@ -113,17 +113,17 @@ ENVELOPE = [  # failed condition, and its limit along one axis, with the palm 0.
 ]
 
 
-@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize(("name", "axis", "limit"), ENVELOPE)
-def test_acquisition_envelope_ends_at_its_closed_form_limits(name: str, axis: str, limit: float, way: int) -> None:
+def test_acquisition_envelope_ends_at_its_closed_form_limits(name: str, axis: str, limit: float, side: int) -> None:
     middle = {"height": 0.03, "spacing": 0.75}.get(axis, 0.0)
     inside, outside = limit + 1e-7 * np.sign(middle - limit), limit - 1e-7 * np.sign(middle - limit)
-    taken, _ = found_at(anywhere(5, [*over(**{axis: inside}, way=way), bar()]))
+    taken, _ = found_at(anywhere(5, [*over(**{axis: inside}, side=side), bar()]))
     assert taken
-    failed = names(anywhere(5, [*over(**{axis: outside}, way=way), bar()]))
-    if way < 0 and name in FINGERS:  # the fingers have changed sides
+    failed = names(anywhere(5, [*over(**{axis: outside}, side=side), bar()]))
+    if side < 0 and name in FINGERS:  # the fingers have changed sides
         name = next(iter(FINGERS - {name}))
-    # A palm that is below the bar's top is in it.
+    # A palm below the top of the bar overlaps the bar, so a second condition fails.
     assert failed == ({name, "palm over bar"} if (axis, limit) == ("height", 0.0) else {name})
 
 
@@ -187,10 +187,10 @@ def test_excess_pitch_is_reported_as_a_negative_margin(pitch: float) -> None:
 @settings(max_examples=30, deadline=None)
 @given(SEEDS)
 def test_prong_side_does_not_depend_on_the_coordinate_frame(seed: int) -> None:
-    for way, face in ((1, "b"), (-1, "e")):
-        bodies = anywhere(seed, [*over(way=way), bar()])
+    for side, face in ((1, "b"), (-1, "e")):
+        bodies = anywhere(seed, [*over(side=side), bar()])
         _, found = found_at(bodies)
-        assert found[SIDE] == pytest.approx(-way, abs=1e-12)
+        assert found[SIDE] == pytest.approx(-side, abs=1e-12)
         assert grasp(found).prong_at == face
         prong, held = bodies[2], bodies[3]
         near = {rim: abs(over_face(held, rim, prong).mean()) for rim in (B, E)}
@@ -223,7 +223,7 @@ def test_rejected_capture_lists_the_failed_conditions() -> None:
 
 
 def test_closing_the_prong_over_the_bar_acquires_it() -> None:
-    # From 4 ft above, 0.3 ft off along, 0.06 ft across: down at 0.5 ft/s to 0.03 ft, then the prong at 0.25 ft/s.
+    # The palm moves from 4 ft to 0.03 ft above the bar at 0.5 ft/s; then the prong closes at 0.25 ft/s.
     held: dict[str, float] = {}
     down = (4.0 - 0.03) / 0.5
     for tick in range(600):

@@ -14,7 +14,7 @@ from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
 from aftdeck.simulation.constants.flight import FAST, WATCHED
 from aftdeck.simulation.payloads.alignment import alarm_pairs
 from aftdeck.worksite.watch.contact_update import nearest_place, place_everything
-from tests.simulation.flights import anything
+from tests.simulation.flights import random_inputs
 
 
 def rotation(rng: np.random.Generator) -> Array:
@@ -28,7 +28,7 @@ def some_row(rng: np.random.Generator, size: float = 5.0) -> Array:
 
 
 def within(outer: Array, inner: Array) -> Array:
-    """Return a pose that is given in another pose, by matrices."""
+    """Return the pose `inner`, which is given relative to the pose `outer`, in the frame of `outer`; by matrices."""
     a, b = pose_of(outer), pose_of(inner)
     return row_of(Pose(a.rotation @ b.position + a.position, a.rotation @ b.rotation))
 
@@ -59,7 +59,7 @@ def test_step_equals_its_separate_contact_updates(name: str) -> None:
     sim = aftdeck.Simulation(name)
     state = sim._state
     period = sim.scenario.control_period
-    for inputs in anything(np.random.default_rng(11), 60):
+    for inputs in random_inputs(np.random.default_rng(11), 60):
         worksite = state.worksite
         counts = alarm_pairs(
             sim._flight,
@@ -83,7 +83,7 @@ def test_step_equals_its_separate_contact_updates(name: str) -> None:
         assert worksite.nearest == watch.nearest(counts)
 
 
-def test_nearest_place_is_the_closest_one_within_the_limit() -> None:
+def test_nearest_place_is_the_closest_position_within_the_limit() -> None:
     rng = np.random.default_rng(5)
     found = set()
     for _ in range(300):

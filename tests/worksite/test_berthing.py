@@ -35,7 +35,7 @@ STARBOARD = msgspec.structs.replace(PORT, name="aft starboard", seat=(4.0, 2.386
 KEEL = msgspec.structs.replace(PORT, name="keel", seat=(2.0, 0.0, -2.41), along=(0.0, 1.0, 0.0))
 GUIDES = prepare([PORT, STARBOARD, KEEL])
 TRUNNIONS = np.array([PORT.seat, STARBOARD.seat, KEEL.seat]) - np.array([2.5, 0.0, 0.0])
-"""In the payload's frame, whose centre is stowed at x = 2.5 m."""
+"""Positions of the trunnions in the payload's frame; the centre of the stowed payload is at x = 2.5 m."""
 STOWED = Pose(np.array([2.5, 0.0, 0.0]), np.eye(3))
 
 

@@ -25,9 +25,9 @@ from aftdeck.worksite.model import BarAcquisition
 
 FOOT = 0.3048
 REPORT = np.diag([1.0, -1.0, -1.0])
-"""The report's R (x aft, y port, z down) in the scene, and back."""
+"""Conversion between the report's R (x aft, y port, z down) and the scene."""
 DOWN = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-"""The end effector's axes in R with X2 down."""
+"""Axes of the end effector in R, with X2 pointing down."""
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +63,7 @@ def test_worksite_bodies_do_not_overlap(concept: Worksite) -> None:
         assert separation(a.vertices, b.vertices).clearance > -1e-9, (a.part, b.part)
 
 
-def test_body_shapes_have_the_vertices_of_its_solids(concept: Worksite) -> None:
+def test_shapes_of_a_body_have_the_vertices_of_its_solids(concept: Worksite) -> None:
     for body in concept.bodies:
         shapes = [np.array(shape.vertices) for shape in body.shapes if hasattr(shape, "vertices")]
         placed = [shape @ body.pose.rotation.T + body.pose.position for shape in shapes]
@@ -96,7 +96,7 @@ def test_payload_is_a_hexagonal_prism_with_a_flat_on_top(concept: Worksite) -> N
 
 
 def test_receptacle_is_numbered_as_in_the_report(concept: Worksite) -> None:
-    """C on top, b and e its sides towards -Y and +Y (port), a and f its ends; 3 by 0.5 by 0.75 ft, on the top."""
+    """Face c is on top, b and e are the sides towards -Y and +Y (port), a and f the ends; 3 by 0.5 by 0.75 ft."""
     cargo = concept.cargoes[0]
     bar = cargo.receptacle
     assert bar is not None

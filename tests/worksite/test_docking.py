@@ -46,7 +46,7 @@ def pose(position: Array, rotation: Array) -> Array:
 
 
 def found_at(out: float, across: float = 0.0, turn: Array | None = None, sides: int = 6, seed: int = 1) -> Array:
-    """Return the result of `approach` for a probe tip before and beside the port [ft], at a random pose of both."""
+    """Return the result of `approach` for a probe tip `out` and `across` from a randomly placed port [ft]."""
     rng = np.random.default_rng(seed)
     base, shift = rotations(rng, 1)[0], rng.uniform(-20.0, 20.0, 3)
     vertices, face = probe()
@@ -68,7 +68,7 @@ def test_docking_envelope_consists_of_the_extended_prism_planes(seed: int, sides
     planes = envelope(apothem, length, sides=sides, outward=outward, axis=axis, offset=(offset[0], offset[1]))
     out, up = np.array(outward), np.array(axis)
     across = np.cross(up, out)
-    # The prism's corners about the port's centre: those of face c lie in its plane and its neighbours'.
+    # Each corner of face c is in the plane of face c and in the planes of two neighbouring faces.
     middle = -(apothem * out + offset[0] * across + offset[1] * up)
     half = apothem * tan(pi / sides)
     for side in (-1.0, 1.0):
@@ -102,7 +102,7 @@ def test_square_docking_envelope_never_closes() -> None:
 def test_probe_fits_within_the_lateral_limits_of_the_dimension_table(
     out: float, sides: int, room: float | None
 ) -> None:
-    # ±0.9 ft 4 ft out, ±3.2 ft at contact; with an octagon to about 1.5 ft out.
+    # ±0.9 ft at a distance of 4 ft, ±3.2 ft at contact; an octagon has room up to about 1.5 ft from the port.
     if room is None:
         assert found_at(out, sides=sides)[INSIDE] > 0.0 > found_at(out + 0.15, sides=sides)[INSIDE]
         return

@@ -1,4 +1,4 @@
-"""Free flight: exact in time, orthonormal for hours, within its deadband; and the orbiter's translation."""
+"""Free flight: it is exact in time, orthonormal for hours, and within its deadband. Translation of the orbiter."""
 
 from __future__ import annotations
 

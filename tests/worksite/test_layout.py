@@ -46,7 +46,7 @@ def test_all_parts_are_paired_once_except_joined_and_excluded_ones() -> None:
             ("wall", "floor"),
             ("can", "bar"),
             ("mount", "upper boom"),
-            ("upper boom", "lower boom"),  # the frame between them has no solids
+            ("upper boom", "lower boom"),  # the frame between the two booms has no solids
             ("lower boom", "palm"),
             ("palm", "prong"),
             ("wall", "mount"),

@@ -128,7 +128,7 @@ def test_port_and_starboard_are_symmetric(orbiter: Worksite) -> None:
     ],
 )
 def test_bay_cameras_are_at_their_surveyed_positions(orbiter: Worksite, name: str, place: Vec3) -> None:
-    """Surveyed pan axes in structural inches; the lens is 0.18 m ahead, where its drawn body ends."""
+    """Surveyed positions of the pan axes, structural [in]; the lens is 0.18 m in front of its axis."""
     (camera,) = (camera for camera in orbiter.cameras if camera.name == name)
     length = hypot(*camera.boresight)
     axis = [p - 0.18 * b / length for p, b in zip(camera.position, camera.boresight, strict=True)]
@@ -155,7 +155,7 @@ def test_tip_above_mid_bay_is_well_inside_every_bay_camera_picture(orbiter: Work
     across = towards @ right / (towards @ ahead) / half_width
     upwards = towards @ np.cross(right, ahead) / (towards @ ahead) / (half_width * 3 / 5)
     assert abs(across) < 0.8
-    assert abs(upwards) < 0.8, "of the half height of a 5:3 picture"
+    assert abs(upwards) < 0.8, "the tip is too near the edge of a 5:3 picture"
 
 
 def test_unknown_worksite_is_rejected_with_the_built_in_names() -> None:

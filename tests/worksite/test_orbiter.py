@@ -31,7 +31,7 @@ ENVELOPE = 90.0 * INCH
 PIN = 0.03
 """Radius about the fixture's axis that contains the pin and the ball on its end [m]."""
 TIP = 56.0 * INCH
-"""From the wrist's yaw joint to the end effector's rim [m]."""
+"""Distance from the wrist yaw joint to the rim of the end effector [m]."""
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +84,7 @@ def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
 
 
 def test_perfect_capture_leaves_clearance_to_the_target_rod(orbiter: Worksite) -> None:
-    """At the end effector: 0.286 m less its radius of 0.2 m and the rod's 0.013 m. Camera and light are far behind."""
+    """It is 0.286 m minus the radii of end effector, 0.2 m, and rod, 0.013 m. Camera and light are far behind."""
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
     model = aftdeck.load_arm("srms").model
@@ -184,7 +184,7 @@ def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
 
 
 def test_berth_guides_match_the_latch_solids(orbiter: Worksite) -> None:
-    """The latch solids leave the clearance of the berth's guides beside a trunnion: low and high in the V."""
+    """Low and high in the V, the clearance of a trunnion to the latch solids is that of the berth's guides."""
     (seat,) = orbiter.seats
     (cargo,) = orbiter.cargoes
     assert seat.guides is not None

@@ -32,7 +32,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def arm_moved(rng: np.random.Generator, frames: Array, pace: float) -> Array:
-    """Return the coordinate frames one step later: the arm's moved at random twists, the others unchanged."""
+    """Return the coordinate frames one step later: those of the arm moved at random twists, the others unchanged."""
     twists = np.zeros((len(frames), 6))
     twists[1:4] = pace * rng.normal(size=(3, 6))
     return moved(frames, twists, PERIOD)
@@ -51,7 +51,7 @@ def carried(before: Array, after: Array, point: Array) -> Array:
 
 
 def gained_clearance(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array) -> tuple[float, float]:
-    """Return the clearance gained by all solids in contact, inf without any, and the largest sliding distance [m]."""
+    """Return the clearance gained by all solids in contact (inf if none) and the greatest sliding distance [m]."""
     gained, slid, touching = 0.0, 0.0, False
     for g in np.flatnonzero(counts).tolist():
         pairs = list(zip(all_pairs(made, layout, g, now), all_pairs(made, layout, g, then), strict=True))
@@ -66,8 +66,8 @@ def gained_clearance(made: list[Solid], layout: Layout, counts: Mask, now: Array
             gained += after.clearance - before.clearance
             p, q = map(np.asarray, before.closest)
             normal = (q - p) / np.linalg.norm(q - p)
-            way = carried(now[a], then[a], p) - p - (carried(now[b], then[b], q) - q)
-            slid = max(slid, float(np.linalg.norm(np.cross(way, normal))))
+            displacement = carried(now[a], then[a], p) - p - (carried(now[b], then[b], q) - q)
+            slid = max(slid, float(np.linalg.norm(np.cross(displacement, normal))))
     return (gained if touching else np.inf), slid
 
 
@@ -155,14 +155,14 @@ def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> 
         clearance = watch.found[0, CLEARANCE]
         if clearance > CONTACT:
             break
-        ways = directions(now, step)
-        gains = ways_out(watch, counts, counts, ways)
+        candidates = directions(now, step)
+        gains = ways_out(watch, counts, counts, candidates)
         best = int(gains.argmax())
         # one of three perpendicular axes is within 55 deg of any escape direction
         assert gains[best] >= step / sqrt(3.0) - 1e-12
-        assert relieves(watch, counts, counts, ways[best])
-        watch.update(now, ways[best], PERIOD)
-        now = ways[best]
+        assert relieves(watch, counts, counts, candidates[best])
+        watch.update(now, candidates[best], PERIOD)
+        now = candidates[best]
         assert watch.found[0, CLEARANCE] - clearance == pytest.approx(gains[best], abs=1e-12)
     assert watch.found[0, CLEARANCE] > CONTACT
 

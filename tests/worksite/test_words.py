@@ -177,7 +177,7 @@ def test_number_outside_its_scale_is_rejected_by_name(value: float) -> None:
 
 
 def test_frame_block_matches_hand_computed_words() -> None:
-    """HO = 90 deg, PO = -30 deg; plane 1 is X = 8 ft, the others are Z = 0 seen from below."""
+    """HO = 90 deg, PO = -30 deg; plane 1 is X = 8 ft, the other planes are Z = 0 seen from below."""
     angles = (math.pi / 2, -math.pi / 6, 0.0, 0.0, 0.0, math.pi)
     plane = WordPlane((1.0, 0.0, 0.0), 8 * 0.3048)
     words = encode_block(FrameBlock(ControlWord(1, "A"), angles, (plane, LEVEL, LEVEL)))

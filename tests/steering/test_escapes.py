@@ -50,13 +50,13 @@ def near(kind: str, rng: np.random.Generator) -> Array:
     return np.asarray(np.clip(q, HARD[:, 0] + 1e-9, HARD[:, 1] - 1e-9))
 
 
-def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
-    """Return the inputs of an escape, in the panel position that it names or else in the present one."""
-    position = way.position or mode
-    if way.stick == "joint":
-        return aftdeck.Inputs(mode=position, joint=way.axis, drive=float(way.sign))
-    x, y, z = (float(way.sign) if k == way.axis else 0.0 for k in range(3))
-    if way.stick == "translation":
+def escape_inputs(escape: WayOut, mode: str) -> aftdeck.Inputs:
+    """Return the inputs of an escape, in the panel position that the escape names, otherwise in `mode`."""
+    position = escape.position or mode
+    if escape.stick == "joint":
+        return aftdeck.Inputs(mode=position, joint=escape.axis, drive=float(escape.sign))
+    x, y, z = (float(escape.sign) if k == escape.axis else 0.0 for k in range(3))
+    if escape.stick == "translation":
         return aftdeck.Inputs((x, y, z), mode=position)
     return aftdeck.Inputs(rotation=(x, y, z), mode=position)
 
@@ -70,28 +70,28 @@ def clear(cause: str, frame: Frame) -> bool:
 
 
 def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
-    """Follow the frame's escape from each singularity and limit, updated every 2 s, until the arm has left it."""
+    """For each singularity and limit, follow the escape of the frame, updated every 2 s, until the arm is clear."""
     made = scenario(start.tolist(), f"control_period = 0.08\nduration = 80\n{extra}")
     first = aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode))
     causes = [*first.singular, *(ARM.joints[joint] for joint, zone in enumerate(first.zones) if zone)]
     assert causes, start
-    assert [way.cause for way in first.ways_out] == (["contact"] if first.work.arm_inhibit else causes)
+    assert [escape.cause for escape in first.ways_out] == (["contact"] if first.work.arm_inhibit else causes)
     for cause in causes:
         sim = aftdeck.Simulation(made)
-        frame, read = sim.step(aftdeck.Inputs(mode=mode)), []
+        frame, texts = sim.step(aftdeck.Inputs(mode=mode)), []
         while not clear(cause, frame):
             if frame.work.arm_inhibit:
                 (contact,) = frame.ways_out
                 assert contact.cause == "contact"
                 assert frame.time_s < seconds, (start.tolist(), mode, extra, cause, frame.work.inhibits)
-                frame = fly(sim, 2.0, taken(contact, mode))[-1]
+                frame = fly(sim, 2.0, escape_inputs(contact, mode))[-1]
                 continue
-            advice = next(way for way in frame.ways_out if way.cause == cause)
-            read.append(advice.text)
-            assert frame.time_s < seconds, (start.tolist(), mode, extra, cause, read)
+            advice = next(escape for escape in frame.ways_out if escape.cause == cause)
+            texts.append(advice.text)
+            assert frame.time_s < seconds, (start.tolist(), mode, extra, cause, texts)
             if "as-flown" in extra and 2 in frame.zones:
                 assert advice.stick == "joint", frame.zones  # as flown, only SINGLE leads back
-            frame = fly(sim, 2.0, taken(advice, mode))[-1]
+            frame = fly(sim, 2.0, escape_inputs(advice, mode))[-1]
             assert np.isfinite([*frame.angles, *frame.rates]).all()
 
 
@@ -127,11 +127,11 @@ def test_escapes_lead_out_with_a_heavy_payload(seed: int, mode: str) -> None:
 @pytest.mark.parametrize(
     "start",
     [
-        # shoulder pitch alone does not lead out here: its way ends at its stop, or the folded arm is too short for it
+        # shoulder pitch alone is no escape here: the joint reaches its stop, or the folded arm is too short
         (115.469, 88.788, -158.281, -96.997, -106.507, -89.65),
         (-107.884, 130.465, -70.984, -73.09, -90.0, 50.966),
         (26.557, 135.806, -85.422, 77.213, -101.794, -41.189),
-        # the elbow between straight and its upper stop, which is too near to be a way out
+        # the elbow is between straight and its upper stop; the stop is too near for an escape
         (142.0, 5.872, -1.589, -39.584, 98.826, 104.884),
         (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     ],
@@ -164,28 +164,34 @@ def test_invariants_hold_from_many_poses_near_singularities(kind: str, seed: int
 def test_escape_in_joint_modes_is_a_joint_in_the_present_mode() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
     for mode in ("SINGLE", "DIRECT", "MASTER"):
-        (way,) = sim.step(aftdeck.Inputs(mode=mode)).ways_out
-        assert (way.cause, way.stick, way.axis, way.sign, way.position) == ("wrist", "joint", 4, -1, mode)
-        assert way.text == f"{mode} wrist yaw −"
+        (escape,) = sim.step(aftdeck.Inputs(mode=mode)).ways_out
+        assert (escape.cause, escape.stick, escape.axis, escape.sign, escape.position) == (
+            "wrist",
+            "joint",
+            4,
+            -1,
+            mode,
+        )
+        assert escape.text == f"{mode} wrist yaw −"
 
 
 def test_escape_in_automatic_mode_names_orb_unl() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
     (by_hand,) = sim.step(aftdeck.Inputs(mode="ORB UNL")).ways_out
-    (way,) = sim.step(aftdeck.Inputs(mode="OPR CMD")).ways_out
-    assert (by_hand.position, way.position) == ("", "ORB UNL")
-    assert (way.stick, way.axis, way.sign) == (by_hand.stick, by_hand.axis, by_hand.sign)
-    assert way.text == f"ORB UNL, {by_hand.text}"
+    (escape,) = sim.step(aftdeck.Inputs(mode="OPR CMD")).ways_out
+    assert (by_hand.position, escape.position) == ("", "ORB UNL")
+    assert (escape.stick, escape.axis, escape.sign) == (by_hand.stick, by_hand.axis, by_hand.sign)
+    assert escape.text == f"ORB UNL, {by_hand.text}"
 
 
 def test_escape_text_names_stick_axis_and_sign() -> None:
     state = aftdeck.Simulation(scenario())._state
     for k in range(12):
-        way = by_stick(state, "contact", k)
-        stick, direction = way.text.split(" ")
-        names = ("X", "Y", "Z") if way.stick == "translation" else ("roll", "pitch", "yaw")
-        assert stick == ("THC" if way.stick == "translation" else "RHC")
-        assert direction == ("+" if way.sign > 0 else "−") + names[way.axis]
+        escape = by_stick(state, "contact", k)
+        stick, direction = escape.text.split(" ")
+        names = ("X", "Y", "Z") if escape.stick == "translation" else ("roll", "pitch", "yaw")
+        assert stick == ("THC" if escape.stick == "translation" else "RHC")
+        assert direction == ("+" if escape.sign > 0 else "−") + names[escape.axis]
 
 
 def test_no_escape_far_from_limits() -> None:
@@ -196,24 +202,28 @@ def test_no_escape_far_from_limits() -> None:
 def test_escape_joint_needs_the_least_rotation(kind: str) -> None:
     rng = np.random.default_rng([226, KINDS.index(kind)])
     which, leavers = KINDS.index(kind), {"shoulder": (1, 2, 3), "elbow": (2,), "wrist": (4,)}[kind]
-    ways = np.radians(np.arange(0.25, 320.0, 0.25))
-    tried = 0
-    while tried < 15:
+    rotations = np.radians(np.arange(0.25, 320.0, 0.25))
+    tested = 0
+    while tested < 15:
         q = np.clip(near(kind, rng), REACH[:, 0], REACH[:, 1])
         ways_out = aftdeck.Simulation(scenario(q.tolist())).step(aftdeck.Inputs(mode="SINGLE")).ways_out
-        for way in ways_out:
-            if way.cause != kind:
+        for escape in ways_out:
+            if escape.cause != kind:
                 continue
-            tried += 1
+            tested += 1
             least = {}
             for joint in leavers:
                 for sign in (-1, 1):
-                    there = np.tile(np.radians(q), (len(ways), 1))
-                    there[:, joint] += sign * ways
-                    inside = (there[:, joint] > np.radians(REACH[joint, 0])) & (
-                        there[:, joint] < np.radians(REACH[joint, 1])
+                    angles = np.tile(np.radians(q), (len(rotations), 1))
+                    angles[:, joint] += sign * rotations
+                    inside = (angles[:, joint] > np.radians(REACH[joint, 0])) & (
+                        angles[:, joint] < np.radians(REACH[joint, 1])
                     )
-                    clear = np.flatnonzero((np.abs(ARM.singularities(there)[which]) > 0.2) & inside)
-                    least[joint, sign] = ways[clear[0]] if len(clear) else math.inf
-            # ways are looked along in steps of half a degree
-            assert least[way.axis, way.sign] <= min(least.values()) + math.radians(0.8), (q.tolist(), way, least)
+                    clear = np.flatnonzero((np.abs(ARM.singularities(angles)[which]) > 0.2) & inside)
+                    least[joint, sign] = rotations[clear[0]] if len(clear) else math.inf
+            # the simulation searches in steps of half a degree
+            assert least[escape.axis, escape.sign] <= min(least.values()) + math.radians(0.8), (
+                q.tolist(),
+                escape,
+                least,
+            )

@@ -18,7 +18,7 @@ from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.messages.frame import Aim
 from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import Flight
-from tests.scenario.missions import TOLD, TURNING_POINTS
+from tests.scenario.missions import EXPECTED_KINDS, TURNING_POINTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -67,7 +67,7 @@ def test_mission_of_a_script_is_flown_manually(open_page: OpenPage, mission: str
     flight.until("frame.time_s < 5")
     newest = sorted(recordings.glob("*.mcap"), key=lambda path: path.stat().st_mtime)[-2]
     events = [event for _, record in Recording(newest).steps() for event in record.events]
-    assert [event.kind for event in events if event.kind in TURNING_POINTS] == TOLD[mission]
+    assert [event.kind for event in events if event.kind in TURNING_POINTS] == EXPECTED_KINDS[mission]
     assert not {event.kind for event in events} & {"fault", "inhibit", "missed"}
     assert {record.by for _, record in Recording(newest).steps()} == {"hand"}
     assert verify(newest).equal
@@ -113,7 +113,7 @@ def _fly(flight: Flight, phase: PhasePlan, aim: Aim | None) -> None:
 
 @contextmanager
 def _held(flight: Flight, key: str | None) -> Iterator[None]:
-    """Hold a key, if one is given, during the `with` block."""
+    """Hold a key during the `with` block; without a key, do nothing."""
     if key is not None:
         flight.hold(key)
     yield
