@@ -159,7 +159,7 @@ def test_booms_are_15_in_wide_and_on_the_boom_line(srms: ArmShapes, frame: str, 
 
 
 def in_arm_axes(structural: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Return structural components [in] (aft, starboard, up) along L's axes [m] (aft, port, down, leaning to port)."""
+    """Convert structural components [in] (aft, starboard, up) to L's axes [m] (aft, port, down), tilted by `LEAN`."""
     x, y, z = (component * INCH for component in structural)
     return x, -cos(LEAN) * y - sin(LEAN) * z, sin(LEAN) * y - cos(LEAN) * z
 

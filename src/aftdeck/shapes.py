@@ -229,7 +229,7 @@ class Light(_Placed, frozen=True, kw_only=True, tag="light"):
     reach: float
     """Range of the light [m]."""
     intensity: float
-    """Intensity on the lamp's axis [cd], on the scale in which the sun gives 4.1 lx."""
+    """Illuminance on the lamp's axis at a distance of 1 m, in relative units; full sunlight is 4.1."""
     switch: str = "lamps"
     """Name of the panel's switch for this lamp. Several lamps may have the same switch."""
 

@@ -162,9 +162,10 @@ def collisions(page: Scripted, within: str = "body") -> list[str]:
 
 
 def assert_readable(page: Scripted, within: str = "body", least: int = 80) -> None:
-    """Assert that there are more than `least` texts, each with a contrast of 4.5 or more and 10 px or more.
+    """Assert that there are more than `least` texts, each readable.
 
-    `within` is the selector of the part that is checked.
+    A text is readable if its contrast is at least 4.5 and its font size is at least 10 px. `within` is the
+    selector of the part that is checked.
     """
     texts = page.script(_TEXTS.replace("WITHIN", within))
     assert len(texts) > least

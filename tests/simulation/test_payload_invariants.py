@@ -1,4 +1,4 @@
-"""Payloads exist once and never jump, whether held, fixed or free, and in every transition."""
+"""Each payload exists exactly once and never jumps: while it is held, fixed or free, and in every transition."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Capture by the snares and latching: only in frames in which independently computed conditions hold."""
+"""The snares capture a payload, and latches fix it, only in frames in which independent conditions hold."""
 
 from __future__ import annotations
 

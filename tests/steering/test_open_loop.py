@@ -1,4 +1,4 @@
-"""Mode 3: a plan that is made once and never corrected, with a clock that runs at RATIO."""
+"""Mode 3: a plan that is made once and never corrected; each step advances its clock by RATIO control periods."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def final_error_after_a_disturbance(law: str) -> tuple[float, float]:
 def test_mode_2_corrects_a_disturbance_and_mode_3_does_not() -> None:
     assert final_error_after_a_disturbance("closed loop") < (1e-4, 2e-5)
     distance, turn = final_error_after_a_disturbance("open loop")
-    # half a degree of shoulder pitch, which is 8 m or more from the tip
+    # an error of half a degree in shoulder pitch; the shoulder joint is 8 m or more from the tip
     assert 0.05 < distance < 0.2 and turn == pytest.approx(math.radians(0.5), rel=0.2)
 
 

@@ -172,7 +172,10 @@ def test_station_points_have_cameras_that_zoom_from_25_to_60_deg(concept: Worksi
 
 
 def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
-    """Return whether a point of the scene is in the 5:3 start picture of a camera on a body at a pose."""
+    """Return whether a camera sees a point of the scene at the start, in a picture of 5:3.
+
+    `pose` is the pose of the body that carries the camera.
+    """
     camera = next(camera for camera in worksite.cameras if camera.name == name)
     towards = pose.rotation.T @ (point - pose.position) - np.array(camera.position)
     ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)

@@ -79,13 +79,13 @@ def unpack(body: Array) -> Array:
 
 @law
 def vertex(body: Array, v: int) -> Vector:
-    """Return a vertex of a packed body, numbered from zero [m]."""
+    """Return the position of vertex v of a packed body [m]; vertices are numbered from zero."""
     return Vector(body[X + v], body[Y + v], body[Z + v])
 
 
 @law
 def face_normal(body: Array, f: int) -> Vector:
-    """Return the outward unit normal of a face of a packed body, numbered from zero [1]."""
+    """Return the outward unit normal of face f of a packed body [1]; faces are numbered from zero."""
     return Vector(body[NX + f], body[NY + f], body[NZ + f])
 
 

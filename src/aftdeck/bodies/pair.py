@@ -21,8 +21,9 @@ FEATURE_A, FEATURE_B = 11, 12
 """Features of a and of b that touch, pierce or are closest. A feature is stored as the sum of 2**(v - 1) over its
 vertices v."""
 SIZE, SIMPLEX = 13, 14
-"""Number, at most 3, of the corners of the Minkowski difference that span the closest point; and these corners. A
-corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered from zero."""
+"""Corners of the Minkowski difference whose point, segment or triangle contains the closest point: their number, at
+most 3, and then the corners. A corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered
+from zero."""
 PAIR = 17
 """Number of values in a packed pair."""
 

@@ -42,7 +42,7 @@ def least(body: Array, v: Vector) -> float:
 
 @law
 def lowest(body: Array, v: Vector) -> int:
-    """Return the vertex of a packed body, numbered from zero, with the least dot product with a vector."""
+    """Return the index, from zero, of the vertex of a packed body whose dot product with a vector is least."""
     x, y, z = v.x, v.y, v.z
     p0 = x * body[0] + y * body[8] + z * body[16]
     p1 = x * body[1] + y * body[9] + z * body[17]

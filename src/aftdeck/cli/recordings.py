@@ -179,12 +179,12 @@ def _print_outcome(file: Path, o: Outcome) -> None:
         print(f"  first        at {o.first.time_s:.2f} s:")
         _print_fields(o.first.fields)
     print(
-        f"  tip          at most {o.greatest_tip_m.value:.3f} m apart, at {o.greatest_tip_m.time_s:.2f} s; "
+        f"  tip          difference at most {o.greatest_tip_m.value:.3f} m, at {o.greatest_tip_m.time_s:.2f} s; "
         f"{o.tip_at_end_m:.3f} m at the end"
     )
     if o.joint:
         angle = math.degrees(o.greatest_joint_rad.value)
-        print(f"  joints       at most {angle:.2f} deg apart: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s")
+        print(f"  joints       difference at most {angle:.2f} deg: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s")
     for event in o.events[:MAX_EVENTS]:
         when = [f"{t:.2f} s" if t is not None else "never" for t in (event.before_s, event.after_s)]
         print(f"  event        {when[0]} -> {when[1]}: {event.text}")

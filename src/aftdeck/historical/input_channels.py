@@ -80,7 +80,10 @@ def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
     angles = []
     for channel, (name, angle) in enumerate(zip(JOINTS, inputs.angles, strict=True), 3):
         if not abs(angle) <= FULL_SCALE:
-            raise InputError(f"channel {channel}, {name}, is {angle:g} rad; it holds -{FULL_SCALE:g} to {FULL_SCALE:g}")
+            raise InputError(
+                f"channel {channel}, {name}, is {angle:g} rad; the range of the channel is -{FULL_SCALE:g} to "
+                f"{FULL_SCALE:g} rad"
+            )
         angles.append(angle / FULL_SCALE)
     return (
         _level(RUN, inputs.initialise, "channel 1, initialise"),

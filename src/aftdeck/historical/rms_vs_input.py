@@ -92,7 +92,7 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
 
 
 def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
-    """Return the inputs of the step that the thirteen channels command.
+    """Return the inputs of one step, as the thirteen channels give them.
 
     Args:
         settings: settings of the channels.

@@ -1,4 +1,4 @@
-"""Channels and words file: RMS-VS's channels and words, one line of JSON for each control step of a run.
+"""File of RMS-VS's channels and words, with one line of JSON for each control step of a run.
 
 A run can write such a file, or use one as its input. A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in
 full precision) and ``words`` (TABLE II, 32 numbers in octal). If a command has no channel, or a value has no code, the
@@ -49,11 +49,11 @@ class Line(NamedTuple):
 
 
 class WordsWriter:
-    """Writer of a channels and words file; it must write every step of a run, from the first step on.
+    """Writer of a file of channels and words; it must write every step of a run, beginning with the first.
 
     Attributes:
         steps: number of steps written so far.
-        unsaid: for each name in ``unsaid`` so far, the number of lines with this name.
+        unsaid: a count for each name: number of the lines written so far whose field ``unsaid`` contains the name.
     """
 
     def __init__(self, file: TextIO, scenario: Scenario) -> None:
@@ -91,7 +91,7 @@ def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line
 
 @contextmanager
 def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
-    """Open a new channels and words file for a run of a scenario; delete the file if the run raises an error.
+    """Open a new file of channels and words for a run of a scenario; delete the file if the run raises an error.
 
     Raises:
         InputError: the scenario's arm is not the report's arm, or the file already exists or cannot be written.
@@ -124,7 +124,7 @@ def check_arm(scenario: Scenario) -> None:
 
 
 class _Sample(msgspec.Struct, frozen=True):
-    """Fields that are read from a line of a channels and words file."""
+    """Fields that are read from a line of a file of channels and words."""
 
     volts: Annotated[tuple[float, ...], msgspec.Meta(min_length=CHANNELS, max_length=CHANNELS)]
     time_s: float | None = None
@@ -132,11 +132,11 @@ class _Sample(msgspec.Struct, frozen=True):
 
 
 class Channels(NamedTuple):
-    """Channels read from a channels and words file.
+    """Channels read from a file of channels and words.
 
     Attributes:
         samples: the operator's inputs, one for each control step.
-        unsaid: for each name in ``unsaid`` of any line, the number of lines with this name.
+        unsaid: a count for each name: number of the lines whose field ``unsaid`` contains the name.
     """
 
     samples: tuple[OperatorInputs, ...]
@@ -144,7 +144,7 @@ class Channels(NamedTuple):
 
 
 def read_channels(path: Path, period: float) -> Channels:
-    """Return the channels from a channels and words file.
+    """Return the channels from a file of channels and words.
 
     Args:
         path: the file.
@@ -172,7 +172,7 @@ def read_channels(path: Path, period: float) -> Channels:
             raise InputError(f"{path}:{number}: {error}") from None
         unsaid.update(sample.unsaid)
     if not samples:
-        raise InputError(f"{path}: the file is empty; each control step needs a line with its thirteen volts")
+        raise InputError(f"{path}: the file is empty; each control step needs a line with its thirteen voltages")
     return Channels(tuple(samples), unsaid)
 
 

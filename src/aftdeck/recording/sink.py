@@ -1,7 +1,7 @@
 """Unbuffered file for the MCAP writer; its methods raise no exceptions.
 
 If the program is killed, no bytes are lost in a buffer. The writer's library logs an error instead of raising it.
-Therefore this file, once open, raises no error but stores the first one.
+Therefore, once this file is open, its methods do not raise errors; it stores the first error that occurs.
 """
 
 from __future__ import annotations

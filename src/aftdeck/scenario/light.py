@@ -37,7 +37,7 @@ class Glow(_Part, frozen=True):
 
     colour: Colour
     strength: Strength
-    """Illuminance [lx], on the scale in which full sunlight is 4.1 lx."""
+    """Illuminance in relative units; full sunlight is 4.1."""
 
 
 class SkyGlow(_Part, frozen=True):
@@ -61,7 +61,7 @@ class LightCondition(_Part, frozen=True):
     earthshine: Glow
     sky: SkyGlow
     exposure: float
-    """Initial exposure of the cameras [stops above the exposure for full sunlight]."""
+    """Initial exposure of the cameras [photographic stops above the exposure for full sunlight]."""
     source: Annotated[str, msgspec.Meta(min_length=1)]
 
 
@@ -70,7 +70,7 @@ class LockedExposure(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     camera: Name
     stops: Annotated[float, msgspec.Meta(ge=-20.0, le=20.0)]
-    """Exposure of the camera [stops above the exposure for full sunlight]."""
+    """Exposure of the camera [photographic stops above the exposure for full sunlight]."""
 
 
 class Lighting(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

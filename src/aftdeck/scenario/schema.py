@@ -44,8 +44,8 @@ class PoseSpec(_Part, frozen=True):
     - `seat` names a berth. The pose is the one at which the held payload is in this berth.
     - `above` moves such a pose back by a distance: along the end effector, up out of the bay, or out from the port.
     - `offset` displaces such a pose along the axes of the payload or of the berth.
-    - `frame` may name a body, a berth or a payload. Position and orientation, given as in L, are then in the axes of
-      this object.
+    - `frame` may name a body, a berth or a payload. Position and orientation then have the same form as in L, but refer
+      to the axes of this object.
     """
 
     joints: SixAngles | None = None

@@ -114,7 +114,7 @@ def _grasped(
     index = cargo_index(problems, arm, references.cargo, spec.cargo, (*where, "cargo"))
     angles = None
     if (spec.joints is None) == (spec.above is None):
-        problems.add(where, "give either joints (six angles), or above")
+        problems.add(where, "give either `joints` (six angles) or `above`")
     elif spec.joints is not None:
         angles = joint_angles(problems, raised, spec.joints, (*where, "joints"))
     elif index is not None:

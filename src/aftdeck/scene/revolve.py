@@ -33,8 +33,8 @@ def revolve(
     A closed profile, or one that begins and ends on the axis, gives a closed surface.
 
     Args:
-        profile: points (coordinate along the axis, distance from the axis) [m]. As seen in the direction from point to
-            point, the outside is to the left.
+        profile: points (coordinate along the axis, distance from the axis) [m]. On the path from each point to the
+            next, the outside is to the left.
         axis: axis of revolution.
         segments: number of segments of the sweep.
         start: angle at which the sweep begins [rad].

@@ -24,7 +24,7 @@ SIDES = 16
 LARGE = 1.0
 """A round body of at least this radius has twice as many sides [m]."""
 FEWEST_PIECES = 4
-"""Least number of sides of a partial turn."""
+"""Least number of sides of a round body that is swept through only a part of a circle."""
 _RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))
 """Vertices of a hexahedron's faces a to f, numbered from zero, counter-clockwise as seen from outside."""
 
@@ -90,10 +90,10 @@ def _shell(shape: Shell, sides: int) -> Mesh:
 
 
 def _round(radius: float, sides: int) -> int:
-    """Return the number of sides of a full turn."""
+    """Return the number of flat sides of a complete round body."""
     return sides if radius < LARGE else 2 * sides
 
 
 def _part(sweep: float, radius: float, sides: int) -> int:
-    """Return the number of sides of a partial turn."""
+    """Return the number of flat sides of a round body that is swept through only a part of a circle."""
     return max(FEWEST_PIECES, math.ceil(_round(radius, sides) * min(sweep / math.tau, 1.0)))

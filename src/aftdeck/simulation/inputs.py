@@ -65,7 +65,7 @@ class Inputs(msgspec.Struct, frozen=True):
     effector_mode: Literal["auto", "manual"] | None = None
     """END EFFECTOR MODE: in auto the end effector switch moves snares and carriage, in manual only the snares."""
     rigid: Literal["off", "rigid", "derigid"] | None = None
-    """END EFFECTOR MAN CONTR: moves the carriage and its tension, if END EFFECTOR MODE is manual."""
+    """END EFFECTOR MAN CONTR: moves the carriage and changes its tension, if END EFFECTOR MODE is manual."""
     latch: Literal["latch", "unlatch"] | None = None
     """LATCH or UNLATCH of a berth, pressed in this step: fix the payload in its berth, or release it."""
     telescope: float = 0.0

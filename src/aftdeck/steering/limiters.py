@@ -74,10 +74,10 @@ class Ratio(NamedTuple):
 
 @law
 def braked(gap: float, deceleration: float, dt: float) -> float:
-    """Return the greatest rate from which steps of `dt` at this deceleration end at rest within `gap`; 0 if gap <= 0.
+    """Return the greatest rate from which a motion can stop within the distance `gap`; 0 if gap <= 0.
 
-    Let n be the least sufficient number of steps. Then n rates, each lower than the previous one by
-    deceleration * dt and the last above zero, cover the gap exactly.
+    The motion slows with this deceleration, in steps of `dt`. Let n be the least sufficient number of steps. Then n
+    rates, each lower than the previous one by deceleration * dt and the last above zero, cover the gap exactly.
     """
     if gap <= 0.0:
         return 0.0
@@ -90,8 +90,8 @@ def braked(gap: float, deceleration: float, dt: float) -> float:
 def avclmt(rules: Array, demanded: Twist, present: Twist) -> tuple[Twist, int]:
     """Return the tip twist that the limits of speed and acceleration allow (AVCLMT).
 
-    As published (`strict`), acceleration is limited first and speed second. As corrected, speed is limited first. The
-    results differ only if the present speed is above its limit, because the limit was just lowered. The published
+    As published (`strict`), acceleration is limited first and speed second. The corrected version limits speed first.
+    The results differ only if the present speed is above its limit, because the limit was just lowered. The published
     version then reduces the speed to the new limit in one step.
 
     Returns:

@@ -143,7 +143,7 @@ def _size_text(condition: Condition, value: float, units: Units) -> str:
 
 
 def _bound_texts(bounds: tuple[float, ...], unit: Unit, units: Units) -> list[str]:
-    """Return the texts of the bounds of a range. The bounds have one unit, which only the last text contains."""
+    """Return the texts of the bounds of a range. All bounds have the same unit; only the last text contains it."""
     per, suffix = _scale(max(map(abs, bounds), default=0.0), unit, units)
     texts = [_digits(bound * per, _FIGURES) for bound in bounds]
     return [*texts[:-1], *(text + suffix for text in texts[-1:])]
@@ -200,7 +200,7 @@ def _digits(value: float, figures: int) -> str:
 
 
 class _Worded(NamedTuple):
-    """Words of a condition.
+    """Text of a condition, with numbers to insert.
 
     Attributes:
         words: the text with `{}` in place of each number.
@@ -215,7 +215,7 @@ class _Worded(NamedTuple):
 
 @functools.lru_cache(maxsize=1024)
 def _worded(measured: str, least: float, greatest: float, holds: bool) -> _Worded:
-    """Return a condition's words. If only a negative value fails, the range is omitted while the condition holds."""
+    """Return a condition's text. If only a negative value fails, the range is omitted while the condition holds."""
     sized = "{}" in measured
     if least == 0.0 and greatest == math.inf:
         return _Worded(measured if holds else f"{measured}, none{_ALLOWED}", (), sized)

@@ -218,8 +218,8 @@ class Essential(msgspec.Struct, frozen=True):
     relation: Relation
     """Name of the conditions; while they do not hold, the contact is detrimental."""
     depth: float
-    """Greatest penetration depth at which the contact is essential [m]. In the conditions, planes bound the position of
-    a part; the part may be beyond these planes by the same distance."""
+    """Greatest penetration depth at which the contact is essential [m]. Planes in the conditions bound the position of
+    a part; the part may be beyond each plane by up to this depth."""
 
 
 class Bay(msgspec.Struct, frozen=True):

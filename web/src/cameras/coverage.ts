@@ -24,7 +24,7 @@ export class Survey {
     this.payloads = welcome.bodies.map(({ name }) => name).filter((name) => names.has(name));
   }
 
-  /** Surveys the next `count` cameras at a frame, which the scene must show already. */
+  /** Surveys the next `count` cameras for a frame. The scene must already show this frame. */
   look(frame: Frame, gap: ClosestPoints | null, count: number): void {
     const { cameras } = this.welcome;
     this.at = {
@@ -111,6 +111,6 @@ export function pairWords(pair: Pair | null): readonly string[] {
   const angle = (radians: number) => `${Math.round((radians * 180) / Math.PI)}°`;
   return [
     `${a.camera} and ${b.camera} both see the ${pair.targets.join(' and the ')}, ${angle(pair.apart)} apart.`,
-    `Sticks against picture: ${a.camera} ${angle(a.turned)}, ${b.camera} ${angle(b.turned)}.`,
+    `Angle between stick axes and picture: ${a.camera} ${angle(a.turned)}, ${b.camera} ${angle(b.turned)}.`,
   ];
 }

@@ -61,7 +61,7 @@ export class Monitors {
     return this.hand.picture.camera;
   }
 
-  /** Deflections of the selected camera's switches that a drag or the wheel commands. */
+  /** Deflections of the selected camera's switches, commanded by a drag, a pinch or the mouse wheel. */
   get turning(): Turning {
     return this.hand.picture.turning(performance.now());
   }

@@ -86,7 +86,7 @@ export class Pictures {
     this.panes = new Panes(this.canvas, this.monitors, this.matrix, drawing);
   }
 
-  /** Exposure of a camera's picture [stops over full sunlight]. */
+  /** Exposure of a camera's picture [photographic stops above the exposure for full sunlight]. */
   stops({ name }: Camera): number {
     return this.scene.stops(name);
   }

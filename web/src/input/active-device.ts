@@ -101,7 +101,7 @@ export function isDown(device: Read, source: string, sign: 1 | -1): boolean {
   return source.split('+').every((part) => deflectionOf(device, part) === 1);
 }
 
-/** Returns the deflection of an axis from its rest position, or 1 for a pressed button and 0 for another one. */
+/** Returns the deflection of an axis from its rest position; for a button, 1 if it is pressed and 0 if not. */
 function deflectionOf({ reading, mapping }: Read, part: string): number {
   if (!reading) return 0;
   const axis = indexOf(part, 'a');

@@ -16,7 +16,7 @@ export interface Reading {
 /** `none`: never seen · `waiting`: not at zero yet · `flying`: in use · `lost`: disconnected while in use. */
 export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
 
-/** Time without motion after which an axis off zero counts as at rest [ms]. */
+/** Time without motion after which an axis that is not at zero counts as at rest [ms]. */
 const REST_MS = 1500;
 /** Changes of an axis below this are noise of its sensor, not motion. */
 const STILL = 0.02;
@@ -57,11 +57,17 @@ export class Device {
   name = '';
   /** Present reading; null if the device is not connected. */
   reading: Reading | null = null;
-  /** Whether the device is off zero without motion. This is a sensor's offset, not a deflection. */
+  /**
+   * Whether the device, which is not in use yet, reports a value that is not zero and does not change. The cause is an
+   * offset of its sensor, not a deflection.
+   */
   resting = false;
   /** Pressed buttons, each with the function that it had when it was pressed. */
   private readonly down = new Map<number, string | undefined>();
-  /** A pressed button that changes the functions of others, until another button is pressed with it. */
+  /**
+   * The button that was pressed last, if it can change the functions of other buttons; else null. If it is released
+   * before another button is pressed, it performs its own function.
+   */
   private alone: number | null = null;
   private still: { axes: readonly number[]; since: number } = { axes: [], since: 0 };
 

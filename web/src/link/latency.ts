@@ -52,8 +52,8 @@ export class Latency {
 
   /**
    * Whether the next picture should wait, because a frame with a newer input than `stickSeq` will arrive soon. A
-   * picture that is started now would delay that frame's picture. During continuous inputs, pictures wait only
-   * for some inputs.
+   * picture that is started now would delay that frame's picture. While inputs arrive continuously, pictures are
+   * delayed for at most one input in each period of `HELD_MS`.
    */
   due(stickSeq: number, now: number): boolean {
     if (this.cameraDelay > 0) return false;

@@ -173,7 +173,7 @@ export interface Light {
   readonly cone: number;
   /** Range of the light [m]. */
   readonly reach: number;
-  /** Intensity on the lamp's axis [cd], on the scale in which the sun gives 4.1 lx. */
+  /** Illuminance on the lamp's axis at a distance of 1 m, in relative units; full sunlight is 4.1. */
   readonly intensity: number;
   /** Name of the panel's switch for this lamp. Several lamps may have the same switch. */
   readonly switch: string;
@@ -294,7 +294,7 @@ export interface Lighting {
 /** Locked exposure of a camera. A locked exposure does not follow the brightness of the picture. */
 export interface LockedExposure {
   readonly camera: string;
-  /** Exposure of the camera [stops above the exposure for full sunlight]. */
+  /** Exposure of the camera [photographic stops above the exposure for full sunlight]. */
   readonly stops: number;
 }
 
@@ -710,7 +710,7 @@ export interface LightCondition {
   readonly sun: Glow;
   readonly earthshine: Glow;
   readonly sky: SkyGlow;
-  /** Initial exposure of the cameras [stops above the exposure for full sunlight]. */
+  /** Initial exposure of the cameras [photographic stops above the exposure for full sunlight]. */
   readonly exposure: number;
   readonly source: string;
 }
@@ -718,7 +718,7 @@ export interface LightCondition {
 /** Light from one side. */
 export interface Glow {
   readonly colour: string;
-  /** Illuminance [lx], on the scale in which full sunlight is 4.1 lx. */
+  /** Illuminance in relative units; full sunlight is 4.1. */
   readonly strength: number;
 }
 
@@ -1138,7 +1138,11 @@ export interface Display {
    * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
    */
   readonly fixture: number | null;
-  /** Vector of the length `fixture`, in the control frame [m]; null if `fixture` is null or the mode has no sticks. */
+  /**
+   * Vector from the empty snares to this fixture, in the control frame [m]; its length is `fixture`.
+   *
+   * Null if `fixture` is null or the mode has no sticks.
+   */
   readonly to_fixture: Vec3 | null;
   /** Displacement of the orbiter: forward, starboard, down [m]. */
   readonly orbiter: Vec3;

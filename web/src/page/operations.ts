@@ -30,7 +30,7 @@ export class Operations {
     this.parts.spine.acknowledge();
   }
 
-  /** Shows only the log lines that belong to the pressed lamp, and outlines the groups that the lamp concerns. */
+  /** Shows only the log lines that belong to the pressed lamp, and outlines the elements to which the lamp refers. */
   explain(lamp: LampName): void {
     const concern = LAMPS[lamp];
     this.parts.log.keepTo(lamp, concern.kinds);

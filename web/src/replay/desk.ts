@@ -1,4 +1,4 @@
-/** The desk as flown: the groups of the desk, drawn from recorded frames. Their controls have no effect. */
+/** The desk as it was during the run: its groups, drawn from recorded frames. Their controls have no effect. */
 
 import { NO_CONTROLLERS } from '../input/controllers';
 import type { Frame, PlaybackIndex } from '../link/protocol';
@@ -20,7 +20,7 @@ export class FlownDesk {
     this.groups = deskGroups(desk, this.events, { plane() {}, controlPage() {}, flyOrbiter() {} });
     this.element = el(
       'section',
-      { class: 'desk', 'aria-label': 'Desk as flown', inert: '' },
+      { class: 'desk', 'aria-label': 'Desk of the recorded run', inert: '' },
       ...this.groups.elements,
     );
   }

@@ -38,7 +38,7 @@ export function stretchAt(stretches: readonly Stretch[], position: number): numb
   return low;
 }
 
-/** Returns the end at which a stretch is drawn, so that there is a gap before the next stretch. */
+/** Returns the time up to which a stretch is drawn. It is before the end, so there is a gap to the next stretch. */
 function endOf({ start_s, end_s }: Stretch, span: Span): number {
   return end_s - Math.min(GAP * lengthOf(span), GAP_OF_STRETCH * (end_s - start_s));
 }

@@ -1,4 +1,4 @@
-/** The page of a replay: monitors, figures of the run, and below them the time axis. It follows the playhead. */
+/** The page of a replay: monitors, summary values of the run, and below them the time axis. It follows the playhead. */
 
 import { Pictures } from '../cameras/pictures';
 import type { Frame, PlaybackIndex } from '../link/protocol';

@@ -1,4 +1,4 @@
-/** Figures of the run, and its log up to the playhead, at the right of the monitors. */
+/** Values that summarise the run, and its log up to the playhead, at the right of the monitors. */
 
 import type { PlaybackIndex } from '../link/protocol';
 import { button, el, group, setClass, setText } from '../panel/parts/dom';

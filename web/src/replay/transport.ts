@@ -50,7 +50,7 @@ export class Transport {
         }),
       };
     });
-    this.desk = button({ title: 'Show the desk as flown: D' }, ['Desk'], () => listener.desk());
+    this.desk = button({ title: 'Show the desk of the recorded run: D' }, ['Desk'], () => listener.desk());
     this.asFlown = button(
       { title: 'Show the cameras that the monitors had in the run: A' },
       ['As flown'],

@@ -7,13 +7,13 @@ export interface Daylight {
   readonly name: string;
   readonly toSun: Vector3;
   readonly nadir: Vector3;
-  /** Colour times strength. Full sunlight has strength 4.1, on the scale of the lamps in files. */
+  /** Colour times strength, in relative units: full sunlight has strength 4.1. Lamps in files use the same units. */
   readonly sun: Color;
   readonly earthshine: Color;
   /** Light from the half sphere above the orbiter (`above`), and from the half sphere below the orbiter (`below`). */
   readonly above: Color;
   readonly below: Color;
-  /** Exposure when the light condition begins [stops over full sunlight]. */
+  /** Exposure when the light condition begins [photographic stops above the exposure for full sunlight]. */
   readonly exposure: number;
 }
 

@@ -24,7 +24,10 @@ export const LIMB = Math.asin(EARTH / ORBIT);
 const NIGHT = '0.004';
 const UP = new Vector3(0, 0, 1);
 
-/** Computes the directions of the sky, which do not depend on the camera's position; drawn behind everything. */
+/**
+ * Computes the direction in which each point of the sky is seen; it does not depend on the camera's position. The sky
+ * is drawn behind everything else.
+ */
 const vertexShader = /* glsl */ `
   varying vec3 ray;
   #ifdef PAINTED

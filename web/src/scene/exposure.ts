@@ -1,4 +1,7 @@
-/** Automatic exposure of a camera from its picture. All exposures are in stops over the exposure of full sunlight. */
+/**
+ * Automatic exposure of a camera from its picture. All exposures are in photographic stops (factors of 2) above the
+ * exposure for full sunlight.
+ */
 
 /** Greatest difference from the exposure with which the light condition begins [stops]. */
 export const RANGE = 2;

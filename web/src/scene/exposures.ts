@@ -28,7 +28,7 @@ export class Exposures {
     this.interval = METERED_MS[quality];
   }
 
-  /** A camera's exposure, rounded [stops over full sunlight]. */
+  /** Rounded exposure of a camera [photographic stops above the exposure for full sunlight]. */
   stops(camera: string): number {
     return Math.round((this.cameras.get(camera)?.exposure.stops ?? 0) * STEPS) / STEPS;
   }
@@ -52,7 +52,10 @@ export class Exposures {
       exposure.follow(time, base, locked.find(({ camera }) => camera === name)?.stops ?? null);
   }
 
-  /** Meters the picture just drawn, if due; `factor`: its factor of light; `height`: height of the canvas [CSS px]. */
+  /**
+   * Measures the light of the picture just drawn, if this is due; `factor`: the picture's factor of light; `height`:
+   * height of the canvas [CSS px].
+   */
   measure(camera: string, rect: Rect, height: number, factor: number): void {
     const due = this.cameras.get(camera);
     if (!due || !this.meter.free) return;

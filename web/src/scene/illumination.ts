@@ -54,7 +54,7 @@ export class Illumination {
     this.blob = ground ? new Blob(stage, ground, moving) : null;
   }
 
-  /** Exposure when the light condition begins [stops over full sunlight]. */
+  /** Exposure when the light condition begins [photographic stops above the exposure for full sunlight]. */
   get stops(): number {
     return this.daylight?.exposure ?? 0;
   }
@@ -89,7 +89,10 @@ export class Illumination {
     this.lambert.follow();
   }
 
-  /** Sets the exposure of the pictures drawn next [stops over full sunlight]; returns the factor of light. */
+  /**
+   * Sets the exposure of the pictures drawn next [photographic stops above the exposure for full sunlight]; returns the
+   * factor of light.
+   */
   expose(stops: number): number {
     const factor = EXPOSED * 2 ** stops;
     this.renderer.toneMappingExposure = factor;

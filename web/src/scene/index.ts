@@ -102,7 +102,7 @@ export class Scene {
     this.exposures.follow(time, this.illumination.stops, locked);
   }
 
-  /** Exposure of a camera's picture, rounded [stops over full sunlight]. */
+  /** Rounded exposure of a camera's picture [photographic stops above the exposure for full sunlight]. */
   stops(camera: string): number {
     return this.exposures.stops(camera);
   }

@@ -22,8 +22,8 @@ export interface Seen {
 }
 
 /**
- * Meters a few rows of a drawn picture. It requests the rows at once, and collects them at a later picture, when they
- * are available.
+ * Measures the light in a few rows of a drawn picture. It requests the rows at once, and collects them at a later
+ * picture, when they are available.
  */
 export class Meter {
   private readonly gl: WebGL2RenderingContext;

@@ -18,7 +18,10 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** Radius [m], and number of sides of a full turn below this radius in the low profile; `MOST` for larger radii. */
+/**
+ * Radius [m] and number of sides. In the low profile, a circle that is smaller than a radius of this list is drawn with
+ * the number of sides beside the first such radius, any larger circle with `MOST` sides.
+ */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],
@@ -53,7 +56,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
   }
 }
 
-/** Return the number of sides of a full turn with this radius [m]. */
+/** Return the number of sides with which a circle of this radius is drawn [m]. */
 function sides(radius: number, quality: Quality): number {
   if (quality === 'low') return SIDES.find(([below]) => radius < below)?.[1] ?? MOST;
   return Math.round(Math.min(96, 24 + 60 * radius));

@@ -94,7 +94,7 @@ export class Tether {
     this.windows?.say(message);
   }
 
-  /** Shows the time, and the state of the page or `lost`, a word that is not empty if the content is out of date. */
+  /** Shows the time and the page's state. If the content is out of date, `lost` is not empty and replaces the state. */
   show(time: string, lost = ''): void {
     setText(this.time, time);
     const { keys, alone } = this.words;

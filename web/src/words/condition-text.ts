@@ -5,7 +5,10 @@ import { fixed } from './format';
 import type { Units } from './units';
 
 const DEGREE = 180 / Math.PI;
-/** Significant figures of a number. If the value exceeds a limit but has the same text, more figures are written. */
+/**
+ * Significant figures of a number. If a value does not satisfy its limit but would have the same text as the limit,
+ * more figures are written.
+ */
 const FIGURES = 3;
 const MOST_FIGURES = 9;
 /** Greatest number of decimals with this number of figures; each further figure allows one more decimal. */

@@ -100,7 +100,7 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 
 
 def _more_ways(flight: Flight, checking: Checking) -> bool:
-    """Find the ways by joints after the rehearsal of a straight line failed; return whether any way was found.
+    """Find ways to the target by joints (mode 1), because the straight line has failed; return whether there are any.
 
     If a berth or a switch caused the failure, no other way is searched, because a berth or a switch stops every motion
     of the arm.

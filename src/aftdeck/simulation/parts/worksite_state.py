@@ -39,8 +39,8 @@ class PayloadState(StatePart):
     steered: list[float] | None = None
     """Pose of the payload that the steering uses, in the frame of the last joint; None if the payload is not held.
 
-    This pose is set to `grasp` at capture, when the carriage has drawn the payload in fully, and when a berth releases
-    the payload.
+    This pose is set to `grasp` at three moments: at the capture, at the end of the carriage's motion that draws the
+    payload in, and when a berth releases the payload.
     """
     fixture_at_capture: list[float] | None = None
     """Pose of the payload's fixture in E when drawing in began: at capture, or when a berth released the payload."""

@@ -73,7 +73,8 @@ def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]
 def _travel(scenario: Scenario) -> tuple[tuple[float, ...], float]:
     """Return the ends of the telescope's travel, and the position of the open prong [m].
 
-    Without a telescope, the first result has only the height of the shoulder; without a prong, the second is 0.
+    Without a telescope, the first result is one value, the height of the shoulder. Without a prong, the second result
+    is 0.
     """
     model = scenario.arm.model
     telescope, prong = model.equipment.telescope, model.equipment.prong

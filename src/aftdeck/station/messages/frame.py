@@ -98,7 +98,10 @@ class Display(msgspec.Struct, frozen=True):
     Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
     """
     to_fixture: Vec3 | None
-    """Vector of the length `fixture`, in the control frame [m]; null if `fixture` is null or the mode has no sticks."""
+    """Vector from the empty snares to this fixture, in the control frame [m]; its length is `fixture`.
+
+    Null if `fixture` is null or the mode has no sticks.
+    """
     orbiter: Vec3
     """Displacement of the orbiter: forward, starboard, down [m]."""
     orbiter_velocity: Vec3

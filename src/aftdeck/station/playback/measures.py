@@ -1,4 +1,4 @@
-"""Figures of a whole recorded run, for playback."""
+"""Values that summarise a whole recorded run, for playback."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _RANK: dict[Level, int] = {"info": 0, "caution": 1, "warning": 2}
 
 
 class RunMetrics:
-    """Figures of a run, collected frame by frame."""
+    """Values that summarise a run, collected frame by frame."""
 
     def __init__(self, period_s: float) -> None:
         self._period_s = period_s
@@ -96,7 +96,7 @@ class RunMetrics:
                 self._signs[i] = sign
 
     def measures(self, ended: str) -> tuple[Measure, ...]:
-        """Return all figures for which the run has data.
+        """Return all values for which the run has data.
 
         The distance to a target is one of them only if the last frame has a target.
 

@@ -16,9 +16,9 @@ from aftdeck.station.messages import from_page
 from aftdeck.station.session.commands import travel
 
 LOST = 2.0
-"""Time without a message after which deflected sticks must be centred before they act again [s]."""
+"""If no message arrives for this time [s], deflected sticks must be centred before they act again."""
 SILENCE = 0.5
-"""Time without a message after which sticks and camera switches are centred [s]."""
+"""If no message arrives for this time [s], sticks and camera switches are centred."""
 MAX_WAITING = 32
 """Maximum number of waiting commands; each control step executes one."""
 NO_CONTROLLERS = from_page.Controllers(0, ())

@@ -145,7 +145,7 @@ class LimitCycleFile(Table, frozen=True, kw_only=True):
             positive(**{f"deadband about {axis}": deadband})
             if not abs(start) <= deadband:
                 raise ValueError(
-                    f"start about {axis} is {start:g} rad; it has to be within the deadband, {deadband:g} rad"
+                    f"start angle about {axis} is {start:g} rad; it has to be within the deadband, {deadband:g} rad"
                 )
 
 

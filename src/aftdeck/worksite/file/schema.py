@@ -162,8 +162,8 @@ class EssentialFile(Table, frozen=True, kw_only=True):
     to 3). ``docking``: the probe is in the docking envelope, and is no farther from the port than docking allows.
     ``guides``: the trunnion is in its V-guide. ``capture``: the pin is in the capture envelope."""
     depth: Length
-    """Greatest penetration depth at which the contact is essential. In the conditions, planes bound the position of a
-    part; the part may be beyond these planes by the same distance."""
+    """Greatest penetration depth at which the contact is essential. Planes in the conditions bound the position of a
+    part; the part may be beyond each plane by up to this depth."""
     source: Text
 
     def __post_init__(self) -> None:

@@ -66,7 +66,8 @@ def envelope(
         sides: number of sides, an even number; the report's prism probably had six (its drawings are lost).
         outward: unit vector out of the port's face, perpendicular to `axis`.
         axis: unit vector along the prism.
-        offset: offset of the port's centre from the centre of its face [m]: along axis x outward, and along axis.
+        offset: offset of the port's centre from the centre of its face [m]. The first number is along the cross product
+            of `axis` and `outward`, the second along `axis`.
 
     Returns:
         (5, 4) planes, each with a unit normal n [1] and a distance d [m]. A point p is inside if n·p <= d for all

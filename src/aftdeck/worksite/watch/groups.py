@@ -1,8 +1,8 @@
 """All solids of a run and the monitored pairs of parts, packed for the laws.
 
 The operator reads the names of *parts* ("lower boom", "bay wall port"). The laws measure *solids*; a part consists of
-one or several solids. A *group* is a monitored pair of parts, with all pairs of one solid of each part. The clearance
-of a group is the least clearance of its pairs of solids.
+one or several solids. A *group* is a monitored pair of parts, with its pairs of solids: each solid of one part with
+each solid of the other. The clearance of a group is the least clearance of its pairs of solids.
 """
 
 from __future__ import annotations

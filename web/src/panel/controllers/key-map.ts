@@ -118,7 +118,11 @@ export class KeyMap {
         { class: 'working' },
         el('h3', {}, 'End effector, worksite, panel'),
         this.table(working(this.welcome)),
-        el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
+        el(
+          'p',
+          {},
+          'MASTER: arrow keys move the focused slider by half a degree, Page Up and Page Down move it by five degrees.',
+        ),
         el(
           'p',
           {},

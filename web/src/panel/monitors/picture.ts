@@ -102,7 +102,7 @@ export class Picture {
     fitPane(this.pane, this.shown, width);
   }
 
-  /** Deflections of this camera's switches by a drag, a pinch or the wheel. */
+  /** Deflections of this camera's switches, commanded by a drag, a pinch or the mouse wheel. */
   turning(now: number): Turning {
     return this.drag.turning(now);
   }

@@ -22,7 +22,7 @@ export interface Exposed {
   /** Monitors with the selected camera. */
   readonly monitors: { readonly camera: Camera };
   readonly appearance: Appearance;
-  /** Present exposure of a camera's picture [stops over full sunlight]. */
+  /** Present exposure of a camera's picture [photographic stops above the exposure for full sunlight]. */
   stops(camera: Camera): number;
 }
 

@@ -1,10 +1,10 @@
-/** Outlines the elements that a lamp concerns. */
+/** Outlines the elements to which a lamp refers. */
 
 import type { Concern } from './lamps';
 
 const OUTLINE_MS = 2000;
 
-/** Outlines the elements of a concern for 2 s, or its group if there are none. */
+/** Outlines for 2 s the elements to which a lamp refers, or their group if there are no such elements. */
 export function outline({ elements, group }: Concern): void {
   const found = [...document.querySelectorAll(elements)];
   for (const element of found.length > 0 ? found : document.querySelectorAll(`.group${group}`)) {
