@@ -128,7 +128,7 @@ def test_index_of_a_camera_counts_all_cameras(order: list[int], broken: int) -> 
     found = worksite_problems(wrong)
     names = {f"camera[{i}]": WORKSITE["camera"][i]["name"] for i in STILL}
     found_indices = {
-        m[1]: m[2] for m in (re.search(r": (camera\[\d+\])\S*: camera ([^ ']+)", one) for one in found) if m
+        m[1]: m[2] for m in (re.search(r": (camera\[\d+\])\S*: camera ([^ ':]+)", one) for one in found) if m
     }
     assert found_indices == names
 

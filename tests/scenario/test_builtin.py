@@ -105,5 +105,5 @@ def test_cradled_arm_starts_with_zero_joint_angles() -> None:
 
 
 def test_unknown_scenario_is_rejected_with_the_built_in_names() -> None:
-    with pytest.raises(ScenarioError, match=r"'sts-999': .* concept-1972, "):
+    with pytest.raises(ScenarioError, match=r"'sts-999'; .* concept-1972, "):
         load_scenario("sts-999")
