@@ -53,7 +53,7 @@ class WordsWriter:
 
     Attributes:
         steps: number of steps written so far.
-        unsaid: for each name in ``unsaid`` so far, the number of lines with this name.
+        unsaid: for each name, the number of lines written so far whose ``unsaid`` contains this name.
     """
 
     def __init__(self, file: TextIO, scenario: Scenario) -> None:
@@ -136,7 +136,7 @@ class Channels(NamedTuple):
 
     Attributes:
         samples: the operator's inputs, one for each control step.
-        unsaid: for each name in ``unsaid`` of any line, the number of lines with this name.
+        unsaid: for each name, the number of lines whose ``unsaid`` contains this name.
     """
 
     samples: tuple[OperatorInputs, ...]

@@ -18,7 +18,7 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** Radius [m], and number of sides of a full turn below this radius in the low profile; `MOST` for larger radii. */
+/** In the low profile, a full turn below this radius [m] has this number of sides; `MOST` sides for larger radii. */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],
