@@ -79,7 +79,7 @@ def hexahedra() -> list[Figure]:
         frames = np.empty((FRAMES, COUNT, BODY))
         for frame in range(FRAMES):
             spun = np.array([_turn(spin[k], SPIN * frame) @ turns[k] for k in range(COUNT)])
-            # The bodies only move apart, so that they never overlap: the depth of an overlap is measured below.
+            # The centres only move apart, so that few bodies overlap: the depth of an overlap is measured below.
             away = drift * np.sign((drift * pairs[:, NORMAL : NORMAL + 3]).sum(axis=1))[:, None]
             frames[frame] = _placed(local, middles + away * DRIFT * frame, spun)
         time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs})
@@ -109,7 +109,7 @@ def _boxes(rng: np.random.Generator) -> Array:
 
 
 def _skewed(rng: np.random.Generator) -> Array:
-    """Return boxes whose top is smaller than their bottom and shifted sideways."""
+    """Return boxes, each with its top face reduced and shifted sideways."""
     bodies = _boxes(rng)
     rise = 0.5 - bodies[..., 2:] / np.ptp(bodies[..., 2:], axis=1, keepdims=True)
     lean = rng.uniform(-0.3, 0.3, (2 * COUNT, 1, 2)) * np.ptp(bodies[..., :2], axis=1, keepdims=True)
@@ -132,7 +132,7 @@ def _placed(local: Array, middles: Array, turns: Array) -> Array:
 
 
 def _nearby_centres(first: Array, local: Array, turns: Array, rng: np.random.Generator) -> Array:
-    """Return centres of the second bodies at which their clearances are 1 mm to 0.1 m.
+    """Return a centre for each second body, with a clearance of 1 mm to 0.1 m from the first body.
 
     Each body starts far away, in a random direction, and moves along the normal of its separating plane.
     """

@@ -23,7 +23,7 @@ from aftdeck.steering.msteer import msteer
 from benchmarks.measure import Figure, microseconds
 
 TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
-"""Angular velocity [rad/s], then velocity [m/s] of the tip, in L; it exceeds a joint rate limit."""
+"""Twist of the tip in L [rad/s, m/s]. A joint would exceed its rate limit at this twist."""
 
 POSE = (-0.5, 1.3, -1.8, -1.2, 0.3, -2.0)
 """Joint angles of an arm above the bay, far from every singularity [rad]."""
@@ -99,7 +99,7 @@ def inverse() -> list[Figure]:
 
 
 def calls() -> list[Figure]:
-    """Measure the public calls of an arm, with their checks. Each target is a multiple of the time of EAIK's call."""
+    """Measure the public calls of an arm, with their checks. Targets are multiples of the time of EAIK's inverse."""
     arm, angles, twist = load_scenario("first-flight").arm, np.array(POSE), np.array(TWIST)
     pose = arm.forward(angles)
     peer = _eaik(pose)
@@ -119,7 +119,7 @@ def calls() -> list[Figure]:
 
 
 def _eaik(pose: Pose) -> float | None:
-    """Return the time of EAIK's inverse [us], or None if EAIK is not installed. Checks the first branch."""
+    """Return the time of EAIK's inverse [us], or None if EAIK is not installed. Check its first branch."""
     try:
         from eaik.IK_HP import HPRobot  # noqa: PLC0415  (only `make bench` installs it)
     except ImportError:

@@ -1,6 +1,6 @@
 """Benchmark of the page in headless Chromium without a graphics card.
 
-It measures the time between two pictures, and the time from a key to its picture.
+It measures the time between two pictures, and the time from a key press to the first picture of its effect.
 
 The computer's processor draws the pictures.
 """

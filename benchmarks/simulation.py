@@ -41,7 +41,7 @@ def headless() -> list[Figure]:
 
 
 def worksites() -> list[Figure]:
-    """Measure whole missions without a screen: steering, plant, all monitored pairs, phases."""
+    """Measure whole missions without a screen. The steps include steering, plant, all monitored pairs and phases."""
     figures = []
     for name, promised in (("concept-1972-script", 2.5), ("srms-berth", None), ("free-flyer", None)):
         scenario = load_scenario(name)
@@ -85,8 +85,8 @@ def _framed(sim: Simulation, tally: Tally) -> None:
 def _flown(scenario: Scenario, how: How) -> tuple[int, float]:
     """Return the number of steps of a scenario's script and their time [s].
 
-    Every run computes the same steps. For each piece of `PIECE` steps, the shortest time of all runs counts, so that
-    other work of the machine is excluded.
+    Every run computes the same steps. The time is the sum over all pieces of `PIECE` steps, for each piece its shortest
+    time of all runs. This excludes other work of the machine.
     """
     flights = [_pieces(scenario, how) for _ in range(FLIGHTS + 1)][1:]  # the first run warms up
     return flights[0][0], sum(min(took) for took in zip(*(took for _, took in flights), strict=True))
@@ -113,7 +113,7 @@ def _steps(scenario: Scenario, how: How) -> Iterator[None]:
 
 
 def with_frame() -> list[Figure]:
-    """Measure the median step of each built-in scenario, without and with frames.
+    """Measure the median time of a step in each built-in scenario, without and with frames.
 
     In a scenario without a script, a stick is deflected.
     """
@@ -124,7 +124,7 @@ def with_frame() -> list[Figure]:
         bare, framed = (min(_median(scenario, inputs, how) for _ in range(3)) for how in ("advance", "step"))
         figures += [
             Figure(f"{name}, advance", bare, "us", None, f"median of {STEPS} steps, best of 3 runs"),
-            Figure(f"{name}, step", framed, "us", 100.0, "as advance, but with the frame"),
+            Figure(f"{name}, step", framed, "us", 100.0, "the same, with the frame"),
         ]
     return figures
 

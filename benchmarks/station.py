@@ -79,7 +79,7 @@ def start() -> list[Figure]:
                 pages.append(page)
                 frames.append(time.perf_counter() - begun)
     return [
-        Figure("aftdeck fly to a page", min(pages), "s", 1.5, "with a line of progress, warm cache, best of 3"),
+        Figure("aftdeck fly to a page", min(pages), "s", 1.5, "to a line of progress, warm cache, best of 3"),
         Figure("aftdeck fly to a first frame", min(frames), "s", 4.0, "over the WebSocket, warm cache, best of 3"),
     ]
 
@@ -89,7 +89,7 @@ def latency() -> list[Figure]:
     took, pause = [], random.Random(1)
     with flying() as address, _page(address) as socket:
         for seq in range(500):
-            time.sleep(pause.uniform(0.0, 0.02))  # messages arrive at all times within a control period
+            time.sleep(pause.uniform(0.0, 0.02))  # messages arrive at random times within a control period
             sent = time.perf_counter()
             socket.send(
                 msgspec.json.encode(from_page.Sticks(seq, (0.01 * (seq % 2), 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)).decode()
@@ -108,7 +108,7 @@ def latency() -> list[Figure]:
 
 @contextmanager
 def flying(scenario: str = "first-flight") -> Iterator[str]:
-    """Run ``aftdeck fly`` inside the `with` block; yields its host and port."""
+    """Run ``aftdeck fly`` during the `with` block; yield its host and port."""
     command = [*AFTDECK, "fly", scenario, "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None

@@ -18,7 +18,7 @@ along = positions[-1] - positions[0]
 along /= np.linalg.norm(along)
 offsets = positions - positions[0]
 sideways = offsets - np.outer(offsets @ along, along)
-print(f"the path leaves the straight line by {1e3 * np.linalg.norm(sideways, axis=1).max():.3f} mm at most")
+print(f"the path deviates from the straight line by at most {1e3 * np.linalg.norm(sideways, axis=1).max():.3f} mm")
 
 slowed = sum(any(limit.kind == "joint rate" for limit in frame.limits) for frame in run.frames)
-print(f"a joint's rate limit acted in {slowed} of {len(run.frames)} steps")
+print(f"a joint rate limit was active in {slowed} of {len(run.frames)} steps")

@@ -13,14 +13,14 @@ def fly(inputs: aftdeck.Inputs, duration: int) -> aftdeck.Frame:
 
 
 frame = fly(aftdeck.Inputs(translation=(1.0, 0.0, 0.0)), 4)
-print(f"{frame.time_s:.0f} s of full stick forward in {frame.mode}: limits acting {[x.text for x in frame.limits]}")
+print(f"{frame.time_s:.0f} s of full stick forward in {frame.mode}: active limits {[x.text for x in frame.limits]}")
 saved = sim.save()
 
 sim.step(aftdeck.Inputs(mode="END EFF"))  # turn the MODE rotary, press ENTER
 frame = fly(aftdeck.Inputs(translation=(0.3, 0.0, 0.0)), 4)
-print(f"then out along the end effector: tip at {tuple(round(x, 3) for x in frame.position)} m in L")
+print(f"then 4 s along the end effector: tip at {tuple(round(x, 3) for x in frame.position)} m in L")
 
 sim.restore(saved)
 sim.step(aftdeck.Inputs(mode="SINGLE", joint=5, rate="vernier"))
 frame = fly(aftdeck.Inputs(drive=1.0), 4)
-print(f"or the wrist's roll alone: {tuple(round(x, 3) for x in frame.angles)} rad")
+print(f"or 4 s of wrist roll instead: joint angles {tuple(round(x, 3) for x in frame.angles)} rad")

@@ -1,4 +1,4 @@
-"""Fly the stored points of AUTO 1: CMD CK, PROCEED, a pause point, PROCEED; then send a command that is rejected."""
+"""Fly the sequence of AUTO 1: CMD CK, PROCEED, a pause point, PROCEED; then send a command that is rejected."""
 
 import aftdeck
 

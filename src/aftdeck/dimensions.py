@@ -91,7 +91,7 @@ def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Probl
 
 
 def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]:
-    """Yield for each expression: its list or table, its key or index there, its place in the file, and its text."""
+    """Yield, for each expression, the table or list that holds it, its key or index there, its location, its text."""
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, item in items:
         if (*where, key) == (KEY,):
@@ -103,7 +103,7 @@ def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]
 
 
 def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
-    """Return a dimension's value; `names` holds the dimensions listed above it."""
+    """Return a dimension's value; `names` holds the dimensions listed above this dimension."""
     if not _NAME.fullmatch(name):
         raise ValueError(
             f"{name!r} is not a valid name of a dimension: use small letters, digits and _, with a letter first"

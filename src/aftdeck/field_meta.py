@@ -26,8 +26,8 @@ def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIM
         unit: unit of the values.
         frame: coordinate frame of the components.
         decimals: number of decimals of a recorded value.
-        value: for a field of `Frame`, the expression of its value in `simulation.observe.look`; "" if a local variable
-            there has the field's name and value.
+        value: for a field of `Frame`, the expression by which `simulation.observe.look` computes the field; "" if a
+            local variable with the field's name holds the value there.
     """
     extra = {"unit": unit, "frame": frame, "decimals": decimals, "value": value}
     return msgspec.Meta(description=what, extra=extra)

@@ -55,7 +55,7 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
 
 
 def beside(name: str, folder: Path) -> str:
-    """Return the path `name`, which is written in a file of `folder`, with `folder` put before it.
+    """Return the path `name` with `folder` put before it; `folder` is the folder of the file that contains this path.
 
     Names of built-in files and absolute paths are returned unchanged.
     """
@@ -87,7 +87,7 @@ def examine(
     Args:
         kind: type of the contents, a msgspec struct.
         file: name and text of the file.
-        changes: values that replace values of the file before it is decoded.
+        changes: new values for places in the file; they are set before the contents are decoded.
         derive: function that replaces expressions by their values, after the changes (`aftdeck.dimensions`).
 
     Raises:
@@ -255,8 +255,8 @@ def _tagged(kind: Any) -> dict[str, Any]:
 def _tagged_problems(raw: object, kind: Any, tagged: dict[str, Any], where: Where) -> list[tuple[Where, str]]:
     """Return the reasons why `raw` is not a valid struct of a tagged union, each with its place.
 
-    The tag field selects the struct to check. If the tag is missing or unknown, this is reported, and only the fields
-    that all structs share are checked.
+    The tag field selects the struct to check. A missing or unknown tag is reported as a problem; only the fields that
+    all structs share are then checked.
     """
     try:
         convert(raw, kind)

@@ -101,7 +101,7 @@ def endori(roll: float, elevation: float, azimuth: float) -> Array:
 def oriend(rotation: Array) -> tuple[float, float, float]:
     """Return roll, elevation and azimuth [rad] of an orientation; JSC-12628, subroutine ORIEND.
 
-    Elevation lies in [-pi/2, pi/2]. At +-pi/2 only azimuth -+ roll is determined; roll is then set to 0.
+    Elevation lies in [-pi/2, pi/2]. At elevation +-pi/2 only azimuth -+ roll is determined; roll is then set to 0.
     """
     return oriend_rows(rotation.tolist())
 
@@ -144,7 +144,7 @@ def angle_between(rows: Rows, other: Rows) -> float:
     """
     (a, b, c), (d, e, f), (g, h, i) = rows
     (p, q, r), (s, t, u), (v, w, o) = other
-    x = g * s + h * t + i * u - d * v - e * w - f * o  # twice the sine, along the axis
+    x = g * s + h * t + i * u - d * v - e * w - f * o  # x, y, z: vector along the axis, of length 2 sin(angle)
     y = a * v + b * w + c * o - g * p - h * q - i * r
     z = d * p + e * q + f * r - a * s - b * t - c * u
     trace = a * p + b * q + c * r + d * s + e * t + f * u + g * v + h * w + i * o

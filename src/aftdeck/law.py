@@ -1,9 +1,10 @@
 """Decorator of the compiled laws, and the sine and cosine that the laws share.
 
-A *law* is a function that computes with one float at a time, and has few branches. The same source code runs compiled
-(by Numba, with a cache on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms. Numba
-is imported at the first call of any law, because importing Numba takes longer than loading an arm. Loading an arm calls
-no law. Division by zero gives infinity, as in hardware; a law in which a divisor could be zero prevents this.
+A *law* is a function that computes with one float at a time, and has few branches. The same source code is
+compiled by Numba (with a cache on disk), inlined in compiled loops over many arms, and run as plain Python under
+``NUMBA_DISABLE_JIT=1``. Numba is imported at the first call of any law, because importing Numba takes longer than
+loading an arm. Loading an arm calls no law. In compiled code, division by zero gives infinity, as in hardware; a law
+whose divisor could be zero avoids that division.
 
 Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
 changed in one file, the cached code of its callers would still contain the old version. The laws' cache is therefore
@@ -70,7 +71,7 @@ class _Declared:
 
     @property
     def _numba_type_(self) -> Any:
-        """Numba's type of the law, for a compiled function that calls the law through a remaining placeholder."""
+        """Numba's type of the law, for a compiled function that calls the law through this placeholder."""
         load()
         typeof: Any = importlib.import_module("numba").typeof
         return typeof(self.compiled)
@@ -89,8 +90,8 @@ def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     """Declare a law in which a product and the sum that contains it are rounded only once, if the processor can do so.
 
     Use this decorator only if each sum contains one product at most, or is exact. In a sum of two products, the
-    compiler chooses which product to fuse, and its choice varies. One arm would then differ in its last digits from the
-    same arm in a batch.
+    compiler chooses which product to fuse, and its choice varies. The result for one arm alone would then differ in
+    its last digits from the result for the same arm in a batch.
     """
     return _declared(function, fused=True)
 
@@ -164,7 +165,10 @@ def state_of_the_laws() -> str:
 
 @functools.cache
 def _cache() -> str:
-    """Return the cache folder for this version of the laws; delete folders of other versions unused for `_KEPT`."""
+    """Return the cache folder for this version of the laws.
+
+    Also delete the folders of other versions that have been unused for more than `_KEPT`.
+    """
     own = os.environ.get("NUMBA_CACHE_DIR")
     home = Path(own) if own else platformdirs.user_cache_path("aftdeck")
     folder = home / f"laws-{state_of_the_laws()}"

@@ -1,8 +1,9 @@
 """Drawable shapes, as listed in arm and worksite files. Every picture consists of such shapes.
 
 Lengths are in metres and angles in radians, in the frame of the body to which the shape belongs. A shape is first
-rotated by its `rotation`, then moved to its `position`. Files name materials; the page defines their colour and finish.
-The constructor of a shape that cannot be drawn raises ValueError. A decoder then reports the shape's place in the file.
+rotated by its `rotation`, then moved to its `position`. Files name materials;
+`scene.colours` and the page define their colours, and the page their finish. The constructor of a shape that cannot be
+drawn raises ValueError. A decoder then reports the shape's place in the file.
 """
 
 from __future__ import annotations
@@ -72,7 +73,7 @@ class _Solid(_Placed, frozen=True, kw_only=True):
 
 
 class Box(_Solid, frozen=True, kw_only=True, tag="box"):
-    """A box with its centre at its position."""
+    """A box, centred at its position."""
 
     size: Vec3
     """Edges along x, y, z [m]."""
@@ -84,7 +85,7 @@ class Box(_Solid, frozen=True, kw_only=True, tag="box"):
 
 
 class Cylinder(_Solid, frozen=True, kw_only=True, tag="cylinder"):
-    """A solid cylinder or truncated cone with its centre at its position."""
+    """A solid cylinder or truncated cone, centred at its position."""
 
     axis: Axis = "x"
     length: float
@@ -121,7 +122,7 @@ class Shell(_Solid, frozen=True, kw_only=True, tag="shell"):
         _positive("shell", length=self.length, radius=self.radius, radius_end=end, thickness=self.thickness)
         _within_turn("shell", self.sweep)
         if self.thickness > min(self.radius, end):
-            raise ValueError(f"the shell's thickness is {self.thickness:g}; it has to be at most its radius")
+            raise ValueError(f"the shell's thickness is {self.thickness:g}; it has to be at most the shell's radius")
 
 
 class Ring(_Solid, frozen=True, kw_only=True, tag="ring"):
@@ -162,12 +163,12 @@ class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
     """Distance by which the edges are cut back, at most half the thickness [m]."""
 
     def __post_init__(self) -> None:
-        """Reject fewer than three corners, a thickness that is not above zero, or a bevel above half the thickness."""
+        """Reject fewer than 3 corners, a thickness not above zero, and a bevel outside zero to half the thickness."""
         _positive("plate", thickness=self.thickness)
         if len(self.outline) < FEWEST_CORNERS:
             raise ValueError(f"the plate's outline has {len(self.outline)} corners; it needs at least {FEWEST_CORNERS}")
         if not 0.0 <= self.bevel <= self.thickness / 2:
-            raise ValueError(f"the plate's bevel is {self.bevel:g}; it has to be 0 to half the thickness")
+            raise ValueError(f"the plate's bevel is {self.bevel:g}; it has to be between 0 and half the thickness")
 
 
 class Section(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -229,7 +230,7 @@ class Light(_Placed, frozen=True, kw_only=True, tag="light"):
     reach: float
     """Range of the light [m]."""
     intensity: float
-    """Illuminance on the lamp's axis at a distance of 1 m, in relative units; full sunlight is 4.1."""
+    """Intensity on the lamp's axis [cd]; on this scale full sunlight is 4.1 lx."""
     switch: str = "lamps"
     """Name of the panel's switch for this lamp. Several lamps may have the same switch."""
 
@@ -247,9 +248,9 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
     step: Vec3 = (0.0, 0.0, 0.0)
     """Translation from one copy to the next, along the group's own axes [m]."""
     turn: Vec3 = (0.0, 0.0, 0.0)
-    """Rotation from one copy to the next, about the group's own axes, in the form of `rotation` [rad]."""
+    """Roll, pitch, yaw as in `rotation`, about the group's own axes [rad]; copy i (from 0) rotates by i times these."""
     mirror: bool = False
-    """Whether all copies are also drawn as mirror images, in the plane y = 0 of the frame that lists the group."""
+    """Whether all copies are also drawn mirrored across the plane y = 0 of the frame in which the group is listed."""
 
     def __post_init__(self) -> None:
         """Reject an empty group, or a count below 1."""

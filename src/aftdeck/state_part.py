@@ -40,7 +40,7 @@ same size in all states of a run."""
 
 @lru_cache
 def declaration(kind: type[StatePart]) -> str:
-    """Return a digest of a part's declaration (every field, with its type and position) and of `DIGEST`: 16 digits.
+    """Return 16 digits of a digest over `DIGEST` and a part's declaration: each field, with its type and position.
 
     Parts with different declarations, such as those of different versions, cannot be compared by their digests.
     """
@@ -70,11 +70,11 @@ def digest(part: StatePart) -> bytes:
     """Return the SHA-256 digest of a part, computed from the exact values of all its fields except caches (`DIGEST`).
 
     Raises:
-        TypeError: a value is neither plain, an array nor a cache.
+        TypeError: a value is not a plain value, an array or a cache.
     """
     others: list[Any] = []
     plain = msgspec.msgpack.encode(part, enc_hook=others.append)
-    # to join all arrays at once takes much less time than to encode each array
+    # joining all arrays at once takes much less time than encoding each array
     arrays: list[Any] = [value for value in others if type(value) is np.ndarray or not isinstance(value, Cache)]
     return sha256(b"".join((plain, *arrays))).digest()
 
@@ -149,7 +149,7 @@ def _copied(value: Any) -> Any:
 
 
 def _unlike(part: StatePart, like: StatePart) -> str | None:
-    """Return the path of the first array or list of parts in `like` whose size in `part` differs; None if none does."""
+    """Return the path of the first array or list of parts whose size is not the same in both parts; None if none."""
     sizes = dict(_sizes(part, ""))
     return next((where for where, size in _sizes(like, "") if sizes.get(where) != size), None)
 

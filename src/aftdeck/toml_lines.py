@@ -80,7 +80,7 @@ class _Scanner:
             table = table.parts.setdefault(part, Located(line))
             if another and depth == len(key):
                 table = table.parts.setdefault(len(table.parts), Located(line))
-            elif table.parts and 0 in table.parts:  # a header refers to the last table listed so far
+            elif table.parts and 0 in table.parts:  # in a list of tables, a header means the last so far
                 table = table.parts[len(table.parts) - 1]
         return table
 

@@ -6,4 +6,7 @@ Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
 """One number for each joint; or a twist, angular velocity first."""
 Rows = tuple[Vec3, Vec3, Vec3]
-"""Rotation as the rows of the matrix whose columns are the axes. In files a rotation is a quaternion, w, x, y, z."""
+"""The three rows of a rotation matrix, whose columns are the axes of the rotated coordinate frame.
+
+In files a rotation is a quaternion, w, x, y, z.
+"""

@@ -1,4 +1,4 @@
-"""Boxes of the concept arm, computed from the dimensions in its file. The same boxes collide and are drawn.
+"""Boxes of the concept arm, computed from the dimensions in its file: for collisions and for drawing.
 
 The Remote Manipulator Simulation has these solids: the three hexahedra of the end effector; ARM 0, ARM 1 and ARM 2; and
 STAND. The housings of the joints, and the tube that slides in the telescope's sleeve, are our additions.
@@ -89,7 +89,10 @@ def _effector(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
 
 
 def _along(axis: int, begin: float, end: float, side: float) -> tuple[Vec3, Vec3]:
-    """Return the corners of a box of square section along an axis of its frame, 0 to 2."""
+    """Return the least and the greatest corner of a box that extends along an axis of its frame, 0, 1 or 2.
+
+    The box has a square section.
+    """
     half = 0.5 * side
     low, high = [-half] * 3, [half] * 3
     low[axis], high[axis] = begin, end
@@ -97,5 +100,5 @@ def _along(axis: int, begin: float, end: float, side: float) -> tuple[Vec3, Vec3
 
 
 def _cube(edge: float) -> tuple[Vec3, Vec3]:
-    """Return the corners of a cube about its frame's origin."""
+    """Return the least and the greatest corner of a cube; its centre is its frame's origin."""
     return _along(0, -0.5 * edge, 0.5 * edge, edge)

@@ -54,7 +54,7 @@ def _cover_problems(file: YawArmFile) -> list[Problem]:
     found = []
     for i, body in enumerate(file.bodies):
         if body.frame not in frames:
-            what = f"{body.frame!r} is not a frame of the arm; there are: {', '.join(frames)}"
+            what = f"{body.frame!r} is not a frame of the arm; the frames are: {', '.join(frames)}"
             found.append(Problem(("bodies", i, "frame"), what))
         if problem := cover_problem(body, body.part):
             found.append(Problem(("bodies", i), problem))

@@ -27,7 +27,9 @@ class Telescope(NamedTuple):
 
 
 class Prong(NamedTuple):
-    """Prong that closes towards a fixed finger. Positions are y2 of the inner faces; y2 is 0 at the palm's centre line.
+    """Prong that closes towards a fixed finger.
+
+    Each position is the coordinate y2 of an inner face; y2 is 0 at the palm's centre line.
 
     Attributes:
         opened: position of the open prong [m].
@@ -48,9 +50,9 @@ class Equipment(NamedTuple):
     Attributes:
         telescope: telescope under the arm; None if the arm has no telescope.
         prong: prong of the end effector; None if the end effector has snares.
-        master: for each joint of the master arm, the axis of the hand controllers that moves the joint. It is used if
-            no other device gives the master arm's angles. Each RHC axis moves the wrist joint that rotates about the
-            same axis.
+        master: for each joint of the master arm, the axis of the hand controllers that moves the joint. These axes are
+            used if no other device gives the master arm's angles. Each RHC axis moves the wrist joint that rotates
+            about the same axis.
         covered: whether the arm's solids cover round parts from outside. If so, neighbouring solids overlap at joints.
     """
 

@@ -100,6 +100,6 @@ def _frames(a: str, b: str, c: str, d: str, e: str, f: str) -> Names:
 
 
 def _steps(height: float, upper: tuple[float, float], lower: tuple[float, float], wrist: float) -> Array:
-    """Return `Linkage.steps` (6, 3), the vectors from joint to joint in the arm's plane [m]: along, 0, down."""
+    """Return `Linkage.steps` (6, 3), the vectors from joint to joint [m]; components: along the arm, 0, down."""
     vectors = [(0.0, 0.0), (0.0, -height), upper, lower, (wrist, 0.0), (0.0, 0.0)]
     return frozen([[along, 0.0, down] for along, down in vectors])

@@ -157,7 +157,7 @@ def built_in() -> tuple[str, ...]:
 
 
 def load_model(name_or_path: str | Path) -> ArmModel:
-    """Return the arm of a built-in name or of a file.
+    """Return a built-in arm by its name, or the arm that a file describes.
 
     Raises:
         ArmError: no built-in arm has that name.

@@ -36,7 +36,7 @@ class Constant(_Part, Generic[_T], frozen=True):
 Offset = tuple[Length, Length]
 """Offset of a joint from the joint before it, at zero angles: along the arm, then down [m]."""
 Span = tuple[Length, Length]
-"""Begin and end of a body along a line [m]."""
+"""Where a body begins and where it ends, along a line [m]."""
 SixRanges = tuple[
     tuple[Angle, Angle],
     tuple[Angle, Angle],
@@ -93,7 +93,11 @@ class LimitsFile(_Part, frozen=True):
 
 
 class RatesFile(_Part, frozen=True):
-    """Joint rate limits: servo maxima (modes 2 to 7), coarse and vernier (modes 1 and 8); limits of acceleration."""
+    """Joint rate limits and the greatest joint accelerations.
+
+    There are three sets of rate limits: the servo maxima (modes 2 to 7), and the coarse and vernier limits (modes 1 and
+    8, DIRECT and MASTER).
+    """
 
     servo: Constant[SixRates]
     coarse: Constant[SixRates]
@@ -110,7 +114,7 @@ class PorRow(_Part, frozen=True):
     rotation: AngularRate
     vernier_rotation: AngularRate
     reached_in: Time
-    """Time from rest to the coarse limits."""
+    """Time in which the point of resolution accelerates from rest to its coarse limits."""
     source: Text
     confidence: Confidence
 
@@ -164,7 +168,7 @@ class BoomsFile(_Part, frozen=True):
     side: Constant[Length]
     """Side of upper and lower arm."""
     set_back: Constant[Length]
-    """Distance from the pin at each end of a boom to the end of the boom's body."""
+    """Distance of each end of a boom's body from the pin at that end."""
     stub_side: Constant[Length]
     stub: Constant[Span]
     shoulder_housing: Constant[Length]

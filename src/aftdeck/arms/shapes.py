@@ -82,5 +82,5 @@ def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[Problem]:
         yield Problem(("body",), what)
     for i, camera in enumerate(file.camera):
         if camera.body not in frames:
-            what = f"{camera.body!r} is not a frame of the arm; there are: {allowed}"
+            what = f"{camera.body!r} is not a frame of the arm; the frames are: {allowed}"
             yield Problem(("camera", i, "body"), what)

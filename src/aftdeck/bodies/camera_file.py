@@ -106,7 +106,7 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         file = next((drive for drive in drives if drive.name == self.drive), None)
         if file is None:
             choices = ", ".join(drive.name for drive in drives) or "none"
-            raise ValueError(f"camera {self.name}: no drive {self.drive!r}; there are: {choices}")
+            raise ValueError(f"camera {self.name}: no drive {self.drive!r}; the drives are: {choices}")
         pan, tilt, zoom = (None if part is None else part.travel() for part in (file.pan, file.tilt, file.zoom))
         camera = self._camera(Drive(square(self.zero or self.boresight, self.up), float(file.lens), pan, tilt, zoom))
         start = setting(camera)

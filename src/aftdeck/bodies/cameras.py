@@ -1,8 +1,8 @@
 """Cameras: position, boresight, field of view, and the ranges of the drives.
 
 Pan rotates a camera about its `up` direction; positive pan is to the right in the picture. Tilt then raises the
-boresight; positive tilt is upwards. Pan and tilt are the report's heading and pitch: heading rotates about Z, which
-points down, and positive pitch raises the boresight.
+boresight; positive tilt is upwards. RMS-VS calls pan and tilt heading and pitch: heading rotates about Z, which points
+down, and positive pitch raises the boresight.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Opening of a window; None for any other kind."""
 
     def __post_init__(self) -> None:
-        """Raise ValueError if the fields give no picture, or if `pane` or `drive` does not fit the kind."""
+        """Raise ValueError if the fields do not define a picture, or if `pane` or `drive` does not fit the kind."""
         if (self.kind == "window") != (self.pane is not None):
             raise ValueError(
                 f"{self.name} is of kind {self.kind}; a window needs a pane, and other kinds cannot have one"

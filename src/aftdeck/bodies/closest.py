@@ -1,8 +1,11 @@
-"""Closest points of two hexahedra: the point of their Minkowski difference nearest to the origin, by GJK.
+"""Closest points of two hexahedra.
+
+The algorithm GJK finds the point of their Minkowski difference that is nearest to the origin.
 
 Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
-three-dimensional space", 1988. All sub-simplices are enumerated. The search ends when the distance of the point agrees
-with the gap between the bodies along the point's direction. The gap proves that no other point is nearer.
+three-dimensional space", 1988. All sub-simplices are enumerated. The search ends when the point's distance from
+the origin agrees with the gap between the bodies along the point's direction. The gap proves that no other point is
+nearer.
 """
 
 from __future__ import annotations
@@ -46,8 +49,8 @@ class Corner(NamedTuple):
 class Simplex(NamedTuple):
     """Simplex in the Minkowski difference.
 
-    The first `size` of the corners p, q, r span `point`, the point of the simplex that is nearest to the origin [m]. If
-    `size` is ENCLOSED, the simplex is a tetrahedron that contains the origin.
+    The simplex has `size` corners: p; p and q; or p, q and r. Its point nearest to the origin is `point` [m]. If `size`
+    is ENCLOSED, the simplex is a tetrahedron that contains the origin; its fourth corner is not stored.
     """
 
     size: int
@@ -89,7 +92,8 @@ def on_segment(p: Corner, q: Corner) -> Simplex:
     if along >= square:
         return Simplex(1, q, q, q, q.at)
     point = moved_along(p.at, along / square, e)
-    # Remove the component along the segment, which is due to rounding; near contact it is the larger component.
+    # The component along the segment is only a rounding error: remove it. Near contact, the error is larger than the
+    # component perpendicular to the segment.
     return Simplex(2, p, q, q, moved_along(point, -(dot(point, e) / square), e))
 
 
@@ -157,7 +161,9 @@ def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
 
 @law
 def nearest(a: Array, b: Array, moved: Vector, start: Simplex, enough: float) -> Nearest:
-    """Search the Minkowski difference of body `a`, moved by a vector, and body `b` for its point nearest to the origin.
+    """Find the point of a Minkowski difference that is nearest to the origin.
+
+    The difference is that of body `a`, moved by a vector, and body `b`.
 
     Args:
         a: packed body.

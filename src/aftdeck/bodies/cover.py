@@ -1,9 +1,9 @@
 """Hexahedra that cover curved bodies from outside. No clearance of a covered body is therefore overstated.
 
-The docstring of each function states how far its hexahedra extend beyond the body at most. The clearance of the body is
-understated by at most that distance. The clearance of several hexahedra is the least of their clearances. A negative
-clearance is minus the shortest move out of one hexahedron. That move can be shorter than the shortest move out of all
-hexahedra.
+The docstring of each function states the greatest distance by which its hexahedra extend beyond the body. The body's
+clearance is understated by at most that distance. The clearance of several hexahedra is the least of their
+clearances. A negative clearance is minus the shortest move out of one hexahedron. That move can be shorter than the
+shortest move out of all hexahedra.
 """
 
 from __future__ import annotations
@@ -38,10 +38,11 @@ def tube_wall(
     sweep: float = tau,
     count: int = FEWEST_WALLS,
 ) -> Array:
-    """Return hexahedra that cover the wall of a tube or truncated cone about its centre, placed as a `shapes.Shell`.
+    """Return hexahedra that cover the wall of a tube or truncated cone.
 
-    With h = sweep / (2 count), they extend into the tube by at most (radius - thickness) (1 - cos h), and out of it by
-    at most radius (1 / cos h - 1). Each hexahedron has its own axes: x along the tube's axis, y against the sweep, z
+    The tube's centre is the origin; the angles are those of a `shapes.Shell`. Let h = sweep / (2 count), and R the
+    greater of the two radii. The hexahedra extend into the tube by at most (R - thickness) (1 - cos h), and out of it
+    by at most R (1 / cos h - 1). Each hexahedron has its own axes: x along the tube's axis, y against the sweep, z
     outwards. Face c therefore faces inwards.
 
     Args:
@@ -92,8 +93,8 @@ def prism(
 ) -> Array:
     """Return a regular prism that encloses a cylinder or truncated cone, cut into sides/2 - 1 hexahedra.
 
-    The prism's centre is the origin. Its edges are outside the circle by radius (1 / cos(pi / sides) - 1). The cuts are
-    parallel.
+    The prism's centre is the origin. At each end, its edges are outside the circle by the circle's radius times
+    (1 / cos(pi / sides) - 1). The cuts are parallel.
 
     Args:
         radius: radius of the circle at the end with the lesser coordinate along the axis [m]. It is the distance of a
@@ -127,7 +128,7 @@ def prism(
 
 
 def _along(bodies: Array, axis: Axis) -> Array:
-    """Rotate bodies that are along x so that they are along `axis`."""
+    """Rotate bodies from the x axis to `axis`."""
     if axis not in ("x", "y", "z"):
         raise InputError(f"the axis is {axis!r}; it has to be x, y or z")
     return np.roll(bodies, "xyz".index(axis), axis=-1)

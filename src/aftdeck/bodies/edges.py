@@ -1,9 +1,11 @@
 """Edge test: search for an edge of one hexahedron that pierces a face of another hexahedron.
 
-Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV.B.1), with three corrections. The edges
-of both bodies are tested. An edge is a segment instead of a ray. An edge is clipped by the faces that the location
-words of its ends name; the source uses scalar triple products with a table of bounding edges. This method fails for
-tapered bodies.
+Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV.B.1), with three corrections:
+
+- The edges of both bodies are tested.
+- An edge is a segment, not a ray.
+- An edge is clipped by the faces whose bits differ between the location words of its two ends. The source uses scalar
+  triple products with a table of bounding edges; its method fails for tapered bodies.
 """
 
 from __future__ import annotations

@@ -1,11 +1,12 @@
 """Convex hexahedron with eight vertices and six flat faces, for all collision tests.
 
-Vertices are numbered 1 to 8: v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in the body's own
-axes. Face c is the top (-z), d the bottom (+z), b and e are the sides (-y, +y), a and f are the ends (-x, +x). The TRUE
-side of a face is its outside. Source: the final report of the Remote Manipulator Simulation, Figure 2 (restored).
+Vertices are numbered 1 to 8. The number of a vertex is 1, plus 4 on the +y side, plus 2 on the +x side, plus 1 on the
++z side, in the body's own axes. Face c is the top (-z), d the bottom (+z), b and e are the sides (-y, +y), a and f are
+the ends (-x, +x). The TRUE side of a face is its outside. Source: the final report of the Remote Manipulator
+Simulation, Figure 2 (restored).
 
-The laws take a *packed* body of (48,) floats. These are: all x, all y, then all z of the vertices; all x, all y, then
-all z of the outward unit normals of faces a to f; the distances of the faces' planes from the origin.
+The laws take a *packed* body: an array (48,) of floats. It holds, in this order: the vertices (all x, all y, all z);
+the outward unit normals of faces a to f (all x, all y, all z); the distances of the faces' planes from the origin.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ def _beside(p: int, q: int) -> tuple[int, int]:
 
 
 BESIDE = np.array([_beside(p, q) for p, q in EDGES])
-"""(12, 2) faces of each edge. Their order is such that the cross product of their normals points along the edge."""
+"""(12, 2) faces of each edge. In this order, the cross product of the two normals points along the edge."""
 
 
 def pack(vertices: Array) -> Array:
@@ -79,13 +80,13 @@ def unpack(body: Array) -> Array:
 
 @law
 def vertex(body: Array, v: int) -> Vector:
-    """Return the position of vertex v of a packed body [m]; vertices are numbered from zero."""
+    """Return the position [m] of a packed body's vertex `v`; vertices are numbered from zero."""
     return Vector(body[X + v], body[Y + v], body[Z + v])
 
 
 @law
 def face_normal(body: Array, f: int) -> Vector:
-    """Return the outward unit normal of face f of a packed body [1]; faces are numbered from zero."""
+    """Return the outward unit normal [1] of a packed body's face `f`; faces are numbered from zero."""
     return Vector(body[NX + f], body[NY + f], body[NZ + f])
 
 

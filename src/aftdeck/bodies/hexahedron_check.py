@@ -10,9 +10,9 @@ from aftdeck.bodies.hexahedron import CORNERS, ENDS, FACES, VERTICES, pack
 from aftdeck.errors import InputError
 
 FLAT = 1e-9
-"""Greatest allowed distance of a face's vertices from the face's plane [m]: the clearance that counts as contact."""
+"""Greatest allowed distance of a face's vertices from the face's plane [m]; equal to `pair.CONTACT`."""
 FARTHEST = 1e4
-"""Greatest allowed coordinate [m] (assumed). For greater coordinates, rounding errors are not small against FLAT."""
+"""Greatest allowed coordinate [m] (assumed). Beyond it, rounding errors are not small compared with FLAT."""
 SHORTEST = 1e-6
 """Smallest allowed distance between two vertices [m] (assumed)."""
 THINNEST = 1e-6
@@ -46,7 +46,7 @@ def hexahedron(vertices: ArrayLike, name: str = "the hexahedron") -> Array:
     except (TypeError, ValueError):
         raise InputError(f"{name}: expected numbers of shape (8, 3), got {vertices!r}") from None
     if points.shape != (VERTICES, 3):
-        raise InputError(f"{name}: expected 8 vertices of x, y, z, shape (8, 3), got shape {points.shape}")
+        raise InputError(f"{name}: expected 8 vertices with x, y and z, shape (8, 3), got shape {points.shape}")
     for v in np.flatnonzero(~(np.abs(points) <= FARTHEST).all(axis=1)):
         allowed = f"at most {FARTHEST:g} m" if np.isfinite(points[v]).all() else "finite"
         raise InputError(f"{name}: vertex {v + 1} is {_at(points[v])}; coordinates have to be {allowed}")
@@ -81,12 +81,15 @@ def _right_handed(points: Array, name: str) -> None:
     turns = np.linalg.det(arms) / np.linalg.norm(arms, axis=2).prod(axis=1)
     if (turns < -(THINNEST**2)).all():
         raise InputError(
-            f"{name}: vertex 2 at {_at(points[1])} makes it a mirror image: seen from vertex 1, vertices 2, 3 and 5 "
-            "have to be along z, x and y of right-handed axes; exchange 1 with 2, 3 with 4, 5 with 6 and 7 with 8"
+            f"{name}: vertex 2 at {_at(points[1])} makes the body a mirror image: seen from vertex 1, "
+            "vertices 2, 3 and 5 have to be in the directions z, x and y of right-handed axes; "
+            "exchange 1 with 2, 3 with 4, 5 with 6 and 7 with 8"
         )
     v = int(turns.argmin())
     if turns[v] <= THINNEST**2:
-        what = "is in one plane with" if abs(turns[v]) <= THINNEST**2 else "is dented in, or numbered wrongly, beside"
+        what = (
+            "is in one plane with" if abs(turns[v]) <= THINNEST**2 else "is dented in, or numbered wrongly, relative to"
+        )
         p, q, r = _BESIDE[v] + 1
         raise InputError(
             f"{name}: vertex {v + 1} at {_at(points[v])} {what} its neighbours {p}, {q} and {r}; "
@@ -139,7 +142,7 @@ def _convex(points: Array, body: Array, name: str) -> None:
     f, v = np.unravel_index(int(inside.argmin()), inside.shape)
     if not inside[f, v] > max(THINNEST * longest, FLAT):
         raise InputError(
-            f"{name}: vertex {v + 1} at {_at(points[v])} is {inside[f, v]:.3g} m inside the plane of face "
-            f"{list(FACES)[f]}, to which it does not belong; in a convex solid, this depth is more than "
-            f"{THINNEST:g} of the longest edge"
+            f"{name}: vertex {v + 1} at {_at(points[v])} is {inside[f, v]:.3g} m on the inner side of the plane "
+            f"of face {list(FACES)[f]}, which does not contain this vertex; in a convex body, this distance is "
+            f"more than {THINNEST:g} of the longest edge and more than {FLAT:g} m"
         )

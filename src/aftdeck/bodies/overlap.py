@@ -1,4 +1,4 @@
-"""Penetration depth of convex hexahedra in plain NumPy, for checks of files, which must not wait for compilation.
+"""Penetration depth of convex hexahedra in plain NumPy: checks of files must not wait for compilation.
 
 Method: the theorem of separating axes over all face normals and all pairs of edges. Compiled code uses
 `bodies.repeated_test`.
@@ -14,7 +14,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import CORNERS, ENDS
 
 _SHORT = 1e-12
-"""Greatest squared length of the cross product of two unit edges at which the edges count as parallel [1]."""
+"""Limit [1]: edges are parallel if the cross product of their unit vectors has at most this squared length."""
 
 
 def overlap(a: Array, b: Array) -> float:
@@ -29,7 +29,7 @@ def overlap(a: Array, b: Array) -> float:
 
 
 def deepest(some: Sequence[Array], others: Sequence[Array]) -> float:
-    """Return the greatest penetration depth of one hexahedron in `some` and one in `others` [m]; 0 if none overlap."""
+    """Return the greatest penetration depth [m] of a hexahedron in `some` with one in `others`; 0 if none overlap."""
     return max((overlap(a, b) for a, b in _pairs_with_overlapping_boxes(some, others)), default=0.0)
 
 

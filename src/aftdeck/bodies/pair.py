@@ -11,7 +11,7 @@ CONTACT = 1e-9
 the sign of the clearance."""
 
 CLEARANCE = 0
-"""Distance of the bodies [m]; minus the penetration depth if they overlap."""
+"""Distance between the bodies [m]; if they overlap, the negative of the penetration depth."""
 POINT_A, POINT_B = 1, 4
 """Closest point of body a, and of body b [m]."""
 NORMAL, DISTANCE = 7, 10
@@ -21,9 +21,8 @@ FEATURE_A, FEATURE_B = 11, 12
 """Features of a and of b that touch, pierce or are closest. A feature is stored as the sum of 2**(v - 1) over its
 vertices v."""
 SIZE, SIMPLEX = 13, 14
-"""Corners of the Minkowski difference whose point, segment or triangle contains the closest point: their number, at
-most 3, and then the corners. A corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered
-from zero."""
+"""Corners of the Minkowski difference that span its point nearest to the origin: their number (at most 3), and the
+corners themselves. A corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered from zero."""
 PAIR = 17
 """Number of values in a packed pair."""
 

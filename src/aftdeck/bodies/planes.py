@@ -42,7 +42,7 @@ def least(body: Array, v: Vector) -> float:
 
 @law
 def lowest(body: Array, v: Vector) -> int:
-    """Return the index, from zero, of the vertex of a packed body whose dot product with a vector is least."""
+    """Return the number, from zero, of the packed body's vertex whose dot product with a vector is least."""
     x, y, z = v.x, v.y, v.z
     p0 = x * body[0] + y * body[8] + z * body[16]
     p1 = x * body[1] + y * body[9] + z * body[17]
@@ -63,5 +63,5 @@ def lowest(body: Array, v: Vector) -> int:
 
 @law
 def sides(a: Array, b: Array, normal: Vector) -> Sides:
-    """Return the greatest coordinate of packed body a and the least of packed body b along a normal."""
+    """Return the greatest coordinate of packed body a and the least coordinate of packed body b along a normal."""
     return Sides(-least(a, opposite(normal)), least(b, normal))

@@ -21,7 +21,7 @@ def row_of(pose: Pose) -> Array:
 
 
 def inverse(row: Array) -> Array:
-    """Return the inverse (12,) of a body's pose in a frame; it is the pose of that frame in the body's own frame."""
+    """Return the inverse (12,): for a body's pose in frame F, the pose of frame F in the body's own frame."""
     found = np.empty(POSE)
     relative(row, np.array(HERE), found)
     return found

@@ -35,10 +35,10 @@ from aftdeck.law import law
 
 EDGE_BITS = (1 << ENDS).sum(axis=1)
 FACE_BITS = (1 << CORNERS).sum(axis=1)
-"""Features of the edges (12,) and of the faces (6,), as written in a packed pair."""
+"""Feature values of the edges (12,) and of the faces (6,), as stored in a packed pair."""
 ASIDE = 1e-9
-"""Gap between two bodies after the shortest move that separates them [m]. The search for the points that touch last
-uses this gap. The gap is so small that a point beside the closest point is measurably farther away."""
+"""Gap [m] to which overlapping bodies are moved apart before the search for their closest points. If the gap were
+greater, rounding could hide that a point beside the closest point is farther away."""
 
 
 @law
@@ -99,7 +99,7 @@ def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
     """Return the clearance of bodies that overlap, or almost overlap (within CONTACT and rounding), and fill the pair.
 
     The closest points of overlapping bodies are the points that touch last on the shortest move that separates the
-    bodies. They are found as the closest points after body a has made this move and has moved by ASIDE more.
+    bodies. To find them, move body a by this move and then by ASIDE more, and search for the closest points.
     """
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
@@ -156,8 +156,8 @@ def _penetrates(a: Array, b: Array, pair: Array) -> bool:
 def _start(a: Array, b: Array, pair: Array) -> Simplex:
     """Return the simplex of the last measurement, at the bodies' present poses.
 
-    For a pair that was never measured, return a simplex of one corner, from two vertices: for each body, the vertex
-    that is farthest in the direction of the other body's centre.
+    For a pair that was never measured, return a simplex with only one corner. This corner belongs to the vertex of each
+    body that is farthest in the direction of the other body's centre.
     """
     size = int(pair[SIZE])
     if size == 0:

@@ -58,8 +58,8 @@ class Separation(NamedTuple):
 
     Attributes:
         collides: whether the clearance is at most 1e-9 m.
-        clearance: distance of the two bodies [m]; if they overlap, minus the length of the shortest move that separates
-            them.
+        clearance: distance between the two bodies [m]; if they overlap, the negative of the length of the shortest move
+            that separates them.
         closest: the closest points; the distance between them is the magnitude of the clearance.
         plane: a plane between the bodies, checked with all sixteen vertices; None if the bodies collide.
         feature: if the bodies collide, the features that penetrate or touch; if not, the features that contain the
@@ -76,7 +76,7 @@ class Separation(NamedTuple):
 def separation(a: ArrayLike, b: ArrayLike) -> Separation:
     """Return the clearance of two convex hexahedra, the closest points, and the separating plane or the features.
 
-    Vertices are numbered v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in each body's own
+    The number of a vertex is 1, plus 4 on the +y side, plus 2 on the +x side, plus 1 on the +z side, in each body's own
     axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. Compiled code that measures
     the same two bodies in every step uses `aftdeck.bodies.repeated_test`, which is faster.
 
@@ -85,7 +85,7 @@ def separation(a: ArrayLike, b: ArrayLike) -> Separation:
         b: (8, 3) vertices of the second body, in the same frame [m].
 
     Raises:
-        InputError: a body is not convex, has a bent face or no volume, or its vertices are in a different order; the
+        InputError: a body is not convex, has a bent face or no volume, or its vertices are not in the order above; the
             message names the vertex at fault.
 
     Examples:

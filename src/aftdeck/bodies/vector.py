@@ -54,13 +54,13 @@ def opposite(v: Vector) -> Vector:
 
 @law
 def moved_along(p: Vector, share: float, v: Vector) -> Vector:
-    """Return p + share v."""
+    """Return p + share * v."""
     return Vector(p.x + share * v.x, p.y + share * v.y, p.z + share * v.z)
 
 
 @law
 def times(share: float, v: Vector) -> Vector:
-    """Return share v."""
+    """Return share * v."""
     return Vector(share * v.x, share * v.y, share * v.z)
 
 

@@ -95,7 +95,7 @@ def run(
 ) -> None:
     """Run a scenario's script headless and print a summary.
 
-    With --channels, the inputs come from that file and not from the script.
+    With --channels, the inputs come from the file of channels and not from the script.
 
     The exit code is 1 if the run ended in a fault.
     """
@@ -127,7 +127,7 @@ def _run(
     """Run a scenario with the arguments of `run`.
 
     Returns:
-        The summary, and the error that ended the recording or None.
+        The summary, and the error that ended the recording (None if no error did).
     """
     from aftdeck.recording.index import Index
     from aftdeck.recording.run import UnrecordedRunError, record
@@ -166,7 +166,7 @@ def _run(
 
 
 def _cautions(scenario: Scenario, surveyed: Sequence[Problem] = ()) -> tuple[str, ...]:
-    """Return the cautions of the loaded scenario and of a survey, each as a sentence."""
+    """Return a scenario's own cautions and the problems found by `survey`, each as a sentence."""
     from aftdeck.files import sentences
 
     return tuple(sentences([*scenario.cautions, *surveyed], f"{scenario.name}.toml", scenario.text))

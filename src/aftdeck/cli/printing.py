@@ -24,9 +24,9 @@ def print_summary(s: Summary) -> None:
     print("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
     if s.position_error_m is not None and s.rotation_error_rad is not None:
         print(f"  error      {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
-    print(f"  joint rate {100.0 * s.worst_rate_ratio:.1f} % of its limit at most")
+    print(f"  joint rate at most {100.0 * s.worst_rate_ratio:.1f} % of its limit")
     if s.min_clearance_m is not None:
-        print(f"  clearance  {100.0 * s.min_clearance_m:.1f} cm at least")
+        print(f"  clearance  at least {100.0 * s.min_clearance_m:.1f} cm")
     for event in s.events:
         print(f"  {event.time_s:9.2f} s  {event.text}")
     print(f"  frames     sha256 {s.frames_sha256}")

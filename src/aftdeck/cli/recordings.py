@@ -26,7 +26,7 @@ MAX_FIELDS = 6
 MAX_EVENTS = 20
 """Maximum number of changed log lines that are printed."""
 ENDS = ("completed", "time", "fault", "stopped", "restarted", "cut", "recording")
-"""Reasons for the end of a recording; ``recording``: it has not ended."""
+"""Values of --ended: the reasons for the end of a recording, and ``recording`` if it has not ended."""
 _SINCE = re.compile(r"|\d{4}(-\d\d(-\d\d(T\d\d(:\d\d(:\d\d)?)?)?)?)?")
 
 
@@ -203,13 +203,16 @@ def recordings(
     ended: Annotated[
         str,
         typer.Option(
-            help="List only recordings with this end: completed, time, fault, stopped, restarted, cut, recording."
+            help="List only recordings with this end: completed, time, fault, stopped, restarted, cut; "
+            "or recording, for those that have not ended."
         ),
     ] = "",
     participant: Annotated[str, typer.Option(metavar="CODE", help="List only recordings of this participant.")] = "",
     since: Annotated[
         str,
-        typer.Option(metavar="DATE", help="List only recordings that began then or later (2026-11, 2026-11-21T14)."),
+        typer.Option(
+            metavar="DATE", help="List only recordings that began at this time or later (2026-11, 2026-11-21T14)."
+        ),
     ] = "",
     gone: Annotated[bool, typer.Option("--gone", help="List only recordings whose files are missing.")] = False,
     forget: Annotated[
@@ -227,7 +230,7 @@ def recordings(
     since = since.replace(" ", "T")
     if not _SINCE.fullmatch(since):
         raise InputError(
-            f"--since must be a date or its beginning, such as 2026, 2026-11 or 2026-11-21T14:30, got {since!r}"
+            f"--since must be a year, month, day or time, such as 2026, 2026-11 or 2026-11-21T14:30, got {since!r}"
         )
     if forget and delete:
         raise InputError("--forget and --delete cannot be combined")

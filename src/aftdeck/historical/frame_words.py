@@ -44,7 +44,7 @@ STATIONS = {
 SPARE = range(14, 18)
 """Bits of the control word that have no meaning."""
 UNIT = 1e-5
-"""Allowed error of a sum of squares that should be 1: of sine and cosine, or of a normal's components [1] (assumed)."""
+"""Allowed deviation from 1 of sine squared plus cosine squared, and of a normal's squared length [1] (assumed)."""
 
 Direction = Literal[-1, 0, 1]
 """Direction of a motion; 0 for no motion."""
@@ -61,7 +61,7 @@ class ControlWord(NamedTuple):
         pan: 1, -1 or 0. Pan and tilt share one sign bit, so they cannot have opposite signs.
         tilt: 1, -1 or 0.
         zoom: 1 in, -1 out, 0 none.
-        prong: 1 closes, -1 opens, 0 stopped.
+        prong: 1 closing, -1 opening, 0 stopped.
         finger_inhibited: True if the finger's motion is inhibited.
         arm_inhibited: True if the arm's motion is inhibited.
     """
@@ -79,7 +79,7 @@ class ControlWord(NamedTuple):
 
 
 class WordPlane(NamedTuple):
-    """A separating plane in the report's frame R: the points p with normal.p = distance.
+    """A separating plane in the report's frame R: the points p with dot(normal, p) = distance.
 
     Attributes:
         normal: unit normal.
@@ -96,7 +96,8 @@ class FrameBlock(NamedTuple):
     Attributes:
         control: the control word.
         angles: HO, PO, P1, H2, P2, R2 [rad]; decoded angles are in (-pi, pi].
-        planes: the three separating planes of fingers and receptacle. An absent plane is None; its four words are 0.
+        planes: separating planes D1 to D3, between HEX 1 to 3 and the bar. An absent plane is None; its four words
+            are 0.
     """
 
     control: ControlWord
@@ -112,7 +113,7 @@ def encode_control(control: ControlWord) -> int:
             and tilt have opposite signs.
     """
     if _integer(control.mode) not in (1, 2, 3, 4):
-        raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4, an integer")
+        raise InputError(f"the control word's mode is {control.mode!r}; it has to be the integer 1, 2, 3 or 4")
     if control.station not in tuple(STATIONS):
         raise InputError(
             f"the control word has no code for station {control.station!r}; it has codes for {', '.join(STATIONS)}"
@@ -120,7 +121,7 @@ def encode_control(control: ControlWord) -> int:
     for name in ("telescope", "pan", "tilt", "zoom", "prong"):
         motion = getattr(control, name)
         if _integer(motion) not in (-1, 0, 1):
-            raise InputError(f"the control word's {name} is {motion!r}; it has to be -1, 0 or 1, an integer")
+            raise InputError(f"the control word's {name} is {motion!r}; it has to be the integer -1, 0 or 1")
     for name in ("initialise", "finger_inhibited", "arm_inhibited"):
         flag = getattr(control, name)
         if flag not in (False, True):
@@ -156,7 +157,7 @@ def decode_control(word: int) -> ControlWord:
     word = _word(word, "the control word")
     on = [bool(word & _bit(bit)) for bit in range(BITS)]
     if any(on[bit] for bit in SPARE):
-        raise InputError(f"the control word {word:#08x} has one of its spare bits set, 14 to 17")
+        raise InputError(f"the control word {word:#08x} has a spare bit set; bits 14 to 17 have to be 0")
     code = word >> (BITS - 1 - 11) & 0b1111
     station = next((name for name, known in STATIONS.items() if known == code), None)
     if station is None:
@@ -202,7 +203,7 @@ def encode_block(block: FrameBlock) -> tuple[int, ...]:
         if plane is None:
             words += [0, 0, 0, 0]
             continue
-        _has(plane.normal, 3, f"the normal of plane {k} has 3 parts, x, y, z")
+        _has(plane.normal, 3, f"the normal of plane {k} has 3 components, x, y, z")
         parts = {f"normal {axis} of plane {k}": part for axis, part in zip("xyz", plane.normal, strict=True)}
         for name, part in (*parts.items(), (f"distance of plane {k}", plane.distance)):
             _is_number(part, name)
@@ -244,8 +245,8 @@ def _plane(words: Sequence[int], k: int) -> WordPlane | None:
 def fixed(value: float, scale: int, name: str) -> int:
     """Return a number at scale Bn as a word, rounded to the nearest step.
 
-    The number 2**n (for example, a normal's component of 1 at B0) is too large for a word. It is encoded as the
-    greatest number that a word can hold.
+    The number 2**n (for example, a normal's component of 1 at B0) is one step too large for a word. It is therefore
+    encoded as the greatest number that a word can hold.
 
     Raises:
         InputError: the number is not finite, or is outside [-2**n, 2**n] by more than half a step.

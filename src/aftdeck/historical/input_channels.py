@@ -3,8 +3,8 @@
 A switch has one voltage level for each position. Encoding writes the exact level; decoding selects the nearest level.
 The six joint angles of the master arm are proportional to their voltages ("scaling set by analog adjustments"), with
 8 rad at 1 V. This scale is a power of two, so that encoding and decoding preserve every bit of an angle. Source: the
-final report of the Remote Manipulator Simulation, TABLE I. In channel 10 and at station G, the scan shows 3 V; we read
-1/2 V.
+final report of the Remote Manipulator Simulation, TABLE I. For channel 10 and for station G, the report's scan shows
+3 V; we assume that this means 1/2 V.
 """
 
 from __future__ import annotations
@@ -52,7 +52,8 @@ class OperatorInputs(NamedTuple):
 
     Attributes:
         initialise: channel 1: True to initialise, False to run.
-        start: channel 2: the part of the problem to which the run is initialised.
+        start: channel 2: part of the problem (full problem, mode 1, mode 2 or 3); the run is initialised to the start
+            of this part.
         angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], from -8 to 8.
         telescope: channel 9: 1 longer, -1 shorter, 0 stop.
         camera: channel 10: pan or tilt of the camera.

@@ -1,4 +1,4 @@
-"""TABLE I of the Remote Manipulator Simulation: conversion of a step's inputs to its thirteen channels, and back.
+"""TABLE I of the Remote Manipulator Simulation: conversion of inputs to its thirteen channels, and back.
 
 The channels hold the inputs of one control step: the master arm's six angles and seven switches. Some of our commands
 have no channel (for example rate setting, latches, the orbiter's translation); `Reading.unsaid` names every such
@@ -22,7 +22,7 @@ from aftdeck.steering.layout import MASTER
 MODE = "MASTER"
 """Mode in which the arm follows the channels' angles."""
 NOT_CONNECTED: Station = "E"
-"""Station for a camera that has no level in TABLE I; the level of this station is 0 V."""
+"""Station that channel 12 holds if the commanded camera has no level in TABLE I; the level of station E is 0 V."""
 
 _MOTIONS: dict[tuple[float, float], CameraMotion] = {
     (1.0, 0.0): "+pan",
@@ -92,7 +92,7 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
 
 
 def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
-    """Return the inputs of one step, as the thirteen channels give them.
+    """Return the inputs that the thirteen channels command in one step.
 
     Args:
         settings: settings of the channels.
@@ -136,7 +136,8 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
         "position_hold": panel.position_hold != scenario.position_hold,
         "brakes": panel.brakes,
         "safing": panel.safing,
-        # the scenario fixes the payload to the arm, so each press of the switch is rejected; channels hold levels
+        # the scenario fixes the payload to the arm, so a press of the prong's switch is rejected; channel 13 holds
+        # the position of the switch and cannot express the press
         "effector": rejected,
         "effector_mode": worksite.effector_mode != "auto",
         "rigid": worksite.rigid != "off",

@@ -23,7 +23,7 @@ from aftdeck.units import FOOT
 INNER = (3, 1, 4)
 """Indices, from 0, of faces d, b and e: the faces of HEX 1 to 3 that are towards a held bar."""
 NO_CODE = "A"
-"""Station for a camera that has no code. The code of this station is 0000, as for a disabled function."""
+"""Station in the control word if the commanded camera has no code. Its code is 0000, as for a disabled function."""
 FARTHEST = 2.0**11 * FOOT
 """Greatest distance that a word can hold at scale B11, the report's scale for distances [m]."""
 

@@ -53,7 +53,7 @@ class WordsWriter:
 
     Attributes:
         steps: number of steps written so far.
-        unsaid: a count for each name: number of the lines written so far whose field ``unsaid`` contains the name.
+        unsaid: for each name, the number of lines written so far whose ``unsaid`` contains this name.
     """
 
     def __init__(self, file: TextIO, scenario: Scenario) -> None:
@@ -136,7 +136,7 @@ class Channels(NamedTuple):
 
     Attributes:
         samples: the operator's inputs, one for each control step.
-        unsaid: a count for each name: number of the lines whose field ``unsaid`` contains the name.
+        unsaid: for each name, the number of lines whose ``unsaid`` contains this name.
     """
 
     samples: tuple[OperatorInputs, ...]

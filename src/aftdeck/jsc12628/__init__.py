@@ -1,4 +1,4 @@
-"""Subroutines of JSC-12628, one function each, in the report's symbols.
+"""Subroutines of JSC-12628: one function for each subroutine, with the report's symbols.
 
 The package contains no formulas: it calls the simulation's compiled laws. Where the simulation differs from the report,
 these functions follow the report, like a scenario with ``strict``. VCLOSE and AVCLMT are as published, RMANGS returns
@@ -7,7 +7,7 @@ only its own branch, and joints have no stops.
 Lengths are in metres, or in feet with ``units="ft"``; angles are in radians, times in seconds. Vectors and rotations
 are in the report's orbiter frame B unless stated otherwise. The columns of a rotation T_BN are the axes of frame N, in
 B. Joint angles are the angles on the panel. They equal the report's angles, except on an arm whose elbow is below the
-line of its booms: there some angles differ from the report's by constants.
+line from shoulder pitch to wrist pitch. On such an arm, some angles differ from the report's by constants.
 
 Example:
     >>> import numpy as np

@@ -1,4 +1,4 @@
-"""VOTRAN, AVCLMT and RATLMT: conversion of a mode's command to B, and its reduction to the limits."""
+"""VOTRAN, AVCLMT and RATLMT: conversion of a mode's command to B, and reduction of velocities and joint rates."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Ratlmt(NamedTuple):
     """Result of RATLMT: joint rates within their limits.
 
     Attributes:
-        RATIO: ratio of each returned rate to its given rate, at most 1; the same for all joints.
+        RATIO: factor by which RATLMT multiplied all joint rates, at most 1.
         theta_dot_C: (6,) returned joint rates [rad/s].
     """
 

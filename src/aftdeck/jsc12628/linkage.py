@@ -80,9 +80,9 @@ def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
 
 
 def jacobi(arm: Arm, theta: ArrayLike, units: Units = "m") -> Array:
-    """Return the Jacobian matrix a in frame 5 (JSC-12628, subroutine JACOBI, p. 10).
+    """Return the Jacobian matrix, the report's `a`, in frame 5 (JSC-12628, subroutine JACOBI, p. 10).
 
-    The product a theta_dot is the report's vector b: the tip's angular velocity, then its velocity.
+    This matrix times the joint rates gives the report's vector `b`: the tip's angular velocity, then its velocity.
 
     Args:
         arm: as for `lnkage`.

@@ -50,7 +50,7 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.layout import DT as PERIOD
 
 _NO_STOP = 1e6
-"""Angle [rad] of the stops; no joint reaches it, because the source's joints have no stops."""
+"""Angle of the stops [rad], so large that no joint reaches it; the source's joints have no stops."""
 _ZERO = (0.0, 0.0, 0.0)
 
 
@@ -85,7 +85,7 @@ class Msteer(NamedTuple):
         theta_dot_C: (6,) commanded joint rates [rad/s].
         omega_C: (3,) the tip's commanded angular velocity [rad/s].
         V_C: (3,) the tip's commanded velocity.
-        RATIO: ratio by which RATLMT reduced the joint rates, at most 1.
+        RATIO: factor by which RATLMT multiplied all joint rates, at most 1.
         ETA: estimated phase time at the end of the phase [s]; infinite in modes 4 to 8, which an operator ends.
         done: whether a phase of an automatic mode (1, 2 or 3) has ended.
     """
@@ -120,9 +120,9 @@ def operin(
         theta_F: (6,) final joint angles [rad], for mode 1.
         r_6BF: (3,) the tip's final position, for modes 2 and 3.
         T_B7F: (3, 3) the tip's final orientation, for modes 2 and 3.
-        omega_C: (3,) the report's omega_C', the operator's angular velocity in the mode's frame [rad/s], for modes
-            4 to 7.
-        V_C: (3,) the report's V_C', the operator's velocity in the mode's frame, for modes 4 to 7.
+        omega_C: (3,) the report's omega_C', the angular velocity that the operator commands in the mode's frame
+            [rad/s], for modes 4 to 7.
+        V_C: (3,) the report's V_C', the velocity that the operator commands in the mode's frame, for modes 4 to 7.
         T_78: (3, 3) the payload's axes in frame 7, for modes 6 and 7.
         joint: index of the joint that moves, 0 to 5, for mode 8.
         theta_dot_C: the report's theta_dot_C', the rate of that joint [rad/s], for mode 8.

@@ -74,7 +74,7 @@ def vclose(
 ) -> Vclose:  # fmt: skip
     """Return the closed-loop rates towards a target, as published (JSC-12628, subroutine VCLOSE, p. 30).
 
-    For the small time epsilon of the source, this function uses `DT`.
+    `DT` replaces the source's small time epsilon.
 
     Args:
         delta_V: remaining distance.

@@ -31,9 +31,9 @@ class Arm:
     """Arm of one of two families: the family of the Shuttle's arm, or the family of the concept arm of 1972.
 
     Joint angles are those of the panel. All angles of the Shuttle's arm are zero at the cradle; all angles of the
-    concept arm are zero when it is stretched out aft. Poses and twists are in L, the arm's base frame (for the concept
-    arm the report's R), unless another frame is named. For the concept arm, frame 7 means system 2. Every method
-    accepts arrays with any number of leading dimensions, unless its description states otherwise.
+    concept arm are zero when it is stretched out aft. Poses and twists are in L, the arm's base frame, unless another
+    frame is named. For the concept arm, L is the report's frame R, and frame 7 is system 2. Every method accepts arrays
+    with any number of leading dimensions, unless its description states otherwise.
 
     Attributes:
         model: every constant, with its source.
@@ -160,8 +160,8 @@ class Arm:
         Args:
             pose: position (3,) [m] and rotation (3, 3) of frame 7, in L.
             near: (6,) angles [rad]. Solutions are sorted by their distance from `near` (root of the sum of squared
-                differences), nearest first. Each angle is in the revolution nearest to `near`. If None, solutions are
-                sorted by their distance from all angles zero, and each angle is within +-180 deg.
+                differences), nearest first. Each angle is in the revolution nearest to `near`. If None, the
+                distance is measured from the zero angles, and each angle is within +-180 deg.
             limits: True to move angles by whole revolutions inside the hard stops where this is possible, and to leave
                 out solutions outside the hard stops.
 
@@ -241,7 +241,7 @@ class Arm:
     def _unsolved(self, found: Solved, pose: Pose, near: Array) -> InputError | SingularityError | UnreachableError:
         """Return the error for a pose for which `inverse` finds no joint angles.
 
-        CMD CK and the log record the text of these errors: a change of a text changes recordings.
+        The texts of these errors appear in CMD CK and in the log, so that a changed text changes recordings.
         """
         first, fifth = (self.joints[k].replace("_", " ") for k in (0, 4))
         match found.outcome:
@@ -278,7 +278,7 @@ class Arm:
 
 
 def _out_of_reach(excess: float) -> UnreachableError:
-    """Return the error for a wrist out of reach by `excess` [m]; negative if the wrist is too close to the shoulder."""
+    """Return the error for a wrist out of reach; `excess` [m] is negative if the wrist is too close to the shoulder."""
     if excess > 0.0:
         return UnreachableError(f"the arm cannot reach this pose: its wrist is {excess:.4g} m too far out", excess)
     return UnreachableError(
@@ -329,7 +329,7 @@ def _sixes(values: ArrayLike, what: str) -> Array:
 
 
 def _rows(values: ArrayLike, what: str) -> tuple[Array, tuple[int, ...]]:
-    """Return contiguous rows (n, 6) and the leading shape."""
+    """Return the contiguous rows (n, 6) of an array (..., 6), and the array's leading dimensions."""
     array = _sixes(values, what)
     return _flat(array), array.shape[:-1]
 

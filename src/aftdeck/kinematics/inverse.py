@@ -67,8 +67,8 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
     Returns:
         Distance of the fifth joint from the first joint's axis [m], and the greatest cosine of the fifth angle on any
         row. If one of these values is about zero, the pose is singular on every row, and the angles are not unique.
-        With a heading-pitch-roll wrist, it is possible that only some rows are singular and have angles that are not
-        unique.
+        With a heading-pitch-roll wrist, it is also possible that only some rows are singular. Then only the angles of
+        these rows are not unique.
     """
     r1 = pose[0] - pose[3] * arm[L5]
     r2 = pose[1] - pose[6] * arm[L5]
@@ -93,7 +93,7 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
         b31 = pose[9]
         cosine = math.sqrt(b22 * b22 + b23 * b23)
         for sign in (1.0, -1.0):
-            # theta5, or pi - theta5; beta is the sum of the pitch angles, the slope of the link after wrist pitch
+            # theta5, or pi - theta5; beta is the slope of the link after wrist pitch: the sum of the three pitch angles
             q5 = math.atan2(b21, sign * cosine)
             q6 = math.atan2(-sign * b23, sign * b22)
             beta = math.atan2(-sign * b31, sign * b11)
@@ -147,7 +147,7 @@ def _heading_rows(
         cosine = math.sqrt(d11 * d11 + b21 * b21)
         greatest = max(greatest, cosine)
         for turned in (0, 1):
-            # theta5, or pi - theta5; the roll is computed from the pitch axis: it then agrees with the heading even
+            # theta5, or pi - theta5; the roll is computed from the pitch axis, so that roll and heading agree even
             # where the heading is ill-defined
             sign = 1.0 - 2.0 * turned
             q4 = math.atan2(sign * b21, sign * d11)

@@ -1,8 +1,9 @@
 """JACOBI and ERATES: the Jacobian, and the tip's twist from joint rates.
 
-Source: JSC-12628, subroutines JACOBI and ERATES. The Jacobian is given in the frame of a link of the arm's plane, where
-most of its elements are zero. For a pitch-yaw-roll wrist this is frame 5, the wrist-pitch frame, as in the source. For
-a heading-pitch-roll wrist it is system 1, the lower arm's frame. `spin` rotates vectors from these frames into L.
+Source: JSC-12628, subroutines JACOBI and ERATES. The Jacobian is given in the frame of a link that lies in
+the arm's plane, because many elements are zero in this frame. For a pitch-yaw-roll wrist it is frame 5, the wrist-pitch
+frame, as in the source. For a heading-pitch-roll wrist it is system 1, the lower arm's frame. `spin` rotates vectors
+from these frames into L.
 """
 
 from __future__ import annotations
@@ -16,10 +17,10 @@ from aftdeck.law import law
 
 
 class Jacobian(NamedTuple):
-    """Elements of the matrix a in twist = a * rates, except those that are the same constants in both families.
+    """Matrix a in twist = a * rates, without the elements that are constant and equal in both families.
 
-    The elements without a field are a22 = a23 = 1, and zeros. s and c are the sine and cosine of the slope of the link
-    in whose frame the matrix is given.
+    The elements without a field are a22 and a23, which are 1, and elements that are 0. The matrix is given in a link's
+    frame; s and c are the sine and cosine of that link's slope.
     """
 
     s: float

@@ -29,7 +29,7 @@ L1, L2, L3, L4, L5 = 0, 1, 2, 3, 4
 L3: lower arm. L4: from wrist pitch to wrist yaw; 0 if the wrist's axes intersect in one point. L5: from wrist yaw to
 the tip; if the wrist's axes intersect in one point, from this point to the tip."""
 UPPER, LOWER = 5, 6
-"""Indices of the angles of upper and lower arm above their boom lines at zero joint angles [rad]."""
+"""Indices of two angles at zero joint angles [rad]: from the boom line up to the upper arm, and up to the lower arm."""
 WRIST = 7
 """Index of the kind of wrist, which identifies the family."""
 LINKS = 8
@@ -105,10 +105,10 @@ def sines(arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6
 
 @law
 def spin(a: Sines, s: float, c: float, x: float, y: float, z: float) -> Three:
-    """Return in L a vector that has the components x, y, z in the frame of a link of the arm's plane.
+    """Return the components in L of a vector with the components x, y, z in a link's frame.
 
-    x is along the link, y along the normal of the arm's plane, and z across the link. s and c are the sine and cosine
-    of the link's slope.
+    The link lies in the arm's plane. x is along the link, y along the normal of the arm's plane, and z across the link.
+    s and c are the sine and cosine of the link's slope.
     """
     out = c * x + s * z
     return a.c1 * out - a.s1 * y, a.s1 * out + a.c1 * y, -s * x + c * z
@@ -154,7 +154,7 @@ def axes(arm: Floats, a: Sines) -> Nine:
 
 @law
 def _axes_heading_pitch_roll(a: Sines) -> Nine:
-    """Return the axes for heading, pitch and roll after the lower arm's slope (Remote Manipulator Simulation)."""
+    """Return the axes of system 2 in L, row by row, for a heading-pitch-roll wrist (Remote Manipulator Simulation)."""
     r11, r21, r31 = spin(a, a.s23, a.c23, a.cw * a.c5, a.sw * a.c5, -a.s5)
     y1, y2, y3 = spin(a, a.s23, a.c23, -a.sw, a.cw, 0.0)
     z1, z2, z3 = spin(a, a.s23, a.c23, a.cw * a.s5, a.sw * a.s5, a.c5)
@@ -181,7 +181,7 @@ def tip(arm: Floats, a: Sines) -> Tip:
 
 @law
 def lifted(t: Tip, by: float) -> Tip:
-    """Return the tip after the whole arm is raised by a length [m]."""
+    """Return the tip's position and axes for the same arm raised as a whole by the length `by` [m]."""
     return Tip(t.x, t.y, t.z - by, t.r11, t.r12, t.r13, t.r21, t.r22, t.r23, t.r31, t.r32, t.r33)
 
 

@@ -1,14 +1,14 @@
 """RMSRAT: the closed-form resolved-rate law, from a tip twist to joint rates.
 
-Source: JSC-12628, subroutine RMSRAT. Its equations are written in frame 5. Here the two equations of the pitches are
-written in the arm's plane, where most terms vanish and the coefficients are sines and cosines of the links' slopes.
-With a heading-pitch-roll wrist, whose three axes intersect in one point, the first three joints move that point and the
-last three produce the remaining rotation.
+Source: JSC-12628, subroutine RMSRAT. Its equations are written in frame 5. Here the two equations for shoulder and
+elbow pitch are written in the arm's plane, where most terms vanish and the coefficients are sines and cosines of the
+links' slopes. With a heading-pitch-roll wrist, whose three axes intersect in one point, the first three joints move
+that point and the last three produce the remaining rotation.
 
 The three denominators are zero at the arm's singularities. If a denominator is nearer to zero than `floor`, the law
-divides by the floor instead. The rates then remain finite, and their direction equals the direction of the arm's free
-motion out of the singularity. `kinematics.arm` rejects such poses; the steering slows the arm before the arm reaches
-them.
+divides by the floor instead. The rates then remain finite. At a singularity they are almost proportional to joint rates
+that do not move the tip. `kinematics.arm` rejects or masks such poses; the steering slows the arm before the arm
+reaches them.
 """
 
 from __future__ import annotations
@@ -54,12 +54,12 @@ def rmsrat(arm: Floats, a: Sines, t: Twist, floor: float) -> Rates:
 
 @law
 def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
-    """Return joint rates [rad/s] for a tip twist in L, with `per` from `per_distance` (RMSRAT after its divisions)."""
+    """Return joint rates [rad/s] for a tip twist in L: RMSRAT without its divisions, which `per_distance` did."""
     if arm[WRIST] == HEADING_PITCH_ROLL:
         return _resolved_heading_pitch_roll(arm, a, t, per)
     per_shoulder, per_elbow, per_wrist = per
     side, ahead = arm[L5] * a.s5, arm[L5] * a.c5
-    # in the arm's plane: outwards, to the side, and down as in L
+    # the twist's components outwards in the arm's plane and to its side; the component down is the one in L
     w1, b2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
     v1, b5 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
     # in frame 5
@@ -68,7 +68,7 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
     r5 = b3 - a.cw * r1
     roll = a.sw * r1
     r6 = (b1 + roll) * per_wrist
-    # the three pitches: the sum of their rates, and the velocity of the wrist that upper and lower arm have to produce
+    # c1: sum of the three pitch rates; out, down: velocity that the lower arm's end has to have [m/s]
     c1 = b2 - a.s5 * r6
     c2, c3 = side * b3, side * roll + (arm[L4] + ahead) * c1
     out, down = v1 + (a.cw * c2 + a.sw * c3), t.vz + (a.cw * c3 - a.sw * c2)
@@ -90,17 +90,18 @@ def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> 
 
 @law
 def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
-    """Return joint rates [rad/s] of an arm with a heading-pitch-roll wrist (RMSRAT after its divisions).
+    """Return joint rates [rad/s] of an arm with a heading-pitch-roll wrist: RMSRAT without its divisions.
 
     Shoulder heading, shoulder pitch and elbow pitch move the point in which the wrist's axes intersect. The wrist
     produces the remaining rotation.
     """
     per_shoulder, per_elbow, per_wrist = per
-    # in the arm's plane: outwards, to the side, and down as in L
+    # the twist's components outwards in the arm's plane and to its side; the component down is the one in L
     w1, w2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
     v1, v2 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
-    # the vector from the point in which the wrist's axes intersect to the tip, first along and across the lower arm
+    # vector from the intersection of the wrist's axes to the tip: along and across the lower arm, and to the side
     ahead, across, side = arm[L5] * (a.cw * a.c5), -arm[L5] * a.s5, arm[L5] * (a.sw * a.c5)
+    # the same vector outwards and down
     out, down = a.c23 * ahead + a.s23 * across, a.c23 * across - a.s23 * ahead
     r1 = (v2 - t.wz * out + w1 * down) * per_shoulder
     r2, r23 = _booms(arm, a, v1 - w2 * down + t.wz * side, t.vz - w1 * side + w2 * out, per_elbow)

@@ -21,8 +21,8 @@ class Singularities(NamedTuple):
 
     Attributes:
         shoulder: distance of the fifth joint from the first joint's axis, divided by the greatest possible distance.
-            The fifth joint is wrist yaw. In a heading-pitch-roll wrist it is wrist pitch, and its centre is the point
-            in which the wrist's axes intersect.
+            The fifth joint is wrist yaw. In a heading-pitch-roll wrist, the fifth joint is wrist pitch; its location is
+            the point in which the wrist's axes intersect.
         elbow: minus the sine of the elbow's geometric angle; positive if the elbow is bent as usual.
         wrist: cosine of the fifth joint's angle.
     """

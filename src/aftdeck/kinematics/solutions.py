@@ -15,7 +15,7 @@ from aftdeck.law import law, nearest
 ROTATION_TOLERANCE = 1e-6
 """Greatest allowed deviation of the pose's rotation from an orthonormal matrix [1]."""
 SAME = 1e-9
-"""Greatest difference of the angles of two solutions that count as equal; also the tolerance at the limits [rad]."""
+"""Tolerance of each angle at the limits, and in the comparison of two solutions for equality [rad]."""
 EPSILON = 1e-9
 """Distance [m] or cosine [1] below which a pose counts as singular."""
 FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = range(8)
@@ -144,7 +144,8 @@ def _choose_revolutions(angles: Array, hard: Array, near: Array, turned: bool, l
             low, high = hard[k, 0], hard[k, 1]
             angle = angle - math.tau * max(math.ceil((angle - high - SAME) / math.tau), 0.0)
             angle = angle + math.tau * max(math.ceil((low - SAME - angle) / math.tau), 0.0)
-            below = angle - math.tau  # if the angle is outside in every revolution, use the nearer of two revolutions
+            # if no revolution is inside, use the nearer one: the first above the limits, or the first below them
+            below = angle - math.tau
             if angle > high + SAME and low - below < angle - high:
                 angle = below
         angles[k] = angle

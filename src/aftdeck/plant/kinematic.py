@@ -18,7 +18,7 @@ def follow(commanded_rates: Array, period: float, stops: Array, angles: Array, r
         stops: (6, 2) hard stops [rad].
         angles: (6,) joint angles, changed [rad].
         rates: (6,) actual rates, changed [rad/s].
-        commanded: (6,) angles to which the commanded rates would have brought the joints without stops, changed [rad].
+        commanded: (6,) angles that the joints would have reached at the commanded rates without stops, changed [rad].
     """
     for i in range(6):
         before, after = angles[i], angles[i] + commanded_rates[i] * period
@@ -35,7 +35,7 @@ class KinematicPlant(StatePart):
     Attributes:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
-        commanded: (6,) angles to which all commanded rates so far would have brought the joints without stops [rad].
+        commanded: (6,) angles that the joints would have reached at all commanded rates so far without stops [rad].
         stand: height of the shoulder above L's origin, which the telescope changes.
     """
 
@@ -49,7 +49,7 @@ class KinematicPlant(StatePart):
 
         Args:
             stops: (6, 2) hard stops [rad].
-            travel: travel of the telescope.
+            travel: range and rate of the telescope.
             commanded_rates: (6,) commanded rates [rad/s].
             period: control period [s].
             drive: drive of the telescope, -1 to +1; + lengthens it.

@@ -11,7 +11,7 @@ from aftdeck.state_part import StatePart
 
 
 class Travel(NamedTuple):
-    """Range and rate of a slide.
+    """Range and rate of a linear actuator.
 
     Attributes:
         low: least position [m].
@@ -25,7 +25,7 @@ class Travel(NamedTuple):
 
 
 class Slide(StatePart):
-    """Position on a line. A drive moves it between two ends; the rate takes effect at once.
+    """State of a linear actuator. A drive moves it between two ends; the rate takes effect at once.
 
     Attributes:
         position: position [m].
@@ -47,7 +47,7 @@ class Slide(StatePart):
 
 
 def travel_of_stand(model: ArmModel) -> Travel:
-    """Return the travel of the shoulder's height above L's origin; drive + lengthens the telescope.
+    """Return range and rate of the shoulder's height above L's origin; drive + lengthens the telescope.
 
     Without a telescope, the height is fixed.
     """
@@ -56,7 +56,7 @@ def travel_of_stand(model: ArmModel) -> Travel:
 
 
 def travel_of_prong(prong: Prong | None) -> Travel:
-    """Return the travel of the prong: coordinate y2 of its inner face [m]; drive + closes, - opens.
+    """Return range and rate of the prong's inner face, in coordinate y2; drive + closes the prong, - opens it.
 
     Without a prong, the coordinate is fixed at 0.
     """

@@ -25,7 +25,8 @@ from aftdeck.version import __version__
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
 """Path of the arm file in a temporary folder.
 
-The path has eight subfolders, so that a shapes file with up to eight ``..`` in its path is in this folder too.
+The path has eight subfolders, so that a shapes file with up to eight ``..`` in its relative path is in the temporary
+folder too.
 """
 _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
@@ -40,7 +41,7 @@ def opening(
         scenario: the scenario of the run.
         seed: the seed of the run.
         began_ns: wall time at which the run begins, since 1970 [ns].
-        changes: the changes of the scenario's text that give this scenario, each as KEY=VALUE.
+        changes: the changes from the scenario's text to this scenario, each as KEY=VALUE.
         trial: participant and condition.
     """
     model = scenario.arm.model

@@ -61,7 +61,7 @@ def restored(kind: type[S], data: Any) -> S:
 
 
 def as_read(message: S) -> S:
-    """Return a message with the values that a file's reader gets: rounded to the declared decimals."""
+    """Return a message with the values that a reader of the file gets: rounded to the declared decimals."""
     return restored(type(message), plain(message))
 
 

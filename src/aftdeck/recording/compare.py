@@ -29,7 +29,7 @@ class Difference(msgspec.Struct, frozen=True):
     time_s: float
     tick: int
     fields: tuple[FieldChange, ...]
-    """Fields that differ; empty if the frames differ only beyond the recorded decimals."""
+    """Fields that differ; empty if the frames differ only in decimals that are not recorded."""
 
 
 class Greatest(msgspec.Struct, frozen=True):

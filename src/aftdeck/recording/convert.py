@@ -11,7 +11,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs
 
 DIGITS = 16
-"""Number of leading hexadecimal digits of the digest that a frame's record contains."""
+"""Number of hexadecimal digits in a frame's record; they are the first digits of the frame's digest."""
 
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:

@@ -85,9 +85,10 @@ def _triangles(surface: Mesh, colour: fox.Color) -> fox.TriangleListPrimitive:
 
 
 def _pose(pose: Pose) -> fox.Pose:
-    """Return a Foxglove pose; if the pose is reflected, reverse its y axis, so that it becomes a rotation.
+    """Return a Foxglove pose, without reflection.
 
-    The picture does not change, because every shape with a reflected pose is symmetric in y.
+    If `pose` contains a reflection, its y axis is reversed, because a quaternion can only describe a rotation. The
+    picture does not change, because every shape with a reflected pose is symmetric in y.
     """
     rotation = pose.rotation if np.linalg.det(pose.rotation) > 0.0 else pose.rotation * [1.0, -1.0, 1.0]
     w, x, y, z = quaternion(rotation)

@@ -89,7 +89,7 @@ class FramesOf1:
         return new
 
     def _contact_escape(self, text: str) -> Plain:
-        """Return the escape direction from a contact, which layout 1 contains only as text."""
+        """Return the escape direction from a contact; layout 1 contains this direction only as text."""
         *_, command, direction = text.removeprefix("ORB UNL, ").split(" ")
         sign = -1 if direction.startswith("−") or direction == "shorter" else 1
         escape = {"cause": "contact", "text": text, "sign": sign, "position": "", "axis": 0}
@@ -124,7 +124,8 @@ class FramesOf1:
 def as_layout_1(frame: Frame, units: Units) -> Frame:
     """Return a frame whose check and conditions have only the values that layout 1 records.
 
-    The `words` of each condition become its text in the operator's units, as in the frames that `FramesOf1` returns.
+    The field `words` of each condition becomes the condition's text in the operator's units, as in the frames that
+    `FramesOf1` returns.
     """
     check = frame.check and Check(frame.check.good, frame.check.text)
     conditions = tuple(

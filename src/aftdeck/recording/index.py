@@ -20,7 +20,7 @@ from aftdeck.recording.records import Opening
 BUSY_S = 5.0
 """Longest wait for another program that locks the database [s]."""
 FRESH_S = 3.0
-"""Time since the last write within which a file counts as still being recorded [s]."""
+"""Limit of the time since the last write to a file [s]; below this limit, the file counts as still being recorded."""
 _TABLE = """
     create table if not exists recordings (
         path text primary key, scenario text not null, title text not null, seed integer not null,
@@ -137,7 +137,7 @@ class Index:
         """Delete the entries' files, and remove the entries from the list.
 
         Raises:
-            RecordingError: a file cannot be deleted or is being recorded; the entries before it are deleted already.
+            RecordingError: a file cannot be deleted or is being recorded; the entries before this one are deleted.
         """
         for entry in entries:
             if entry.state == "here" and entry.ended == "recording":

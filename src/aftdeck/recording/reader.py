@@ -120,7 +120,7 @@ class Recording:
     def controllers(self) -> Iterator[ControllersRecord]:
         """Return an iterator over the records of the devices that moved the sticks, one for each change.
 
-        It is empty for a scripted run, and for a file that is older than these records.
+        The iterator is empty for a scripted run, and for a file of an earlier version without these records.
         """
         return (message for message in self.messages() if isinstance(message, ControllersRecord))
 
@@ -139,7 +139,9 @@ class Recording:
     def _decoded(self, file: BinaryIO) -> Iterator[Message]:
         start = file.read(len(MAGIC))
         if start != MAGIC[: len(start)]:
-            raise RecordingError(f"{self.path}: is not an MCAP file, so not a recording of Aftdeck", "foreign")
+            raise RecordingError(
+                f"{self.path}: is not an MCAP file, and therefore not a recording of Aftdeck", "foreign"
+            )
         file.seek(0)
         size = max(self.path.stat().st_size, 1)
         topics: dict[int, str] = {}

@@ -26,7 +26,10 @@ class Opening(Message, frozen=True):
     format: Annotated[int, field_meta("number of the file's layout")]
     version: Annotated[str, field_meta("Aftdeck's version")]
     laws: Annotated[str, field_meta("digest of the laws' source code; changed laws may change the last digits")]
-    machine: Annotated[str, field_meta("processor, system and compilers; re-simulation is exact if they are equal")]
+    machine: Annotated[
+        str,
+        field_meta("processor, system and compilers; re-simulation is exact on a machine where all three are the same"),
+    ]
     began: Annotated[str, field_meta("wall time at which the run began, ISO 8601, UTC")]
     scenario: Annotated[str, field_meta("name of the scenario")]
     title: Annotated[str, field_meta("title of the scenario")]
@@ -103,7 +106,8 @@ class Shown(Message, frozen=True):
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     mon_1: Annotated[
-        tuple[str, ...], field_meta("names of MON 1's cameras, two if it is split; none if no page is in control")
+        tuple[str, ...],
+        field_meta("names of MON 1's cameras: one, or two if the monitor is split; none if no page is in control"),
     ]
     mon_2: Annotated[tuple[str, ...], field_meta("names of MON 2's cameras, as for MON 1")]
 

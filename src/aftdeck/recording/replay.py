@@ -47,7 +47,7 @@ class Verdict(msgspec.Struct, frozen=True):
     recorded_by: str
     """Version of Aftdeck that made the recording."""
     version: str
-    """Version of Aftdeck that compared it."""
+    """Version of Aftdeck that verified the recording."""
     same_laws: bool
     """True if the source code of the laws has not changed since the recording."""
     same_machine: bool
@@ -59,9 +59,10 @@ def verify(
 ) -> Verdict:
     """Re-simulate a recording's inputs and compare every frame's digest.
 
-    A recording of another version is re-simulated too; the verdict names that version. A digest of that version may
-    cover other fields of the state. In this case every recorded value is compared instead of the digest. If a log line
-    comes from another version, only its time, kind and level are compared, because its text may differ.
+    A recording of another version is re-simulated too; the verdict names that version. The recorded digests may
+    cover other fields of the state than the digests of this version. In this case every recorded value is compared
+    instead of the digests. Of a log line from another version, only time, kind and level are then compared, because
+    texts may differ between versions.
 
     Args:
         path: the recording.
@@ -87,7 +88,7 @@ def verify(
 
 
 def _logged(record: FrameRecord, reworded: bool) -> list[tuple[float, str, str, str]]:
-    """Return the log lines of a frame; without their texts if `reworded`, because another version wrote them."""
+    """Return the log lines of a frame. If `reworded`, omit their texts, because texts may differ between versions."""
     return [(event.time_s, event.kind, event.level, "" if reworded else event.text) for event in record.events]
 
 

@@ -15,10 +15,11 @@ SAME_TIME = 1e-9
 
 
 def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input]:
-    """Yield the inputs of each step at the new control period: the latest sticks, and every switch that was set.
+    """Yield the inputs of each step at the new control period.
 
-    A new step merges the inputs of all old steps that began before the end of the new step and that no earlier new step
-    has used. Together the new steps last at least as long as the old steps.
+    An old step belongs to the first new step that ends after the old step begins. A new step has the latest stick
+    deflections of its old steps, and every switch that was set in them. Together the new steps last at least as long as
+    the old steps.
 
     Args:
         inputs: inputs of every step at the old control period.
@@ -40,7 +41,7 @@ def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input
 
 
 def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
-    """Return one step's inputs, merged from `since`, the inputs since the step before.
+    """Return the inputs of one new step, merged from `since`: the inputs since the previous new step.
 
     If `since` is empty, the sticks stay as in `before`, and no switch is set.
     """

@@ -61,7 +61,7 @@ def record(
     Raises:
         RecordingError: the file exists already or cannot be written.
         UnrecordedRunError: recording stopped before everything was written, for example on a full disk. The file has
-            the steps written until then; the attribute `run` of the error is the run.
+            the steps written until then; the error's attribute `run` contains the run.
     """
     loaded = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
     own_seed = loaded.seed if seed is None else whole(seed, "seed")

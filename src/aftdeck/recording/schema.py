@@ -19,7 +19,7 @@ _PLAIN = {float: "number", int: "integer", str: "string", bool: "boolean"}
 
 
 class FieldInfo(NamedTuple):
-    """Description of a field, read from its type and its source."""
+    """Description of a field, read from its type and from the string below it in the source code."""
 
     name: str
     kind: Any
@@ -28,7 +28,7 @@ class FieldInfo(NamedTuple):
     unit: str
     frame: str
     rounded: bool
-    """True if the field is rounded to its declared decimals, and a rotation in it is recorded as a quaternion."""
+    """True if the field has declared decimals. Its numbers are then rounded, and its rotation is a quaternion."""
 
 
 def fields(kind: type) -> Iterator[FieldInfo]:

@@ -19,7 +19,7 @@ from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 
 MAX_FILES_PER_SECOND = 999
-"""Upper limit of the number in the file's name that distinguishes recordings of one scenario in the same second."""
+"""Maximum number of recordings of one scenario that begin in the same second; a number distinguishes their names."""
 
 
 class SessionRecorder:
@@ -32,7 +32,7 @@ class SessionRecorder:
     def __init__(
         self, folder: Path | None, index: Index | None, live: Live | None = None, trial: Trial = NO_TRIAL
     ) -> None:
-        """Set folder, list and server for the runs of the session.
+        """Set the folder, the list and the server for the runs of the session.
 
         Args:
             folder: folder of the recordings; None: runs are not recorded.
@@ -63,7 +63,7 @@ class SessionRecorder:
             return
         self._period = scenario.control_period
         writing = [recorder for recorder in self._ending if recorder.writing]
-        # Read errors only after listing the active recorders: a recorder that finishes in between is read too.
+        # Collect errors only after listing the active recorders: a recorder that is not listed has stored its errors.
         self._collect_errors()
         self._ending = writing
         before = self._ending[-1] if self._ending else None

@@ -26,7 +26,10 @@ from aftdeck.simulation.frame import Event, Frame
 PERIOD = 0.1
 """Simulated time between two messages of a moving quantity [s]."""
 GRAIN = 2.0**18
-"""Number of increments per unit (metre, radian, 1). Moving values are rounded to them: short numbers compress well."""
+"""Number of increments per unit (metre, radian, 1).
+
+Moving values are rounded to whole increments: short numbers compress well.
+"""
 ROOT, LONGERON, TIP = "scene", "L", "tip"
 """Names of the coordinate frames that belong to no body."""
 _STILL: Seven = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
@@ -57,7 +60,7 @@ class Viewing:
     def open(self) -> None:
         """Send the transforms that do not change, and the shapes and colours of all bodies."""
         if self._live:
-            self._live.requested_topics()  # discard these requests: attached viewers receive the topics now
+            self._live.requested_topics()  # discard earlier requests: all attached viewers receive the topics now
         for topic in (FIXED, SCENE):
             self._send_topic(topic, self._began_ns)
 

@@ -50,7 +50,7 @@ POLL_S = 0.05
 MAX_WAITING = 20_000
 """Maximum number of entries in the queue; beyond it, the recording ends."""
 BEGIN_S = 2.0
-"""Longest time for which a session's first run waits until its file has the header [s]."""
+"""Longest time for which a run waits at its start until the header is in the file [s]."""
 MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run [s]."""
 
@@ -80,7 +80,7 @@ class Recorder:
 
     Attributes:
         path: the file; None if the run is only sent to viewers.
-        failure: reason for the end of the recording, in a sentence; empty while it continues.
+        failure: reason why the recording failed, in a sentence; empty if it has not failed.
         unlisted: reason why the file is not in the list of recordings, in a sentence; empty if no error occurred.
         steps: number of steps recorded so far.
     """
@@ -105,7 +105,7 @@ class Recorder:
             seed: the seed of the run.
             changes: changes of the scenario, each as KEY=VALUE.
             trial: participant and condition.
-            live: server for viewers, which continues after the run.
+            live: server for viewers; it continues after the run.
             index: list of recordings to which the file is added.
             after: recorder of the previous run; this recorder writes only after `after` has finished.
 
@@ -129,7 +129,7 @@ class Recorder:
         self._thread = threading.Thread(target=self._work, name="recording", daemon=True)
         self._begun = threading.Event()
         self._thread.start()
-        if after is None:  # only a session's first run may wait until its file has the header
+        if after is None:  # otherwise the header must wait for the end of the previous recording
             self._begun.wait(BEGIN_S)
 
     # --- called by the simulation's thread ----------------------------------------------------------------
@@ -189,7 +189,7 @@ class Recorder:
         return self._thread.is_alive()
 
     def wait(self) -> None:
-        """Wait until everything is written; after `MAX_DISK_WAIT_S`, the recording has failed."""
+        """Wait until everything is written; if this takes longer than `MAX_DISK_WAIT_S`, the recording fails."""
         self._thread.join(MAX_DISK_WAIT_S)
         if self._thread.is_alive():
             self._fail(f"the disk was not ready within {MAX_DISK_WAIT_S:g} s")
@@ -283,4 +283,4 @@ def _options() -> MCAPWriteOptions:
 
 
 LEVEL = 1
-"""Compression level of zstd: the chunks are short, so that higher levels are slower and save hardly any bytes."""
+"""Compression level of zstd. A higher level is slower and, because the chunks are short, saves hardly any bytes."""

@@ -32,6 +32,6 @@ def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
 def _on_the_arm(model: ArmModel) -> tuple[Camera, ...]:
     """Return the arm's cameras.
 
-    The result is cached: every re-initialisation needs the cameras, and it is slow to read the arm's shapes.
+    The result is cached, because every re-initialisation needs the cameras, and reading the arm's shapes is slow.
     """
     return shapes_of(model).cameras

@@ -56,7 +56,8 @@ class Grasp:
         elif current is not None and (current.shapes or current.solids):
             problems.add(
                 field,
-                "cannot replace a payload that has a shape or a body; only payloads of the worksite can be released",
+                "the attached payload has a shape or a body, so it stays attached; only payloads of the worksite can "
+                "be released",
             )
         elif phase.detached and current is None:
             problems.add(field, "no payload is attached")

@@ -15,7 +15,7 @@ from aftdeck.worksite.model import Cargo, Worksite
 def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Cargo, ...]:
     """Return the worksite's payloads that a scenario lists.
 
-    If the scenario gives a mass or a start pose for a payload, it replaces the value in the worksite's file.
+    A mass or a start pose that the scenario gives for a payload replaces the value in the worksite's file.
     """
     if worksite is None:
         return ()

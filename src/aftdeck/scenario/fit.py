@@ -1,10 +1,10 @@
 """Checks that a scenario's payloads, berths, end effector and telescope fit together.
 
 The checks run when a scenario is loaded. They use only the solids that are present, and no compiled code. A misfit is
-an error if it makes every run meaningless: a payload starts inside another body; the end effector can never acquire a
-bar; a payload does not fit a berth in which it starts or which the script uses. If a payload does not fit one of the
-other berths, this is a caution, which ``aftdeck check`` prints. `simulation.survey` makes the checks that depend on the
-arm's joint angles.
+an error if it makes every run meaningless: a payload starts inside another body; the telescope's tube overlaps the
+worksite; the end effector can never acquire or never release a bar; a payload does not fit a berth in which it starts
+or which the script uses. A payload that does not fit one of the other berths causes only a caution, which
+``aftdeck check`` prints. `simulation.survey` makes the checks that depend on the arm's joint angles.
 """
 
 from __future__ import annotations
@@ -93,7 +93,8 @@ def _berth_misfits(
 ) -> Iterator[Misfit]:
     """Yield the overlaps of a payload with its surroundings in each berth that can fix the payload.
 
-    If the end effector can hold the payload's bar (`graspable`), also yield the overlaps of the end effector there.
+    If the end effector can hold the payload's bar (`graspable`), also yield the overlaps of the end effector with these
+    surroundings when it is at the bar of the payload in the berth.
     """
     hands_at_bar = hands(model, worksite, payload) if graspable else {}
     for seat in worksite.seats:
@@ -110,7 +111,7 @@ def _berth_misfits(
 
 
 def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
-    """Yield the overlaps of the telescope's tube with the worksite at both ends of its travel."""
+    """Yield the overlaps of the telescope's tube with the worksite, for the telescope's least and greatest lengths."""
     telescope = model.equipment.telescope
     if telescope is None:
         return
@@ -140,12 +141,13 @@ def _bar_errors(model: ArmModel, worksite: Worksite, payload: Cargo) -> Iterator
     if rule.prong_spacing >= opened:
         yield (
             f"prong_spacing (PRGSPC) is {spacing}, and the open prong is {length_text(opened)} from the palm's centre "
-            f"line: prong_spacing has to be less, or the end effector never releases {payload.name}"
+            f"line: prong_spacing has to be less than this distance, or the end effector never releases {payload.name}"
         )
     if rule.prong_spacing < closed:
         yield (
             f"prong_spacing (PRGSPC) is {spacing}, and the closed prong is {length_text(closed)} from the palm's "
-            f"centre line: prong_spacing has to be at least as much, or the end effector never acquires {payload.name}"
+            "centre line: prong_spacing has to be at least this distance, "
+            f"or the end effector never acquires {payload.name}"
         )
     span = min(fixed_finger + min(opened, rule.prong_spacing), 2.0 * fixed_finger)  # with the palm centred over the bar
     if width > span:
@@ -197,7 +199,10 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
 
 
 def parts_at(solids: Sequence[Solid], pose: Pose) -> Parts:
-    """Return the vertices of solids by part, in another frame, in which the solids' own frame has the pose `pose`."""
+    """Return the vertices of solids, grouped by part, in another frame.
+
+    In the other frame, the solids' own frame has the pose `pose`.
+    """
     by_part: Parts = {}
     for solid in solids:
         by_part.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)

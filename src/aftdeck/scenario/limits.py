@@ -20,7 +20,7 @@ from aftdeck.scenario.schema import LimitsOverride, PorOverride, RatesOverride
 
 
 def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, folder: Path) -> Arm | None:
-    """Load the arm, with the scenario's limits in place of its own; None if the arm cannot be loaded.
+    """Load the arm, with the scenario's limits replacing the arm's limits; return None if the arm cannot be loaded.
 
     Args:
         problems: collects the problems found.
@@ -86,8 +86,9 @@ def phase_limits(
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
     """Return the limits of the point of resolution for a payload's `mass` [kg].
 
-    A speed or angular rate that is not in `over` is the arm's limit. An acceleration that is not in `over` is computed:
-    it is the speed or angular rate divided by `reached_in`, or by the arm's own time if `over` has no `reached_in`.
+    For a speed or angular rate that `over` does not give, the arm's limit applies. An acceleration that `over` does not
+    give is the coarse speed or angular rate divided by the time `reached_in`. If `over` has no `reached_in`, the arm's
+    time from rest to its coarse limit is used.
     """
     arm_limits = arm.por_limits(mass)
 

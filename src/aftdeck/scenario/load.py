@@ -1,4 +1,4 @@
-"""Loader of scenarios: reads a file, or the scenario of a built-in name, into a checked and frozen `Scenario`."""
+"""Loader of scenarios: reads a built-in scenario or a scenario file into a checked and frozen `Scenario`."""
 
 from __future__ import annotations
 
@@ -33,7 +33,10 @@ class About(NamedTuple):
 
 
 def about(name: str) -> About:
-    """Return a built-in scenario's title, text and file. The scenario is not built, which would take about a second."""
+    """Return a built-in scenario's title, description and file.
+
+    The scenario is not built, which would take about a second.
+    """
     file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(file)
     return About(table["title"], table["text"], file)
@@ -68,7 +71,7 @@ def find_scenario(name_or_path: str | Path) -> Source:
 
 
 def load_scenario(name_or_path: str | Path) -> Scenario:
-    """Load the scenario of a built-in name or of a file.
+    """Load a built-in scenario by its name, or a scenario file by its path.
 
     Raises:
         ScenarioError: there is no such scenario, or its file has errors; the message lists all errors, with their
@@ -78,7 +81,7 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
 
 
 def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
-    """In a scenario's raw contents, replace the expressions of the worksite's dimensions by their values.
+    """Replace each expression in a scenario's raw contents by its value; expressions use the worksite's dimensions.
 
     Return the problems found.
 
@@ -103,7 +106,7 @@ def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Chang
         name: name of the scenario.
         file: name of the file, for messages.
         folder: folder for relative paths of the arm's file and the worksite's file.
-        changes: values that replace values in the text.
+        changes: new values, each with the place of the value that it replaces.
 
     Raises:
         ScenarioError: the text has errors; the message lists all of them, with their places in the text.

@@ -56,8 +56,8 @@ class PhasePlan:
         stand_at: length to which the telescope moves [m]; None for no change.
         orbiter: translation commands of the orbiter along its three axes, each in [-1, 1].
         limits: limits during the phase; None for the scenario's limits.
-        attaches: number, from 1, of the payload in `Scenario.own_payloads` that is attached to the end effector from
-            the beginning of the phase; 0 if none is attached from then on; None for no change.
+        attaches: payload that is attached to the end effector from the beginning of the phase, as a number in
+            `Scenario.own_payloads`, counted from 1; 0 to attach no payload from then on; None for no change.
         until: event for which the phase waits; None if the phase ends as its mode determines.
         duration: duration of the phase, or in automatic modes the longest time allowed [s]; None for no limit.
     """
@@ -108,7 +108,7 @@ class Point:
 
 
 Part = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
-"""The report's problem, as a whole or in part."""
+"""The full problem of the report, or one of its parts."""
 
 Sequences = dict[str, tuple[Point, ...]]
 """Points of AUTO 1-4, by panel position."""
@@ -120,8 +120,8 @@ class Grasped:
 
     Attributes:
         cargo: index of the payload in the scenario's `cargo`.
-        angles: (6,) joint angles at which the arm captured the payload [rad]. The payload was then at the start pose
-            that its own table gives.
+        angles: (6,) joint angles at which the arm captured the payload [rad]. At the capture, the payload was at its
+            start pose (`Cargo.start`).
         stand: length of the telescope at the capture [m].
     """
 
@@ -155,7 +155,7 @@ class Scenario:
         name: built-in name or file stem.
         title: title for display.
         description: task of the operator.
-        arm: the arm, with the scenario's limits in place of its own.
+        arm: the arm, with the scenario's limits replacing the arm's limits.
         worksite: the worksite.
         seed: random seed.
         duration: longest simulated time [s].
@@ -165,7 +165,8 @@ class Scenario:
         telemetry_delay: delay of the values, lamps and log that the station displays [s].
         camera_delay: delay of the station's pictures [s].
         start: initial state of the arm.
-        parts: initial states for the parts of the problem; "full problem" is `start`.
+        parts: initial states by part of the problem, with `start` for "full problem"; empty if the scenario describes
+            no part.
         cargo: payloads of the worksite that are present.
         docking_axes: axes of payload and port that docking compares: all, or only y as in the report.
         free_contact: effect of a contact on a floating payload.
@@ -175,7 +176,7 @@ class Scenario:
         lighting: light at the start.
         mode: mode at the start.
         rate: rate setting at the start, coarse or vernier.
-        as_flown: whether, in computed modes, one joint past its soft stop stops every joint.
+        as_flown: whether every joint stops, in computed modes, when one joint is past its soft stop.
         strict: whether the steering is as published, without the corrections.
         guarded: whether computed modes slow the arm before its stops and singularities.
         near: radius of the end sphere of the automatic modes [m].

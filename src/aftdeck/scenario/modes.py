@@ -13,13 +13,13 @@ from aftdeck.scenario.problems import Problems
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice, position_of
 
 MIXED = 7
-"""The report's number of the mode that ORB LD selects with its switch in payload axes."""
+"""Number of the report's mode that ORB LD uses when it rotates in payload axes."""
 _LAWS: dict[int, LawChoice] = {number: law for law, number in AUTOMATIC_LAWS.items()}
 
 
 @dataclass(frozen=True)
 class Chosen:
-    """A mode, and the settings of the switches beside the MODE rotary if the report's number determines them.
+    """A mode, and those settings of the switches beside the MODE rotary that the report's number determines.
 
     Attributes:
         position: position of the MODE rotary.

@@ -1,4 +1,4 @@
-"""Phases of the script, with checks of the fields that each kind of mode allows and of the fields that it needs."""
+"""Phases of the script; checks that a phase gives every field that its mode needs, and none that its mode forbids."""
 
 from __future__ import annotations
 
@@ -26,7 +26,10 @@ _USED: dict[str, set[str]] = {
     "test": set(),
     "master": {"master"},
 }
-"""Fields that a phase may give, by the kind of its mode; OPR CMD and ORB LD allow one more field each."""
+"""Fields that are allowed only in some modes, by the kind of mode that allows them.
+
+OPR CMD also allows `target`, and ORB LD also allows `payload_axes`.
+"""
 
 
 def script(
@@ -44,7 +47,7 @@ def script(
         problems: collects the problems found.
         arm: the arm, with the scenario's limits.
         phases: the decoded phases.
-        grasp: the payload that is attached at the start; collects the payloads of the phases.
+        grasp: collects the payloads of the phases; it already has the payload that is attached at the start, if any.
         por: the scenario's limits of the point of resolution.
         sequences: points of AUTO 1-4.
         references: objects relative to which targets may be given.
@@ -179,12 +182,13 @@ def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> No
 def _check_single(problems: Problems, arm: Arm, phase: Phase, mode: Mode, joint: int, where: Where) -> None:
     """Check a phase in SINGLE or DIRECT.
 
-    It has to give a joint. For that joint, it has to give either a drive or rate with a duration, or the final angle.
+    The phase has to give a joint. It also has to give either `joint_at`, the final angle of the joint, or a duration
+    with `drive` or `joint_rate`.
     """
     if phase.joint is None:
         problems.add(where, f"mode {mode.position} needs a joint")
     if phase.joint_at is None and phase.duration is None:
-        problems.add(where, f"mode {mode.position} needs joint_at, or drive or joint_rate and a duration")
+        problems.add(where, f"mode {mode.position} needs either joint_at, or a duration with drive or joint_rate")
     if phase.joint_at is None:
         return
     for name, given in (("drive", phase.drive != 0.0), ("joint_rate", phase.joint_rate is not None)):

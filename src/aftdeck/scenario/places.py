@@ -89,11 +89,11 @@ def at_the_start(
     held: tuple[int, Pose] | None,
     where: Where,
 ) -> Pose | None:
-    """Return the tip's pose in L for a pose relative to objects at their start poses; None if the pose is wrong.
+    """Return in L a tip pose that is given relative to an object at its start pose; None if the tip pose is wrong.
 
     Args:
         problems: collects the problems found.
-        arm: the arm, with its telescope at the length that it has at the start.
+        arm: the arm, with its telescope at the length for this pose.
         spec: the decoded pose.
         references: the objects.
         held: index of the held payload, and its pose in the tip's frame; None if no payload is held.
@@ -108,7 +108,7 @@ def at_the_start(
         return composed(scene, composed(payload.start.pose, at_cargo(arm.model, payload, found)))
     if isinstance(found, AtSeat):
         if held is None:
-            problems.add(where, "a pose at a berth (`seat`) is the pose of the held payload: set `grasped` too")
+            problems.add(where, "a pose at a berth (`seat`) needs a held payload: give `grasped` too")
             return None
         index, pose_at_tip = held
         seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)

@@ -11,8 +11,8 @@ class Problems:
     """Problems found so far, in the order found. The object is true if it contains a problem.
 
     The problems given at construction belong to fields that could not be decoded and were left out. `add` ignores a
-    problem whose place equals the place of such a field, is inside it, or contains it, because the problem may be a
-    consequence of the missing field.
+    problem if its place equals, contains or is inside the place of such a field: the problem may be a consequence of
+    the missing field.
     """
 
     def __init__(self, found: Sequence[Problem] = ()) -> None:

@@ -24,7 +24,7 @@ def scene_in_l(mount: Mount, origin: tuple[float, float, float]) -> Pose:
 
 
 def composed(outer: Pose, inner: Pose) -> Pose:
-    """Return the composed pose: `inner` is given in a frame, and that frame has the pose `outer`."""
+    """Return the composed pose: `outer` is the pose of the frame in which `inner` is given."""
     return Pose(outer.position + outer.rotation @ inner.position, outer.rotation @ inner.rotation)
 
 
@@ -34,7 +34,7 @@ def inverted(pose: Pose) -> Pose:
 
 
 def takes(model: ArmModel, cargo: Cargo) -> bool:
-    """Return whether this arm's end effector can capture a payload: whether the payload has the fitting for it.
+    """Return whether a payload has the fitting that this arm's end effector needs for a capture.
 
     An end effector with a prong needs a bar; an end effector with snares needs a grapple fixture.
     """
@@ -42,7 +42,7 @@ def takes(model: ArmModel, cargo: Cargo) -> bool:
 
 
 def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
-    """Return the tip's pose at the capture of a payload, displaced by `place`, in the payload's axes."""
+    """Return the tip's pose in a payload's axes: the capture pose, displaced by `above` and `offset` of `place`."""
     if cargo.grapple is not None:
         capture_pose = Pose(cargo.grapple.position, cargo.grapple.rotation @ rotation_x(-model.end_effector_roll))
     else:
@@ -56,7 +56,7 @@ def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
 
 
 def at_seat(seat: Seat, cargo: Cargo, place: AtSeat) -> Pose:
-    """Return the pose of a payload in its berth, in the berth's frame, displaced by `place`."""
+    """Return a payload's pose in `seat.frame`: the seated pose, displaced by `above` and `offset` of `place`."""
     seated, turn = seat.seated(cargo.probe), seat.pose.rotation
     out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
     return Pose(seated.position + place.above * out + turn @ np.array(place.offset), seated.rotation)

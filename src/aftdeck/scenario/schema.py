@@ -40,12 +40,13 @@ class PoseSpec(_Part, frozen=True):
 
     A phase's target, and the pose at which a run starts, may also be given relative to the present poses of objects:
 
-    - `cargo` names a payload. The pose is the one at which the end effector captures this payload.
-    - `seat` names a berth. The pose is the one at which the held payload is in this berth.
-    - `above` moves such a pose back by a distance: along the end effector, up out of the bay, or out from the port.
-    - `offset` displaces such a pose along the axes of the payload or of the berth.
-    - `frame` may name a body, a berth or a payload. Position and orientation then have the same form as in L, but refer
-      to the axes of this object.
+    - `cargo` names a payload. The end effector at the pose captures this payload.
+    - `seat` names a berth. With the end effector at the pose, the held payload is in this berth.
+    - `above` is a distance. With `cargo`, it moves the pose back along the end effector's axis. With `seat`, it moves
+      the pose up out of the bay, or out from the port.
+    - `offset` displaces the pose along the axes of the payload (`cargo`) or of the berth (`seat`).
+    - `frame` may name a body, a berth or a payload. Position and orientation, given as in L, are then in the axes of
+      this object.
     """
 
     joints: SixAngles | None = None
@@ -65,8 +66,9 @@ class GraspSpec(_Part, frozen=True):
     """A payload of the worksite that the end effector holds at the start, and the joint angles at its capture.
 
     At the capture, the payload was at its own start pose. The joint angles at the capture are `joints`. Without
-    `joints`, they are the angles that bring the end effector to the distance `above` from the payload, as in
-    `PoseSpec`, by the branch nearest to `near` in `Initial`. `stand` is the length of the telescope at the capture.
+    `joints`, they are angles that put the end effector at the distance `above` from the payload, as in `PoseSpec`. Of
+    several sets of such angles, the set nearest to `near` in `Initial` is used. `stand` is the length of the telescope
+    at the capture.
     """
 
     cargo: Text
@@ -110,8 +112,8 @@ class InitialiseSpec(_Part, frozen=True):
 class ClearanceSpec(_Part, frozen=True):
     """Clearances below which the page shows a caution and a warning.
 
-    While the arm is not stretched out, the Shuttle's upper boom has a clearance over the sill's fittings that is a
-    little more than the default caution. With a greater default, the caution would always be lit.
+    While the arm is not stretched out, the clearance between the Shuttle's upper boom and the sill's fittings is a
+    little more than the default of `caution`. With a greater default, the caution would always be lit.
     """
 
     caution: Length = Length(0.5)
@@ -148,7 +150,10 @@ class PorOverride(_Part, frozen=True):
 
 
 class RatesOverride(_Part, frozen=True):
-    """Limits of rates and accelerations, of the joints and of the point of resolution (`por`), that replace others."""
+    """Limits of rates and accelerations of the joints, and limits of the point of resolution (`por`).
+
+    A scenario's limits replace the arm's limits. A phase's limits replace the scenario's limits.
+    """
 
     servo: SixRates | None = None
     coarse: SixRates | None = None
@@ -186,7 +191,7 @@ class PayloadSpec(AttachedSpec, frozen=True):
     """A payload that is attached to the end effector from the start and is never released.
 
     The `shape` entries are drawn. The `body` entries collide; they enclose the drawn shapes. Both kinds of entries are
-    about the payload's centre.
+    given relative to the payload's centre.
     """
 
     shape: tuple[Shape, ...] = ()
@@ -254,7 +259,7 @@ class PointSpec(_Part, frozen=True):
 
 
 class SequenceSpec(_Part, frozen=True):
-    """Points of one of AUTO 1-4."""
+    """Points of one sequence: AUTO 1, 2, 3 or 4."""
 
     slot: Annotated[int, msgspec.Meta(ge=1, le=4)]
     point: Annotated[tuple[PointSpec, ...], msgspec.Meta(min_length=1)]

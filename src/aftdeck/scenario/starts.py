@@ -1,4 +1,4 @@
-"""Initial states of the arm (RMSIST): for the full problem, and for its parts at which a run can re-initialise."""
+"""Initial states of the arm (RMSIST), for the full problem and for the parts to which a run can be re-initialised."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ class AtCargo(msgspec.Struct, frozen=True, tag=True):
     cargo: int
     """Index of the payload in the scenario's `cargo`."""
     above: float = 0.0
-    """Distance by which the target is before that pose, back along the end effector's axis [m]."""
+    """Distance from the capture pose back to the target, along the end effector's axis [m]."""
     offset: Vec3 = (0.0, 0.0, 0.0)
     """Further displacement along the payload's axes [m]."""
 
@@ -46,7 +46,7 @@ class AtSeat(msgspec.Struct, frozen=True, tag=True):
     seat: str
     """Name of the berth."""
     above: float = 0.0
-    """Distance by which the target is before that pose: up out of the bay, or out from the port [m]."""
+    """Distance from the pose in the berth to the target: up out of the bay, or out from the port [m]."""
     offset: Vec3 = (0.0, 0.0, 0.0)
     """Further displacement along the berth's axes [m]."""
 

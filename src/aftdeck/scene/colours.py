@@ -22,7 +22,7 @@ COLOURS: dict[Material, str] = {
     "structure": "#9a978e",
     "glow": "#fff4de",
 }
-"""sRGB colours. They equal those of the page (web/src/scene/materials.ts); the page adds gloss and patterns."""
+"""sRGB colours, equal to the page's colours (web/src/scene/materials.ts). The page adds gloss and patterns."""
 
 
 def material_of(shape: Leaf) -> Material:

@@ -40,7 +40,7 @@ class ScenePoses:
         return poses
 
     def then(self, ahead: Ahead, prong: float | None) -> list[float]:
-        """Return seven numbers per body for a look-ahead: for the arm's bodies, then for the worksite's payloads."""
+        """Return seven numbers per body of a look-ahead: the arm's bodies, then the worksite's payloads."""
         poses = self.arm.at(np.array(ahead.angles), ahead.stand, prong)
         for position, orientation in ahead.cargo:
             poses += self.pose(position, orientation)
@@ -49,7 +49,8 @@ class ScenePoses:
     def worksite(self, frame: Frame) -> list[float]:
         """Return seven numbers per body of the worksite.
 
-        Bodies that are fixed to ``space`` move opposite to the orbiter's translation, because the scene moves with it.
+        Bodies that are fixed to ``space`` move opposite to the orbiter's translation, because the scene moves with the
+        orbiter.
         """
         orbiter_travel = self._turn @ np.array(frame.work.orbiter)
         poses: list[float] = []

@@ -34,7 +34,7 @@ def placed(shapes: Iterable[Shape], frame: Pose = _IDENTITY) -> Iterator[tuple[L
 
 
 def carried(outer: Pose, inner: Pose) -> Pose:
-    """Return the composed pose: `inner` is given in a frame, and that frame has the pose `outer`."""
+    """Return the composed pose: `inner` is relative to a frame, and `outer` is the pose of this frame."""
     return Pose(outer.rotation @ inner.position + outer.position, outer.rotation @ inner.rotation)
 
 

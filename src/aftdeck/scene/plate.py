@@ -17,7 +17,7 @@ _AXIS_ORDER: dict[Axis, tuple[tuple[int, int, int], bool]] = {
     "y": ((0, 2, 1), True),
     "z": ((0, 1, 2), False),
 }
-"""For each normal: the indices of x, y and z in (first, second, across), and whether that order is a reflection."""
+"""For each normal: the columns of (first, second, across) with x, y and z, and whether this order is a reflection."""
 
 
 def plate(shape: Plate) -> Mesh:

@@ -10,7 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.shapes import Vec2
 
 SHARPEST = 2.0**0.5
-"""Greatest ratio of the inward displacement of a corner to the inward displacement of its edges, as on the page."""
+"""Greatest inward displacement of a corner if its edges move inwards by 1, as on the page."""
 
 
 def signed_area(outline: Sequence[Vec2]) -> float:
@@ -34,8 +34,8 @@ def inwards(outline: Sequence[Vec2]) -> Array:
 def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
     """Return the n - 2 counter-clockwise triangles that fill a counter-clockwise outline, by cutting off ears.
 
-    Every edge of the outline is an edge of one triangle. If corners are on one line, some triangles have no area. If
-    the outline crosses itself, some triangles overlap.
+    Every edge of the outline is an edge of one triangle. If three corners are on one line, some triangles may
+    have no area. If the outline crosses itself, some triangles overlap.
     """
     left = list(range(len(outline)))
     found = []

@@ -13,10 +13,10 @@ from aftdeck.shapes import Axis, Vec2
 ON_AXIS = 1e-9
 """Distance from the axis below which a point of a profile counts as on the axis [m]."""
 FULL = math.tau - 1e-3
-"""Least sweep at which the surface is closed to a full turn [rad]."""
+"""Least sweep that counts as a full turn [rad]."""
 _ORDER: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (2, 0, 1), "z": (1, 2, 0)}
-"""For each axis, the indices of x, y and z in (along, first, second). Angles run from the first to the second
-direction: from y to z about x, from z to x about y, from x to y about z."""
+"""For each axis, the columns of (along the axis, first direction, second direction) that hold x, y and z. Angles run
+from the first direction to the second: from y to z about x, from z to x about y, from x to y about z."""
 
 
 def revolve(
@@ -33,8 +33,8 @@ def revolve(
     A closed profile, or one that begins and ends on the axis, gives a closed surface.
 
     Args:
-        profile: points (coordinate along the axis, distance from the axis) [m]. On the path from each point to the
-            next, the outside is to the left.
+        profile: points (coordinate along the axis, distance from the axis) [m]. In a drawing with
+            the axis to the right and the distance upwards, the outside is to the left of the path from point to point.
         axis: axis of revolution.
         segments: number of segments of the sweep.
         start: angle at which the sweep begins [rad].

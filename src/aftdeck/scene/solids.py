@@ -22,7 +22,7 @@ from aftdeck.shapes import Box, Cylinder, Hexahedron, Light, Loft, Plate, Ring, 
 SIDES = 16
 """Default number of sides of a round body."""
 LARGE = 1.0
-"""A round body of at least this radius has twice as many sides [m]."""
+"""Least radius at which the number of sides of a round body is doubled [m]."""
 FEWEST_PIECES = 4
 """Least number of sides of a round body that is swept through only a part of a circle."""
 _RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))

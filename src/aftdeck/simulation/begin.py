@@ -30,8 +30,8 @@ def initial_state(flight: Flight) -> State:
     """Return the state before the first step.
 
     Raises:
-        ScenarioError: at a start of the scenario, the arm holds a payload in a pose in which the end effector could not
-            have captured the payload.
+        ScenarioError: with some initial conditions of the scenario, the arm holds a payload in a pose in which the end
+            effector could not have captured it.
     """
     scenario, problems = flight.scenario, []
     state = _state_at(flight, scenario.start)
@@ -47,7 +47,7 @@ def initial_state(flight: Flight) -> State:
 
 
 def _state_at(flight: Flight, start: Start) -> State:
-    """Return the state at a start, before the first step."""
+    """Return the state with the initial conditions `start`, before the first step."""
     scenario = flight.scenario
     state = new_state(flight, steering_setup(scenario, scenario.payload))
     _set_to_start(flight, state, start)
@@ -66,11 +66,11 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
     state.panel.motion_began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
     update_steering(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
-        state.panel.mode = "ORB UNL"  # the present mode moves a payload, but the grasp is empty at this start
+        state.panel.mode = "ORB UNL"  # the present mode needs a payload, but the arm holds none
     log(flight, state, "initialise", "info", f"initialised to {part}")
     state.worksite.task = task
     change_task(flight, state)
-    if state.tick > 1:  # `operate` does this in the first step
+    if state.tick > 1:  # in the first step, `operate` calls `make_ready`
         make_ready(flight, state)
 
 

@@ -1,7 +1,7 @@
 """Camera drives: a command moves one camera for one step, at the rates and within the limits of its drive.
 
 The settings of all cameras are one tuple, which is replaced only when a camera moves. A step without a command
-therefore takes no time.
+therefore needs no computation.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class Cameras:
                 raise InputError(f"camera.{name}: got {switch}, expected a number in [-1, 1]")
 
     def driven(self, views: Views, command: CameraDrive, period: float) -> Views:
-        """Return the drive settings after one step of a command, `period` [s] long.
+        """Return the drive settings after one step with a command; the step lasts `period` [s].
 
         If the command changes nothing, the result is `views` itself.
         """
@@ -75,7 +75,7 @@ class Cameras:
 
 
 def driven_setting(camera: Camera, at: Setting, command: CameraDrive, period: float) -> Setting:
-    """Return a camera's setting after one step of a command, `period` [s] long."""
+    """Return a camera's setting after one step with a command; the step lasts `period` [s]."""
     drive = camera.drive
     if drive is None:
         return at
@@ -87,7 +87,7 @@ def driven_setting(camera: Camera, at: Setting, command: CameraDrive, period: fl
 
 
 def _along(travel: Travel | None, at: float, switch: float, slow: bool, period: float) -> float:
-    """Return a drive's angle [rad] one step later; the motion ends exactly at the drive's stop."""
+    """Return a drive's angle [rad] one step later; it stays within the drive's stops."""
     if travel is None or switch == 0.0:
         return at
     rate = travel.slow if slow and travel.slow is not None else travel.rate

@@ -27,8 +27,8 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     Args:
         flight: constants of the run.
         state: changed in place; holds the command that the panel has set.
-        inputs: the operator's inputs, of which telescope, orbiter, end effector and latches are used here. The sticks
-            and the selected mode are in `state.command`.
+        inputs: the operator's inputs; only those for telescope, orbiter, end effector and latches are used here. The
+            sticks and the selected mode are in `state.command`.
     """
     # plan an automatic motion in the step in which it begins
     if state.panel.sequence != "in progress":
@@ -39,7 +39,7 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
             state.panel.motion_began = state.tick - 1
     hold_position(flight, state)
 
-    # steering commands the joint rates
+    # compute the commanded joint rates
     msteer(state.rules, state.command, state.steering, state.report)
     rates = state.steering[RATES : RATES + 6]
 

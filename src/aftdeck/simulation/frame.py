@@ -1,7 +1,7 @@
 """Frame: the record of one step, for the station, a recording, a study or a policy.
 
-Each field is declared only here: type, description, unit, coordinate frame of the components, and recorded decimals.
-The recording, its schema and its documentation are derived from these declarations.
+Each field is declared only here: type, description, unit, coordinate frame of the components, and number of recorded
+decimals. The recording, its schema and its documentation are derived from these declarations.
 """
 
 from __future__ import annotations
@@ -50,16 +50,16 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
     """Limit that acted in a step."""
 
     kind: Annotated[LimitKind, field_meta("kind of limit")]
-    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if it is no joint limit")]
+    joint: Annotated[int, field_meta("joint to which the limit applies, 0 to 5; -1 if the limit applies to no joint")]
     text: Annotated[str, field_meta("text for the operator")]
 
 
 Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
-"""Cause of a FAIL of CMD CK.
+"""Cause of CMD CK's verdict FAIL.
 
 The values mean, in this order: no failure; the target is out of reach; a berth holds the payload; BRAKES or SAFING is
-on; a contact; a stop, a singularity or another limit of the steering; the motion misses its target; the motion takes
-too long.
+on; a contact ends the motion; a stop, a singularity or another limit of the steering ends the motion; the motion misses
+its target; the motion takes too long.
 """
 
 
@@ -110,12 +110,12 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
 
 
 class Times(msgspec.Struct, frozen=True, gc=False):
-    """Times of the present phase, as in JSC-12628, counted from the beginning of the phase.
+    """Times of JSC-12628's present phase, counted from its beginning.
 
-    A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is selected.
+    It begins with an automatic motion, a phase of the script, the selection of a panel position or a re-initialisation.
     """
 
-    tp_s: Annotated[float, field_meta("TP: time since the motion or the script's phase began", "s")] = 0.0
+    tp_s: Annotated[float, field_meta("TP: time since the beginning of the phase", "s")] = 0.0
     eta_s: Annotated[
         float | None,
         field_meta(
@@ -127,7 +127,9 @@ class Times(msgspec.Struct, frozen=True, gc=False):
     etap_s: Annotated[
         float | None,
         field_meta(
-            "ETAP: time at which the rotation alone would end at its rate limit; null in all modes except 2 and 3", "s"
+            "ETAP: time at which the rotation would end without the translation, with the angular rate limit; null in "
+            "all modes except 2 and 3",
+            "s",
         ),
     ] = None
 
@@ -163,9 +165,12 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     ]
     law_choice: Annotated[
         Literal["position", "closed loop", "open loop"],
-        field_meta("switch beside OPR CMD and AUTO 1-4", value="panel.law"),
+        field_meta("position of the switch that selects the steering law of OPR CMD and AUTO 1-4", value="panel.law"),
     ]
-    payload_axes: Annotated[bool, field_meta("switch beside ORB LD", value="panel.payload_axes")]
+    payload_axes: Annotated[
+        bool,
+        field_meta("whether the switch beside ORB LD selects rotation about payload axes", value="panel.payload_axes"),
+    ]
     rate_hold: Annotated[
         bool, field_meta("whether RATE HOLD keeps a stick command", value="panel.rate_hold_sticks is not None")
     ]

@@ -45,15 +45,15 @@ class Inputs(msgspec.Struct, frozen=True):
     target: Target | None = None
     """Final pose of OPR CMD, if it is keyed in during this step."""
     law: LawChoice | None = None
-    """Switch beside OPR CMD and AUTO 1-4: the report's mode, 1 to 3, that these positions select."""
+    """Switch that selects the steering law of OPR CMD and AUTO 1-4: 1 position, 2 closed loop, 3 open loop."""
     payload_axes: bool | None = None
-    """Switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
+    """Switch beside ORB LD: True rotates about payload axes (mode 7), False about orbiter axes (mode 4)."""
     rate_hold: bool = False
     """RATE HOLD pressed in this step: keep the present stick command, or cancel RATE HOLD if it is on."""
     position_hold: bool | None = None
     """POSITION HOLD: keep the tip's position and attitude while the sticks are centred."""
     brakes: bool | None = None
-    """BRAKES: True stops every joint at once and keeps it stopped."""
+    """BRAKES: True stops every joint immediately and keeps it stopped."""
     safing: bool | None = None
     """SAFING: True commands zero joint rates and overrides all other inputs; False is CANCEL."""
     proceed: bool = False
@@ -63,9 +63,9 @@ class Inputs(msgspec.Struct, frozen=True):
     effector: Literal["stop", "close", "open"] | None = None
     """End effector switch: closes or opens the prong, or makes the snares capture or release."""
     effector_mode: Literal["auto", "manual"] | None = None
-    """END EFFECTOR MODE: in auto the end effector switch moves snares and carriage, in manual only the snares."""
+    """END EFFECTOR MODE: with auto, the end effector switch moves snares and carriage; with manual, only the snares."""
     rigid: Literal["off", "rigid", "derigid"] | None = None
-    """END EFFECTOR MAN CONTR: moves the carriage and changes its tension, if END EFFECTOR MODE is manual."""
+    """END EFFECTOR MAN CONTR: moves the carriage, and rigidizes or derigidizes, if END EFFECTOR MODE is manual."""
     latch: Literal["latch", "unlatch"] | None = None
     """LATCH or UNLATCH of a berth, pressed in this step: fix the payload in its berth, or release it."""
     telescope: float = 0.0
@@ -73,9 +73,9 @@ class Inputs(msgspec.Struct, frozen=True):
     orbiter: Vec3 = (0.0, 0.0, 0.0)
     """Translation of the orbiter along its own axes (forward, starboard, down), each in [-1, 1]."""
     master: Six | None = None
-    """Six joint angles of the master arm [rad], which the arm follows in MASTER; None does not move the master arm."""
+    """Six joint angles of the master arm [rad], which the arm follows in MASTER; with None, no new angles are set."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
-    """Part of the problem. In this step, the arm and the payloads are re-initialised to the start of this part."""
+    """Re-initialises the arm and the payloads in this step, to the start of the full problem or of one of its parts."""
     camera: CameraDrive | None = None
     """Command of a camera's drive in this step; `simulation.camera_drives.Cameras.check` checks it."""
 
@@ -113,7 +113,7 @@ _STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope
 
 
 def _positions() -> dict[str, tuple[object, ...]]:
-    """Return the positions of each switch by field name, from the fields' types; None is not a position."""
+    """Return the positions of each switch by field name, from the fields' types without `None`."""
     positions = {}
     for name, hint in get_type_hints(Inputs).items():
         kind, *none = get_args(hint) or (hint,)
@@ -165,7 +165,7 @@ def _check_target(arm: Arm, target: Target) -> None:
     distance = math.dist(tip.position, position)
     chord = math.dist(tip.rotation.ravel(), [x for row in rotation for x in row])  # detects non-rotations, too
     angle = 2.0 * math.asin(min(1.0, chord / math.sqrt(8.0)))
-    if not (distance <= AGREED and angle <= AGREED_TURN):  # written so that NaN from an overflow fails
+    if not (distance <= AGREED and angle <= AGREED_TURN):  # rejects NaN from an overflow, too
         raise InputError(
             f"target: the joint angles put the tip {distance:.4g} m and {math.degrees(angle):.4g} deg from the pose, "
             f"at most {AGREED:g} m and {math.degrees(AGREED_TURN):g} deg are allowed"

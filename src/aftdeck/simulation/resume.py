@@ -18,7 +18,7 @@ from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 
 
 def resume(flight: Flight, saved: bytes) -> State:
-    """Return the state of which `saved` is the encoding (`state_part.encoded`), with its caches filled again.
+    """Return the state that `saved` contains in encoded form (`state_part.encoded`), with its caches filled again.
 
     Raises:
         InputError: the bytes are not a state of this run.

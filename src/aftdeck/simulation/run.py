@@ -61,7 +61,7 @@ class Simulation:
 
     @property
     def ended(self) -> Literal["", "completed", "time", "fault"]:
-        """Kind of end of the scenario's script, or "" if it has not ended. Manual inputs never end the script."""
+        """Reason for the end of the scenario's script; "" if it has not ended. Manual inputs never end the script."""
         return self._state.script.ended
 
     @property
@@ -129,10 +129,10 @@ class Simulation:
 
         Args:
             seconds: prediction time, 2 to 20 [s].
-            last: axis, and its sign, to deflect fully if the sticks are centred; None deflects no axis.
+            last: axis and sign of the full deflection to assume if the sticks are centred; None for no deflection.
 
         Raises:
-            InputError: `seconds` or the axis is outside its range.
+            InputError: `seconds` is outside its range, or `last` is not an axis with a sign.
         """
         return look_ahead(self._flight, self._state, seconds, last)
 
@@ -187,7 +187,7 @@ def run(
         seed: seed of the run; if None, the scenario's seed.
         inputs: called before every step; returns the inputs of the step, or None to end the run. If `inputs` is None,
             the scenario's script supplies the inputs.
-        keep_frames: whether the result contains all frames. If False, for long runs, it contains only the last frame.
+        keep_frames: whether the result contains all frames. False, for long runs, keeps only the last frame.
         progress: called every 256 steps with the elapsed fraction, 0 to 1, of the scenario's duration.
         seen: called with every frame.
         stepped: called with the simulation after every step.

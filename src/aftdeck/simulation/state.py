@@ -65,7 +65,7 @@ class Panel(StatePart):
     """True if PROCEED was pressed, and the motion has not started. The motion starts if CMD CK is GOOD."""
     sequence: Sequence = "idle"
     motion_began: int = 0
-    """Tick after which the report's phase began: with a motion, a phase of the script, or the selection of a mode."""
+    """Tick from which TP counts: start of a motion or of a phase of the script, or entry of a mode."""
     ending: Ending = ""
     """Result of an automatic motion that ended in this step; "" if none ended."""
     final_error: str = ""
@@ -79,7 +79,7 @@ class Panel(StatePart):
     camera: str = ""
     """Camera that was commanded last (RMS-VS: station point); "" if no camera has a drive."""
     advice: dict[str, int] = msgspec.field(default_factory=dict)
-    """For each cause of an escape, the number of the stick direction that was displayed last."""
+    """Number of the stick direction that was displayed last, for each cause of an escape."""
 
     @property
     def flown(self) -> int:
@@ -162,12 +162,12 @@ class State(StatePart):
             setattr(self, name, getattr(other, name))
 
     def measure(self) -> None:
-        """Copy the plant's measured angles and rates to `steering`, from which steering, plans and checks start."""
+        """Copy the plant's measured angles and rates to `steering`; steering, plans and checks start from them."""
         measured(self.plant.angles, self.plant.rates, self.shoulder_offset, self.steering)
 
     @property
     def rules(self) -> Array:
-        """Steering rules in force. While the arm comes to rest before a motion of mode 1, these are mode 2's rules."""
+        """Steering rules in force. While the arm comes to rest before a motion of mode 1, mode 2's rules apply."""
         return self.rules_while(under_way=bool(self.command[MOTION_ACTIVE]))
 
     def rules_while(self, *, under_way: bool) -> Array:
@@ -193,7 +193,7 @@ class State(StatePart):
 
 
 def new_state(flight: Flight, carried: SteeringSetup) -> State:
-    """Return a new state, without start positions of the arm and the worksite; `simulation.begin` sets these."""
+    """Return a new state. `simulation.begin` then sets the start positions of the arm and the worksite."""
     scenario, views = flight.scenario, flight.cameras.first
     panel = Panel(
         scenario.mode,

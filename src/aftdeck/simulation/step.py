@@ -56,7 +56,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     # select the pairs that count for the minimum clearance of the next step
     count(flight, state)
 
-    # log lines about the arm; end of a script whose time has run out
+    # log the events of the arm; end a script whose time is up
     log_arm_events(flight, state)
     if state.by_script:
         end_if_time_is_up(flight, state)

@@ -1,4 +1,4 @@
-"""Summary of a run. Scripts of users rely on its fields."""
+"""Summary of a run. Programs of users rely on its fields."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Summary(msgspec.Struct, frozen=True):
     worst_rate_ratio: float
     """Largest ratio of a commanded joint rate (magnitude) to its limit in force."""
     min_clearance_m: float | None
-    """Minimum clearance in the run, of the pairs that count for CLEARANCE (`payloads.alignment`).
+    """Minimum clearance in the run. Only pairs that count for CLEARANCE are included (`payloads.alignment`).
 
     Negative if a pair overlapped; None if no such pair was monitored.
     """

@@ -61,7 +61,7 @@ def _carry(flight: Flight, state: State) -> None:
     change_task(flight, state)
     frame_of(flight, state, digest(state))
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
-    state.steering[TWIST : TWIST + 6] = FAR  # every wall is then within reach of the next step
+    state.steering[TWIST : TWIST + 6] = FAR  # the payload could then reach every wall in the next step
     slide_along(flight, state, 0.0, 0)
     for berth in flight.site.berths[0]:
         conditions_at(flight, state, 0, berth)

@@ -42,7 +42,7 @@ def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
     capture(flight, state, inputs)
     seat(flight, state, inputs.latch)
     if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
-        make_ready(flight, state)  # the verdict of CMD CK was for the previous attachment
+        make_ready(flight, state)  # a berth fixed or freed the arm, so CMD CK's verdict no longer applies
     change_task(flight, state)
 
 
@@ -73,7 +73,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Translate the orbiter. If its translation is blocked, log the reason once."""
+    """Translate the orbiter. If the translation is blocked, log the reason once."""
     worksite = state.worksite
     why = ""
     if any(inputs.orbiter) or any(worksite.orbiter_velocity.tolist()):
@@ -86,7 +86,8 @@ def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
 def _try_translation(flight: Flight, state: State, command: Array) -> str:
     """Translate the orbiter by one step.
 
-    The orbiter stops at once if the arm holds a docked payload, or if a contact would deepen.
+    The orbiter stops at once if the arm holds a docked payload, or if the translation would deepen a detrimental
+    contact.
 
     Returns:
         The reason why the orbiter cannot translate; "" if it can.
@@ -133,7 +134,7 @@ def _move_prong(flight: Flight, state: State) -> None:
 
 
 def _closing_fraction(flight: Flight, state: State, distance: float) -> float:
-    """Return the fraction of a distance [m] by which the prong can close until it touches the held payload's bar."""
+    """Return the fraction of a closing distance [m] after which the prong touches the held payload's bar; at most 1."""
     site, k = flight.site, state.worksite.held
     if site.bar is None or k is None or (which := site.bar.which[k]) is None:
         return 1.0

@@ -48,7 +48,7 @@ def _clearance(_scenario: Scenario, frame: Frame) -> Lit | None:
 def _derigidize(_scenario: Scenario, frame: Frame) -> Lit | None:
     """Return the state of DERIGIDIZE, which is lit while the snares hold a payload that is not rigidized.
 
-    The level is info while the snares move or the switch is at open, otherwise caution.
+    The level is info while the snares or the carriage move, and while the switch is at open. Otherwise it is caution.
     """
     hand = frame.work.hand
     if not _held_loosely(frame.work):
@@ -97,13 +97,13 @@ def lit_lamps(scenario: Scenario, frame: Frame) -> tuple[Lamp, ...]:
 
 
 def _joints_beyond(scenario: Scenario, frame: Frame, zone: int) -> Lit | None:
-    """Return a caution that names the joints in a zone or beyond it; None if there are none."""
+    """Return a caution that names the joints in a zone or beyond it; None if no joint is there."""
     beyond = [joint_label(name) for name, z in zip(scenario.arm.joints, frame.zones, strict=True) if z >= zone]
     return Lit("caution", ", ".join(beyond)) if beyond else None
 
 
 def _limit_text(frame: Frame, kind: str) -> str:
-    """Return the text of the first limit of a kind that acted in the step; "" if none acted."""
+    """Return the text of the first limit of this kind that was active in the step; "" if none was."""
     return next((limit.text for limit in frame.limits if limit.kind == kind), "")
 
 

@@ -62,7 +62,8 @@ def _axis_of_large_turn(
 ) -> tuple[float, float, float]:
     """Return the axis of a rotation beyond 90 deg; the sign of the axis is arbitrary.
 
-    All three components are computed from the matrix column of the largest component (LATRAJ's 180 deg case).
+    All three components are computed from one column of the matrix: the column of the axis's largest component
+    (LATRAJ's 180 deg case).
 
     Args:
         b11: first element on the matrix's diagonal; b22 and b33 are the second and third element.

@@ -1,9 +1,9 @@
 """One closed-loop step towards a target, with the same laws for one arm and for blocks of arms.
 
-A step consists of LNKAGE, the remaining error to the target, RMSRAT for a twist proportional to that error, RATLMT
-(rates only), and motion at these rates for one control period. A block holds `LANES` arms. Each row of a block holds
-one value of every arm, so that one instruction of the processor handles several arms. A computation of one arm alone
-gives the same result, bit for bit.
+A step computes the tip pose (LNKAGE), the remaining error to the target, the joint rates for a twist proportional to
+this error (RMSRAT), their reduction to the rate limits (RATLMT), and the joint angles after one control period. A block
+holds `LANES` arms. Each row of a block holds one value of every arm, so that one instruction of the processor handles
+several arms. A computation of one arm alone gives the same result, bit for bit.
 Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 """
 
@@ -52,8 +52,8 @@ PERIOD, GAIN, PER_RATE = 0, 1, 2
 def remaining_rotation(t: Nine, target: Floats) -> Three:
     """Return the rotation from the tip's axes to the axes of a target (12,), in L: axis times sine of the angle.
 
-    The result is half the sum of three cross products: of each present axis with the corresponding axis of the target.
-    At 180 deg the result is zero, so that the tip does not rotate.
+    The result is half the sum of three cross products: each axis of the tip times the corresponding axis of the target.
+    At 180 deg the result is zero, and the tip does not rotate.
     """
     r11, r12, r13, r21, r22, r23, r31, r32, r33 = t
     return (
@@ -68,16 +68,16 @@ def remaining_rotation(t: Nine, target: Floats) -> Three:
 
 @law
 def remaining_distance(t: Three, target: Floats) -> Three:
-    """Return the vector from the tip to the target's position, in L [m]; the position is the first three numbers."""
+    """Return the vector from the tip to the target's position, in L [m]; the position is `target[0:3]`."""
     return target[0] - t[0], target[1] - t[1], target[2] - t[2]
 
 
 @law
 def angles_after_step(pace: Floats, r: Rates, q: Floats) -> Six:
-    """Return the joint angles [rad] after one control period at the rates `r` times the gain, reduced by RATLMT.
+    """Return the joint angles [rad] after one control period; RATLMT reduces the rates, which are gain times `r`.
 
-    `r` are the joint rates for a twist equal to the remaining error. The rate law is linear. The rates for a twist of
-    gain times error are therefore `r` times the gain.
+    `r` holds the joint rates for a twist equal to the remaining error. The commanded twist is gain times this error.
+    The rate law is linear, and the commanded rates are therefore gain times `r`.
     """
     upper = max(abs(r.r1) * pace[PER_RATE], abs(r.r2) * pace[PER_RATE + 1], abs(r.r3) * pace[PER_RATE + 2])
     lower = max(abs(r.r4) * pace[PER_RATE + 3], abs(r.r5) * pace[PER_RATE + 4], abs(r.r6) * pace[PER_RATE + 5])

@@ -12,7 +12,7 @@ from aftdeck.steering.layout import RATE
 
 @law
 def limited_rates(rules: Array, numbers: Array, out: Array) -> None:
-    """Compute the joint rates for a tip twist, reduced by one ratio to the rate limits (RMSRAT and RATLMT).
+    """Compute the joint rates for a tip twist (RMSRAT), and reduce them by one ratio to the rate limits (RATLMT).
 
     Args:
         rules: rules of a mode, as `steering.rules` returns them.

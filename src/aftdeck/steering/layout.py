@@ -37,7 +37,7 @@ HAND_COSINE, HAND_SINE = MOUNT + 9, MOUNT + 10
 HELD = HAND_SINE + 1
 """(9,) rotation from payload axes to frame 7, row by row: T_78."""
 OFFSET = HELD + 9
-"""(3,) vector from the tip to the point of resolution, in frame 7 [m]; zero if the tip is that point."""
+"""(3,) vector from the tip to the point of resolution, in frame 7 [m]; zero if the tip is the point of resolution."""
 NEAR, NEAR_TURN = OFFSET + 3, OFFSET + 4
 """Radius of the end sphere of the automatic modes [m], [rad]."""
 RULES = NEAR_TURN + 1
@@ -56,7 +56,7 @@ MOTION_ACTIVE = DRIVE + 1
 TARGET = MOTION_ACTIVE + 1
 """(12,) final tip position, then rotation row by row."""
 PLAN = TARGET + 12
-"""(11,) plan of mode 1 or 3, computed once at the start of the motion, as defined in the module of each mode.
+"""(11,) plan of mode 1 or 3, computed once at the start of the motion; the modules of the two modes define the values.
 
 In mode 1, the first six values are the final joint angles until the plan is computed.
 """
@@ -85,7 +85,10 @@ POINT = 18
 CLOCK = 19
 """Phase time TP of modes 1 and 3 [s]."""
 CLOCK_RATE = 20
-"""Share of the last step's demand that was commanded, 0 to 1; CLOCK advances at this rate."""
+"""Share of the last step's demand that was commanded, 0 to 1; in modes 2 to 7, 1 under `strict`.
+
+In modes 2 to 7, CLOCK advances by this share of the control period. For mode 1, see `position.clock_after`.
+"""
 SHOULDER_OFFSET = 21
 """Measured height of the shoulder minus its height in `rules` (L1) [m]: the telescope's extension."""
 MEASURED = 22

@@ -2,8 +2,8 @@
 
 JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion. Here the
 ratio also stops the joints before their stops and the arm before its singularities. Before a stop, the allowed rate is
-proportional to the root of the remaining angle. Before a singularity, it is proportional to the remaining distance. The
-arm therefore slows smoothly to rest.
+proportional to the root of the remaining angle. Before a singularity, the allowed rate of approach is proportional to
+the remaining distance. The arm therefore slows smoothly to rest.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ from aftdeck.steering.layout import (
 CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
 """Limits that act on the joint rates; the index is the number in `report[CAUSE]`.
 
-Number 4 occurs in the modes with hard stops, 8 and DIRECT. Number 6 means that no factor of the motion keeps every
-joint within its acceleration limit; the arm then stays on its path and exceeds the limit.
+Number 4 occurs only in mode 8 and DIRECT, in which the hard stops are in force. Number 6 means that some joint exceeds
+its acceleration limit, whatever factor reduces the motion; the arm then stays on its path.
 """
 BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
@@ -74,10 +74,10 @@ class Ratio(NamedTuple):
 
 @law
 def braked(gap: float, deceleration: float, dt: float) -> float:
-    """Return the greatest rate from which a motion can stop within the distance `gap`; 0 if gap <= 0.
+    """Return the greatest rate that this deceleration reduces to zero within `gap`, in steps of `dt`; 0 if gap <= 0.
 
-    The motion slows with this deceleration, in steps of `dt`. Let n be the least sufficient number of steps. Then n
-    rates, each lower than the previous one by deceleration * dt and the last above zero, cover the gap exactly.
+    Let n be the least sufficient number of steps. The rate falls by deceleration * dt from each step to the next and is
+    still above zero in step n. The n steps cover the gap exactly.
     """
     if gap <= 0.0:
         return 0.0
@@ -116,7 +116,7 @@ def _limited_vector(
 ) -> tuple[float, float, float, int]:
     """Return the vector (x, y, z) with limited length and limited change from (px, py, pz), and the active limits.
 
-    The number of the active limits is 0 for none, 1 for the change, 2 for the length, and 3 for both.
+    The active limits are one number: 0 none, 1 the change, 2 the length, 3 both.
     """
     active = 0
     if strict == 0.0:
@@ -152,8 +152,8 @@ def _shortening_factor(x: float, y: float, z: float, most: float) -> float:
 def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
     """Return the ratio that reduces the commanded joint rates so that each is within its limit (RATLMT).
 
-    If the rules are guarded, the ratio also slows the arm before its stops and singularities. The source limits rates
-    only.
+    If GUARDED is 1, the ratio also slows the arm before its singularities and, unless AS_FLOWN is 1, before its stops.
+    The source limits rates only.
     """
     limit = joint_ratio(rules, state, rates)
     return singularity_ratio(rules, a, rates, limit) if rules[GUARDED] != 0.0 else limit
@@ -161,7 +161,7 @@ def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
 
 @law
 def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
-    """Return RATLMT's ratio for the joints' rate limits and, if the rules are guarded or as flown, for their stops."""
+    """Return RATLMT's ratio for the joints' rate limits and, if GUARDED or AS_FLOWN is 1, for their stops."""
     ratio, cause, culprit = 1.0, 0, -1
     as_flown, guarded = rules[AS_FLOWN] != 0.0, rules[GUARDED] != 0.0
     for i in range(6):

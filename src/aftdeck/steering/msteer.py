@@ -53,12 +53,15 @@ from aftdeck.steering.turn import from_hand
 from aftdeck.steering.views import put_rates, put_twist, rates_at, twist_at
 
 NEAR_FLOOR = 0.5 * NEAREST
-"""Minimum normalised distance from a singularity in the guarded rate law; it acts only if an arm starts nearer."""
+"""Least normalised distance from a singularity that the rate law uses if the rules are guarded.
+
+It has an effect only if an arm starts nearer to the singularity.
+"""
 
 
 @law
 def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
-    """Write the joint rates for the coming step into `state`, and the limits that acted into `report` (MSTEER).
+    """Write into `state` the joint rates for the coming step, and into `report` the limits that act (MSTEER).
 
     `steering.layout` describes the arrays. At the call, `state` holds the measured angles, and the rates and the twist
     that the last step commanded. This function replaces the rates and the twist.
@@ -130,9 +133,10 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
 def _position_factor(
     rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, demanded: Rates
 ) -> float:
-    """Return the share of mode 1's joint rates that is commanded; write the limits that act into the report.
+    """Return the share of mode 1's joint rates that is commanded; write into the report which limits act.
 
-    The limits of the tip also apply, except under `strict`. In the source, only RATLMT acts.
+    Before the motion starts, and under `strict` (as in the source), only RATLMT acts. Otherwise the limits of the tip
+    and of the joint accelerations also apply.
     """
     limit = joint_ratio(rules, state, demanded)
     if rules[STRICT] != 0.0 or command[MOTION_ACTIVE] == 0.0:
@@ -214,9 +218,9 @@ def _present_twist(
     """Return the present twist of the point of resolution, from which AVCLMT computes the accelerations.
 
     The source computes this twist by ERATES from the measured joint rates at the new angles. Without `strict`, the
-    result is the twist that the last step commanded, plus the twist of the difference between measured and commanded
-    joint rates. Even at constant joint rates, the twist changes during a step. AVCLMT does not count this change as
-    an acceleration. (x, y, z) is the vector from the tip to the point of resolution, in L.
+    result is the twist that the last step commanded, plus a correction: ERATES of the measured minus the commanded
+    joint rates. Even at constant joint rates, the twist changes during a step. With this result, AVCLMT does not count
+    this change as an acceleration. (x, y, z) is the vector from the tip to the point of resolution, in L.
     """
     actual, commanded = rates_at(state, MEASURED), rates_at(state, RATES)
     was = state[POINT] != 0.0
@@ -238,7 +242,7 @@ def _present_twist(
 
 @law
 def _twist_of_point(t: Twist, x: float, y: float, z: float) -> Twist:
-    """Return the twist of another point of the same body; (x, y, z) is the vector to it from the point of `t`."""
+    """Return the twist of another point of the same body; (x, y, z) leads from the point of `t` to this point."""
     return Twist(
         t.wx,
         t.wy,
@@ -264,7 +268,7 @@ def scaled(t: Twist, k: float) -> Twist:
 
 @law
 def cut(rules: Array, r: Rates, k: float) -> Rates:
-    """Return the joint rates times `k`, each cut to its limit, which a rounding error could otherwise exceed."""
+    """Return the joint rates times `k`; a rate that exceeds its limit by a rounding error is set to the limit."""
     most = rates_at(rules, RATE)
     return Rates(
         _within(k * r.r1, most.r1),

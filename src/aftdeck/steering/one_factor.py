@@ -38,8 +38,8 @@ class Factor(NamedTuple):
 
     Attributes:
         factor: share that is commanded, 0 to 1.
-        cause: index in `limiters.CAUSES`; 0 if no such limit acts.
-        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 if no such limit acts.
+        cause: index in `limiters.CAUSES`; 0 if none of these limits acts.
+        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 if `cause` is 0.
         por_cause: limit of the point of resolution, as `limiters.avclmt` numbers it; 0 if none acts.
     """
 

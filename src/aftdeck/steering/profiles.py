@@ -1,12 +1,12 @@
-"""VCLOSE and VTOPEN: speeds towards a target at which translation and rotation end together.
+"""VCLOSE and VTOPEN: speeds towards a target, such that translation and rotation end together.
 
 JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` omits:
 
 - Braking is computed for finite steps, so that the last step ends at the target.
 - The remaining time has one formula for a motion at maximum speed and one for a braking motion. At the transition, both
   give the same time.
-- If translation ends later than rotation, the angular rate is reduced to the remaining angle divided by a time. If
-  rotation ends later, the speed is reduced in the same manner. This time is never zero.
+- If translation ends later than rotation, the angular rate is reduced to the remaining angle divided by a time that
+  is never zero. If rotation ends later, the speed is reduced in the same manner.
 """
 
 from __future__ import annotations

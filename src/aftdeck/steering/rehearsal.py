@@ -1,4 +1,4 @@
-"""Rehearsal of a motion: the same steering laws on an arm that makes every commanded rate exactly.
+"""Rehearsal of a motion: the same steering laws on an arm whose joint rates are exactly the commanded ones.
 
 The computation is faster than real time.
 """

@@ -80,9 +80,10 @@ def stick_rates(rules: Array, command: Array, state: Array, speeds: Array) -> No
 
 @law
 def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, threshold: float) -> tuple[int, int]:
-    """Return the joint that leaves a singularity by the least rotation inside its reach limits, and the direction.
+    """Return the joint that leaves a singularity by the least rotation inside its reach limits, and the sign.
 
-    The joint's whole path to the limit is evaluated, because a path that leads away at first may end too early.
+    The joint's whole path to its reach limit is evaluated, because a path that leads away from the singularity at first
+    may end before the arm has left the singularity.
 
     Args:
         arm: links, as `kinematics.linkage` packs them.
@@ -92,8 +93,8 @@ def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, thresho
         threshold: normalised distance beyond which the arm has left the singularity [1].
 
     Returns:
-        The joint, 0 to 5, and +1 or -1. If no joint leaves the singularity, the result is the first joint that changes
-        the distance from the singularity, and -1.
+        The joint, 0 to 5, and the sign of its rotation, +1 or -1. If no joint leaves the singularity, the joint is the
+        first that changes the distance from the singularity, and the sign is -1.
     """
     first, last = (1, 3) if singularity == 0 else (2, 2) if singularity == 1 else (4, 4)
     best, direction, least = first, -1, math.inf

@@ -25,9 +25,10 @@ _INCHES_BELOW, _MILLIMETRES_BELOW = 2.0 * FOOT, 1.0
 """Lengths below which the smaller unit is used [m]."""
 _FIGURES, _MOST_FIGURES = 3, 9
 _LIKE = 0.02
-"""Share of the limit [1]. A value that exceeds its limit by less than this share plus `_TINY` could read the same.
+"""Share of the limit [1]. A failing value and its limit can have the same text if they differ by less than `_TINY` plus
+this share of the limit.
 
-The text of such a value then has as many significant figures as are needed to distinguish it from the limit.
+The text of the value then has as many significant figures as are needed to distinguish it from the limit.
 """
 _TINY = 1e-4
 _MOST_DECIMALS = 3
@@ -35,7 +36,7 @@ _MOST_DECIMALS = 3
 _ALLOWED = " allowed"
 """Last word of the text of an allowed range."""
 _SMALLEST, _GREATEST = 1e-3, 999.5
-"""Range of numbers that are written to significant figures: their text is short and Python adds no exponent."""
+"""Range of magnitudes for which Python's format ``g`` gives a short text without an exponent."""
 
 
 class Condition(msgspec.Struct, frozen=True, gc=False):
@@ -135,7 +136,10 @@ def quantity_text(value: float, unit: Unit, units: Units, figures: int = _FIGURE
 
 
 def _size_text(condition: Condition, value: float, units: Units) -> str:
-    """Return the text of a condition's measured value without its sign; more figures if the limit reads the same."""
+    """Return the text of the magnitude of a condition's measured value.
+
+    It has more figures than usual if the text of a failing value would otherwise equal that of the limit.
+    """
     limit = abs(condition.limit)
     if not condition.holds and abs(condition.margin) < _LIKE * limit + _TINY:
         return _distinct_text(value, limit, condition.unit, units)
@@ -167,7 +171,10 @@ def _distinct_text(value: float, limit: float, unit: Unit, units: Units) -> str:
 
 
 def _scale(size: float, unit: Unit, units: Units) -> tuple[float, str]:
-    """Return the factor from a unit to the operator's unit, for a value of that size, and the suffix of that unit."""
+    """Return the factor from a unit to the operator's unit, and the suffix of the operator's unit.
+
+    The operator's unit of a length depends on `size`, the magnitude to write [unit].
+    """
     feet = units == "ft-in"
     match unit:
         case "m" if feet:
@@ -204,7 +211,7 @@ class _Worded(NamedTuple):
 
     Attributes:
         words: the text with `{}` in place of each number.
-        bounds: numbers of the allowed range, the second half of the text.
+        bounds: numbers of the allowed range, in the second half of the text.
         sized: whether the first number of the text is the magnitude of the measured value.
     """
 
@@ -215,7 +222,7 @@ class _Worded(NamedTuple):
 
 @functools.lru_cache(maxsize=1024)
 def _worded(measured: str, least: float, greatest: float, holds: bool) -> _Worded:
-    """Return a condition's text. If only a negative value fails, the range is omitted while the condition holds."""
+    """Return a condition's words. If all values of 0 or more are allowed, a condition that holds states no range."""
     sized = "{}" in measured
     if least == 0.0 and greatest == math.inf:
         return _Worded(measured if holds else f"{measured}, none{_ALLOWED}", (), sized)

@@ -1,7 +1,8 @@
 """Free flight: motion of bodies that are not fixed to another body, and the orbiter's own translation.
 
-A free flyer either rotates at a constant rate about an axis that is fixed in the body, or it is *limit cycling*: its
-attitude control lets each of three angles drift from one side of a deadband to the other and back, as a triangle wave.
+A free flyer either rotates at a constant rate about an axis that is fixed in the body, or it is *limit cycling*. In a
+limit cycle, each of three angles is a triangle wave: the attitude control lets it drift from one side of a deadband to
+the other and back.
 Both motions are exact in time: except for rounding, the pose at a time does not depend on the lengths of the control
 steps before that time. Not modelled: gravity gradient, orbital motion, and torque-free tumbling of bodies with three
 different moments of inertia.
@@ -58,11 +59,11 @@ class _Wave(NamedTuple):
 
 @law
 def _wave(band: float, rate: float, start: float, time: float) -> _Wave:
-    """Return a triangle wave between -band and band. At a turning point the returned slope is the slope after it."""
+    """Return a triangle wave between -band and band. At a turning point, `slope` is the value after the turn."""
     if band == 0.0 or rate == 0.0:
         return _Wave(start, 0.0)
     sense = 1.0 if rate > 0.0 else -1.0
-    # Distance along the wave from one side of the band: after 2 * band it is at the other side, after 4 * band back.
+    # Distance along the wave from one side of the band. The other side is at 2 * band, the first one again at 4 * band.
     path = (sense * start + band + abs(rate) * time) % (4.0 * band)
     if path < 2.0 * band:
         return _Wave(sense * (path - band), rate)
@@ -157,7 +158,7 @@ def translate(position: Array, velocity: Array, command: Array, speed: float, re
         position: (3,) displacement of the orbiter [m]; updated.
         velocity: (3,) velocity of the orbiter [m/s]; updated.
         command: (3,) direction of the command along each axis: -1, 0 or 1.
-        speed: commanded speed of each axis [m/s].
+        speed: commanded speed along each axis [m/s].
         reached_in: time to reach the speed from rest [s].
         dt: the step [s].
     """

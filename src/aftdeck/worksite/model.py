@@ -72,11 +72,11 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
     time: float
     """Time that the latches take [s]."""
     distance: float
-    """Greatest distance of a payload from its seated position at which it can be latched [m]."""
+    """Greatest distance from the seated position at which a payload can be latched [m]."""
     angle: float
-    """Greatest rotation of a payload from its seated attitude at which it can be latched [rad]."""
+    """Greatest rotation from the seated attitude at which a payload can be latched [rad]."""
     envelope: Array
-    """Docking envelope of a port: (5, 4) planes in the port's axes about its centre; (0, 4) for a bay berth.
+    """Docking envelope of a port: (5, 4) planes in the port's axes, with its centre as origin; (0, 4) for a bay berth.
 
     Each plane has a unit normal n [1] and a distance d [m]. The planes are those of the port's face and of the four
     adjacent faces, extended. A point p is in the envelope if n.p <= d for all planes.
@@ -151,8 +151,8 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     probe: Pose | None
     """Pose of the centre of the probe's forward face, with the payload's axes; None if there is no probe."""
     receptacle: Array | None
-    """(8, 3) vertices of the bar [m]; None if there is no bar. They are numbered as the report's RECPT in axes x aft,
-    y port, z down: face c is on top, faces b and e are the sides."""
+    """(8, 3) vertices of the bar [m]; None if there is no bar. They have the numbers of the report's RECPT, whose
+    axes are x aft, y port and z down: face c is on top, faces b and e are the sides."""
     grapple: Pose | None
     """Pose of the end effector's own axes E, with the tip as their origin, when the grapple fixture is captured without
     misalignment; None if there is no grapple fixture."""
@@ -170,8 +170,7 @@ class BarAcquisition(msgspec.Struct, frozen=True):
     """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
 
     prong_spacing: float
-    """Greatest distance of the prong's inner face from the palm's centre line at which the prong counts as closed
-    (PRGSPC) [m]."""
+    """Greatest distance from the palm's centre line to the inner face of a prong that counts as closed (PRGSPC) [m]."""
     window: float
     """Greatest height of the palm above the bar's top (TOPB) [m]."""
     front: float
@@ -188,9 +187,9 @@ class SnareCapture(msgspec.Struct, frozen=True):
     radial: float
     """Greatest distance of the fixture from the end effector's axis [m]."""
     nearest: float
-    """Least position of the fixture along that axis [m]: 0 in the rigid position, positive outwards."""
+    """Least coordinate of the fixture along the end effector's axis [m]: 0 in the rigid position, positive outwards."""
     farthest: float
-    """Greatest position of the fixture along that axis, measured as `nearest` [m]."""
+    """Greatest coordinate of the fixture along the end effector's axis [m]; zero and direction as for `nearest`."""
     pitch: float
     """Greatest rotation of the fixture about axis 2 of E, in either direction [rad]."""
     yaw: float
@@ -206,20 +205,20 @@ class SnareCapture(msgspec.Struct, frozen=True):
 
 
 Relation = Literal["acquisition", "docking", "guides", "capture"]
-"""Name of the conditions under which a contact of two parts is essential: the conditions for the bar, the port, the
-V-guides or the grapple fixture."""
+"""Name of a relation: a relative position of two parts in which their contact is essential. The four relations are
+those at the bar, the port, the V-guides and the grapple fixture."""
 
 
 class Essential(msgspec.Struct, frozen=True):
-    """Two parts whose contact is essential while certain conditions hold."""
+    """Two parts whose contact is essential while the parts are in a certain relation."""
 
     parts: tuple[str, str]
-    """Names of a payload's part and of a part of the arm or of a body."""
+    """Names of the two parts: one part of a payload, and one part of the arm or of a body."""
     relation: Relation
-    """Name of the conditions; while they do not hold, the contact is detrimental."""
+    """Name of the relation. In any other relative position, a contact of the two parts is detrimental."""
     depth: float
-    """Greatest penetration depth at which the contact is essential [m]. Planes in the conditions bound the position of
-    a part; the part may be beyond each plane by up to this depth."""
+    """Greatest penetration depth at which the contact is essential [m]. The test of the relation also uses this value:
+    a part may be this far beyond the planes that bound its position."""
 
 
 class Bay(msgspec.Struct, frozen=True):

@@ -1,4 +1,4 @@
-/** Always throws. It accepts only `never`: the compiler thus proves that all cases of a union were handled before. */
+/** Always throws. It accepts only `never`, so that the compiler proves that all other cases are handled earlier. */
 export function assertUnreachable(value: never): never {
   throw new Error(`Not handled: ${JSON.stringify(value)}.`);
 }

@@ -7,7 +7,7 @@ import type { Scene } from '../scene';
 import type { Rect } from '../scene/drawn';
 import { pairWords, type Survey } from './coverage';
 
-/** One camera is surveyed each time that the page has been drawn this many times. */
+/** One camera is surveyed at every `SURVEYED`-th drawing of the page. */
 const SURVEYED = 3;
 
 /** A monitor's label and cameras. */
@@ -21,7 +21,7 @@ export interface Drawn {
   readonly frame: Frame;
   readonly gap: ClosestPoints | null;
   readonly monitors: readonly Showing[];
-  /** Number of pictures drawn. */
+  /** Number of drawings of the page so far. */
   readonly count: number;
   /** Whether everything must be drawn again. */
   readonly wiped: boolean;

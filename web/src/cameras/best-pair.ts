@@ -2,7 +2,7 @@
 
 import type { Vec3 } from '../link/protocol';
 
-/** Targets of a camera, not of a motion: tip, payload and minimum clearance. The last one is the most important. */
+/** What a camera should show (not targets of a motion): tip, payload, minimum clearance. The last is most important. */
 export const TARGETS = ['tip', 'payload', 'gap'] as const;
 export type Target = (typeof TARGETS)[number];
 
@@ -38,9 +38,9 @@ const GOOD = (70 * Math.PI) / 180;
 /**
  * Returns the best pair of cameras, or null if no two cameras see the same target.
  *
- * It takes the first set of `PURPOSES` that at least two cameras see. Of the pairs of these cameras, the pair with the
- * greatest angle between the lines of sight is best. All pairs with an angle above `GOOD` count as equal in angle. Each
- * of them is then judged by the greater `turned` of its two cameras: the pair with the smallest such value is best.
+ * It takes the first set of `PURPOSES` that at least two cameras see, and compares all pairs of these cameras. The best
+ * pair has the greatest angle between the lines of sight. All angles above `GOOD` count as equal. Among pairs with
+ * equal angles, the greater `turned` of the two cameras decides: the pair with the smallest such value is best.
  *
  * @param at positions of the targets in the scene; null if there is no such target.
  */

@@ -24,7 +24,7 @@ export class Survey {
     this.payloads = welcome.bodies.map(({ name }) => name).filter((name) => names.has(name));
   }
 
-  /** Surveys the next `count` cameras for a frame. The scene must already show this frame. */
+  /** Surveys the next `count` cameras at a frame. The scene must already show this frame. */
   look(frame: Frame, gap: ClosestPoints | null, count: number): void {
     const { cameras } = this.welcome;
     this.at = {

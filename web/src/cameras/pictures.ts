@@ -54,7 +54,7 @@ export class Pictures {
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
   private round: Target | null = null;
-  /** Called when the last pictures are on the page; null after the call. */
+  /** Called when the pictures drawn last are on the page; null after the call. */
   private finish: (() => void) | null = null;
   private looking = 0;
 
@@ -120,7 +120,7 @@ export class Pictures {
     this.listener.opened?.(on);
   }
 
-  /** Rotates an engineering view [rad], or shifts it if `aside`; divides its distance by `nearer`. */
+  /** Rotates an engineering view [rad], or shifts it if `aside` or *Shift* is on; divides its distance by `nearer`. */
   orbit({ name }: Camera, right: number, upwards: number, nearer: number, aside = false): void {
     this.orbits += 1;
     this.scene.cameras.orbit(name, right, upwards, nearer, aside || this.monitors.slow);
@@ -141,7 +141,7 @@ export class Pictures {
     return this.plane;
   }
 
-  /** Whether the last pictures are not on the page yet. Meanwhile no other pictures are drawn. */
+  /** Whether the pictures drawn last are not on the page yet. Meanwhile no other pictures are drawn. */
   get drawing(): boolean {
     return this.finish !== null;
   }
@@ -150,7 +150,7 @@ export class Pictures {
    * Draws the pictures that are due; returns whether all pictures show this frame with a metered exposure.
    *
    * @param clearance level of the minimum clearance.
-   * @param done called once the pictures are on the page, if its layout has not changed.
+   * @param done called when the pictures are on the page, unless the page's layout has changed since they were drawn.
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
     const caution = clearance !== 'info';

@@ -13,7 +13,7 @@ const MOVED = 0.3;
 /** Names of the key, button or axis direction to which a function (`use`) is assigned; empty if there is none. */
 export interface Names {
   name(use: string): string;
-  /** The name, abbreviated on devices with long names. */
+  /** The abbreviated name. */
   short(use: string): string;
 }
 
@@ -32,7 +32,7 @@ export class InHand implements Names {
 
   constructor(private readonly controllers: Movable) {}
 
-  /** Updates which device was moved last. */
+  /** Updates `device`. */
   look(): void {
     const { devices, keyboard } = this.controllers;
     const moved = devices.find((device) => device.state === 'flying' && isMoved(device));
@@ -101,7 +101,7 @@ export function isDown(device: Read, source: string, sign: 1 | -1): boolean {
   return source.split('+').every((part) => deflectionOf(device, part) === 1);
 }
 
-/** Returns the deflection of an axis from its rest position; for a button, 1 if it is pressed and 0 if not. */
+/** Returns the deflection of an axis from its rest position; for a button, 1 if it is pressed, else 0. */
 function deflectionOf({ reading, mapping }: Read, part: string): number {
   if (!reading) return 0;
   const axis = indexOf(part, 'a');

@@ -27,7 +27,7 @@ export interface ControllersShown {
   readonly names: Names;
 }
 
-/** Description for the desk of a page that is not in control. */
+/** Description for the desk if its page is not in control. */
 export const NO_CONTROLLERS: ControllersShown = {
   words: '',
   gone: { thc: null, rhc: null },
@@ -75,7 +75,10 @@ export class Controllers {
     return this.devices.filter(({ state }) => state === 'waiting');
   }
 
-  /** Returns the deflections at `now` [ms], `dt` [s] after the last call. While a device is lost, all are zero. */
+  /**
+   * Returns the deflections at `now` [ms], `dt` [s] after the last call. The call that finds a newly lost device
+   * centres all devices and returns zero.
+   */
   poll(now: number, dt: number): Deflection {
     const gone = this.lost.length;
     const parts = [this.pads.poll(now), this.readCap(now), this.readScreen(now)];
@@ -91,7 +94,7 @@ export class Controllers {
     return this.paused ? ZERO : sum(keys, others);
   }
 
-  /** Centres all devices. Keys act when they are pressed again; other devices act again after they were at zero. */
+  /** Centres all devices. A held key acts only when pressed again; other devices act after they have been at zero. */
   release(): void {
     this.keyboard.release();
     this.pads.disarm();

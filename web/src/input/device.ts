@@ -27,7 +27,7 @@ function travel(reading: Reading, index: number): number {
   return button ? button.value || Number(button.pressed) : 0;
 }
 
-/** Value of a source before deadband and expo; zero for a button whose function a held button changes. */
+/** Value of a source before deadband and expo; zero for a button while another held button changes its function. */
 function raw(reading: Reading, source: string, { bindings, centres }: Mapping): number {
   const axis = indexOf(source, 'a');
   if (axis !== null) return centred(reading.axes[axis] ?? 0, centres[axis] ?? 0);

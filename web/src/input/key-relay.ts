@@ -18,7 +18,7 @@ export type Relayed =
 
 /** Time between two messages while keys are held [ms]. */
 const HOLDING_MS = 100;
-/** If no message arrives for this time, a window's keys count as released [ms]. The station also waits 0.5 s. */
+/** If no message arrives for this time, a window's keys count as released [ms]. Equal to the station's `SILENCE`. */
 const SILENT_MS = 500;
 
 /** Sender in the secondary window. */

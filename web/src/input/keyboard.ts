@@ -10,7 +10,10 @@ import { mappingOf } from './store';
 const FULL_S = 0.35;
 const RETURN_S = 0.15;
 
-/** Returns the axis' value `dt` [s] after `value`, on the way to `target`. It stops at zero if the sign changes. */
+/**
+ * Moves an axis from `value` towards `target` for `dt` [s] and returns its new value. If `value` and `target` differ in
+ * sign, the axis stops at zero first.
+ */
 export function ramp(value: number, target: number, dt: number): number {
   const crossing = value * target < 0;
   const goal = crossing ? 0 : target;
@@ -39,7 +42,7 @@ export class Keyboard {
     window.addEventListener('keyup', (event) => this.up(event), options);
   }
 
-  /** Deflections to which the held keys lead. */
+  /** Deflections that the held keys command. */
   get target(): Deflection {
     const target = ZERO.map(() => 0);
     for (const code of this.held) {

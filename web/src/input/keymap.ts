@@ -1,7 +1,7 @@
 /**
  * All functions that can be assigned to keys, buttons and axes; the code calls a function a `use`. A new function needs
  * an entry in `USES`, its key in `defaults.ts`, and for an action a case in `page/commands.ts`. The sheet, the storage,
- * the rebinding and the recording take it from `USES`.
+ * the rebinding and the recording read all functions from `USES`.
  */
 
 import { AXES } from './deflection';

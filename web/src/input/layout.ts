@@ -133,7 +133,7 @@ export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string 
   return words ? words[sign < 0 ? 3 : 4] : `${number}${sign < 0 ? '−' : '+'}`;
 }
 
-/** Returns the name of the key with a function; empty if there is none. */
+/** Returns the name of the first key that has this function; empty if there is none. */
 export function keyOf(use: string): string {
   const code = sourcesOf(mappingOf('keyboard'), use)[0];
   return code === undefined ? '' : nameOf(code);
@@ -149,7 +149,7 @@ export async function learnLayout(): Promise<void> {
 
 type Pressed = Pick<KeyboardEvent, 'code' | 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>;
 
-/** Learns the letter of a key that was pressed without Shift, Ctrl, Alt and Meta. */
+/** Learns the letter of a key that was pressed without Shift, Ctrl, Alt or Meta. */
 export function learnLetter({ code, key, shiftKey, ctrlKey, altKey, metaKey }: Pressed): void {
   if (shiftKey || ctrlKey || altKey || metaKey || !/^Key[A-Z]$/.test(code) || !/^\S$/u.test(key)) return;
   if (letters.size > 0 || learnedLetters().get(code) === key.toLowerCase()) return;

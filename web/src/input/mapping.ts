@@ -22,15 +22,16 @@ export type Kind = (typeof KINDS)[number];
 export interface Mapping {
   /** Fraction of an axis' travel, on both sides of its centre, that counts as zero. */
   readonly deadband: number;
-  /** Fraction of the cubic response to a deflection x: 0 is linear, 1 is x³. */
+  /** Share of x³ in the response to a deflection x: 0 gives x, 1 gives x³. */
   readonly expo: number;
   readonly bindings: Readonly<Record<string, string>>;
-  /** Rest position of each axis that the operator has set as zero; a missing position is 0. */
+  /** Rest positions that the operator has set as zero, by axis number; a missing position is 0. */
   readonly centres: readonly number[];
 }
 
-/** Greatest deadband, and greatest rest position of a sensor. */
+/** Greatest deadband. */
 export const MOST_DEADBAND = 0.5;
+/** Greatest distance of a rest position from 0. */
 export const MOST_OFFSET = 0.3;
 /** Greatest number of bindings that the station accepts. */
 export const MOST_BINDINGS = 64;
@@ -61,7 +62,7 @@ export function sourcesOf(mapping: Mapping, use: string): readonly string[] {
 }
 
 /**
- * Returns the mapping in decoded data.
+ * Checks decoded data and returns it as a mapping.
  *
  * Throws an Error that names what is invalid.
  */

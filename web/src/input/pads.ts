@@ -1,6 +1,7 @@
 /**
  * Gamepads and joysticks. A single device is both THC and RHC. Of two devices, the device that was moved first is the
- * THC, and the other is the RHC. A device that was never moved is neither in use nor reported.
+ * THC, and the other is the RHC. A device that was never moved is neither in use nor reported, except a first device
+ * with the standard mapping.
  */
 
 import { type Deflection, sum, ZERO } from './deflection';
@@ -84,7 +85,7 @@ export class Pads {
     return this.seats.some((seat) => seat.index === index);
   }
 
-  /** Takes a device into use if it was moved. The first device is used without motion if its mapping is standard. */
+  /** Takes a device into use if it was moved. The first device needs no motion if its mapping is standard. */
   private joins(pad: Gamepad): boolean {
     const standard = pad.mapping === 'standard';
     const first = this.first.get(pad.index) ?? copied(pad);
@@ -102,7 +103,7 @@ export class Pads {
     return true;
   }
 
-  /** Assigns each device to THC, RHC or both. A device with a changed assignment acts after it has been at zero. */
+  /** Assigns each device to THC, RHC or both. A device whose assignment changes acts only after it was at zero. */
   private assign(): void {
     this.seats.forEach((seat, i) => {
       const kind = kindOf(seat.standard, this.seats.length === 1 ? null : i === 0 ? 'thc' : 'rhc');

@@ -96,7 +96,7 @@ export function movers(mapping: Mapping, use: string): readonly Source[] {
 /**
  * Returns a mapping in which the present positions of the axes are zero.
  *
- * Throws an Error that names an axis too far from its centre.
+ * Throws an Error if an axis is too far from its centre; the Error names this axis.
  */
 export function zeroed(kind: Kind, mapping: Mapping, axes: readonly number[]): Mapping {
   const centres = axes.map((value, axis) => {
@@ -116,7 +116,7 @@ function wholeAxes(mapping: Mapping, use: string): readonly string[] {
     .map(([source]) => source);
 }
 
-/** Returns whether two functions are equal. If `either`, the two functions of one axis also count as equal. */
+/** Returns whether two functions are equal. If `either` is true, both functions of one axis are equal. */
 function sameAxis(a: string, b: string, either: boolean): boolean {
   const [one, other] = [USES.get(a)?.does, USES.get(b)?.does];
   return a === b || (either && one?.kind === 'axis' && other?.kind === 'axis' && one.axis === other.axis);

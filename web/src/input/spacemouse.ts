@@ -16,9 +16,9 @@ const USAGE = 0x08;
 const FULL = 350;
 const AXES = 6;
 const MOST_BUTTONS = 32;
-/** A deflected cap sends reports continuously. After this time without a report it is lost [ms]. */
+/** A deflected cap sends reports continuously. After this time without a report, the SpaceMouse counts as lost [ms]. */
 const SILENCE_MS = 500;
-/** Of the time between two readings, at most this counts as silence [ms]: a busy page receives reports late. */
+/** Greatest time that counts as silence between two readings [ms]: a busy page receives reports late. */
 const MOST_SILENCE_MS = 50;
 
 const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
@@ -75,7 +75,7 @@ function hid(): Hid | undefined {
 export class SpaceMouse {
   /** Product name; empty before a SpaceMouse is connected. */
   name = '';
-  /** Reason why the SpaceMouse is not in use, in a sentence; empty if there is no problem. */
+  /** Problem that prevents the use of the SpaceMouse, in a sentence; empty if there is none. */
   problem = '';
   private device: HidDevice | null = null;
   private cap = CAP_AT_REST;

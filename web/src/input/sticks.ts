@@ -31,7 +31,7 @@ const REST: Deflection = ZERO.slice(0, PAN);
 export class Sticks {
   /** Whether X drives the selected joint (SINGLE, DIRECT). */
   driving = false;
-  /** Whether RATE HOLD is on; the station then needs regular messages also from centred sticks. */
+  /** Whether RATE HOLD is on; the station then needs regular messages even if the sticks are centred. */
   kept = false;
   /** Deflections for the selected camera. */
   camera: Turning = STILL;
@@ -72,7 +72,10 @@ export class Sticks {
     this.read(now, null);
   }
 
-  /** `inputAt`: time of a key's press or release [ms]. If it is null, `now` counts as the time of a device's change. */
+  /**
+   * `inputAt`: time of a key's press or release [ms]; null if no key event caused the call. A change of another device
+   * then has the time `now`.
+   */
   private read(now: number, inputAt: number | null): void {
     const dt = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = Math.max(now, this.last);
@@ -88,7 +91,7 @@ export class Sticks {
     if (changed && from !== null) this.latency.sent(seq, from);
   }
 
-  /** Centres the sticks at once. Keys act when pressed again; other devices act again after they were at zero. */
+  /** Centres the sticks at once. A key then acts only when pressed again, another device only after it was at zero. */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;

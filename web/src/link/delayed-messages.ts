@@ -77,7 +77,7 @@ export class Arrivals {
     };
   }
 
-  /** Adds lines of the log. Each line is due together with the numbers of the same time. */
+  /** Adds lines of the log. Each line is due when the displayed frame reaches its time; without a delay, at once. */
   addEvents(events: readonly LogEvent[]): void {
     this.log.push(...events);
   }

@@ -8,7 +8,7 @@ import { Samples } from './samples';
 
 /** Normal time from an input to its frame: a control period and the transmission [ms]. */
 const ANSWERED_MS = 40;
-/** Least time between two inputs for each of which a picture is delayed [ms]. */
+/** Least time between two inputs that each delay a picture [ms]. */
 const HELD_MS = 150;
 
 export class Latency {
@@ -16,7 +16,7 @@ export class Latency {
   private readonly samples = new Samples();
   private unanswered: { seq: number; at: number }[] = [];
   private readonly answers = new Samples();
-  /** Time of the last input for which a picture was delayed [ms]. The picture waits for a frame with the input. */
+  /** Time of the last input that delayed a picture [ms]. The picture waits for a frame with this input. */
   private heldFor = Number.NEGATIVE_INFINITY;
 
   /** `cameraDelay`: the scenario's delay of pictures, which is not counted [s]. */
@@ -28,7 +28,10 @@ export class Latency {
     this.unanswered.push({ seq, at });
   }
 
-  /** Records that a picture was drawn at `now` [ms]; `stickSeq`: last sticks message received before its frame. */
+  /**
+   * Records that a picture was drawn at `now` [ms]. `stickSeq`: number of the last sticks message that the station
+   * received before the picture's frame.
+   */
   drawn(stickSeq: number, now: number): void {
     for (const { seq, at } of this.waiting) {
       if (seq <= stickSeq) this.samples.add(now - at - 1000 * this.cameraDelay, now);
@@ -36,7 +39,7 @@ export class Latency {
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
 
-  /** Records that a frame arrived at `now` [ms]; `flownSeq`: number of the sticks message that it used. */
+  /** Records that a frame arrived at `now` [ms]; `flownSeq`: number of the sticks message that the frame used. */
   answered(flownSeq: number, now: number): void {
     for (const { seq, at } of this.unanswered) {
       if (seq <= flownSeq) this.answers.add(now - at, now);
@@ -63,7 +66,7 @@ export class Latency {
     return true;
   }
 
-  /** Discards the inputs that no frame has contained yet, because no frame will contain them. */
+  /** Discards the inputs that still wait for a frame. Called when no frame will contain them. */
   forget(): void {
     this.waiting = [];
     this.unanswered = [];

@@ -26,7 +26,7 @@ export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';
 export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
 export type Cause = '' | 'reach' | 'seat' | 'switch' | 'contact' | 'limit' | 'miss' | 'time';
 
-/** A box with its centre at its position. */
+/** A box, centred at its position. */
 export interface Box {
   readonly kind: 'box';
   /** Position [m]. */
@@ -38,7 +38,7 @@ export interface Box {
   readonly size: Vec3;
 }
 
-/** A solid cylinder or truncated cone with its centre at its position. */
+/** A solid cylinder or truncated cone, centred at its position. */
 export interface Cylinder {
   readonly kind: 'cylinder';
   /** Position [m]. */
@@ -173,7 +173,7 @@ export interface Light {
   readonly cone: number;
   /** Range of the light [m]. */
   readonly reach: number;
-  /** Illuminance on the lamp's axis at a distance of 1 m, in relative units; full sunlight is 4.1. */
+  /** Intensity on the lamp's axis [cd]; on this scale full sunlight is 4.1 lx. */
   readonly intensity: number;
   /** Name of the panel's switch for this lamp. Several lamps may have the same switch. */
   readonly switch: string;
@@ -191,17 +191,17 @@ export interface Group {
   readonly count: number;
   /** Translation from one copy to the next, along the group's own axes [m]. */
   readonly step: Vec3;
-  /** Rotation from one copy to the next, about the group's own axes, in the form of `rotation` [rad]. */
+  /** Roll, pitch, yaw as in `rotation`, about the group's own axes [rad]; copy i (from 0) rotates by i times these. */
   readonly turn: Vec3;
-  /** Whether all copies are also drawn as mirror images, in the plane y = 0 of the frame that lists the group. */
+  /** Whether all copies are also drawn mirrored across the plane y = 0 of the frame in which the group is listed. */
   readonly mirror: boolean;
 }
 
 /**
  * Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
  *
- * The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
- * least every 0.2 s. After 0.5 s without a message the server centres the sticks and treats the controls as unattended
+ * The page sends them whenever they change. While a stick is deflected or RATE HOLD is on, it sends them at least
+ * every 0.2 s. After 0.5 s without a message the server centres the sticks and treats the controls as unattended
  * (`HandsOff`).
  */
 export interface Sticks {
@@ -212,7 +212,7 @@ export interface Sticks {
   readonly translation: Vec3;
   /** RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame. */
   readonly rotation: Vec3;
-  /** DRIVE switch, which moves the selected joint in SINGLE and DIRECT, in [-1, 1]. */
+  /** DRIVE switch, in [-1, 1]; it moves the selected joint in SINGLE and DIRECT. */
   readonly drive: number;
   /** Telescope: + longer, - shorter, in [-1, 1]. */
   readonly telescope: number;
@@ -455,7 +455,7 @@ export interface Restart {
   readonly seq: number;
 }
 
-/** Run another scenario. The server finishes the recording of this run and keeps it. */
+/** Run another scenario. The server completes and keeps the recording of the present run. */
 export interface FlyScenario {
   readonly type: 'fly_scenario';
   readonly seq: number;
@@ -506,7 +506,7 @@ export interface Initialise {
   readonly part: ProblemPart;
 }
 
-/** Line of progress while the station prepares its first session, sent before the welcome. */
+/** One line about the progress of preparing the first session; sent before the welcome. */
 export interface Preparing {
   readonly type: 'preparing';
   readonly text: string;
@@ -583,9 +583,9 @@ export interface ModeInfo {
   /** Point that this mode moves: `tip`, `payload`. */
   readonly point: string;
   /**
-   * True if this scenario has all data that this mode needs, such as the stored points of AUTO 1-4.
+   * False only for a mode of AUTO 1-4 without stored points in this scenario.
    *
-   * A mode that moves a payload also needs a captured payload.
+   * True does not imply a captured payload, which a mode that moves a payload also needs.
    */
   readonly enabled: boolean;
   /** Axes along which the sticks act: `orbiter axes`. */
@@ -694,7 +694,7 @@ export interface StandInfo {
 
 /** Berth: location where a payload can be fixed. */
 export interface SeatInfo {
-  /** Name that frames use, in `Cargo.seat`. */
+  /** Name of the berth in frames (`Cargo.seat`). */
   readonly name: string;
   /** Name for display. */
   readonly title: string;
@@ -746,7 +746,7 @@ export interface PayloadInfo {
   readonly vernier: Six;
 }
 
-/** Points of one of AUTO 1-4 (SPEC 94 items 13-16). */
+/** Stored points of one mode, AUTO 1 to 4 (SPEC 94 items 13-16). */
 export interface StoredSequence {
   /** Position of the MODE rotary, as in `ModeInfo.position`. */
   readonly position: string;
@@ -805,7 +805,7 @@ export interface Role {
   readonly names: readonly NamedPage[];
 }
 
-/** Page with the name of the person at it. */
+/** Number of a page, and the name of its user. */
 export interface NamedPage {
   readonly number: number;
   /** Name for display on all pages; if two pages have the same name, the page's number is appended. */
@@ -827,9 +827,9 @@ export interface Frame {
   readonly mode: string;
   /** number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER */
   readonly law: number;
-  /** switch beside OPR CMD and AUTO 1-4 */
+  /** position of the switch that selects the steering law of OPR CMD and AUTO 1-4 */
   readonly law_choice: LawChoice;
-  /** switch beside ORB LD */
+  /** whether the switch beside ORB LD selects rotation about payload axes */
   readonly payload_axes: boolean;
   /** whether RATE HOLD keeps a stick command */
   readonly rate_hold: boolean;
@@ -932,7 +932,7 @@ export interface Check {
 export interface Limit {
   /** kind of limit */
   readonly kind: LimitKind;
-  /** joint to which the limit applies, 0 to 5; -1 if it is no joint limit */
+  /** joint to which the limit applies, 0 to 5; -1 if the limit applies to no joint */
   readonly joint: number;
   /** text for the operator */
   readonly text: string;
@@ -969,16 +969,16 @@ export interface Goal {
 }
 
 /**
- * Times of the present phase, as in JSC-12628, counted from the beginning of the phase.
+ * Times of JSC-12628's present phase, counted from its beginning.
  *
- * A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is selected.
+ * It begins with an automatic motion, a phase of the script, the selection of a panel position or a re-initialisation.
  */
 export interface Times {
-  /** TP: time since the motion or the script's phase began [s] */
+  /** TP: time since the beginning of the phase [s] */
   readonly tp_s: number;
   /** ETA: end of the phase; an estimate in automatic modes, else the duration of the script's phase; null if unknown [s] */
   readonly eta_s: number | null;
-  /** ETAP: time at which the rotation alone would end at its rate limit; null in all modes except 2 and 3 [s] */
+  /** ETAP: time at which the rotation would end without the translation, with the angular rate limit; null in all modes except 2 and 3 [s] */
   readonly etap_s: number | null;
 }
 
@@ -1139,7 +1139,7 @@ export interface Display {
    */
   readonly fixture: number | null;
   /**
-   * Vector from the empty snares to this fixture, in the control frame [m]; its length is `fixture`.
+   * Vector from the snares to this fixture, in the control frame [m].
    *
    * Null if `fixture` is null or the mode has no sticks.
    */
@@ -1151,7 +1151,7 @@ export interface Display {
   readonly lamps: readonly Lamp[];
   /** Closest points of `Work.nearest`. */
   readonly gap: ClosestPoints | null;
-  /** Closest points of each of `Work.contacts`, in their order. */
+  /** Closest points of each contact, in the order of `Work.contacts`. */
   readonly contacts: readonly ClosestPoints[];
   /** Newest look-ahead; null before the first one. */
   readonly ahead: Ahead | null;
@@ -1207,15 +1207,17 @@ export interface Ahead {
   /** Time span of the look-ahead [s]. */
   readonly seconds: number;
   /**
-   * True: computed with the present stick command. False: the sticks are centred; computed with the axis that was
-   * deflected last, at full deflection.
+   * True if computed with the present stick command.
+   *
+   * False under BRAKES or SAFING, and if the sticks are centred. In the last case, the look-ahead may assume full
+   * deflection of the axis that was deflected last.
    */
   readonly held: boolean;
-  /** True if the arm moves in this time. */
+  /** True if the arm has moved at the end of the time span. */
   readonly moves: boolean;
-  /** Minimum clearance at the end of the time span [m]; null if no pair is monitored. */
+  /** Minimum clearance at the end of the time span [m]; null if no pair then counts for CLEARANCE. */
   readonly clearance: number | null;
-  /** `a` and `b`: the two parts with this clearance; empty if no pair is monitored. */
+  /** `a` and `b`: the two parts with this clearance; empty if `clearance` is null. */
   readonly a: string;
   readonly b: string;
   /** Time to the first contact [s]; null if the look-ahead found no contact. */
@@ -1224,7 +1226,7 @@ export interface Ahead {
   readonly stopping: number;
   /** Joint nearest to a reach limit at the end of the time span, 0 to 5. */
   readonly joint: number;
-  /** Angle between this joint and that limit at the end of the time span [rad]; negative past the limit. */
+  /** Angle from this joint to its reach limit at the end of the time span [rad]; negative past the limit. */
   readonly room: number;
   /** Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`. */
   readonly poses: readonly number[];
@@ -1236,18 +1238,18 @@ export interface Events {
   readonly events: readonly Event[];
 }
 
-/** Data for a page that draws strips: first the last minutes of the run, then only new data. */
+/** Data for a page that draws strips: at first the data of the last minutes of the run, later only new data. */
 export interface Recent {
   readonly type: 'recent';
   /**
-   * All strips, with empty curves, if a run begins: the page then deletes the data of the run before.
+   * All strips, with empty curves, in the first message about a run: the page then deletes all older data.
    *
-   * Empty while the run continues.
+   * Empty in later messages.
    */
   readonly strips: readonly Strip[];
   readonly samples: readonly Sample[];
   /**
-   * All lanes of the last minutes, if an interval has begun in one of them since the last message.
+   * All lanes of the last minutes, if an interval of any lane has begun since the last message.
    *
    * Otherwise empty: the last interval of each lane then continues.
    */
@@ -1306,10 +1308,10 @@ export interface Stretch {
   readonly level: Level;
 }
 
-/** Rejection of a message or command, with the reason for the operator in one sentence. */
+/** Rejection of a message or command. `text` gives the operator the reason, in one sentence. */
 export interface Refused {
   readonly type: 'refused';
-  /** `seq` of the rejected message; -1 if it could not be decoded, or if this text is not about a message. */
+  /** `seq` of the rejected message; -1 if the message could not be decoded, or if `text` is not about a message. */
   readonly seq: number;
   readonly text: string;
 }

@@ -5,7 +5,7 @@ import { type FromPage, type FromServer, type Hello, PROTOCOL, type Preparing } 
 
 type WithoutSeq<M> = M extends unknown ? Omit<M, 'seq'> : never;
 
-/** Commands of the page, which the link numbers. */
+/** Commands of the page, without their numbers, which the link adds. */
 export type Command = WithoutSeq<FromPage>;
 
 /** Messages that the server sends after the session is prepared. */
@@ -37,7 +37,7 @@ export class Link {
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
-    /** State that the page reports: whether it only observes (secondary or narrow window), whether it draws strips. */
+    /** `shows`: whether the page only observes (secondary or narrow window); `strips`: whether it draws strips. */
     private readonly itself: () => Pick<Hello, 'shows' | 'strips'>,
   ) {
     listener.state({ kind: 'connecting' });

@@ -1,4 +1,4 @@
-/** Appearance of the page and its pictures, stored in the browser and equal in all windows of this browser. */
+/** Appearance of the page and its pictures, stored in the browser and the same in all windows of this browser. */
 
 import type { Keeper } from './local-storage';
 
@@ -27,7 +27,7 @@ export function looksOf(text: string | null): Looks {
 export class Appearance {
   private looks: Looks;
 
-  /** `changed` is called with the appearance by the constructor and after each change. */
+  /** `changed` receives the appearance: once in the constructor, and after each change. */
   constructor(
     private readonly store: Keeper,
     private readonly changed: (looks: Looks) => void,

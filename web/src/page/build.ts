@@ -135,7 +135,7 @@ export function buildParts(
   return parts;
 }
 
-/** Returns a line of the log with the keys of the sticks, according to the mapping when the page opens. */
+/** Returns a line of the log that names the keys of the sticks. It uses the mapping at the time when the page opens. */
 function keysHint(): string {
   const list = (uses: string) => uses.split(' ').map(keyOf).join(' ');
   return `${list(MOVE)} move the arm, ${list(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;

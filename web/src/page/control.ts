@@ -15,7 +15,7 @@ export class Control {
     names: [],
   };
   link: LinkState = { kind: 'open' };
-  /** Whether the station prepares another scenario; meanwhile the sticks are centred. */
+  /** Whether the station is preparing another scenario; meanwhile the sticks are centred. */
   leaving = false;
   /** Whether the window is too narrow for the controls; the page then only observes. */
   tooNarrow = false;

@@ -27,10 +27,11 @@ export class DeviceWatch {
   }
 
   /**
-   * Checks the devices. If a device was lost, it sends `hands_off` to the station, which then holds position.
+   * Checks the devices. If a device was lost and this page is in control, sends `hands_off` to the station, which then
+   * holds position.
    *
    * @param ours whether this page is in control.
-   * @param flying whether the sticks of this page also move the arm.
+   * @param flying whether this page is in control and its sticks move the arm.
    */
   watch(ours: boolean, flying: boolean): void {
     const { controllers, listener } = this;

@@ -20,9 +20,9 @@ const OVERDUE_MS = 300;
 export interface Drawn {
   readonly pictures: Pictures;
   readonly groups: Groups;
-  /** Draws all other marks that move at picture rate. */
+  /** Draws the moving marks outside the pictures and the groups; called at each picture. */
   bars(): void;
-  /** Updates all other numbers, lamps and sounds. */
+  /** Updates the sounds, and the numbers and lamps outside the pictures and the groups. */
   values(view: View, measured: Measured, now: number): void;
   viewOf(frame: Frame): View;
 }
@@ -41,7 +41,7 @@ export class DrawLoop {
   private valuesAt = 0;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
 
-  /** `barPace`: number of pictures between two movements of the bars. */
+  /** `barPace`: the bars move once in this number of pictures. */
   constructor(
     welcome: Welcome,
     private readonly barPace: number,
@@ -59,7 +59,7 @@ export class DrawLoop {
     if (this.held) this.draw(now);
   }
 
-  /** Draws what is due. While the previous pictures are not on the page yet, it draws only numbers that are overdue. */
+  /** Draws what is due. Until the previous pictures are on the page, updates only overdue numbers, lamps and tones. */
   draw(now: number): void {
     const [telemetry, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
     if (!telemetry || !seen) return;

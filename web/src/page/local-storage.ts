@@ -1,4 +1,4 @@
-/** Wrapper of localStorage. If storage is unavailable (private mode, blocked, full), it returns null or false. */
+/** Wrapper of localStorage: returns null or false if storage is unavailable (private mode, blocked, full). */
 
 /** Returns whether `act` did not throw. */
 function done(act: () => void): boolean {

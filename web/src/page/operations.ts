@@ -1,4 +1,4 @@
-/** Effects of keys, buttons and lamps on the station and on the page, except the sticks. */
+/** Effects of keys, buttons and lamps on the station and on the page. The sticks are not among them. */
 
 import type { Action } from '../input/keymap';
 import type { Command } from '../link/socket';

@@ -100,7 +100,7 @@ export class Operator {
     setClass(document.body, 'typing', typing);
   }
 
-  /** Shows the touch sticks at the first touch. */
+  /** Shows the touch sticks at a touch, unless the user has hidden them. */
   private pointed({ pointerType }: PointerEvent): void {
     if (pointerType === 'touch') this.controllers.touch.touched();
   }

@@ -1,4 +1,4 @@
-/** Choice of the drawing profile, by the renderer. */
+/** Chooses the drawing profile according to the renderer. */
 
 import type { Quality } from '../scene/drawn';
 
@@ -10,7 +10,10 @@ export interface Drawing {
   readonly software: boolean;
 }
 
-/** Returns the profile that `?quality=` names; by default full with a graphics card, else low. Null without WebGL 2. */
+/**
+ * Returns the renderer and the drawing profile; null without WebGL 2. The profile is the one that `?quality=` names. By
+ * default, it is full with a graphics card and low without one.
+ */
 export function chooseDrawing(search: string): Drawing | null {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) return null;

@@ -63,7 +63,7 @@ export class Readouts implements Drawn {
   }
 }
 
-/** Returns the frame's lamps. The text of CLEARANCE has the minimum clearance in the operator's units. */
+/** Returns the frame's lamps. The text of CLEARANCE contains the minimum clearance in the operator's units. */
 export function inUnits({ frame, units }: Pick<View, 'frame' | 'units'>): readonly Lamp[] {
   const { nearest } = frame.work;
   return frame.display.lamps.map((lamp) =>

@@ -1,4 +1,4 @@
-/** The operator's station: it applies the server's messages to the parts of the page, and draws them. */
+/** The operator's station: applies the server's messages to the parts of the page, and draws these parts. */
 
 import type { Frame, Event as LogEvent, Role, Scenarios, Welcome } from '../link/protocol';
 import type { Command, LinkState } from '../link/socket';
@@ -12,7 +12,7 @@ import { place } from './placement';
 import type { Drawing } from './quality';
 import { Readouts } from './readouts';
 
-/** Number of pictures between two movements of the bars. */
+/** The bars move once in this number of pictures. */
 const BAR_PACE = { full: 1, low: 2 } as const;
 
 export class Station {
@@ -92,7 +92,7 @@ export class Station {
     if (link.kind !== 'open') this.parts.latency.forget();
   }
 
-  /** Stores lines of the log. Each line appears together with the numbers of the same time. */
+  /** Stores lines of the log. Each line appears when the numbers reach its time. */
   addEvents(events: readonly LogEvent[]): void {
     this.parts.arrivals.addEvents(events);
     this.parts.log.addDue(performance.now());

@@ -1,4 +1,7 @@
-/** Link to the page's secondary windows. They show the page's state. While it is in control, their keys act on it. */
+/**
+ * Link to the page's secondary windows, which show the page's state. While the page is in control, keys pressed in
+ * these windows act on the page.
+ */
 
 import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';
@@ -36,7 +39,7 @@ export class WindowLink {
     });
   }
 
-  /** Sends the page's state to the windows: cameras, separating plane, units, and whether it handles their keys. */
+  /** Sends cameras, separating plane and units to the windows, and whether the page handles keys pressed in them. */
   update(): void {
     const { showsPlane: plane } = this.pictures;
     const { shown: monitors } = this.pictures.monitors;

@@ -2,7 +2,7 @@
 
 import type { Event as LogEvent } from '../link/protocol';
 
-/** An event counts as at the playhead if it is within this time of the playhead [s]. */
+/** Greatest time between the playhead and an event that counts as being at the playhead [s]. */
 export const AT = 1e-3;
 
 type Timed = Pick<LogEvent, 'time_s'>;
@@ -13,7 +13,7 @@ export function eventsUntil(events: readonly Timed[], position: number): number 
   return after < 0 ? events.length : after;
 }
 
-/** Returns the first event after a position (`by` 1) or the last event before it (`by` −1); undefined without one. */
+/** Returns the first event after a position (`by` 1) or the last before it (`by` −1); undefined if there is none. */
 export function eventBeside<T extends Timed>(
   events: readonly T[],
   position: number,

@@ -16,6 +16,6 @@ export function play(root: HTMLElement, drawing: Drawing, source: Source): void 
       if (torn === null) new Replay(root, drawing, source, index);
       else follow(root, drawing, source, index, torn);
     },
-    () => notice(root, 'Cannot open the recording: its file or its server does not answer.'),
+    () => notice(root, 'Cannot open the recording: its file is damaged, or its server does not answer.'),
   );
 }

@@ -7,7 +7,10 @@ import { lengthOf, partOf, type Span } from './span';
 /** A shorter stretch has no visible name [fraction of the axis]. */
 const ROOM = 0.035;
 
-/** Greatest gap after a stretch, as fractions of the axis and of the stretch, so that short stretches stay visible. */
+/**
+ * Gap after a stretch: a fraction of the axis, or a fraction of the stretch if that is smaller, so that short stretches
+ * stay visible.
+ */
 const GAP = 0.0008;
 const GAP_OF_STRETCH = 0.15;
 
@@ -17,7 +20,7 @@ export interface Row {
   at(position: number): void;
 }
 
-/** Makes an SVG that is stretched to its element. Its x is time [s], and its y is 0 at the top and 1 at the bottom. */
+/** Makes an SVG that fills its element. Its x is time [s], and its y is 0 at the top and 1 at the bottom. */
 export function stretched(span: Span, ...drawn: SVGElement[]): SVGElement {
   const attributes = {
     viewBox: `${span.from} 0 ${lengthOf(span)} 1`,
@@ -38,7 +41,7 @@ export function stretchAt(stretches: readonly Stretch[], position: number): numb
   return low;
 }
 
-/** Returns the time up to which a stretch is drawn. It is before the end, so there is a gap to the next stretch. */
+/** Returns the time at which the drawn stretch ends [s]: a gap remains before the next stretch. */
 function endOf({ start_s, end_s }: Stretch, span: Span): number {
   return end_s - Math.min(GAP * lengthOf(span), GAP_OF_STRETCH * (end_s - start_s));
 }

@@ -5,7 +5,7 @@ import type { Block, Moment, PlaybackIndex } from '../link/protocol';
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8] as const;
 /** Greatest number of stored blocks, so that memory does not grow with the length of the recording. */
 const MOST_KEPT = 8;
-/** Number of blocks requested in advance if playback is faster than normal; otherwise one block is. */
+/** Number of blocks requested in advance if playback is faster than normal; otherwise the number is 1. */
 const AHEAD = 2;
 /** Time after which a failed block is requested again [ms]. */
 const AGAIN_MS = 1000;

@@ -66,7 +66,7 @@ export function figure(measure: Measure, units: Units): string {
   return measure.angle === null ? value : `${value}, ${withUnit('angle', measure.angle, units)}`;
 }
 
-/** Returns seconds as `mm:ss`, with hours if necessary, and with `decimals` decimals of the second. */
+/** Returns seconds as `mm:ss`, with hours if necessary, and with `decimals` decimal places. */
 export function minutes(seconds: number, decimals = 0): string {
   const scale = 10 ** decimals;
   const whole = Math.floor(Math.max(0, seconds) * scale + 1e-6);

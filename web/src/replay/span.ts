@@ -10,7 +10,10 @@ export interface Span {
 export const LEAST_S = 2;
 /** Factor by which one step of zoom changes the length of the span. */
 export const STEP = 2;
-/** After the span has followed the playhead: distance of the playhead from the end through which it entered. */
+/**
+ * When the span moves to a playhead outside it: distance of the playhead from the nearer end of the new span, as a
+ * fraction of its length.
+ */
 const AHEAD = 0.1;
 
 export function lengthOf({ from, to }: Span): number {
@@ -22,7 +25,10 @@ export function partOf(span: Span, time: number): number {
   return (time - span.from) / lengthOf(span);
 }
 
-/** Returns the span, shortened by a factor around the playhead. Its length is at least `LEAST_S`, at most the run's. */
+/**
+ * Returns the span, shortened by a factor around the playhead. The new length is at least `LEAST_S`, but at most the
+ * length of the run.
+ */
 export function zoomed(span: Span, by: number, position: number, duration: number): Span {
   const length = Math.min(Math.max(lengthOf(span) / by, LEAST_S), duration);
   return within(position - partOf(span, position) * length, length, duration);

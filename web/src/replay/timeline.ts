@@ -29,7 +29,7 @@ export class Timeline {
   private readonly head = el('div', { class: 'playhead' });
   private readonly slider: HTMLElement;
 
-  /** `duration`: length of the run [s]; `sought`: called when the user moves the playhead; null if impossible. */
+  /** `duration`: length of the run [s]; `sought`: called when the user moves the playhead; null if the user cannot. */
   constructor(
     private index: Timed,
     private readonly duration: number,

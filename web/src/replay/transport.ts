@@ -1,4 +1,4 @@
-/** Controls of a replay: play, pause, speed, choice of strips or desk. Also shows the time of the playhead. */
+/** Controls of a replay: playback, events, time axis, strips, desk, windows. Also shows the time of the playhead. */
 
 import type { PlaybackIndex } from '../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/parts/dom';

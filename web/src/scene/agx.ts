@@ -5,7 +5,7 @@ const [DARKEST, BRIGHTEST] = [-12.47393, 4.026069];
 const CONTRAST = [-0.00232, 0.1191, 0.4298, -6.868, 31.96, -40.14, 15.5] as const;
 const GAMMA = 2.2;
 
-/** Returns the displayed value (linear, 0 to 1) of exposed light: the product of light and exposure. */
+/** Returns the displayed value (linear, 0 to 1) of `light`, the product of light and exposure. */
 export function agx(light: number): number {
   const stops = Math.log2(Math.max(light, 1e-10));
   const x = Math.min(1, Math.max(0, (stops - DARKEST) / (BRIGHTEST - DARKEST)));

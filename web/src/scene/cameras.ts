@@ -65,7 +65,7 @@ class Mounted {
     this.angle = angle;
   }
 
-  /** Returns the camera at its body's present pose. The set field of view is the horizontal one at every aspect. */
+  /** Returns the camera at its body's present pose. Its horizontal field of view does not depend on the aspect. */
   at(aspect: number): PerspectiveCamera {
     const { picture } = this;
     if (this.aspect !== aspect) {

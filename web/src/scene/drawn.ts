@@ -1,6 +1,6 @@
 /** Drawing profile, and the pictures to draw with their positions. */
 
-/** `full` needs a graphics card; `low` is fast also if the processor computes the pictures. */
+/** `full` needs a graphics card; `low` is fast even if the processor computes the pictures. */
 export type Quality = 'full' | 'low';
 
 export interface Rect {

@@ -20,14 +20,11 @@ const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
 export const LIMB = Math.asin(EARTH / ORBIT);
-/** Brightness of the night side over full daylight. It is many times moonlight, so that the limb is just visible. */
+/** Brightness of the night side, as a fraction of full daylight: much brighter than by moonlight, to show the limb. */
 const NIGHT = '0.004';
 const UP = new Vector3(0, 0, 1);
 
-/**
- * Computes the direction in which each point of the sky is seen; it does not depend on the camera's position. The sky
- * is drawn behind everything else.
- */
+/** Puts the Earth behind all bodies. The direction of each point does not depend on the camera's position. */
 const vertexShader = /* glsl */ `
   varying vec3 ray;
   #ifdef PAINTED

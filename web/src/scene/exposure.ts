@@ -13,8 +13,8 @@ export const KEY = 0.4;
 const PAUSE_S = 2;
 
 /**
- * Returns the exposure at which a picture's mean light is `KEY`. Each sample has its own light as weight, so that black
- * space does not count. Null if the picture is black.
+ * Returns the exposure at which a picture's mean light is `KEY`. The mean is weighted with the light itself, so that
+ * black space does not count. Null if the picture is black.
  */
 export function metered(lights: Iterable<number>): number | null {
   let [sum, squares] = [0, 0];
@@ -39,7 +39,7 @@ export class Exposure {
     return this.now ?? this.base;
   }
 
-  /** Whether the exposure was set from a picture. */
+  /** Whether the exposure is locked or was set from a picture. */
   get settled(): boolean {
     return !this.atOnce;
   }

@@ -33,12 +33,12 @@ export class Exposures {
     return Math.round((this.cameras.get(camera)?.exposure.stops ?? 0) * STEPS) / STEPS;
   }
 
-  /** Whether a camera's exposure has not been set from a picture yet. */
+  /** Whether a camera's exposure is neither locked nor set from a picture yet. */
   metering(camera: string): boolean {
     return this.cameras.get(camera)?.exposure.settled === false;
   }
 
-  /** Discards the exposures that were metered before the light has changed. */
+  /** Discards the pending metering, because the light has changed. The next pictures set the exposures at once. */
   renew(): void {
     this.meter.forget();
     for (const { exposure } of this.cameras.values()) exposure.renew();
@@ -53,8 +53,8 @@ export class Exposures {
   }
 
   /**
-   * Measures the light of the picture just drawn, if this is due; `factor`: the picture's factor of light; `height`:
-   * height of the canvas [CSS px].
+   * Meters the picture just drawn, if due; `height`: height of the canvas [CSS px]; `factor`: factor by which the
+   * picture multiplies light.
    */
   measure(camera: string, rect: Rect, height: number, factor: number): void {
     const due = this.cameras.get(camera);

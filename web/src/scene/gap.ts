@@ -30,7 +30,7 @@ const FORE = new Vector3(1, 0, 0);
 const point = new Vector3();
 const size = new Vector3();
 
-/** Widens the line on the screen, and moves an end behind the camera to just before it. */
+/** Widens the line on the screen. If one end is behind the camera, cuts the line just in front of the camera. */
 const vertexShader = /* glsl */ `
   uniform vec3 a, b;
   uniform vec2 viewport;
@@ -58,7 +58,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(abs(side) < core ? colour : vec3(0.0), 1.0);
   }`;
 
-/** The visible parts of the line of minimum clearance, and on demand the separating plane of the two parts. */
+/** The line of minimum clearance where no body hides it, and on demand the separating plane. */
 export class Gap {
   private readonly line = new Mesh(quad(), strokeMaterial());
   private readonly plane = new Object3D();

@@ -25,7 +25,7 @@ const FADE_S = 0.15;
 const CORNER = 30;
 /** A body that moves less than this has no ghost, because the ghost would flicker on the body [m, rad]. */
 const STIRS = 0.02;
-/** Number of values for each body in the look-ahead's poses: position (3) and quaternion (4). */
+/** Number of values for each body in the look-ahead's poses. */
 const POSE = 7;
 
 const ONE = new Vector3(1, 1, 1);

@@ -89,10 +89,7 @@ export class Illumination {
     this.lambert.follow();
   }
 
-  /**
-   * Sets the exposure of the pictures drawn next [photographic stops above the exposure for full sunlight]; returns the
-   * factor of light.
-   */
+  /** Sets the exposure of the next pictures [stops over full sunlight]; returns the factor that multiplies light. */
   expose(stops: number): number {
     const factor = EXPOSED * 2 ** stops;
     this.renderer.toneMappingExposure = factor;

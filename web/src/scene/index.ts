@@ -88,7 +88,7 @@ export class Scene {
     return this.bodies.map((body) => body.drawn);
   }
 
-  /** Sets the poses of all `Welcome.bodies`, in this order: for each x, y, z [m], w, x, y, z in the scene frame. */
+  /** Sets the poses of all `Welcome.bodies`, in this order. A pose is x, y, z [m], w, x, y, z in the scene frame. */
   setPoses(poses: readonly number[]): void {
     this.bodies.forEach((body, i) => {
       body.setPose(poses, POSE * i);
@@ -107,7 +107,7 @@ export class Scene {
     return this.exposures.stops(camera);
   }
 
-  /** Whether a camera's exposure has not been set from a picture yet. */
+  /** Whether a camera's exposure is neither locked nor set from a picture yet. */
   metering(camera: string): boolean {
     return this.exposures.metering(camera);
   }

@@ -82,7 +82,7 @@ export class LambertLight {
     above: new Color(),
     below: new Color(),
   };
-  /** Exposure of the next pictures, a factor. */
+  /** Exposure of the next pictures, as a factor. */
   readonly exposure = { value: 1 };
   private readonly count = { value: 0 };
   /** Position of each lit lamp, and the reciprocal of its squared reach. */

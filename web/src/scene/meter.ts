@@ -17,7 +17,7 @@ interface Look {
 
 export interface Seen {
   readonly camera: string;
-  /** Light of the scene at samples of the picture: light of the strongest colour, so that no colour is overexposed. */
+  /** Light at samples of the picture, each in its strongest colour (red, green, blue), so that none is overexposed. */
   readonly lights: readonly number[];
 }
 

@@ -49,7 +49,10 @@ export class Orbit {
     this.middle.set(x, y, z).applyMatrix4(toBody);
   }
 
-  /** Shifts the view to the right and upwards, so that the centre follows the pointer; for angles, see `turn` [rad]. */
+  /**
+   * Shifts the view to the right and upwards, so that the centre follows the pointer. Takes the angles of `turn` [rad];
+   * π shifts the view by the width of the picture.
+   */
   shift(right: number, upwards: number): void {
     const [x, y, z] = this.view.boresight;
     const wide = (2 * this.distance * Math.tan(this.camera.field_of_view / 2)) / Math.PI;

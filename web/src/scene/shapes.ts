@@ -18,10 +18,7 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/**
- * Radius [m] and number of sides. In the low profile, a circle that is smaller than a radius of this list is drawn with
- * the number of sides beside the first such radius, any larger circle with `MOST` sides.
- */
+/** In the low profile, a full turn below this radius [m] has this number of sides; `MOST` sides for larger radii. */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],

@@ -5,7 +5,7 @@ import type { Camera, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
 import type { Cameras } from './cameras';
 
-/** Width over height of the picture within which a point counts as visible. */
+/** Width over height of the assumed picture: only points inside this picture count as visible. */
 export const ASPECT = 1.5;
 /** Sample points of a picture: coordinates to the right and upwards, each in [-1, 1]. */
 const SPREAD = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [-0.7, 0, 0.7].map((y) => [x, y] as const));
@@ -32,7 +32,7 @@ export class Sight {
     );
   }
 
-  /** Returns the bodies at sample points of the picture. Thus finds near bodies that are only partly in the picture. */
+  /** Returns the bodies at sample points of the picture, also near bodies that are only partly in the picture. */
   ahead(camera: Camera): ReadonlySet<string> {
     const seen = this.cameras.at(camera.name, ASPECT);
     const found = new Set<string>();

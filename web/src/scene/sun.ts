@@ -2,7 +2,7 @@ import { CircleGeometry, Mesh, MeshBasicMaterial, type Scene, Vector3 } from 'th
 import type { Daylight } from './daylight';
 import { LIMB } from './earth';
 
-/** Half the angle under which the sun is seen: 16 minutes of arc. */
+/** Half the sun's angular diameter: 16 minutes of arc. */
 const RADIUS = (16 / 60) * (Math.PI / 180);
 /** Distance at which the sun is drawn, behind everything else [m]. */
 const DISTANCE = 150;

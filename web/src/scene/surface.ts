@@ -2,7 +2,7 @@ import { type Matrix4, Vector3 } from 'three';
 
 const point = new Vector3();
 
-/** Triangles under construction: positions and unit normals [m], texture coordinates in metres. */
+/** Triangles under construction: positions [m], unit normals, and texture coordinates [m]. */
 export class Surface {
   readonly positions: number[] = [];
   readonly normals: number[] = [];
@@ -17,12 +17,12 @@ export class Surface {
     return this.positions.length / 3 - 1;
   }
 
-  /** Corners counter-clockwise as seen from outside. */
+  /** Adds a triangle with its corners counter-clockwise as seen from outside. */
   triangle(a: number, b: number, c: number): void {
     this.indices.push(a, b, c);
   }
 
-  /** A copy of `other`, moved by a rigid motion or a reflection. */
+  /** Adds a copy of `other`, moved by a rigid motion or a reflection. */
   append(other: Surface, motion: Matrix4): void {
     const first = this.positions.length / 3;
     for (let i = 0; i < other.positions.length; i += 3) {

@@ -15,7 +15,7 @@ import {
 } from 'three';
 import type { Rect } from './drawn';
 
-/** Amplitude of the noise, as a part of white. */
+/** Amplitude of the noise, as a fraction of white. */
 const NOISE = '0.07';
 
 const vertexShader = /* glsl */ `

@@ -16,7 +16,7 @@ const PATTERNS: Record<Exclude<Pattern, 'plain'>, { repeat: [number, number]; pa
   panel: { repeat: [2.24, 1], paint: panelled },
 };
 
-/** Make the texture of a pattern, equal in every run. The low profile reads only one mipmap level for each pixel. */
+/** Make the texture of a pattern, identical in every run. The low profile reads one mipmap level for each pixel. */
 export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Quality): Texture {
   const { repeat, paint } = PATTERNS[pattern];
   const full = quality === 'full';
@@ -26,7 +26,7 @@ export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Qual
   return texture;
 }
 
-/** Make the relief of a crumpled blanket; middle grey is level. */
+/** Make the relief of a crumpled blanket; middle grey is zero height. */
 export function crumpleTexture(size: number): Texture {
   return repeated(size, crumpled, [1.2, 1.2]);
 }

@@ -1,4 +1,4 @@
-/** View of a camera at a setting of its drives, by the formulas of `bodies/cameras.py`. */
+/** A camera's view for given angles of its drives. `bodies/cameras.py` has the same formulas. */
 
 import { Vector3 } from 'three';
 import type { Camera, Vec3 } from '../link/protocol';
@@ -15,7 +15,7 @@ export interface View {
 const [ahead, right, up] = [new Vector3(), new Vector3(), new Vector3()];
 const [level, boresight, lens] = [new Vector3(), new Vector3(), new Vector3()];
 
-/** Returns the view at a setting: pan to the right, tilt upwards, horizontal field of view [rad]. */
+/** Returns the view for these drive angles: pan to the right, tilt upwards, horizontal field of view [rad]. */
 export function viewOf(camera: Camera, [pan, tilt, angle]: Vec3): View {
   axes(camera);
   level.copy(ahead).multiplyScalar(Math.cos(pan)).addScaledVector(right, Math.sin(pan));
@@ -33,7 +33,7 @@ export function viewOf(camera: Camera, [pan, tilt, angle]: Vec3): View {
   };
 }
 
-/** Returns the initial setting of the drives. */
+/** Returns the initial angles of the drives. */
 export function settingOf(camera: Camera): Vec3 {
   axes(camera);
   boresight.set(...camera.boresight);

@@ -1,4 +1,4 @@
-/** The tutorial's card. It covers groups of the desk that a beginner does not need. */
+/** The tutorial's card. It covers those controls of the desk that a beginner does not need. */
 
 import type { InHand } from '../input/active-device';
 import { button, el, setClass, setText } from '../panel/parts/dom';
@@ -85,7 +85,7 @@ export class Card {
     this.skip.disabled = over;
   }
 
-  /** Lights the key caps whose keys are pressed, at picture rate. */
+  /** Lights the caps of the controls that are held; called for each picture. */
   light(): void {
     const { device } = this.inHand;
     for (const { use, cap } of this.lights) setClass(cap, 'held', this.inHand.holds(use));

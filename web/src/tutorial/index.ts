@@ -15,7 +15,7 @@ import { STEPS } from './steps';
 /** Built-in scenario of the tutorial, and the mode that its steps need. */
 export const SCENARIO = 'tutorial';
 const MODE = 'END EFF';
-/** Storage key: whether the tutorial was opened before. Without storage it opens at each visit. */
+/** Storage key: whether the tutorial was opened before. Without storage, the guide opens at each visit. */
 const KEY = 'aftdeck.tutorial';
 const OPENED = 'opened';
 const LOOKS: ReadonlySet<Action['name']> = new Set([
@@ -34,7 +34,7 @@ export class Tutorial {
   private readonly payload: number;
   private progress: Progress = BEGIN;
   private open = false;
-  /** Whether the card may still open without a request by the user. */
+  /** Whether the card opens by itself as soon as this page is in control. */
   private unasked: boolean;
   private drawn = '';
 
@@ -66,7 +66,10 @@ export class Tutorial {
     return this.card.element;
   }
 
-  /** Called when the user chooses a scenario. For the tutorial's scenario, opens the guide, at once or when loaded. */
+  /**
+   * Called when the user chooses a scenario. For the tutorial's scenario, the guide opens: at once if this scenario
+   * is already loaded, otherwise after it has been loaded.
+   */
   chosen(scenario: string): void {
     if (scenario !== SCENARIO) return;
     if (this.offered) this.show(true);
@@ -150,7 +153,7 @@ export function farewell(flown: number | null): readonly [title: string, words: 
   const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
   return [
     'Complete',
-    `The payload is captured and out of its latches, ${took} after the start. Close the guide and continue: rotate it, berth it, ` +
-      'release it. *Keys ?* shows all keys; *Restart* begins again.',
+    `The payload is captured and out of its latches, ${took} after the start. Close the guide and continue: rotate, berth and ` +
+      'release the payload. *Keys ?* shows all keys; *Restart* begins again.',
   ];
 }

@@ -9,15 +9,15 @@ export interface Progress {
   /** Position of the tip at the start of this step; null if not known yet. */
   readonly from: Vec3 | null;
   readonly looked: boolean;
-  /** Whether the user went back to this step. Its condition may still hold; it ends only when it is done again. */
+  /** Whether the user went back to this step. If its condition holds already, the step ends only when it holds anew. */
   readonly again: boolean;
   /** Steps that were skipped and that were not completed later. */
   readonly skipped: ReadonlySet<number>;
-  /** Last height of the payload in its berth, or else its first height [m]; null if not known yet. */
+  /** Height of the payload when it was last in its berth; if it never was, its first height [m]; null if not known. */
   readonly seat: number | null;
   /** Time at which all steps were complete and the payload was free [s]; null before this time. */
   readonly flown: number | null;
-  /** The last frame. */
+  /** Number of the last frame's control step. */
   readonly tick: number;
 }
 
@@ -37,7 +37,10 @@ export function isOver({ at }: Progress): boolean {
   return at >= STEPS.length;
 }
 
-/** Returns the progress after the next frame; `height`: the payload's height [m]. A restart restarts the tutorial. */
+/**
+ * Returns the progress after the next frame; `height`: the payload's height [m]. If the run was restarted, the tutorial
+ * begins again.
+ */
 export function seen(before: Progress, now: Frame, height: number): Progress {
   if (now.tick < before.tick) return seen(BEGIN, now, height);
   const first = before.tick < 0 && held(now);

@@ -36,7 +36,7 @@ export type Cap = readonly [use: string, does: string];
 export const MOVED = 0.3;
 /** Least height above its berth for which the payload counts as lifted [m]. */
 export const LIFTED = 1;
-/** The step counts the end effector as aligned up to this distance from the axis [fraction of the limit]. */
+/** Distance from the axis up to which the end effector counts as aligned in its step [fraction of the limit]. */
 export const MIDDLE = 0.5;
 
 /** Key caps of the THC, in the order of their positions on the keyboard. */
@@ -67,8 +67,8 @@ export const STEPS: readonly Step[] = [
     name: 'move',
     title: 'Move the arm',
     words: () =>
-      '{+X} moves the end effector into the picture of *WR*, its own camera; {-X} moves it back, the other keys ' +
-      'move it sideways. Hold one for some seconds and watch both pictures.',
+      '{+X} moves the end effector in the viewing direction of *WR*; {-X} moves it back, the other keys ' +
+      'move it sideways. Hold a key for some seconds and watch both pictures.',
     caps: () => MOVERS,
     groups: ['thc'],
     done: (now, { from }) => distance(now.display.actual.position, from) >= MOVED,
@@ -180,7 +180,7 @@ function offAxis({ work: { conditions } }: Frame): Condition | undefined {
   return conditions.find(({ name }) => name === 'pin off axis');
 }
 
-/** Returns an explanation if the desk displays something about the berth that would mislead a beginner; else empty. */
+/** Returns an explanation of what the desk displays near the berth, if it could mislead a beginner; else empty. */
 function besides(now: Frame): string {
   if (now.work.clearance_level === 'warning')
     return ' *CLEARANCE* warns because the berth is close: press *MASTER ALARM* and continue.';

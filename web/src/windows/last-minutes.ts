@@ -1,4 +1,4 @@
-/** Data of the last minutes of a run for lanes and strips; older data is dropped. */
+/** The last minutes of a run, as data for lanes and strips. Older data is dropped. */
 
 import type { Lane, Event as LogEvent, Recent, Sample, Strip } from '../link/protocol';
 import { shown } from '../replay/quantity';
@@ -36,7 +36,7 @@ export class LastMinutes {
     this.until = time;
   }
 
-  /** Adds lines of the log. If a line is earlier than the last one, the run was restarted: older lines are deleted. */
+  /** Adds lines to the log. If a line's time is before that of the last line, the run was restarted: clears the log. */
   note(events: readonly LogEvent[]): void {
     for (const event of events) {
       const last = this.events.at(-1);
@@ -95,7 +95,7 @@ function goingOn({ name, stretches }: Lane, span: Span, now: number): Lane {
   return { name, stretches: until.filter(({ end_s }) => end_s >= span.from) };
 }
 
-/** Returns a strip with curves from the samples; `first` is the index of its first curve in a sample's values. */
+/** Returns a strip with curves from the samples; `first`: index of the strip's first curve in a sample's values. */
 function drawn(strip: Strip, samples: readonly Sample[], first: number, units: Units): Strip {
   const times_s = samples.map(({ time_s }) => time_s);
   let [low, high] = strip.rests ? [0, strip.caution ?? 0] : [Infinity, -Infinity];

@@ -15,7 +15,7 @@ import { StripWindow } from './strip-window';
 const VALUES_MS = 100;
 /** The curves are redrawn when they have moved by this fraction of the axis, about one pixel. */
 const PIXEL = 1 / 1200;
-/** Lengths of the time axis from which the user chooses [s], and the index of the first one. */
+/** Lengths of the time axis from which the user chooses [s], and the index of the initial length. */
 const LENGTHS = [30, 60, 120, KEPT_S];
 const FIRST = 2;
 

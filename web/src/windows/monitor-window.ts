@@ -33,7 +33,7 @@ export class Display {
   private readonly line: DelayLine;
   private valuesAt = 0;
   private request = 0;
-  /** Whether a change comes from the page or from the first drawing; such a change is not sent back to the page. */
+  /** True while the page or the first drawing changes the cameras. Such changes are not sent to the page. */
   private hearing = false;
   private units: UnitName;
   private readonly pictures: Pictures;

@@ -12,11 +12,11 @@ export interface PageState {
   readonly monitors: readonly (readonly string[])[];
   readonly plane: boolean;
   readonly units: UnitName;
-  /** Whether keys pressed in the windows act on the page: true if it is in control, or plays a recording. */
+  /** Whether keys pressed in the windows act on the page: true if it is in control or plays back a recording. */
   readonly takesKeys: boolean;
 }
 
-/** Playhead of a page that plays. */
+/** Playhead of a page that plays back a recording. */
 export interface Playhead {
   readonly kind: 'head';
   /** [s] */
@@ -24,7 +24,7 @@ export interface Playhead {
   readonly speed: number;
 }
 
-/** Messages of page and windows. */
+/** Messages that a page and its windows exchange. */
 export type WindowMessage =
   | PageState
   | Playhead

@@ -4,7 +4,7 @@ import { KeyRelay } from '../input/key-relay';
 import { el, setClass, setText } from '../panel/parts/dom';
 import { type PageState, tornOff, type WindowMessage, Windows } from './opened';
 
-/** Time between two requests for the page's state; without an answer for `SILENT_MS`, it counts as closed [ms]. */
+/** Time between requests for the page's state [ms]. Without an answer for `SILENT_MS`, the page counts as closed. */
 const ASK_MS = 1000;
 const SILENT_MS = 5000;
 
@@ -94,7 +94,7 @@ export class Tether {
     this.windows?.say(message);
   }
 
-  /** Shows the time and the page's state. If the content is out of date, `lost` is not empty and replaces the state. */
+  /** Shows the time, and either `lost` if it is not empty (the content is out of date) or the page's state. */
   show(time: string, lost = ''): void {
     setText(this.time, time);
     const { keys, alone } = this.words;

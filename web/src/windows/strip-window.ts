@@ -51,7 +51,7 @@ export class StripWindow {
     return this.choice.chosen;
   }
 
-  /** Writes the time of the values and a text after it. `wider`, `closer`: whether more or less time can be shown. */
+  /** Writes the time of the values and a text after it. `wider`: whether more time can be shown; `closer`: less. */
   show(time: string, about: string, wider: boolean, closer: boolean): void {
     setText(this.time, time);
     setText(this.about, about);

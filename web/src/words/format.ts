@@ -4,7 +4,7 @@ import type { Unit } from './units';
 
 const DEGREE = 180 / Math.PI;
 
-/** A number with fixed decimals and a minus sign, never at zero. If `signed`, zero and positive numbers have a `+`. */
+/** A number with this many decimals. Zero has no minus sign; if `signed`, zero and positive numbers have a `+`. */
 export function fixed(value: number, decimals: number, signed = true): string {
   const digits = Math.abs(value).toFixed(decimals);
   const zero = Number(digits) === 0;
@@ -18,12 +18,12 @@ export function attitude(radians: number): string {
   return ((((tenths % 3600) + 3600) % 3600) / 10).toFixed(1);
 }
 
-/** An angle or angular rate [rad] in signed degrees. */
+/** An angle [rad] or angular rate [rad/s] in degrees; `signed` as in `fixed`. */
 export function degrees(radians: number, decimals = 1, signed = true): string {
   return fixed(radians * DEGREE, decimals, signed);
 }
 
-/** A length or speed [SI] in a unit for small values: no decimals from ten on, and a sign only if it is negative. */
+/** A length or speed [SI] in a unit for small values: no decimals if it is ten or more, no sign if it is positive. */
 export function small(value: number, unit: Unit): string {
   const shown = value * unit.perSi;
   return fixed(shown, Math.abs(shown) < 9.95 ? unit.decimals : 0, false);

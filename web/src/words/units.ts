@@ -6,7 +6,7 @@ export type UnitName = Welcome['units'];
 
 export interface Unit {
   readonly name: string;
-  /** Displayed value of one metre, one metre per second, or one kilogram. */
+  /** Displayed value of one SI unit: of 1 m, 1 m/s or 1 kg. */
   readonly perSi: number;
   readonly decimals: number;
 }
@@ -18,7 +18,7 @@ export interface Units {
   /** Units of clearances and small errors (`gap`) and of their rates (`creep`). */
   readonly gap: Unit;
   readonly creep: Unit;
-  /** Displayed value of one kilogram. */
+  /** Unit of masses. */
   readonly mass: Unit;
 }
 

@@ -1,4 +1,4 @@
-/** Text of an escape direction, with the key, button or axis end that commands it. */
+/** Text of an escape direction, with the key, button or axis direction that commands it. */
 
 import type { Names } from '../input/active-device';
 import type { WayOut } from '../link/protocol';

@@ -66,7 +66,7 @@ def _continue_check(flight: Flight, state: State, checking: Checking) -> Check |
 
 
 def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
-    """Rehearse up to `STEPS` steps; return the verdict once all ways have been rehearsed, else None."""
+    """Rehearse up to `STEPS` steps; return the verdict once all ways (`operator.ways`) are done, else None."""
     left = STEPS
     while left > 0:
         if not checking.ways and not _more_ways(flight, checking):
@@ -92,7 +92,7 @@ def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
 
 
 def _start(flight: Flight, checking: Checking) -> State | None:
-    """Return the state from which the motion is rehearsed; None until the arm is at rest."""
+    """Return the state from which the motion is rehearsed; None before the rehearsal has begun."""
     cache = checking.rehearsal
     if cache.start is None and checking.start is not None:
         cache.start = resume(flight, checking.start)
@@ -100,10 +100,10 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 
 
 def _more_ways(flight: Flight, checking: Checking) -> bool:
-    """Find ways to the target by joints (mode 1), because the straight line has failed; return whether there are any.
+    """If the ways along a straight line failed, find the ways by joints; return whether there is one to rehearse.
 
-    If a berth or a switch caused the failure, no other way is searched, because a berth or a switch stops every motion
-    of the arm.
+    If a berth or a switch caused the failure, do not look for ways by joints, because these causes stop every motion of
+    the arm.
     """
     start, tried = _start(flight, checking), checking.tried
     assert start is not None, "a rehearsal has a start state"
@@ -137,7 +137,7 @@ def _verdict(checking: Checking) -> Check:
 
 
 def _log_failed_ways(flight: Flight, state: State, checking: Checking) -> None:
-    """Log the reason of every failed way by joints, if more than one way was rehearsed."""
+    """Log why each way by joints failed, if more than one way was rehearsed."""
     if len(checking.tried) > 1:
         for tried in checking.tried:
             if not tried.good and tried.way.law == "position":

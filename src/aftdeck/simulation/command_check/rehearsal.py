@@ -45,14 +45,14 @@ class Rehearsal:
         panel.law, panel.rate_hold_sticks, panel.position_hold_target = way.law, None, None
         panel.proceeding, panel.ending = False, ""
         begin(flight, self._copy, target, way.joints)
-        self._copy.worksite.watch.counts[:] = 0  # a rehearsal needs no minimum clearance
+        self._copy.worksite.watch.counts[:] = 0  # a rehearsal does not use the minimum clearance
         self._touching = frozenset(self._copy.worksite.logged_contacts)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
         self._last_limit: tuple[int, int, str] = (0, -1, "")
         self.steps = 0
 
     def advance(self, most: int) -> Tried | None:
-        """Rehearse at most `most` more steps; return the result, or None if the motion has not ended yet."""
+        """Rehearse up to `most` further steps; return the result, or None if the motion has not ended yet."""
         flight, copy, period = self._flight, self._copy, self._flight.scenario.control_period
         for _ in range(most):
             self._last_limit = int(copy.report[CAUSE]), int(copy.report[LIMITING_JOINT]), copy.worksite.halt

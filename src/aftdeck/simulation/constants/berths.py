@@ -30,7 +30,7 @@ class Berth:
         probe: (n, 3) vertices of the payload's probe, in the payload's axes [m].
         tip: (3,) centre of the probe's forward face, in the payload's axes [m].
         docking: greatest distance and angle at which a port docks the payload.
-        guides: V-guides of the bay's latches; None if the berth has none.
+        guides: V-guides of the bay's latches; None if the berth has no guides.
         tolerances: greatest distance and angle at which a bay berth fixes the payload.
     """
 
@@ -67,8 +67,8 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
         seat: the berth.
         row: index of the frame to which the berth is fixed, in the array of all frames.
         cargo: the payload.
-        axes: "y" if docking limits only the angle between the y axes of payload and port; any other value if it limits
-            the angle of each of the three axes.
+        axes: "y" if docking limits only the angle between the y axes of payload and port; any other value if
+            docking limits the angles of all three axes.
     """
     place = seat.seated(cargo.probe)
     probe = [solid.vertices for solid in cargo.solids if solid.part == part_of(cargo.name, "probe")]

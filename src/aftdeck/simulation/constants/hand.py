@@ -26,10 +26,10 @@ class Bar:
 
     Attributes:
         tolerances: tolerances of acquisition.
-        packed: (5,) the same tolerances, as an array for the law.
+        packed: (5,) `tolerances` as an array for the law.
         which: for each payload, (4,) indices of four solids in the layout: HEX 1, HEX 2, HEX 3 and the payload's bar;
             None if the payload has no bar.
-        bars: (c, 4) the same indices as one array; -1 in the row of a payload without a bar.
+        bars: (c, 4) the indices in `which` as one array, with one row per payload; -1 for a payload without a bar.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
 
@@ -62,7 +62,7 @@ class Snares:
 
 
 def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
-    """Return the constants of capture by a prong; None without a prong, or without rules for a prong in the worksite.
+    """Return the constants of capture by a prong; None if the arm has no prong or the worksite no rules for a prong.
 
     Args:
         model: the arm.

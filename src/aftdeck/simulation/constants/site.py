@@ -28,7 +28,8 @@ from aftdeck.worksite.watch.pairs import among, part_pairs
 ORBITER = 0
 """Row of the frame ``orbiter``, the scene's frame. The next rows are the arm's frames, ``space``, and the payloads."""
 SHORT = 1.0
-"""Length up to which a link between two joints counts as short [m]; the parts at its two ends are longer (assumed)."""
+"""Length below which a link between two joints counts as short [m]. The parts at its two ends are longer than the link
+(assumed). `_stationary_parts` uses the same length."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +56,7 @@ class Meeting:
 class Site:
     """Constants of the worksite: frames, pairs of parts that can touch, and poses of the payloads in their berths.
 
-    An array (g,) has one element for each monitored pair of the layout.
+    An array (g,) has one element for each monitored pair of the layout: 1 for the pairs named below, 0 for the others.
 
     Attributes:
         worksite: the worksite as its file describes it.
@@ -77,17 +78,17 @@ class Site:
         hand: (12,) pose of the tip in the frame of the last joint.
         effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
         prong: True if the end effector has a prong, False if it has snares.
-        bar: constants of capture with the prong; None if the arm has no prong, or if the worksite has no rule for a
-            prong.
-        snares: constants of capture with the snares; None if this worksite has no rule for snares.
+        bar: constants of capture with the prong; None if the arm has no prong, or if the worksite has no rules for
+            a prong.
+        snares: constants of capture with the snares; None if the worksite has no rules for snares.
         detrimental: (g,) 1 for pairs that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         berths: for each payload, the constants of the berths that accept the payload.
         berth_rows: for each payload, (n,) rows of the frames to which its berths are fixed.
         berth_places: for each payload, (n, 12) its poses in its berths, in the frames of `berth_rows`.
         starts: for each payload, (12,) its pose in the scene at the start.
-        slides: for each payload, (g,) 1 for its pairs with parts of the orbiter. A held payload slides along these
-            parts.
+        slides: for each payload, (g,) 1 for its pairs with parts of the orbiter. A held payload may slide along
+            these parts.
         bodies: for each payload, indices of its solids in the layout.
         bay: least and greatest coordinates (2, 3) of the inside of the bay, in the scene, without a lower limit in z
             [m]; None if there is no bay.
@@ -150,7 +151,7 @@ class Site:
         return next(seat for seat in self.worksite.seats if seat.name == name)
 
     def berth(self, k: int, name: str) -> Berth | None:
-        """Return the constants of payload k in the berth with this name; None if the berth rejects it."""
+        """Return the constants of payload k in the berth with this name; None if it does not accept the payload."""
         return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
 
     def in_space(self, name: str) -> bool:
@@ -269,7 +270,11 @@ def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
 
 
 def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
-    """Return the arm's parts that stay at their mount: they are fixed to the orbiter or only rotate in place."""
+    """Return the arm's parts that stay at the mount.
+
+    These are the parts on the base, the telescope and the first joint, and those within `SHORT` of L's origin in every
+    pose.
+    """
     foot, first, *_ = model.linkage.frames
     places = np.cumsum(model.linkage.steps, axis=0)
     near = {foot, first, STAND}
@@ -285,7 +290,7 @@ def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
 
 
 def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
-    """Return the pairs of arm parts that cannot touch by folding.
+    """Return the pairs of arm parts that cannot touch when the arm folds.
 
     The two parts of such a pair are at the two ends of a short link or of a ball wrist.
     """
@@ -300,8 +305,8 @@ def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
 def _ball(model: ArmModel) -> tuple[str, ...]:
     """Return the frames of a wrist whose three axes meet in one point, as in the concept arm; () for other wrists.
 
-    Parts in the wrist's inner frames only rotate about that point. The end effector is at a distance from the point,
-    and the joint limits keep the end effector in front of the boom.
+    Parts in the wrist's inner frames only rotate about that point. The end effector is at a distance from the
+    point, and the joint limits keep it in front of the boom. It therefore touches neither the boom nor these parts.
     """
     *_, second, third = np.linalg.norm(model.linkage.steps, axis=1)
     return model.linkage.frames[-3:] if second == third == 0.0 else ()

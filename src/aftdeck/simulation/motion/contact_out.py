@@ -22,14 +22,14 @@ SEARCH_EVERY = 10
 CONTACT = "contact"
 """Cause of these escapes, in `WayOut.cause`."""
 SLOWLY = 0.02
-"""Fraction of the full rate at which a motion is evaluated [1]; about the speed of an arm that starts from rest."""
+"""Fraction of the full rates [1], for the evaluation of motions; about the rates of an arm that starts from rest."""
 
 
 class _Motion(NamedTuple):
     """Motion that the operator can command.
 
     Attributes:
-        command: the command, as an escape.
+        command: the operator's command for this motion.
         rates: (6,) joint rates [rad/s].
         telescope: drive of the telescope, -1 to 1.
     """

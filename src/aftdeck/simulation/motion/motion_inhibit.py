@@ -1,4 +1,4 @@
-"""Limit one step's commanded motion to what contacts, berths and walls allow, before the plant makes it.
+"""Limit one step's commanded motion to what contacts, berths and walls allow, before the plant executes it.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision found in two successive steps inhibits
 the arm until the collision is relieved. Deviation: motion that relieves the contact (`worksite.watch.contact_motion`)
@@ -18,7 +18,7 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.watch.contact_motion import leads_out, relieves, worst_new_contact
 
 AHEAD = (1.0, 8.0, 64.0, 512.0)
-"""Numbers of steps. The poses after each number show whether a motion leads out of the contacts."""
+"""Numbers of control steps after which the poses are tested, to find whether a motion leads out of the contacts."""
 
 
 def limit_motion(flight: Flight, state: State, telescope: float) -> float:
@@ -74,8 +74,8 @@ def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Ma
     Args:
         flight: constants of the run.
         state: state whose contacts are up to date.
-        sliding: True if the held payload slides along walls, as in the modes that steer a point. The results then do
-            not contain the pairs of the payload and its walls, because sliding keeps the payload out of the walls.
+        sliding: True if the held payload slides along walls, as in modes 1 to 7. The results then do not contain the
+            pairs of the payload and its walls, because sliding keeps the payload out of the walls.
     """
     worksite = state.worksite
     own = worksite.contacts.arm
@@ -85,15 +85,15 @@ def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Ma
 
 
 def sliding_payload(state: State) -> int | None:
-    """Return the payload that slides along walls: in modes that steer a point, the held payload; else None."""
+    """Return the payload that slides along walls: the held payload in modes 1 to 7, else None."""
     return state.worksite.held if MODES[state.panel.mode].kind in ("automatic", "manual") else None
 
 
 def _stop_arm(flight: Flight, state: State) -> float:
     """Stop the arm, and return 0.0, the drive that stops the telescope.
 
-    The steering of the next step starts from rest. In the automatic modes, except under `strict`, the clock of modes 1
-    and 3 is set back by its advance in this step.
+    The steering of the next step starts from rest. Except under `strict`, the clock of modes 1 and 3 is set back by its
+    advance in this step.
     """
     steering = state.steering
     steering[RATES : RATES + 6] = 0.0

@@ -16,9 +16,12 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 
 LEAST = 1e-3
-"""Least rate [1/s] or [rad/s] at which a stick direction must lead away to be an escape direction."""
+"""Least rate of an escape direction by a stick.
+
+It is the growth of the distance from a singularity [1/s], or the rate of a joint away from its limit [rad/s].
+"""
 NEARLY = 0.6
-"""Fraction of the greatest rate [1]. At this rate or more, the previous direction remains the escape direction."""
+"""Fraction of the greatest rate [1]. The previous escape direction is kept if its rate is at least this fraction."""
 AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
     ("rotation", "RHC {}roll"),
     ("rotation", "RHC {}pitch"),
@@ -31,7 +34,7 @@ AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
 
 
 def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
-    """Return an escape from each near singularity and for each joint past a limit, and update `panel.advice`.
+    """Return an escape for each near singularity and for each joint past a limit, and update `panel.advice`.
 
     Under ARM INHIBIT, return only the escape out of the contacts, if there is one (`contact_out`).
     """
@@ -45,9 +48,9 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 
 
 def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
-    """Return the rate (12,) at which each stick direction leads away. If the mode is not manual, ORB UNL is assumed.
+    """Return the rate (12,) at which each stick direction leads away from a singularity or a limit.
 
-    See `steering.way_out.way_out` for the arguments.
+    If the mode is not manual, ORB UNL is assumed. See `steering.way_out.way_out` for the arguments.
     """
     rules, command, steering = steering_of(state)
     speeds = np.zeros(DIRECTIONS)
@@ -56,9 +59,9 @@ def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, in
 
 
 def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return rules, command and state of the steering for an evaluation of the stick directions.
+    """Return the rules, the command and the state with which the steering evaluates the stick directions.
 
-    If the present mode is manual, they are for this mode, else for ORB UNL.
+    Rules and command are those of the present mode if it is manual, else those of ORB UNL.
     """
     panel = state.panel
     manual = MODES[panel.mode].kind == "manual"

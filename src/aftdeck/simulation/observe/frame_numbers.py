@@ -33,7 +33,7 @@ Joints = tuple[Six, Six, Six, Six, Six]
 Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
 """Commanded twist, demanded twist, limits of the point of resolution, THC deflection, RHC deflection."""
 Scalars = tuple[float, float, float, float, float]
-"""DRIVE, ratio, remaining time, remaining time of the rotation, 1 while an automatic motion is in progress."""
+"""DRIVE, RATIO, remaining time, remaining time of the rotation, and `MOTION_ACTIVE` (1 during an automatic motion)."""
 Moving = tuple[Vec3, Rows, Vec3]
 """Position, rotation (rows) and velocity of a body."""
 
@@ -61,7 +61,7 @@ def six(values: Array, at: int) -> Six:
 
 @law
 def wrist_pitch(arm: Array, angles: Array, mount: Array) -> Rows:
-    """Return LNKAGE's T_B5 (`kinematics.observe.observe_link`, with its arguments)."""
+    """Return LNKAGE's T_B5. `kinematics.observe.observe_link` describes the arguments."""
     axes = np.empty((3, 3))
     observe_link(arm, angles, mount, axes)
     return (
@@ -114,7 +114,7 @@ def frame_numbers(
 
 @law
 def carried_numbers(seen: Array, payload: Array) -> Carried:
-    """Return the numbers of a payload in the grasp (`kinematics.observe.observe_payload`, with its arguments)."""
+    """Return the numbers of a payload in the grasp. `kinematics.observe.observe_payload` describes the arguments."""
     carried = np.empty(CARRIED)
     observe_payload(seen, payload, carried)
     return (vec3(carried, 0), rows(carried, 3)), vec3(carried, 12), vec3(carried, 15)
@@ -122,7 +122,14 @@ def carried_numbers(seen: Array, payload: Array) -> Carried:
 
 @law
 def moving(frames: Array, before: Array, row: int, period: float) -> Moving:
-    """Return the pose and velocity of the body in one row of the poses (F, 12) after and before a control period."""
+    """Return the pose and the velocity of one body.
+
+    Args:
+        frames: (F, 12) poses of all frames.
+        before: (F, 12) poses of all frames one control period earlier.
+        row: row of the body's frame.
+        period: control period [s].
+    """
     now, then = frames[row], before[row]
     velocity = (now[0] - then[0]) / period, (now[1] - then[1]) / period, (now[2] - then[2]) / period
     return vec3(now, 0), rows(now, 3), velocity

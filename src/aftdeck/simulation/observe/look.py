@@ -97,7 +97,7 @@ def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[
         return position, twist, None
     pose, resolution, velocity = carried_numbers(state.observed, held)
     payload = Placed(*pose)
-    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
+    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # as published, every mode moves the tip
         return position, twist, payload
     return resolution, (*twist[:3], *velocity), payload
 

@@ -36,7 +36,7 @@ SAMPLES = 10
 CONTACT = 0.0
 """Largest clearance that counts as a contact [m]."""
 DRIVE_AXIS = 6
-"""Number of the drive switch among the axes."""
+"""Axis number of the drive switch."""
 _ORB_UNL = 4.0
 """Steering law that brings the arm to rest with the sticks centred."""
 _STILL = 1e-6
@@ -69,9 +69,9 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     cargo: tuple[tuple[Vec3, Rows], ...]
     """Centre and axes (rows) of each payload of the worksite at that time, in L [m]."""
     nearest: Near | None
-    """Pair with the minimum clearance at that time, of the pairs that then count for CLEARANCE; None if none counts."""
+    """Pair with the minimum clearance among those that count for CLEARANCE at that time; None if no pair counts."""
     contact_s: float | None
-    """Time of the first contact, rounded up to a tenth of `seconds` [s]; None if no contact is found."""
+    """Time of the first contact, rounded up to a multiple of `seconds` / 10 [s]; None if no contact is found."""
     stopping: float
     """Distance that the tip moves until it is at rest, if the sticks are centred now [m]."""
     joint: int
@@ -114,7 +114,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         frames = frames_at(flight, state, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
-        # a pair that is aligned now is not tested: it will be docked or latched before it penetrates deeply
+        # a pair that is aligned now is not tested: its parts will be docked or latched before they penetrate deeply
         touching = watch.nearest(site.detrimental | (outside & (1 - may)))
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
@@ -146,7 +146,7 @@ def _placed(row: list[float]) -> tuple[Vec3, Rows]:
 
 
 def _copies(state: State) -> tuple[Array, Array]:
-    """Return copies of the command and of the steering's state as measured now, from which the prediction starts."""
+    """Return copies of the command and of the steering's state, with the present measurements, for a prediction."""
     steering = state.steering.copy()
     measured(state.plant.angles, state.plant.rates, state.shoulder_offset, steering)
     return state.command.copy(), steering

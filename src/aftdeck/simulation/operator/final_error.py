@@ -21,7 +21,7 @@ _FINE = 0.01
 
 
 def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
-    """Return the final error of the tip as text, distance and angle, or "" if the tip has reached the target.
+    """Return the tip's final error (distance and angle) as text; "" if the tip has reached the target.
 
     Args:
         flight: constants of the run, with the scenario's end sphere.

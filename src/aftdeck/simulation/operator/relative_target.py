@@ -34,7 +34,7 @@ def _at_seat(flight: Flight, state: State, target: AtSeat) -> Target | str:
     """Return the tip pose with which the held payload is in a berth, or at the target's distance above the berth.
 
     Returns:
-        The pose. If no payload is held or the berth does not accept the payload, the reason as text.
+        The pose; or the reason as text, if no payload is held or the berth does not accept the payload.
     """
     site, worksite = flight.site, state.worksite
     k = worksite.held

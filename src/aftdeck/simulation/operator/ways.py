@@ -1,7 +1,7 @@
 """Ways to a target, from which CMD CK chooses.
 
-A way is one possible motion: along a straight line (modes 2 and 3), or by joints (mode 1) to one of the solutions for
-the joint angles at the target (RMANGS's branches).
+A way is one possible motion: either a straight line (modes 2 and 3), or a joint motion (mode 1) to one of the sets of
+joint angles that put the tip at the target (RMANGS's branches).
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[
     """Return the ways to a target with a steering law, sorted by the lower bound of their duration.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law, also if
-            the only such angles are outside the soft stops.
+        UnreachableError, SingularityError: no joint angles put the tip at the target, or (with the position law) all
+            such angles are outside the soft stops.
     """
     if law != "position":
         final_angles(state, target)
@@ -50,9 +50,9 @@ def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[
 def final_angles(state: State, target: Target) -> Array:
     """Return the joint angles at the target.
 
-    If the target has joint angles that put the tip at the target, the result is these angles. Joint angles for another
-    length of the telescope do not put the tip at the target; the result is then the solution nearest to these angles.
-    If the target has no angles, the result is the solution nearest to the present angles.
+    The result is the target's own joint angles if they put the tip at the target. If they do not, because they belong
+    to another length of the telescope, the result is the solution nearest to them. If the target has no joint angles,
+    the result is the solution nearest to the present angles.
 
     Raises:
         UnreachableError, SingularityError: no joint angles put the tip at the target.

@@ -1,4 +1,8 @@
-"""Payload in the grasp, and the steering's rules with this payload. Both change at capture and release."""
+"""Payload in the grasp, and the steering's rules for this payload.
+
+Both change at capture and release, and after a mechanism has moved the payload in the grasp. The rules also change with
+the rate limits of the script's phase.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +17,10 @@ from aftdeck.steering.rules import Key, rules_of
 
 
 class SteeringSetup(Cache):
-    """Payload in the grasp, and the steering's rules with it; `grasp.update_steering` derives both from the state.
+    """Payload in the grasp, and the steering's rules for it; `grasp.update_steering` derives both from the state.
 
     Attributes:
-        payload: payload in the grasp, in the form for the steering; None if the grasp is empty.
+        payload: payload in the grasp, as the steering uses it; None if the grasp is empty.
         rules: the steering's rules by panel position, rate setting and steering law.
     """
 

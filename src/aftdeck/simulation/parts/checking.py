@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Way(msgspec.Struct, frozen=True):
-    """Way to a target, which CMD CK may rehearse: one possible motion, along a line or by joints (`operator.ways`)."""
+    """Possible motion to a target: a straight line or a joint motion (`operator.ways`). CMD CK may rehearse it."""
 
     law: LawChoice
     joints: Six | None
@@ -41,7 +41,7 @@ class Tried(msgspec.Struct, frozen=True):
     text: str
     """Reason of the failure, final error of the motion, or berth that fixes the payload."""
     near: str
-    """Text about the singularity near which the motion passes; empty if there is none."""
+    """Text about a singularity if the motion passes near one; else empty."""
 
 
 class Rehearsed(Cache):
@@ -49,7 +49,7 @@ class Rehearsed(Cache):
 
     Attributes:
         start: state from which the rehearsed motion starts.
-        motion: the rehearsal; None before its first step, and after the state was copied or restored.
+        motion: the rehearsal; None until its first step, and again after the state was copied or restored.
     """
 
     def __init__(self) -> None:
@@ -97,4 +97,5 @@ class Premises(msgspec.Struct, frozen=True):
     moving: tuple[float, ...]
     """(3,) velocity of the orbiter's translation [m/s]."""
     frames: bytes
-    """Digest of all frames in L after the last step: payload in the grasp, worksite and floating payloads."""
+    """Digest of the poses of all coordinate frames in L after the last step: frames of the arm, of the worksite, and of
+    all payloads (held, fixed or floating)."""

@@ -19,9 +19,9 @@ class Floating(StatePart):
         pose: (12,) present pose, in the frame fixed in space that coincided with L at the start.
         motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre in L's axes [m/s].
         reference: (3, 3) orientation in the middle of the deadband of the attitude control.
-        cycle: (9,) attitude control, in the form for `worksite.free_flight.limit_cycle`; None if the body rotates
-            without attitude control.
-        time: time since the beginning of the cycle [s].
+        cycle: (9,) attitude control, packed for `worksite.free_flight.limit_cycle`; None if the body rotates without
+            attitude control.
+        time: time since the beginning of the limit cycle [s]; 0 without attitude control.
         met: whether a contact stopped or reflected the body in the last step.
     """
 
@@ -49,13 +49,14 @@ class Floating(StatePart):
 def floating(
     pose: Array, velocity: Array, rates: Array, control: model.LimitCycle | None, angles: Array | None = None
 ) -> Floating:
-    """Return a free flight at its beginning. Attitude control, if there is any, keeps the attitude of the beginning.
+    """Return a free flight at its beginning. Attitude control, if there is any, keeps the attitude of `pose`.
 
     Args:
-        pose: (12,) pose at the beginning, in the frame fixed in space that coincided with L at the start of the run.
+        pose: (12,) pose at the beginning, without the rotation by `angles`, in the frame fixed in space that coincided
+            with L at the start of the run.
         velocity: (3,) velocity of the centre, in L's axes [m/s].
-        rates: (3,) angular velocity in the body's axes [rad/s]. With attitude control only the signs are used, as the
-            first directions of the limit cycle.
+        rates: (3,) angular velocity in the body's axes [rad/s]. With attitude control, only its signs are used: they
+            are the initial directions of the limit cycle.
         control: the body's attitude control; None if the body has none.
         angles: (3,) angles within the deadband at the beginning [rad]; None for the middle of the deadband.
     """

@@ -43,9 +43,9 @@ class PayloadState(StatePart):
     payload in, and when a berth releases the payload.
     """
     fixture_at_capture: list[float] | None = None
-    """Pose of the payload's fixture in E when drawing in began: at capture, or when a berth released the payload."""
+    """Pose in E from which the carriage draws the fixture in: at capture, or when a berth released the payload."""
     drawn_at_capture: float = 0.0
-    """Fraction by which the carriage was retracted when drawing in began [1]."""
+    """Value of `Snare.drawn` at the time of `fixture_at_capture` [1]."""
     seat: str = ""
     """Name of the berth that fixes the payload; "" if no berth does."""
     latches: Latches = Latches()
@@ -59,7 +59,7 @@ class PayloadState(StatePart):
     A port docks the payload again only after it has left the port, or on LATCH.
     """
     unlatch_asked_at: int = 0
-    """Step of an UNLATCH that a second UNLATCH must confirm; 0 if no UNLATCH must be confirmed."""
+    """Number of the control step of the last unconfirmed UNLATCH; 0 if there is none."""
 
 
 class WorksiteState(StatePart):
@@ -70,8 +70,8 @@ class WorksiteState(StatePart):
         before: (F, 12) poses of the frames one step earlier.
         monitored_before: (g,) 1 for pairs that were monitored in the last step.
         watch: clearances of the monitored pairs; they follow from `frames`, `before`, `monitored_before` and `nearest`.
-        permitted: (g,) 1 for pairs that the task brings into contact; 0 if such a pair touches in a relative position
-            or at a depth that the task does not permit.
+        permitted: (g,) 1 for pairs that the task brings into contact; 0 for all other pairs. A pair of the task also
+            has 0 while it touches in a relative position, or at a depth, that the task does not permit.
         contacts: contacts, and the inhibits that they cause.
         logged_contacts: pairs whose contact is logged.
         cargo: the payloads.
@@ -92,9 +92,9 @@ class WorksiteState(StatePart):
         effector_mode: position of the switch END EFFECTOR MODE.
         rigid: position of the switch MAN CONTR.
         task: task phase, 1 to 4 (the report's mode).
-        advice: escape direction out of the contacts that was found last; None if there is none.
+        advice: escape direction from the contacts, as found last; None if there is none.
         orbiter_rejected: True if a translation of the orbiter was rejected in the last step.
-        waiting: True if the carriage or the latches are stopped before a contact.
+        waiting: True if the carriage or the latches have stopped because further motion would make or deepen a contact.
         halt: cause that blocked the commanded motion in the last step: "seat" (a berth holds the held payload),
             "contact" (the motion would deepen a contact), "switch" (BRAKES, SAFING), or "" (none).
     """

@@ -73,8 +73,8 @@ def alarm_pairs(
         travel: greatest distance by which two parts can approach before the next minimum is found [m].
 
     Returns:
-        Two results. First (g,) 1 for the pairs that count for CLEARANCE. Second the payload with which the end effector
-        is aligned; None if it is aligned with none.
+        A mask (g,), 1 for the pairs that count for CLEARANCE; and the payload with which the end effector is aligned,
+        or None.
     """
     site = flight.site
     counts = site.detrimental.copy()
@@ -109,10 +109,11 @@ def count_far_pairs(
     travel: float,
     counts: Mask,
 ) -> bool:
-    """Mark the pairs of the task that count for CLEARANCE, as far as this is known without a test of their alignment.
+    """Mark the pairs of the task that count for CLEARANCE, except pairs whose alignment has to be tested first.
 
-    A pair of the task counts if the parts are in a contact that is not permitted. A pair that is apart counts if its
-    relation has no alignment. It is also marked if it is too far apart to be aligned, or to have the minimum clearance.
+    A pair in contact counts if the contact is not permitted. A pair that is apart counts if its relation has no
+    alignment, or if the parts are too far apart to be aligned. A pair that is too far apart to have the minimum
+    clearance is marked without a test.
 
     Args:
         groups: (m,) indices of the pairs of the task.
@@ -129,7 +130,7 @@ def count_far_pairs(
     Returns:
         Whether there are pairs whose alignment has to be tested (`_count_unaligned`).
     """
-    if nearest >= 0 and counts[nearest] != 0:  # a pair farther apart cannot have the minimum clearance
+    if nearest >= 0 and counts[nearest] != 0:  # a pair beyond the new `farthest` cannot have the minimum clearance
         farthest = min(farthest, found[nearest, CLEARANCE] + travel)
     undecided = False
     for m in range(len(groups)):
@@ -166,9 +167,9 @@ def _inhibited(contacts: Contacts, among: Mask) -> bool:
 def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
     """Return whether two parts would touch in a permitted relative position after a straight approach.
 
-    `reported` is True if the last minimum clearance was of a pair with the same payload and relation. The parts must
-    then be inside the tolerances by a margin, the permitted depth, so that the lamp does not flicker. Only the
-    relations docking and guides are tested here; the end effector is tested in `alarm_pairs`.
+    `reported` is True if the pair with the last minimum clearance has the same payload and relation. To be aligned, the
+    parts must then be inside the tolerances by at least the permitted depth; this margin keeps the lamp from
+    flickering. Only the relations docking and guides are tested here; the end effector is tested in `alarm_pairs`.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if reported else 0.0

@@ -27,7 +27,7 @@ _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off"
 
 
 def capture(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Capture or release a payload if the conditions for this hold.
+    """Capture or release a payload if the conditions are met.
 
     Args:
         flight: constants of the run.
@@ -99,11 +99,11 @@ def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) ->
 
 
 def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
-    """Draw the grapple pin towards its final pose; return False if that would make or deepen a contact.
+    """Draw the grapple pin towards its final pose; return False if this motion would make or deepen a contact.
 
     The payload moves in the next step. A payload that is fixed to a berth does not move (assumed; a real arm would
-    yield). The travel of the carriage while the payload is fixed has no effect later. The payload therefore does not
-    jump when it is unlatched.
+    yield). If the carriage travels while the payload is fixed, the payload does not make up this motion later; it
+    therefore does not jump when the berth releases it.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]

@@ -25,7 +25,7 @@ from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch.motion import motion
 
 HALVINGS = 8
-"""Number of bisections of the step with a contact.
+"""Number of bisections that find the time of a contact within a step.
 
 The body stops before the contact, at a distance of at most 1/256 of the step's motion.
 """
@@ -58,7 +58,7 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
 
 @law
 def measured(found: Array, groups: Mask) -> bool:
-    """Return whether the clearance of any pair in `groups` (g,) was measured; only small clearances are."""
+    """Return whether any pair in `groups` (g,) has a measured clearance. Only small clearances are measured."""
     near = False
     for g in range(len(groups)):
         near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)
@@ -141,6 +141,6 @@ def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Arra
 
 
 def _closing(floating: Floating, other_velocity: Array, lever: Array, normal: Array) -> tuple[float, float]:
-    """Return the closing speeds at the point of contact from the body's velocity and from its rotation [m/s]."""
+    """Return two terms of the closing speed at the contact: from the relative velocity, and from the rotation [m/s]."""
     turn = floating.pose[3:].reshape(3, 3) @ floating.motion[:3]
     return float((floating.motion[3:] - other_velocity) @ normal), float(np.cross(turn, lever) @ normal)

@@ -51,7 +51,7 @@ def reset_grasp(flight: Flight, state: State, k: int) -> None:
 
 
 def update_steering(flight: Flight, state: State) -> None:
-    """Set the steering for the payload in the grasp and the limits of the script's phase.
+    """Set up the steering for the payload in the grasp, with the rate limits of the script's phase.
 
     The steering uses the mass and the axes of a worksite payload. The payload's centre is the point of resolution.
     """
@@ -90,7 +90,7 @@ def packed_in_grasp(flight: Flight, state: State) -> Array | None:
 
 
 def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
-    """Return payload k in the form for the laws; `grasp` (12,) is its pose in the frame of the last joint."""
+    """Return payload k as the steering uses it; `grasp` (12,) is its pose in the frame of the last joint."""
     inside = np.empty(POSE)
     relative(flight.site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()

@@ -15,7 +15,7 @@ InEffector = tuple[Vec3, Rows]
 
 @law
 def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packed: Array) -> None:
-    """Write a payload's pose in frame 7 into `packed`, as `Payload.packed` does, with its centre as POR.
+    """Write a payload's pose in frame 7 to `packed`, in the layout of `Payload.packed`; its POR is its centre.
 
     Args:
         frames: (F, 12) poses of all frames in L.
@@ -48,7 +48,7 @@ def fixture_in_effector(frames: Array, last_joint: int, effector: Array, row: in
     compose(frames[last_joint], effector, outer)
     compose(frames[row], fixture, inner)
     relative(outer, inner, p)
-    # without the compiler, an array's numbers are NumPy's: the state has only Python's
+    # without the compiler, array elements are NumPy numbers, but the state may contain only Python numbers
     return (
         (float(p[0]), float(p[1]), float(p[2])),
         (

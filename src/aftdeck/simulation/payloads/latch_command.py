@@ -14,26 +14,27 @@ from aftdeck.worksite.watch.contact_update import nearest_place
 Pressed = Literal["latch", "unlatch"]
 
 NEAR = 3.0
-"""Greatest distance of a payload from its pose in a berth at which the payload counts as at this berth [m]."""
+"""Greatest distance from its pose in a berth at which a payload is said to be at the berth [m]."""
 CONFIRM = 10.0
 """Time within which a second UNLATCH confirms the first [s]; assumed."""
 
 
 def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
-    """Return the berth in which a payload's pose is nearest to its present pose; None if no berth is within `NEAR`."""
+    """Return the berth whose final position for a payload is nearest to the payload; None if none is within `NEAR`."""
     site = flight.site
     nearest = nearest_place(state.worksite.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
     return None if nearest < 0 else site.berths[k][nearest]
 
 
 def addressed(flight: Flight, state: State, pressed: Pressed | None) -> int | None:
-    """Return the payload to which LATCH or UNLATCH refers: the held payload, else the nearest to the end effector.
+    """Return the payload to which LATCH or UNLATCH refers: the held payload, else the one nearest to the end effector.
 
-    Payloads on which the command can act have precedence over nearer payloads. UNLATCH can act on payloads that latches
-    or a port fix. LATCH can act on payloads that are near a berth, and that neither latches nor a port fix firmly.
+    Payloads on which the command can act have precedence over nearer payloads. UNLATCH can act on payloads fixed by
+    latches or by a port. LATCH can act on unfixed payloads near a berth, and on payloads whose latches are not fully
+    closed or are opening.
 
     Returns:
-        The payload; None if the worksite has no payload, or if the grasp is empty and no command is pressed.
+        The payload; None if the worksite has no payload, or if the grasp is empty and neither switch is pressed.
     """
     site, worksite = flight.site, state.worksite
     if pressed is None or worksite.held is not None:

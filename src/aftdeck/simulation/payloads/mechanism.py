@@ -1,4 +1,4 @@
-"""Contact check for the carriage and the latches, which move a held payload and stop before a contact."""
+"""Contact check for the carriage and the latches: both move a held payload, and stop if it would touch a part."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from aftdeck.worksite.watch.contact_motion import worst_new_contact
 
 
 def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
-    """Return whether a mechanism must stop, because drawing payload k in would make or deepen a contact.
+    """Return whether a mechanism must stop, because moving payload k to `pose` would make or deepen a contact.
 
     The stop is logged once. Contacts with walls along which the payload can slide count too, because a mechanism does
     not slide the payload. Essential contacts in a permitted relative position do not count.

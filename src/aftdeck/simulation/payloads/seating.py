@@ -85,9 +85,8 @@ def _update_unfixed(flight: Flight, state: State, k: int, pressed: Pressed | Non
     A docking port fixes a held payload without a command, and a floating payload on LATCH.
 
     Returns:
-        Result of `pressed` for this payload: "" if the command was executed, or if its answer is already in the log;
-        the reason as text if the command was rejected; None if no command was given for this payload, or if no berth is
-        near.
+        Answer to `pressed` for this payload: "" if the command was executed, or if the log already contains the answer;
+        the reason if LATCH was rejected; None if LATCH was not pressed for this payload, or if no berth is near.
     """
     payload = state.worksite.cargo[k]
     berth = nearest_berth(flight, state, k)
@@ -128,10 +127,10 @@ def _update_unfixed(flight: Flight, state: State, k: int, pressed: Pressed | Non
 
 
 def _update_fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
-    """Continue or reverse the latches of a payload that is fixed to a berth, or undock it.
+    """Update a payload that is fixed to a berth: continue or reverse the latches, or undock the payload.
 
     Returns:
-        Result of `pressed` for this payload, as described in `_update_unfixed`.
+        Answer to `pressed` for this payload: "", the reason for a rejection, or None, as in `_update_unfixed`.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
@@ -208,7 +207,7 @@ def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
 
 
 def _seated_pose(state: State, berth: Berth, seated: Array) -> Array:
-    """Return the pose (12,) in L of a payload with the offset `seated` (12,) from its final pose in a berth."""
+    """Return a payload's pose (12,) in L; `seated` (12,) is its pose relative to its final pose in the berth."""
     place, out = np.empty(POSE), np.empty(POSE)
     compose(state.worksite.frames[berth.row], berth.place, place)
     compose(place, seated, out)
@@ -249,7 +248,7 @@ def approached(berth: Berth, frames: Array, cargo_row: int) -> Array:
     """Return the results (6,) of `worksite.seats.docking.approach` for a payload's probe at a port.
 
     Args:
-        berth: constants of the payload in the port.
+        berth: constants for fixing the payload to the port.
         frames: (F, 12) poses of all frames in L.
         cargo_row: row of the payload's frame.
     """

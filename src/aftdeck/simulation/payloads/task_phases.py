@@ -26,7 +26,7 @@ def change_task(flight: Flight, state: State) -> None:
 def _task(flight: Flight, state: State) -> int:
     """Return the task phase of the present state.
 
-    ACQUISITION: no payload of the worksite is held. DOCKED: a held payload is fixed at a port. EXTRACTION: a held
+    ACQUISITION: no payload of the worksite is held. DOCKED: a held payload is fixed to a port. EXTRACTION: a held
     payload has a vertex inside the bay. MANOEUVRING: a held payload is elsewhere.
     """
     site, worksite = flight.site, state.worksite
@@ -40,7 +40,7 @@ def _task(flight: Flight, state: State) -> int:
 
 
 def in_bay(flight: Flight, state: State, k: int) -> bool:
-    """Return whether a vertex of a payload is below the bay's top and between its walls; False if there is no bay."""
+    """Return whether a vertex of a payload is inside the bay: below its top, between its walls. False without a bay."""
     site = flight.site
     if site.bay is None:
         return False

@@ -26,7 +26,7 @@ from aftdeck.worksite.file.check import depth_in
 ArmPose = tuple[Array, float, float]
 """Joint angles [rad], length of the telescope and position of the prong [m]."""
 _SMALL_ROTATION = 0.1
-"""Rotation of the first joint, to find the direction in which this joint moves the elbow [rad]."""
+"""Rotation of the first joint [rad]; it shows in which direction this joint moves the elbow."""
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
@@ -38,7 +38,7 @@ def cameras(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield the arm's cameras that are inside a part of the arm, with joints at combinations of hard stops."""
+    """Yield the arm's cameras that are inside a part of the arm, in the poses of `poses.stops`."""
     on_arm = [camera for camera in cameras if camera.body in scenario.arm.model.frames]
     found: set[tuple[str, str]] = set()
     for how, angles, stand, prong in stops(scenario):
@@ -55,8 +55,8 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
 def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
     """Yield the worksite's cameras that are inside a part of the arm, in poses for which a run would log no contact.
 
-    In such a pose, no monitored pair overlaps. The arm therefore does not overlap the camera's housing either. The body
-    of the camera is at its start pose.
+    In such a pose, no monitored pair overlaps. The arm therefore does not overlap the camera's housing either. The
+    camera's body stays at its start pose.
     """
     model = scenario.arm.model
     stands = {body.name: body.pose for body in scenario.worksite.bodies}
@@ -73,11 +73,11 @@ def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Probl
 
 
 def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -> list[ArmPose]:
-    """Return the poses with another angle of the first joint. With this angle, the booms are in one plane with a point.
+    """Return the poses `samples` with the first joint turned so that the booms are in one plane with a point.
 
-    The poses use the points (3,), which are in L, one after the other. Poses whose first joint would be outside its
-    soft stops are omitted. A boom contains a given point in one of 10 000 random poses, but in one of 50 poses that are
-    returned here.
+    The points (3,), in L, are used in turn: the first pose is turned to the first point, the second pose to the second
+    point, and so on. Poses whose first joint would be outside its soft stops are omitted. A boom contains a given point
+    in one of 10 000 random poses. It contains the point in one of 50 of the returned poses.
     """
     if not points:
         return []
@@ -91,7 +91,7 @@ def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
     for k, (angles, stand, prong) in enumerate(samples):
-        # every second round through the points adds pi: to reach a point, some arms lean back over their shoulder
+        # every second round through the points adds pi: some arms lean back over their shoulder to reach a point
         turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
         heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
         if low <= heading <= high:
@@ -125,7 +125,7 @@ def _points_inside(
 def _logs_contact(scenario: Scenario, own: Parts) -> bool:
     """Return whether a run would log a contact: whether the parts of a monitored pair overlap.
 
-    `own` are the parts of the arm, in L.
+    `own` contains the parts of the arm, in L.
     """
     layout = site_of(scenario).layout
     scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
@@ -139,7 +139,7 @@ def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]
     for payload in scenario.cargo:
         own = [camera for camera in cameras if camera.body == payload.name]
         for how, hand in hands(scenario.arm.model, scenario.worksite, payload).items():
-            yield from _inside_parts(scenario, own, hand, f"with the end effector, {how}, at its bar")
+            yield from _inside_parts(scenario, own, hand, f"with the end effector at the payload's bar, prong {how}")
         for seat in scenario.worksite.seats:
             if seat.lacks(payload.probe, payload.trunnions):
                 continue

@@ -54,7 +54,7 @@ def _starts(scenario: Scenario) -> Iterator[Problem]:
 def _folded(scenario: Scenario) -> Iterator[Problem]:
     """Yield the pairs of arm parts that are not monitored and overlap more at hard stops than at mid-range.
 
-    An arm whose solids enclose round parts is not tested, because such solids overlap by design at a joint.
+    An arm whose solids enclose round parts is not tested: its solids overlap at the joints by design.
     """
     model = scenario.arm.model
     if model.equipment.covered:

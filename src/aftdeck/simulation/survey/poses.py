@@ -28,7 +28,7 @@ def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
     model = scenario.arm.model
     low, high = model.limits.hard.T
     ends, prong = _travel(scenario)
-    yield "at the middle of its limits", 0.5 * (low + high), ends[0], prong
+    yield "with every joint at the middle of its limits", 0.5 * (low + high), ends[0], prong
     # if a joint has a range of a full turn or more, the middle of the range replaces the upper stop
     turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))
     for joints in product(*zip(low, turns, strict=True)):
@@ -37,7 +37,7 @@ def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
 
 
 def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dict[str, Pose]:
-    """Return the pose in L of each of the arm's frames, for joint angles [rad], telescope and prong positions [m]."""
+    """Return the pose in L of each frame of the arm, from joint angles [rad] and telescope and prong positions [m]."""
     arm = frames_of(scenario.arm.model)
     rows = arm.rows()
     place_frames(arm.joints, angles, stand, prong, rows)
@@ -73,8 +73,7 @@ def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]
 def _travel(scenario: Scenario) -> tuple[tuple[float, ...], float]:
     """Return the ends of the telescope's travel, and the position of the open prong [m].
 
-    Without a telescope, the first result is one value, the height of the shoulder. Without a prong, the second result
-    is 0.
+    Without a telescope, the height of the shoulder replaces the two ends. Without a prong, the prong's position is 0.
     """
     model = scenario.arm.model
     telescope, prong = model.equipment.telescope, model.equipment.prong

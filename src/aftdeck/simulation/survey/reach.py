@@ -48,8 +48,8 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
 def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
     """Yield the targets of the script whose poses are known without a run.
 
-    Poses are unknown after the orbiter has moved. They are also unknown for a payload that moves in free flight, and
-    for a payload that an earlier phase moved to a berth, if that phase ended with an event such as docking.
+    All poses are unknown after the orbiter has moved. A pose relative to a payload is also unknown in two cases: the
+    payload moves in free flight, or an earlier phase moved it to a berth and ended with an event such as docking.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
     seats = {seat.name: seat for seat in scenario.worksite.seats}

@@ -103,7 +103,7 @@ class Displays:
         return _vec3((point - tip.position) @ tip.rotation @ self._hand)
 
     def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
-        """Return in L the axes whose attitude the panel shows: of the payload if `loaded`, else of the end effector."""
+        """Return the axes, in L, whose attitude the panel shows: the payload's if `loaded`, else the end effector's."""
         if loaded and frame.payload is not None:
             return np.array(frame.payload[1])
         return tip.rotation @ self._hand

@@ -79,7 +79,7 @@ def _work(scenario: Scenario) -> WorkInfo:
 
 
 def _ghost(scenario: Scenario, count: int) -> tuple[int, ...]:
-    """Return the indices of the arm's bodies and of the worksite's payloads, among `count` bodies."""
+    """Return the indices of the arm's bodies and the payloads in `Welcome.bodies`, which has `count` entries."""
     first, cargo = len(scenario.worksite.bodies), len(scenario.cargo)
     return (*range(first, first + len(scenario.arm.model.frames)), *range(count - cargo, count))
 

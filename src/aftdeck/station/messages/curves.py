@@ -25,7 +25,8 @@ Quantity = Literal[
 ]
 """Kind of a number, from which the page chooses its unit.
 
-In the units ft-in, the page shows a length or a gap in inches and a distance in feet. It shows a share in per cent.
+A page that shows feet and inches shows "length" and "gap" in inches, and "distance" in feet. Every page shows "share"
+in per cent.
 """
 
 

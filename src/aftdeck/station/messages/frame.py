@@ -54,14 +54,17 @@ class Ahead(msgspec.Struct, frozen=True):
     seconds: float
     """Time span of the look-ahead [s]."""
     held: bool
-    """True: computed with the present stick command. False: the sticks are centred; computed with the axis that was
-    deflected last, at full deflection."""
+    """True if computed with the present stick command.
+
+    False under BRAKES or SAFING, and if the sticks are centred. In the last case, the look-ahead may assume full
+    deflection of the axis that was deflected last.
+    """
     moves: bool
-    """True if the arm moves in this time."""
+    """True if the arm has moved at the end of the time span."""
     clearance: float | None
-    """Minimum clearance at the end of the time span [m]; null if no pair is monitored."""
+    """Minimum clearance at the end of the time span [m]; null if no pair then counts for CLEARANCE."""
     a: str
-    """`a` and `b`: the two parts with this clearance; empty if no pair is monitored."""
+    """`a` and `b`: the two parts with this clearance; empty if `clearance` is null."""
     b: str
     contact_s: float | None
     """Time to the first contact [s]; null if the look-ahead found no contact."""
@@ -70,7 +73,7 @@ class Ahead(msgspec.Struct, frozen=True):
     joint: int
     """Joint nearest to a reach limit at the end of the time span, 0 to 5."""
     room: float
-    """Angle between this joint and that limit at the end of the time span [rad]; negative past the limit."""
+    """Angle from this joint to its reach limit at the end of the time span [rad]; negative past the limit."""
     poses: tuple[float, ...]
     """Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`."""
 
@@ -98,7 +101,7 @@ class Display(msgspec.Struct, frozen=True):
     Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
     """
     to_fixture: Vec3 | None
-    """Vector from the empty snares to this fixture, in the control frame [m]; its length is `fixture`.
+    """Vector from the snares to this fixture, in the control frame [m].
 
     Null if `fixture` is null or the mode has no sticks.
     """
@@ -110,7 +113,7 @@ class Display(msgspec.Struct, frozen=True):
     gap: ClosestPoints | None
     """Closest points of `Work.nearest`."""
     contacts: tuple[ClosestPoints, ...]
-    """Closest points of each of `Work.contacts`, in their order."""
+    """Closest points of each contact, in the order of `Work.contacts`."""
     ahead: Ahead | None
     """Newest look-ahead; null before the first one."""
     axes: Quat

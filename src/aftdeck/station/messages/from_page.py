@@ -36,8 +36,8 @@ class Hello(WireMessage, frozen=True, tag="hello"):
 class Sticks(WireMessage, frozen=True, tag="sticks"):
     """Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
 
-    The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
-    least every 0.2 s. After 0.5 s without a message the server centres the sticks and treats the controls as unattended
+    The page sends them whenever they change. While a stick is deflected or RATE HOLD is on, it sends them at least
+    every 0.2 s. After 0.5 s without a message the server centres the sticks and treats the controls as unattended
     (`HandsOff`).
     """
 
@@ -48,7 +48,7 @@ class Sticks(WireMessage, frozen=True, tag="sticks"):
     rotation: Vec3
     """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
     drive: float
-    """DRIVE switch, which moves the selected joint in SINGLE and DIRECT, in [-1, 1]."""
+    """DRIVE switch, in [-1, 1]; it moves the selected joint in SINGLE and DIRECT."""
     telescope: float = 0.0
     """Telescope: + longer, - shorter, in [-1, 1]."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
@@ -253,7 +253,7 @@ class Restart(WireMessage, frozen=True, tag="restart"):
 
 
 class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
-    """Run another scenario. The server finishes the recording of this run and keeps it."""
+    """Run another scenario. The server completes and keeps the recording of the present run."""
 
     seq: Seq
     number: Annotated[int, msgspec.Meta(ge=0)]

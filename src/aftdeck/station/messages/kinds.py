@@ -1,9 +1,9 @@
 """Definitions that the messages in both directions share. `from_page` and `to_page` define the messages.
 
 Messages are JSON objects; their ``type`` is the tag of the struct. The page's TypeScript is generated from these types
-(``make generate``). All quantities are SI and radians. *panel* components are X = -Xo, Y = Yo, Z = -Zo with pitch, yaw,
-roll applied in that order. *scene* is x aft, y starboard, z up, with its origin at Xo 942, Yo 0, Zo 400 inches.
-Quaternions are wxyz.
+(``make generate``). All quantities are SI and radians. The *panel* components of a position are X = -Xo, Y = Yo,
+Z = -Zo; those of an attitude are pitch, yaw, roll, applied in this order. The *scene* frame has x aft, y starboard,
+z up; its origin is at Xo 942, Yo 0, Zo 400 inches. Quaternions are wxyz.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Annotated, Literal
 import msgspec
 
 PROTOCOL = 4
-"""Version of this protocol; the server rejects a page of another version in the handshake."""
+"""Version of this protocol; in the handshake, the server rejects a page of another version."""
 
 MAX_MESSAGE_BYTES = 16_384
 """Longest message that the server accepts from a page [bytes].

@@ -36,7 +36,7 @@ class Scenarios(WireMessage, frozen=True, tag="scenarios"):
 
 
 class NamedPage(msgspec.Struct, frozen=True):
-    """Page with the name of the person at it."""
+    """Number of a page, and the name of its user."""
 
     number: int
     name: str
@@ -68,16 +68,16 @@ class Events(WireMessage, frozen=True, tag="events"):
 
 
 class Preparing(WireMessage, frozen=True, tag="preparing"):
-    """Line of progress while the station prepares its first session, sent before the welcome."""
+    """One line about the progress of preparing the first session; sent before the welcome."""
 
     text: str
 
 
 class Refused(WireMessage, frozen=True, tag="refused"):
-    """Rejection of a message or command, with the reason for the operator in one sentence."""
+    """Rejection of a message or command. `text` gives the operator the reason, in one sentence."""
 
     seq: int
-    """`seq` of the rejected message; -1 if it could not be decoded, or if this text is not about a message."""
+    """`seq` of the rejected message; -1 if the message could not be decoded, or if `text` is not about a message."""
     text: str
 
 
@@ -92,16 +92,16 @@ class Sample(msgspec.Struct, frozen=True):
 
 
 class Recent(WireMessage, frozen=True, tag="recent"):
-    """Data for a page that draws strips: first the last minutes of the run, then only new data."""
+    """Data for a page that draws strips: at first the data of the last minutes of the run, later only new data."""
 
     strips: tuple[Strip, ...]
-    """All strips, with empty curves, if a run begins: the page then deletes the data of the run before.
+    """All strips, with empty curves, in the first message about a run: the page then deletes all older data.
 
-    Empty while the run continues.
+    Empty in later messages.
     """
     samples: tuple[Sample, ...]
     lanes: tuple[Lane, ...]
-    """All lanes of the last minutes, if an interval has begun in one of them since the last message.
+    """All lanes of the last minutes, if an interval of any lane has begun since the last message.
 
     Otherwise empty: the last interval of each lane then continues.
     """

@@ -51,7 +51,7 @@ def typescript() -> str:
 
 
 class _Writer:
-    """Writer of the structs of `MODULES`, and of all structs that their fields contain."""
+    """Writer that converts the structs in `MODULES`, and all structs in their fields, to TypeScript."""
 
     def __init__(self) -> None:
         self.aliases: dict[object, str] = {}
@@ -75,12 +75,12 @@ class _Writer:
         return "\n".join(parts)
 
     def name(self, hint: object) -> str:
-        """Return the TypeScript of a type hint: its alias, if it has one."""
+        """Convert a type hint to TypeScript: to the name of its alias, if an alias exists."""
         alias = self.aliases.get(hint)
         return self.structure(hint) if alias is None else alias
 
     def structure(self, hint: object) -> str:
-        """Return the TypeScript of a type hint without using its alias."""
+        """Convert a type hint to TypeScript without using its alias."""
         plain = _PLAIN.get(hint)
         if plain is not None:
             return plain
@@ -98,7 +98,7 @@ class _Writer:
             if hint not in self.interfaces:
                 if any(known.__name__ == hint.__name__ for known in self.interfaces):
                     raise TypeError(f"two structs have the name {hint.__name__}; rename one")
-                self.interfaces[hint] = ""  # keeps the order of the structs, and ends a recursion
+                self.interfaces[hint] = ""  # sets the struct's place in the file, and stops a recursion
                 self.interfaces[hint] = self.interface(hint)
             return hint.__name__
         if is_object(hint):

@@ -43,9 +43,9 @@ class ModeInfo(msgspec.Struct, frozen=True):
     point: str
     """Point that this mode moves: ``tip``, ``payload``."""
     enabled: bool
-    """True if this scenario has all data that this mode needs, such as the stored points of AUTO 1-4.
+    """False only for a mode of AUTO 1-4 without stored points in this scenario.
 
-    A mode that moves a payload also needs a captured payload.
+    True does not imply a captured payload, which a mode that moves a payload also needs.
     """
     axes: str
     """Axes along which the sticks act: ``orbiter axes``."""
@@ -75,7 +75,7 @@ class SeatInfo(msgspec.Struct, frozen=True):
     """Berth: location where a payload can be fixed."""
 
     name: str
-    """Name that frames use, in `Cargo.seat`."""
+    """Name of the berth in frames (`Cargo.seat`)."""
     title: str
     """Name for display."""
 
@@ -128,7 +128,7 @@ class StoredPoint(msgspec.Struct, frozen=True):
 
 
 class StoredSequence(msgspec.Struct, frozen=True):
-    """Points of one of AUTO 1-4 (SPEC 94 items 13-16)."""
+    """Stored points of one mode, AUTO 1 to 4 (SPEC 94 items 13-16)."""
 
     position: str
     """Position of the MODE rotary, as in `ModeInfo.position`."""

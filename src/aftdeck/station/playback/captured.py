@@ -9,7 +9,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Cargo
 
 _OFFSETS = ("pin off axis", "palm along bar")
-"""Capture conditions that measure the distance of the end effector from the centre: of the snares, and of the prong."""
+"""Conditions that measure the end effector's offset: from the grapple pin (snares), from the bar's middle (prong)."""
 
 
 class CaptureMisalignment(NamedTuple):
@@ -27,7 +27,12 @@ class CaptureMisalignment(NamedTuple):
 
 
 def capture_misalignment(before: Frame, cargo: Cargo) -> CaptureMisalignment:
-    """Return the misalignment at a capture, from the last frame before the capture and the payload in that frame."""
+    """Return the misalignment at a capture.
+
+    Args:
+        before: last frame before the capture.
+        cargo: the payload in that frame.
+    """
     conditions = before.work.conditions
     return CaptureMisalignment(
         next((abs(c.value) for c in conditions if c.name in _OFFSETS), None),

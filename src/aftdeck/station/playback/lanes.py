@@ -63,7 +63,8 @@ class Lanes:
     def lanes(self) -> tuple[Lane, ...]:
         """Return the lanes, each with consecutive intervals up to the last frame.
 
-        The intervals begin at zero, or later after `forget`. A phase or monitor lane without labels is omitted.
+        The first interval of a lane begins at time zero, or later if `forget` has deleted intervals. A phase or monitor
+        lane without labels is omitted.
         """
         return tuple(
             Lane(name, self._stretches(stretches))

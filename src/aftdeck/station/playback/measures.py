@@ -180,7 +180,7 @@ class RunMetrics:
         offset, angle, rate = self._captured
         figures = []
         if offset is not None:
-            about = f"Offset and angle of the end effector from the payload, in the step before the capture.{number}"
+            about = f"Offset and angle between end effector and payload, in the step before the capture.{number}"
             figures.append(Measure("Capture misalignment", "gap", offset, "", about, angle))
         about = f"Speed of the tip relative to the payload, in the step before the capture.{number}"
         return [*figures, _figure("Rate at capture", "speed", rate, about)]

@@ -2,7 +2,7 @@
 
 The file contains the station's page with its script, style and fonts. It also contains the index and the blocks of the
 recording, compressed and in base64. Numbers have only the decimals that pictures and read-outs need. For a long run,
-the file contains only every second, third, ... frame, so that its size stays below `LIMIT`.
+the file contains only every n-th frame, so that its size stays below `LIMIT`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from aftdeck.station.playback.verdict import verdict
 LIMIT = 4_950_000
 """Largest size of the file [bytes]; most mail servers accept five megabytes."""
 DECIMALS = 4
-"""Decimals of all numbers in index and blocks: 0.1 mm, 0.006 deg."""
+"""Number of decimals of the values in index and blocks, for a resolution of 0.1 mm and 0.006 deg."""
 ROUND, ROUND_A_BLOCK = 1000, 60
 """Allowance for the HTML elements around all data, and around each block [bytes]."""
 

@@ -74,7 +74,7 @@ class PlaybackStore:
         self.close()
 
     def close(self) -> None:
-        """Close the temporary file, which deletes it."""
+        """Close and thereby delete the temporary file."""
         self._opened.close()
 
     @property

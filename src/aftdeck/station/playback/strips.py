@@ -19,7 +19,7 @@ from aftdeck.tuples import Six
 BUCKETS = 1000
 """Number of equal parts of a run. A curve keeps the least and the greatest value of each part.
 
-That is about two values for each pixel of the strip's width.
+The drawn curve then has about two values for each pixel of the strip's width.
 """
 
 Role = Literal["actual", "commanded"]
@@ -128,7 +128,7 @@ def blank(scenario: Scenario) -> tuple[Strip, ...]:
 
 
 def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> Strip:
-    """Return a strip of these curves; its range is from the least to the greatest value in `ends`."""
+    """Return the strip with the given curves. Its range is from the least to the greatest value in `ends`."""
     ends = tuple(ends)
     return Strip(
         source.name,
@@ -147,8 +147,8 @@ def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> St
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the indices of the values to draw.
 
-    These are the first and the last value, the values on both sides of each edge of a gap (NaN), and the least and the
-    greatest value of each part (`BUCKETS`). Of these, a value that equals both neighbouring values is omitted.
+    Selected values: the first and the last; the two at each edge of a gap (NaN); the least and the greatest of each
+    part (`BUCKETS`). A selected value is omitted if it equals the selected values before and after it.
 
     Args:
         values: one value for each step, not empty; NaN where there is no value.
@@ -164,7 +164,7 @@ def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     starts = np.arange(len(parts)) * width
     least = starts + np.where(missing, math.inf, parts).argmin(axis=1)
     greatest = starts + np.where(missing, -math.inf, parts).argmax(axis=1)
-    breaks = np.flatnonzero(np.diff(np.isnan(values)))  # edges of gaps, each between `breaks` and `breaks` + 1
+    breaks = np.flatnonzero(np.diff(np.isnan(values)))  # a gap begins or ends after each of these indices
     kept = np.unique(np.concatenate([[0, last], least, greatest, breaks, breaks + 1]))
     kept = kept[kept <= last]
     shown = np.nan_to_num(values[kept], nan=math.inf)

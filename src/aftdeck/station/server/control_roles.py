@@ -1,7 +1,7 @@
 """Control roles: the page in control of the arm, requests for control, and the names of the pages.
 
-The first page takes control. When the page in control leaves, the page that connected first takes control. The page in
-control can also give the sticks to a page that asks for them.
+The first page takes control. When the page in control leaves, the remaining page that joined first takes control. The
+page in control can also give the sticks to a page that asks for them.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class ControlRoles(Generic[P]):
         return self._numbers[page]
 
     def give_name(self, page: P, name: str) -> None:
-        """Set the name of the person at a page; an empty name removes it.
+        """Set the name of the person at a page, or remove the present name if `name` is empty.
 
         Raises:
             InputError: the name is too long, is not one line of visible text, or is reserved (``page 1``).
@@ -89,7 +89,7 @@ class ControlRoles(Generic[P]):
             self.operator = page
 
     def leave(self, page: P) -> None:
-        """Remove a page; if it was in control, the page that connected first takes control."""
+        """Remove a page; if it was in control, the remaining page that joined first takes control."""
         del self._numbers[page]
         self._names.pop(page, None)
         if self.asking == page:
@@ -120,7 +120,7 @@ class ControlRoles(Generic[P]):
         self._request = ControlRequest(page, self._clock() + ANSWER_WITHIN)
 
     def answer(self, gives: bool) -> None:
-        """Answer the pending request: hand over control if `gives`, otherwise reject the request.
+        """Answer the pending request: hand over control if `gives` is true; otherwise reject the request.
 
         Raises:
             CommandError: no page asks for the sticks, or the request has expired.

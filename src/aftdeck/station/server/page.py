@@ -190,7 +190,7 @@ class Page:
         scenarios, role, lines, sent = None, None, 0, b""
         mark: Mark | None = None
         while self.pages.driver.phase is not Phase.CLOSED:
-            fresh = self.pages.fresh  # read before the data, so that no later change is missed
+            fresh = self.pages.fresh  # get the event before the data, so that no later change is missed
             if session is not self.pages.session:
                 session, lines, sent = self.pages.session, 0, b""
                 await self._send(session.welcome)

@@ -19,7 +19,7 @@ from aftdeck.station.session.session import Session
 
 
 class Connected(Protocol):
-    """Interface that `Pages` needs of a page.
+    """Interface through which `Pages` uses a page.
 
     Attributes:
         shows: True if the page only shows the run and cannot take control.
@@ -124,7 +124,7 @@ class Pages:
             self.session.set_unattended(cause if self.roles.operator is None else f"{cause}, another flies")
 
     def reseat(self, page: Connected, *, seated: bool) -> None:
-        """Give a page a control role (`seated`: the page is wide enough), or remove the role of a narrow page."""
+        """Give a page a control role if it is wide enough (`seated`); otherwise remove its control role."""
         if seated is not page.shows:
             return  # nothing changes
         self.leave(page, "page narrow")
@@ -168,7 +168,7 @@ class Pages:
         asyncio.get_running_loop().call_later(ANSWER_WITHIN, self.wake)
 
     def answer(self, gives: bool) -> None:
-        """Answer the pending request: hand over control if `gives`, otherwise reject the request.
+        """Answer the pending request: hand over control if `gives` is true; otherwise reject the request.
 
         Raises:
             CommandError: no request is pending, or a stick is not centred.

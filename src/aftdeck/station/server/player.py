@@ -25,13 +25,13 @@ class Player:
     """Web routes for the playback of one recording."""
 
     def __init__(self, store: PlaybackStore, path: Path, head: str = RECORDING_META) -> None:
-        """Serve `store`, read from `path`; `head`: HTML elements added to the page's head."""
+        """Serve the recording `store` of the file `path`; `head`: HTML elements added to the page's head."""
         self._store, self._path, self._head = store, path, head
         self._result = CHECKING
         self._encode = msgspec.json.Encoder().encode
 
     def check(self) -> None:
-        """Start to verify the recording in a daemon thread; the server can end without waiting for it."""
+        """Start the verification of the recording in a daemon thread, which does not delay the end of the server."""
         Thread(target=self._check, name="verification", daemon=True).start()
 
     def close(self) -> None:

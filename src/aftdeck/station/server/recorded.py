@@ -78,7 +78,7 @@ class Recordings:
 
         Args:
             file: name of the recording's file.
-            fresh: whether a page opens the recording now. If so, and the file's size has changed, read the file again.
+            fresh: true if a page opens the recording now. The file is then read again if its size has changed.
 
         Raises:
             RecordingError: the recording cannot be played.

@@ -47,7 +47,7 @@ class ScenarioList:
             raise CommandError(f"{self.scenarios[self.coming].title!r} is being prepared: wait until it runs")
         if number == self.flown:
             raise CommandError(
-                f"{self.scenarios[number].title!r} is running already: Restart runs it from the beginning"
+                f"{self.scenarios[number].title!r} is running already: press Restart to run it from the beginning"
             )
         self.coming = number
 

@@ -103,10 +103,10 @@ def address_of(listener: socket.socket, host: str) -> str:
 
 
 def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | None) -> None:
-    """Open a browser at the address `opened`, unless it is None, and run a server until interrupted."""
+    """Open a browser at the address `opened`, if it is not None, and run a server until interrupted."""
     if opened is not None:
         webbrowser.open(opened)
-    with contextlib.suppress(KeyboardInterrupt):  # uvicorn raises Ctrl+C again after an orderly shutdown
+    with contextlib.suppress(KeyboardInterrupt):  # uvicorn raises it again after an orderly shutdown on Ctrl+C
         server.run(sockets=[listener])
 
 
@@ -145,6 +145,8 @@ def listen(host: str, port: int) -> socket.socket:
     except OSError as error:
         listener.close()
         if error.errno == errno.EADDRINUSE:
-            raise StationError(f"port {port} on {host} is in use: choose another with --port, or 0 for any") from None
+            raise StationError(
+                f"port {port} on {host} is in use: choose another with --port, or 0 for any free port"
+            ) from None
         raise StationError(f"cannot listen on {host}, port {port}: {error.strerror}") from None
     return listener

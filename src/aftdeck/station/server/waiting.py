@@ -35,7 +35,7 @@ class Waiting:
         return "failed" if self._preparation.error else "preparing"
 
     def start(self) -> None:
-        """Start the preparation; if its session exists already, start this session instead."""
+        """Start the preparation; if the session exists already, start the session."""
         loop = asyncio.get_running_loop()
 
         def notify() -> None:
@@ -67,8 +67,8 @@ class Waiting:
         """Send a page the lines of progress until the session is made.
 
         Returns:
-            The pages of the session; None if the connection was closed, because the preparation failed or too many
-            pages wait.
+            The pages of the session; None if the connection was closed. It is closed if the preparation failed or too
+            many pages wait.
         """
         if self.pages is None and self._number >= MAX_PAGES:
             await goodbye(socket, TOO_MANY_PAGES)

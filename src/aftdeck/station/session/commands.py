@@ -36,7 +36,7 @@ _SWITCHES: dict[type, tuple[str, str]] = {
     from_page.SetMaster: ("master", "angles"),
     from_page.Initialise: ("initialise", "part"),
 }
-"""Messages that set one switch, each with two names: the field of `Inputs`, and the message's field with the value."""
+"""Messages that set one switch. For each: the field of `Inputs`, and the field of the message that holds the value."""
 
 
 def travel(sticks: from_page.Sticks) -> tuple[float, ...]:

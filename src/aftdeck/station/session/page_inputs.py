@@ -16,7 +16,8 @@ from aftdeck.station.messages import from_page
 from aftdeck.station.session.commands import travel
 
 LOST = 2.0
-"""If no message arrives for this time [s], deflected sticks must be centred before they act again."""
+"""Longest time without a message after which deflected sticks act at once [s]; after a longer time, they must first be
+centred."""
 SILENCE = 0.5
 """If no message arrives for this time [s], sticks and camera switches are centred."""
 MAX_WAITING = 32
@@ -37,7 +38,8 @@ class Taken(NamedTuple):
         cause: one of `unattended.CAUSES` if the controls have become unattended; else empty.
         handed_over: text for the log if another page takes control; else empty.
         controllers: devices that move the sticks.
-        delayed: sequence numbers of the sticks in the command delay, oldest first; one for each step of the delay.
+        delayed: sequence numbers of the sticks that do not act yet because of the command delay, oldest first; one for
+            each step of the delay.
     """
 
     sticks: from_page.Sticks
@@ -49,9 +51,9 @@ class Taken(NamedTuple):
     delayed: deque[int]
 
     def flown(self) -> int:
-        """Add the sequence number of `sticks` to the delay queue; remove and return the number at its other end.
+        """Add the sequence number of `sticks` to the delay queue; remove and return the queue's oldest number.
 
-        This is the number of the sticks that act in this step; -1 if no page sent them.
+        The returned number belongs to the sticks that act in this step; -1 if no page sent these sticks.
         """
         self.delayed.append(self.sticks.seq)
         return self.delayed.popleft()
@@ -80,7 +82,7 @@ class PageInputs:
         self._empty_delay()
 
     def _empty_delay(self) -> None:
-        """Reset the queue of delayed stick numbers, because a run begins or the next page restarts its numbers."""
+        """Empty the queue of delayed sequence numbers: a run begins, or the next page starts its own numbers."""
         self._delayed = deque([-1] * self._delay)
 
     def steer(self, sticks: from_page.Sticks, now: float) -> None:
@@ -89,7 +91,7 @@ class PageInputs:
         If no message was received for longer than `LOST`, deflected sticks act again only after they have been centred.
 
         Raises:
-            CommandError: a stick is deflected after such a silence; raised only for the first message.
+            CommandError: a stick is deflected after this time. Further messages do not raise the error again.
         """
         if self._zeroed and now - self._heard > LOST:
             self._lost = "not reported"

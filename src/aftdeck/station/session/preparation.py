@@ -36,7 +36,7 @@ class Preparation:
         return f"the station cannot start: {self.error!r}"
 
     def start(self, notify: Callable[[], None]) -> None:
-        """Start the thread; it calls `notify` after each line of progress and at its end.
+        """Start the thread; it calls `notify` after each line of progress and when the session is made or has failed.
 
         The process can end without waiting for the thread.
         """

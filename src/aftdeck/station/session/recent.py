@@ -20,11 +20,11 @@ KEPT_S = 300.0
 SPACING_S = 0.1
 """Time from one sample to the next [s]; the page updates its numbers at the same rate."""
 DECIMALS = 5
-"""Number of decimals of a sample's values; for a length, a hundredth of a millimetre."""
+"""Number of decimals of a sample's values; lengths [m] are thus rounded to a hundredth of a millimetre."""
 
 
 class Mark(NamedTuple):
-    """Mark in the data of a run: everything before it was sent to a page.
+    """Mark in the data of a run; a page has already received all data before the mark.
 
     Attributes:
         run: the run.

@@ -86,7 +86,7 @@ class Session:
             record: folder into which each run is recorded; None: runs are not recorded.
             trial: participant and condition, stored in each recording.
             live: server for viewers of the run; None: viewers cannot attach.
-            clock: returns the time [s] with which the session measures the age of the last message.
+            clock: function that returns the time [s]; used to measure the age of the last message.
         """
         self.scenario, self._seed = scenario, seed
         self._start_demo, self._record, self._trial, self._live = demo, record, trial, live
@@ -275,8 +275,8 @@ class Session:
     def _rate_held(self, now: float) -> bool:
         """Return whether RATE HOLD keeps a rate.
 
-        After the station has cancelled RATE HOLD, frames still show RATE HOLD as on during the command delay. In this
-        time the result is False.
+        After the station has cancelled RATE HOLD, frames still show RATE HOLD as on during the command delay. During
+        this delay, and for `SILENCE` after it, the result is False.
         """
         frame = self._sim.frame
         return not self._demo and frame is not None and frame.rate_hold and now >= self._cancelled_until

@@ -30,7 +30,7 @@ def safe_inputs(inputs: Inputs, frame: Frame | None, cause: str, *, cancelling: 
         inputs: inputs of this step.
         frame: frame of the step before; None before the first step.
         cause: one of `CAUSES`.
-        cancelling: whether RATE HOLD was cancelled already, and the command delay has not passed yet.
+        cancelling: whether RATE HOLD was cancelled so recently that a frame can still show it as on.
 
     Returns:
         The inputs, and the text; the text is empty if the panel is in the safe state already.
@@ -39,7 +39,7 @@ def safe_inputs(inputs: Inputs, frame: Frame | None, cause: str, *, cancelling: 
         return inputs, ""
     changed = False
     if frame.rate_hold and not cancelling:
-        inputs = msgspec.structs.replace(inputs, rate_hold=True)  # a second press cancels it
+        inputs = msgspec.structs.replace(inputs, rate_hold=True)  # pressing RATE HOLD again cancels it
         changed = True
     if not frame.position_hold:
         inputs = msgspec.structs.replace(inputs, position_hold=True)

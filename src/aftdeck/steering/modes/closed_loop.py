@@ -2,7 +2,7 @@
 
 Inputs: the final tip pose; PROCEED and STOP.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: when the tip is inside the end sphere and at rest. The estimated end ETA of the phase is recomputed every step.
+Ends: when the tip is inside the end sphere and at rest. The estimated end time ETA is recomputed in every step.
 Source: JSC-12628, subroutines OPERIN (MODE = 2), LATRAJ, VCLOSE.
 """
 
@@ -36,8 +36,8 @@ from aftdeck.steering.profiles import vclose
 from aftdeck.steering.views import twist_at
 
 SLOW = 1.5
-"""Speed up to which the arm counts as at rest inside the end sphere, in multiples of the speed that the maximum
-acceleration adds in one control period [1]."""
+"""Greatest speed and angular rate at which the arm counts as at rest inside the end sphere [1]. The unit is the speed
+or rate that the maximum acceleration adds in one control period."""
 
 
 @law

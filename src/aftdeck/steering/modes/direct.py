@@ -17,7 +17,7 @@ from aftdeck.steering.limiters import BY_HARD_STOP
 
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
-    """Return the joint rates [rad/s] of this step; write a hard stop that acts into the report."""
+    """Return the joint rates [rad/s] of this step; if a hard stop acts, write it into the report."""
     joint = int(command[JOINT])
     demanded = command[DRIVE] * rules[RATE + joint]
     room = rules[HIGH + joint] - state[ANGLES + joint] if demanded > 0.0 else state[ANGLES + joint] - rules[LOW + joint]

@@ -21,7 +21,7 @@ from aftdeck.steering.ramp import ramped, rate_towards
 from aftdeck.steering.views import rates_at
 
 ARRIVAL = 1e-9
-"""A joint has arrived if its distance from the target angle and its motion in one step are at most this [rad]."""
+"""Greatest distance from the target angle, and greatest motion in one step, of a joint that has arrived [rad]."""
 
 
 @law

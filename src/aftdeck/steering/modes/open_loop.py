@@ -1,10 +1,11 @@
 """Mode 3, automatic, open-loop velocity: the line and axis of mode 2, planned once and executed without correction.
 
 Inputs: the final tip pose; PROCEED and STOP.
-Limits: POR limits for speed and acceleration, servo maxima and accelerations of the joints, soft stops, singularities;
-one factor for the whole twist.
-Ends: when its clock reaches ETA. The clock is slowed by the same factor, so that limits slow the arm on its path but do
-not change the path. Under `strict` the clock is not slowed, as in the source, and the arm stops short of the target.
+Limits: POR limits for speed and acceleration, servo maxima and accelerations of the joints, soft stops, singularities.
+One factor slows the whole twist and the mode's clock, so that limits slow the arm on its path but do not change the
+path.
+Ends: when the mode's clock reaches ETA. Under `strict` the clock is not slowed, as in the source, and a slowed arm
+stops short of the target.
 Source: JSC-12628, subroutines OPERIN (MODE = 3), LATRAJ, VTOPEN, VOTRAN.
 
 Plan of this mode: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1, t_w1 and ETAP [s].

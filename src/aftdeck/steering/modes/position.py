@@ -1,15 +1,16 @@
 """Mode 1, automatic, position: all joints start and stop together.
 
-Inputs: the final tip pose (CMD CK chooses among the joint angles that reach it) or final joint angles; PROCEED, STOP.
+Inputs: the final tip pose (CMD CK chooses one set of joint angles for it) or final joint angles; PROCEED and STOP.
 Limits: coarse or vernier joint rates, which are lower with a payload; the tip's speed and acceleration; joint
-accelerations; soft stops; one factor for all joints. Singularities do not act, because no Jacobian is inverted. Under
+accelerations; soft stops. One factor slows all joints. Singularities do not act, because no Jacobian is inverted. Under
 `strict` only the servo maxima (RATLMT) act, as in the source.
-Ends: when its clock reaches ETA = 1/RATIO + V_L/dV_L. If limits slow the arm, the clock is slowed with it.
+Ends: when the mode's clock reaches ETA = 1/RATIO + V_L/dV_L. If limits slow the arm, they also slow the clock.
 Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The source says that acceleration is accounted
-for. The form is ours: ramps of V_L/dV_L at both ends, and a triangular profile for a motion that is too short for them.
+for. The rate profile is ours: ramps of the duration V_L/dV_L at both ends. A motion that is too short for these ramps
+has a triangular profile.
 
-Plan of this mode: the rotation of each joint (6) [rad], then ETA and ramp time [s], and the share of the rotation per
-second at full rate [1/s]. Before the plan is computed, its first six values are the joints' final angles.
+Plan of this mode: the rotation of each joint (6) [rad], ETA and ramp time [s], and the full rate, as a share of the
+rotation per second [1/s]. Before the plan is computed, its first six values are the joints' final angles.
 """
 
 from __future__ import annotations
@@ -95,7 +96,7 @@ def _time_of(command: Array, made: float) -> float:
 def clock_after(command: Array, time: float, factor: float, period: float) -> float:
     """Return the phase time [s] after a step in which the arm made only the share `factor` of the planned motion.
 
-    It is the time at which the plan reaches the joint angles after this step.
+    At this time of the plan, the planned joint angles are those that the arm has after the step.
     """
     if factor >= 1.0 or command[MOTION_ACTIVE] == 0.0:
         return time + factor * period

@@ -3,8 +3,9 @@
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
 Limits: that rate, with a ramp; hard stops, before which the joint slows to rest. Soft stops do not act, because on the
 Shuttle this mode cradles and uncradles the arm, and moves a joint back from its soft stop.
-Holds: every other joint at theta_0, its angle when the mode or another joint was selected. A joint that was moving at
-that time, or that is disturbed, returns to theta_0.
+Holds: every other joint at theta_0, its angle when the mode was selected. If another joint was selected in its place
+since then, theta_0 is its angle at that time. A joint that was still moving when theta_0 was stored, or that is
+disturbed, returns to theta_0.
 Ends: when the operator leaves the mode, or at the time or joint angle that ends a scripted phase.
 Source: JSC-12628, introduction (mode 8); section 3, subroutine OPERIN.
 """
@@ -24,7 +25,7 @@ from aftdeck.steering.views import rates_at
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     """Return this step's joint rates [rad/s].
 
-    Also write the rates into the state, and a hard stop that acts into the report.
+    Also write the rates into the state. If a hard stop acts, write it into the report.
     """
     selected = int(command[JOINT])
     for i in range(6):

@@ -2,8 +2,8 @@
 
 The effector's hexahedra are numbered in the axes (-Z2, Y2, X2) of the end effector. Face d of the palm (HEX 1)
 therefore faces the bar; face b of the fixed finger (HEX 2) and face e of the prong (HEX 3) face inwards. The bar
-(RECPT) has its length along its own x axis, front end face a, and face c on top. Source: the final report of the Remote
-Manipulator Simulation, acquisition conditions 1 to 6 (restored).
+(RECPT) has its length along its own x axis; its front end is face a, and its top is face c. Source: the final report of
+the Remote Manipulator Simulation, acquisition conditions 1 to 6 (restored).
 
 `acquire` takes an array of placed bodies and the indices of the four bodies that it needs, and writes its results into
 a packed array. It also computes the angles by which the end effector may still turn about the centre of face d before
@@ -34,7 +34,7 @@ SPACING = 3
 HEIGHT = 4
 """Height of the centre of face d above the bar's face c [m]."""
 ALONG = 5
-"""Offset of the centre of face d from the middle of the bar, along the bar's axis, positive to its rear end [m]."""
+"""Offset of the centre of face d from the bar's middle, along the bar's axis, positive towards its rear end [m]."""
 HALF = 6
 """Half the bar's length [m]."""
 AWAY = 7

@@ -19,8 +19,8 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
     nearest: float
     """Least position of the fixture along the axis [m]: 0 in the rigid position, positive outwards."""
     farthest: float
-    """Greatest position of the fixture along the axis, measured as `nearest` [m]; the cylinder is about 4 in deep
-    [R]."""
+    """Greatest position of the fixture along the axis, measured as `nearest` [m]; the cylinder's depth is about
+    4 in [R]."""
     pitch: float
     """Greatest rotation about axis 2, in either direction [rad]. SSV has 10 deg for all three axes [S]; other sources
     have 15 deg for pitch and yaw [R]."""
@@ -34,8 +34,8 @@ def in_envelope(fixture: tuple[Vec3, Rows], envelope: CaptureEnvelope) -> tuple[
     """Return the conditions of capture.
 
     Args:
-        fixture: position [m] and rotation of the grapple fixture in the end effector's axes (1 outwards). When rigid,
-            the fixture's axes and origin coincide with those of the end effector.
+        fixture: position [m] and rotation of the grapple fixture in the end effector's axes (axis 1 points
+            outwards). In the rigid position, the fixture's axes and origin coincide with those of the end effector.
         envelope: the capture envelope.
     """
     (out, y, z), rows = fixture

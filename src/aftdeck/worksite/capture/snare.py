@@ -7,8 +7,8 @@ snares only, and MAN CONTR moves carriage and tension. Sources: SCOM p. 693 (pri
 functions of the switches).
 
 A state is an immutable value, which needs no copy when it is saved. Motions are exact in time: when one motion of a
-sequence ends within a step, the next motion uses the remaining time. Not modelled: slack wires that already pull, motor
-currents, failures.
+sequence ends within a step, the next motion uses the remaining time. Not modelled: the pull of wires that are still
+slack, motor currents, failures.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Mode = Literal["AUTO", "OFF", "MAN"]
 Part = Literal["ring", "carriage", "tension"]
 
 _NO_TRAVEL = 1e-9
-"""Greatest remaining travel of a part that counts as zero, because it is due to rounding [1]."""
+"""Greatest remaining travel of a part that counts as zero [1]. Such a remainder is due to rounding."""
 
 
 class SnareTimes(msgspec.Struct, frozen=True):
@@ -70,7 +70,7 @@ class Snare(msgspec.Struct, frozen=True):
 
     @property
     def misaligned(self) -> float:
-        """Remaining fraction of the misalignment at which the pin was captured."""
+        """Share of the misalignment at capture that the carriage has not yet removed."""
         return 1.0 - self.drawn
 
 
@@ -93,7 +93,7 @@ class Moved(NamedTuple):
 
 
 def flags(snare: Snare) -> Flags:
-    """Return the state of the talkbacks. While a part is between its end positions, both of its talkbacks are off."""
+    """Return the state of the talkbacks. While a part is between its end positions, its talkbacks are off."""
     return Flags(
         CAPTURE=snare.captured,
         EXTEND=snare.carriage == 0.0,
@@ -181,7 +181,7 @@ def _stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
 
 
 def _without_ended_motion(snare: Snare, mode: Mode) -> Snare:
-    """Return the state, without its motion if the motion has ended or the mode does not allow it."""
+    """Return the state, with `motion` empty if OFF or MAN prevents the motion, or if it has ended in MAN."""
     ends = mode == "OFF" or (
         mode == "MAN"
         and (snare.ring == 1.0 if snare.motion == "capture" else not _extended(snare) or snare.ring == 0.0)

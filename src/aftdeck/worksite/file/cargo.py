@@ -153,7 +153,7 @@ def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
     """Yield boxes (1, 8, 3) that enclose the target, which is beside the fixture's axis.
 
     One box encloses the flat shapes (plate and ring), and a second box encloses the rod. A single box around all of
-    them would obstruct the end effector as far outwards as the end of the rod.
+    them would be as wide as the plate and as long as the rod, and would obstruct the end effector.
     """
     halves = [(shape.position, half) for shape in shapes if any(shape.position[1:]) and (half := _half(shape))]
     boxes = np.array(halves, dtype=np.float64).reshape(-1, 2, 3)
@@ -167,7 +167,7 @@ def _half(shape: Shape) -> Vec3 | None:
     """Return half the size of the box that encloses a shape; None for a group, which only marks other shapes.
 
     Raises:
-        InputError: the shape is of a kind that a target cannot have, or it is rotated or not along x.
+        InputError: a target cannot have a shape of this kind, or the shape is rotated, tapered or not along x.
     """
     match shape:
         case Group():
@@ -183,8 +183,8 @@ def _half(shape: Shape) -> Vec3 | None:
         case _:
             kind = type(shape).__name__.lower()
             raise InputError(
-                f"grapple: a {kind} like this cannot be part of a target; allowed beside the fixture's axis are "
-                "groups, spheres, and boxes, cylinders and rings along x without rotation"
+                f"grapple: this {kind} cannot be part of a target; a shape beside the fixture's axis has to be a "
+                "group, a sphere, a box without rotation, or a ring or untapered cylinder along x without rotation"
             )
 
 
@@ -246,7 +246,7 @@ def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, tru
     """Return the start of a payload.
 
     Args:
-        file: the table of the start.
+        file: the payload's table ``start``.
         seats: the worksite's berths by name.
         probe: `Cargo.probe` of the payload.
         trunnions: `Cargo.trunnions` of the payload.

@@ -170,7 +170,10 @@ class CargoFile(Table, frozen=True, kw_only=True):
     limit_cycle: LimitCycleFile | None = None
 
     def __post_init__(self) -> None:
-        """Reject a mass that is not above zero, and neither or both of receptacle and grapple (ValueError)."""
+        """Reject a mass that is not above zero (ValueError).
+
+        Reject also a payload that has neither receptacle nor grapple, or has both (ValueError).
+        """
         positive(mass=self.mass)
         if (self.receptacle is None) == (self.grapple is None):
             given = "neither is" if self.receptacle is None else "both are"

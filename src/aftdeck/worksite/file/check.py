@@ -21,8 +21,8 @@ ARM = "arm."
 because the arm is known only in a scenario."""
 FRAMES = ("orbiter", "space")
 _WALL = 0.05
-"""Greatest distance of a wall from the end of the bay's inside [m]. A distance is allowed because the hexahedra that
-cover a tube's wall extend beyond the wall."""
+"""Greatest allowed distance of a wall's solids from the end of the bay's inside [m]. It is not zero, because the
+hexahedra that cover a tube's wall extend beyond the wall."""
 _HAIR = 1e-6
 """Allowance for rounding in the comparison of a solid's distance with the distance of its bounding box [m]."""
 
@@ -73,12 +73,15 @@ def _housing_problems(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Pro
             yield Problem(("housing", i, "drive"), f"the drive {drive!r} already has a housing")
     for i, camera in enumerate(file.camera):
         if camera.drive in housed and camera.body not in bodies:
-            what = f"its drive {camera.drive!r} has a housing, which needs a body; {camera.body!r} is not a body"
+            what = (
+                f"its drive {camera.drive!r} has a housing, so the camera has to be on a body; {camera.body!r} is not "
+                "a body"
+            )
             yield Problem(("camera", i, "drive"), what)
 
 
 def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator[Problem]:
-    """Yield a problem for each name that occurs earlier in `names`, or that occurs in `taken`."""
+    """Yield a problem for each name that is repeated in `names` after its first occurrence, or that is in `taken`."""
     for i, name in enumerate(names):
         if name in (*names[:i], *taken):
             yield Problem((kind, i), f"the name {name!r} is taken; names have to differ")

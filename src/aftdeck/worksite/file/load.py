@@ -43,7 +43,7 @@ def worksites() -> tuple[str, ...]:
 
 
 def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str] | None = None) -> Worksite:
-    """Return the worksite of a built-in name (``orbiter``) or of the TOML file at a path.
+    """Return the built-in worksite of a name (``orbiter``), or the worksite that the TOML file at a path describes.
 
     Args:
         name_or_path: name of a built-in worksite, or path of a file.
@@ -75,7 +75,7 @@ class _Dimensions(msgspec.Struct, frozen=True):
 
 
 def _file(name_or_path: str | Path) -> Text:
-    """Return the name and the unparsed text of the file with a built-in name or a path."""
+    """Return the name and the unparsed text of a worksite's file; the file is given by a built-in name or by a path."""
     built_in = str(name_or_path) in worksites()
     path = _BUILT_IN / f"{name_or_path}.toml" if built_in else Path(name_or_path)
     if not path.is_file():
@@ -90,7 +90,7 @@ def _file(name_or_path: str | Path) -> Text:
 
 @functools.lru_cache(maxsize=8)
 def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> Worksite:
-    """Return the worksite of a file's text. The result is cached; this is safe because it is immutable."""
+    """Return the worksite that a file's text describes. A worksite is immutable and can therefore be cached."""
     name, text = source
     file, problems = examine(WorksiteFile, source, {(KEY, key): value for key, value in dimensions}, derive)
     if file is None or problems:

@@ -1,4 +1,4 @@
-"""Schema of a worksite's file: every dimension of the worksite, each table with the source of its numbers.
+"""Schema of a worksite's file, which contains every dimension of the worksite.
 
 Positions are in the axes of the body to which a table belongs. The first body's axes are those of the scene: x aft,
 y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. The modules `solids`, `seats`,
@@ -46,13 +46,14 @@ class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
     title: Text
     body: Text
     latch: Literal["auto", "command"]
-    """``auto``: the berth fixes a payload as soon as the conditions hold. ``command``: it waits for a command."""
+    """When a bay berth fixes a payload that meets the conditions. ``auto``: when the end effector releases the payload.
+    ``command``: on a command. A port fixes a payload as soon as the conditions hold, without a command."""
     time: Time = Time(0.0)
-    """Time that the latches take."""
+    """Time that the latches take to close or to release."""
     distance: Length
-    """Greatest distance of a payload from its seated position at which it can be latched."""
+    """Greatest distance from its seated position at which a payload can be latched."""
     angle: Angle
-    """Greatest rotation of a payload from its seated attitude at which it can be latched."""
+    """Greatest rotation from its seated attitude at which a payload can be latched."""
     source: Text
 
     def __post_init__(self) -> None:
@@ -113,7 +114,8 @@ class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
     rear: Length
     """Least distance of the palm's centre from the bar's aft end, inwards along the bar (REAR)."""
     fingers_within: Length
-    """Greatest distance between palm and bar at which the fingers are tested."""
+    """Greatest distance between palm and bar at which conditions 2 and 3 (bar beside the fingers) are tested. They fail
+    at a greater distance."""
     source: Text
 
     def __post_init__(self) -> None:
@@ -127,9 +129,9 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
     radial: Length
     """Greatest distance of the fixture from the end effector's axis."""
     nearest: Length
-    """Least position of the fixture along that axis: 0 in the rigid position, positive outwards."""
+    """Least position of the fixture along the end effector's axis: 0 when rigid, positive outwards."""
     farthest: Length
-    """Greatest position of the fixture along that axis, measured as `nearest`."""
+    """Greatest position of the fixture along the end effector's axis, with the same origin and sign as `nearest`."""
     pitch: Angle
     """Greatest pitch of the fixture in either direction."""
     yaw: Angle
@@ -160,10 +162,11 @@ class EssentialFile(Table, frozen=True, kw_only=True):
     relation: Relation
     """Conditions that have to hold. ``acquisition``: the bar is before the palm and between the fingers (conditions 1
     to 3). ``docking``: the probe is in the docking envelope, and is no farther from the port than docking allows.
-    ``guides``: the trunnion is in its V-guide. ``capture``: the pin is in the capture envelope."""
+    ``guides``: the trunnion is in its V-guide. ``capture``: the pin is in the capture envelope, or farther out than the
+    envelope's outer end."""
     depth: Length
-    """Greatest penetration depth at which the contact is essential. Planes in the conditions bound the position of a
-    part; the part may be beyond each plane by up to this depth."""
+    """Greatest penetration depth at which the contact is essential. Where the conditions bound a part's position by
+    planes, the part may be up to this depth beyond them."""
     source: Text
 
     def __post_init__(self) -> None:
@@ -190,7 +193,7 @@ class _Inside(Table, frozen=True, kw_only=True):
 
 
 class BayFile(_Inside, frozen=True, kw_only=True):
-    """The inside of the payload bay. A payload that is completely above it is extracted."""
+    """The inside of the payload bay. A payload counts as extracted when no vertex of it is inside."""
 
 
 class TranslationFile(Table, frozen=True, kw_only=True):

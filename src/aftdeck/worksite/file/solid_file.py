@@ -25,7 +25,7 @@ class _SolidFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class BlockFile(_SolidFile, frozen=True, kw_only=True, tag="block"):
-    """A box given by its ranges. It is tapered if `y_end` or `z_end` gives other ranges for its end of greater x."""
+    """A box given by its ranges. `y_end` and `z_end` taper it: they replace `y` and `z` at the end of greatest x."""
 
     x: Range
     y: Range

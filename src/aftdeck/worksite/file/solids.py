@@ -31,7 +31,7 @@ _REFLECTED = np.array([v ^ 4 for v in range(8)])
 """Table of vertex numbers: vertex v of a body's reflection in y = 0 is the image of vertex _REFLECTED[v] of the
 body."""
 _ACROSS = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}
-"""For each axis that is a plate's normal, the indices of x, y and z in (first, second, across)."""
+"""For each possible axis of a plate's normal: the indices at which x, y and z are in (first, second, across)."""
 
 
 def solids_of(file: SolidFile) -> dict[str, Array]:

@@ -5,8 +5,7 @@ direction, the guide centres the trunnion and admits offsets up to the V's half 
 payload is ready to latch when every trunnion is on its seat, the payload has its stowed attitude, and both switches of
 every latch show ready-for-latch. Source: SSV (guides, tolerance, the dual switches of DISP 97).
 
-Not modelled: the force of a guide on a trunnion, and any difference between the two switches of a latch, except failed
-switches.
+Not modelled: the force of a guide on a trunnion. The two switches of a latch differ only if one of them has failed.
 """
 
 from __future__ import annotations
@@ -55,7 +54,7 @@ class Guide(msgspec.Struct, frozen=True):
 
 
 class SeatTolerances(msgspec.Struct, frozen=True):
-    """Greatest deviation of a payload from its stowed pose at which it is ready to latch, or is retained."""
+    """Greatest deviations from the stowed pose. Within them, a payload is ready to latch, or is retained."""
 
     distance: float
     """Distance of each trunnion, or of the payload's centre, from its stowed position [m]; SSV has 0.05 m [I]."""
@@ -74,8 +73,9 @@ class Guides(NamedTuple):
         throat: (n,) `Guide.throat` of each guide [m].
         height: (n,) `Guide.height` of each guide [m].
         play: (n,) `Guide.play` of each guide [m].
-        says: for each guide, the text templates for a trunnion's height, for its offset along `Guide.along`, and for
-            its offset along its own axis. Each has one template for a positive and one for a negative value.
+        says: for each guide, three pairs of text templates: for a trunnion's height, for its offset along
+            `Guide.along`, and for its offset along its own axis. The first template of a pair is for positive values,
+            the second for negative values.
     """
 
     guides: tuple[Guide, ...]
@@ -89,7 +89,7 @@ class Guides(NamedTuple):
 
 
 def prepare(guides: Sequence[Guide]) -> Guides:
-    """Return the guides of a berth with their arrays.
+    """Return the guides of a berth, with their directions and dimensions as arrays.
 
     Raises:
         InputError: the directions are not perpendicular unit vectors; the message names the guide.
@@ -234,12 +234,12 @@ def ready_to_latch(
 ) -> tuple[Condition, ...]:
     """Return the conditions of latching: one for each latch, and one for the payload's attitude.
 
-    A latch's condition reports the trunnion's distance from its seat. If this distance is allowed but switches of the
-    latch have failed, the condition reports the failed switches.
+    A latch's condition reports the trunnion's distance from its seat. If this distance is within the tolerance, but a
+    switch of the latch has failed, the condition reports the failed switch instead.
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        payload: pose of the payload relative to its seated pose: the remaining offset and rotation.
+        payload: the payload's remaining offset and rotation, as a pose relative to its seated pose.
         guides: guides of the berth.
         tolerances: tolerances of the berth.
         failed: names of failed switches, for example ``forward port B``.
@@ -279,7 +279,7 @@ def retained(payload: Pose, tolerances: SeatTolerances) -> tuple[Condition, ...]
     """Return the conditions under which a payload that is released in a bay berth stays in the berth.
 
     Args:
-        payload: pose of the payload relative to its seated pose: offset of its centre, and rotation.
+        payload: the offset of the payload's centre and its rotation, as a pose relative to its seated pose.
         tolerances: tolerances of the berth.
     """
     distance = math.hypot(*payload.position.tolist())

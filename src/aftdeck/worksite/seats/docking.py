@@ -1,8 +1,8 @@
-"""MODE 3, docking: the payload's probe in the port's envelope, at the port, and aligned with the port's axes.
+"""MODE 3, docking: the conditions that the probe is in the docking envelope and at the port, and the axes are aligned.
 
 The port is in the middle of a side face, c, of the central assembly element (CAE), a regular prism. The *docking
 envelope* is the space in front of that face, between the extended planes of the two adjacent sides and of the two ends
-of the prism. It is a wedge. For a prism with six sides, the edge of the wedge is one apothem in front of the face.
+of the prism. For a prism with six sides, this space is a wedge, whose edge is one apothem in front of the face.
 Source: the final report of the Remote Manipulator Simulation, mode 3 (restored).
 
 A port's axes coincide with those of a docked payload. The report compares only the two y axes, so that any rotation
@@ -31,7 +31,7 @@ INSIDE = 1
 DISTANCE = 2
 """Distance from the centre of the probe's face to the port's centre [m]."""
 TURNED = 3
-"""First of three angles: those of the payload's x, y and z axes from the port's [rad]."""
+"""First of three angles [rad]. They are between the x axes of payload and port, the y axes, and the z axes."""
 FOUND = 6
 """Length of the array of results."""
 
@@ -44,9 +44,9 @@ class DockingTolerances(msgspec.Struct, frozen=True):
     distance: float
     """Greatest distance from the centre of the probe's forward face to the port's centre [m]; report: 0.25 ft [S]."""
     angle: float
-    """Greatest angle of each axis that is compared [rad]; the report has 2 deg 32 min [S]."""
+    """Greatest angle between an axis of the payload and the same axis of the port [rad]; report: 2 deg 32 min [S]."""
     axes: Literal["all", "y"] = "all"
-    """Axes that are compared; the report has y alone [S]."""
+    """Axes that are compared: all three, or only y as in the report [S]."""
 
 
 def envelope(
@@ -58,7 +58,9 @@ def envelope(
     axis: tuple[float, float, float] = (0.0, 0.0, 1.0),
     offset: tuple[float, float] = (0.0, 0.0),
 ) -> Array:
-    """Return the docking envelope of a port on a side of a regular prism, in the port's axes about the port's centre.
+    """Return the docking envelope of a port on a side of a regular prism.
+
+    The envelope is given in the port's axes, with the port's centre as origin.
 
     Args:
         apothem: distance from the prism's axis to its sides [m].
@@ -66,8 +68,8 @@ def envelope(
         sides: number of sides, an even number; the report's prism probably had six (its drawings are lost).
         outward: unit vector out of the port's face, perpendicular to `axis`.
         axis: unit vector along the prism.
-        offset: offset of the port's centre from the centre of its face [m]. The first number is along the cross product
-            of `axis` and `outward`, the second along `axis`.
+        offset: offset of the port's centre from the centre of its face [m]: along the cross product of `axis` and
+            `outward`, and along `axis`.
 
     Returns:
         (5, 4) planes, each with a unit normal n [1] and a distance d [m]. A point p is inside if n·p <= d for all
@@ -113,7 +115,7 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
         payload: (12,) pose of the payload: position [m], then its rotation row by row.
         port: (12,) pose of the port, given in the same frame as the payload's pose.
         planes: (k, 4) the envelope in the port's frame, the plane of face c first.
-        found: (6,) output, with the indices above.
+        found: (6,) output, with the indices `BEFORE`, `INSIDE`, `DISTANCE` and `TURNED`.
     """
     pose = np.empty(POSE)  # the payload's pose in the port's frame
     relative(port, payload, pose)
@@ -126,7 +128,7 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
     found[BEFORE], found[INSIDE] = before, inside
     centre = moved(pose, vector_at(face, 0))
     found[DISTANCE] = sqrt(dot(centre, centre))
-    turn = pose[3:].reshape(3, 3)  # the payload's axes in the port's, as columns
+    turn = pose[3:].reshape(3, 3)  # columns: the payload's axes in the port's frame
     found[TURNED] = atan2(sqrt(turn[1, 0] ** 2 + turn[2, 0] ** 2), turn[0, 0])
     found[TURNED + 1] = atan2(sqrt(turn[0, 1] ** 2 + turn[2, 1] ** 2), turn[1, 1])
     found[TURNED + 2] = atan2(sqrt(turn[0, 2] ** 2 + turn[1, 2] ** 2), turn[2, 2])
@@ -140,7 +142,7 @@ def _below(plane: Array, p: Vector) -> float:
 
 
 def docking(found: Array, tolerances: DockingTolerances) -> tuple[Condition, ...]:
-    """Return the conditions of docking from the law's result (6,)."""
+    """Return the conditions of docking from the output (6,) of `approach`."""
     value = found.tolist()
     if tolerances.axes == "y":
         letter, angle = "y", value[TURNED + 1]
@@ -159,4 +161,4 @@ _BEFORE_SAYS = ("probe {} before the port's face", "probe {} behind the port's f
 _INSIDE_SAYS = ("probe {} inside the docking envelope", "probe {} outside the docking envelope")
 _DISTANCE_SAYS = ("probe {} from the port", "")
 _SQUARE = 1e-9
-"""Tolerance for a port's directions being perpendicular and of unit length [1]."""
+"""Tolerance in the check that a port's directions are perpendicular unit vectors [1]."""

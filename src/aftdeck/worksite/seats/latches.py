@@ -14,7 +14,7 @@ from aftdeck.worksite.conditions import Condition, Units, all_hold, rejection_te
 from aftdeck.worksite.log_line import LogLine, rejection
 
 _NO_TRAVEL = 1e-9
-"""Greatest remaining travel that counts as zero, because it is due to rounding [1]."""
+"""Greatest remaining travel that counts as a rounding error, and therefore as zero [1]."""
 
 
 class Latches(msgspec.Struct, frozen=True):
@@ -35,7 +35,7 @@ class Latches(msgspec.Struct, frozen=True):
 
     @property
     def misaligned(self) -> float:
-        """Remaining fraction of the misalignment at which the latches began to close."""
+        """Remaining misalignment, as a fraction of the misalignment when the latches began to close."""
         return 1.0 - self.drawn
 
 

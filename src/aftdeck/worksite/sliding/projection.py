@@ -19,11 +19,11 @@ from aftdeck.kinematics.jacobian import Twist
 from aftdeck.law import law
 
 POINT, OUTWARD, LEAST = 0, 3, 6
-"""Indices in a contact's row: the point [m]; the wall's unit normal towards the sliding body [1]; the least speed of
+"""Indices in the row of a touch: the point [m]; the wall's unit normal towards the sliding body [1]; the least speed of
 the point along the normal [m/s]. A least speed of 0 keeps the point out of the wall. A negative least speed lets the
 point approach the wall. A positive least speed moves the point out of the wall."""
 TOUCH = 7
-"""Length of a contact's row."""
+"""Length of the row of a touch."""
 SLACK = 1e-9
 """Amount by which a point may be slower than its least speed, to allow for rounding [m/s]."""
 _SAME = 1e-20
@@ -51,7 +51,7 @@ def slide(touches: Array, tip: Vector, demanded: Twist) -> Twist:
     """Return a twist of the tip that is near to the demanded twist and moves no touching point into its wall.
 
     Args:
-        touches: (k, 7) contacts, in L.
+        touches: (k, 7) rows of touches, in L.
         tip: position of the tip, in L [m].
         demanded: demanded twist of the tip, in L.
 

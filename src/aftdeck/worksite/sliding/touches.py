@@ -30,11 +30,11 @@ def touching(
     out: float,
     touches: Array,
 ) -> int:
-    """Write the touches of the groups that count, and return the number of touches.
+    """Write the touches of the groups of a sliding part and a wall, and return the number of touches.
 
-    The touches of a group are its closest point on the sliding part, and every vertex of the sliding part that is
-    within reach of a face of the wall. When a whole side touches a wall, all its corners are therefore touches, and no
-    rotation can move a corner into the wall.
+    The touches of a group are the point of the sliding part that is closest to the wall, and every vertex of the
+    sliding part that is within reach of a face of the wall. When a whole side touches a wall, all its corners are
+    therefore touches, and no rotation can move a corner into the wall.
 
     Args:
         frame: (n,) as `Layout.frame`.
@@ -100,7 +100,7 @@ def touches(watch: ClearanceMonitor, counts: Mask, slides: str, reach: float, pe
         watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups of a sliding part and a wall.
         slides: name of the payload's frame.
-        reach: clearance up to which a wall is considered [m]: the greatest distance that any point moves in a step.
+        reach: clearance up to which a wall is considered [m], from `sliding.walls.met`.
         period: duration of a step [s].
         out: greatest speed at which a point inside a wall comes out [m/s].
     """

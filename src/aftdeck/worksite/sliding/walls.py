@@ -33,7 +33,7 @@ LEAST_REACH = 1e-6
 SIZE = 30.0
 """Upper bound of the distance of a payload's points from the point of resolution [m]."""
 PASSES = 5
-"""Greatest number of passes. Each pass reduces the error due to the curvature of a step to a thousandth."""
+"""Greatest number of passes. Each pass divides the error due to the curvature of a step by a thousand."""
 EXACT = 2e-9
 """Greatest accepted speed into a wall [m/s]. In a step of 0.02 s, this speed moves a point by 4e-11 m. Two parts count
 as in contact up to a clearance of 1e-9 m."""
@@ -41,7 +41,7 @@ as in contact up to a clearance of 1e-9 m."""
 
 @law
 def met(found: Array, counts: Mask, steering: Array, stand: float, period: float) -> float:
-    """Return the distance within which walls are considered [m]; 0 if no wall is that near.
+    """Return the distance within which walls are considered [m]; 0 if no wall is within this distance.
 
     Args:
         found: (g, 15) the last measurements.

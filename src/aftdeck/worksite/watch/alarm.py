@@ -9,8 +9,8 @@ Level = Literal["info", "caution", "warning"]
 CLEAR: Level = "info"
 """Level of a clearance that needs no alarm."""
 HYSTERESIS = 0.03
-"""Share of a threshold by which the clearance has to exceed the threshold before the alarm level ends [1] (assumed).
-Without this share, a lamp could flicker."""
+"""Fraction of a threshold [1] (assumed). An alarm level ends only when the clearance exceeds the level's threshold by
+this fraction. Otherwise a lamp could flicker."""
 
 
 def level_of(clearance: float, caution: float, warning: float, before: Level = CLEAR) -> Level:

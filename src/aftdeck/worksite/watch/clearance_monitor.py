@@ -3,11 +3,11 @@
 Source: Remote Manipulator Simulation, final report, chapter IV. In each step, the report's program examined three
 hexahedra and one body; this program examines all parts that can touch. For each group, the last measurement and the
 later motion of the two parts' frames give a lower bound of the clearance. A group is measured again only if its bound
-is too small to exclude the group.
+is too small to exclude the group from the result.
 
-The remembered data of a pair of solids only serve to exclude the pair. The least clearance is always measured without
-such data. Of several pairs with the same clearance, the first is used. The result therefore equals the result of a
-monitor without memory, to the last digit.
+The remembered data of a pair of solids serve only to prove that the pair is not the nearest. The least clearance is
+always measured without such data. Of several pairs with the same clearance, the first is used. The result therefore
+equals the result of a monitor without memory, to the last digit.
 """
 
 from __future__ import annotations
@@ -91,8 +91,8 @@ def travelled(frames: Array, at: Array, reach: Array, travel: Array) -> None:
 
     Args:
         frames: (F, 12) present poses of the frames, in L.
-        at: (F, 12) poses of the frames at which the solids were placed, in L; NaN if they were never placed.
-        reach: (F,) greatest distance of a frame's solids from its origin [m].
+        at: (F, 12) poses of the frames at which the solids were placed, in L; NaN if the solids were never placed.
+        reach: (F,) upper bound of the distance of a frame's solids from the frame's origin [m].
         travel: (F,) output: upper bounds of the displacements [m]; NaN for a frame whose solids were never placed.
     """
     for f in range(len(frames)):
@@ -178,7 +178,8 @@ def watch(
 ) -> None:
     """Run `measure_groups`.
 
-    The arrays of its two tuples are separate arguments here, because Python passes them faster.
+    The arrays of the layout and of the monitor are separate arguments here, because Python passes separate arrays
+    faster than a tuple of arrays.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     own = Measured(at, placed, bound, likely, memory, found)
@@ -196,13 +197,13 @@ def measure_groups(
     period: float,
     within: float,
 ) -> None:
-    """Measure the active groups that are nearer than `within`, and always the nearest of the active groups that count.
+    """Measure the active groups nearer than `within`, and always the nearest active group with a 1 in `counts`.
 
     Args:
         layout: the solids and the groups.
         own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
-        counts: (g,) 1 for groups that count: the nearest of them is measured even if it is not nearer than `within`.
+        counts: (g,) 1 for groups of which the nearest is measured even if it is not nearer than `within`.
         before: (F, 12) poses of the frames one step before, in L.
         now: (F, 12) present poses of the frames, in L.
         period: time between `before` and `now` [s].
@@ -261,7 +262,7 @@ def _measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array)
 
 @law
 def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Array, measures: Array) -> None:
-    """Write into a group's row (15,) the latest measurements of the group's nearest pair, from `measures` (17,)."""
+    """Write the latest measurements of a group's nearest pair, `measures` (17,), into the group's row (15,)."""
     k, row = own.likely[g], own.found[g]
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     copy_pair(measures, row)
@@ -275,7 +276,7 @@ def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Arra
 
 @law
 def copy_pair(pair: Array, row: Array) -> None:
-    """Copy from the packed measurements of a pair (17,) the values that its group's row (15,) contains."""
+    """Copy clearance, points, plane and features of a pair from its measurements (17,) into its group's row (15,)."""
     row[CLEARANCE] = pair[packed.CLEARANCE]
     put_vector(row, POINT_A, vector_at(pair, packed.POINT_A))
     put_vector(row, POINT_B, vector_at(pair, packed.POINT_B))
@@ -316,7 +317,7 @@ class ClearanceMonitor(Cache):
     Attributes:
         layout: the solids and the groups.
         active: (g,) 1 for groups that are measured; the caller sets it.
-        counts: (g,) 1 for groups that count: the next measurement finds the nearest of them; the caller sets it.
+        counts: (g,) 1 for groups of which the next measurement finds the nearest; the caller sets it.
         found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
         likely: (g,) nearest pair of each group at its last measurement.
         memory: (m, 17) remembered data of each pair of solids.
@@ -348,7 +349,7 @@ class ClearanceMonitor(Cache):
         self.at[:] = np.nan
 
     def update(self, before: Array, now: Array, period: float) -> None:
-        """Measure all active groups and write the results into `found`; there, other groups get the clearance inf.
+        """Measure all active groups and write the results into `found`; other groups get the clearance inf in `found`.
 
         Args:
             before: (F, 12) poses of the frames one step before, in L; equal to `now` if there was no step before.

@@ -10,10 +10,10 @@ these conditions hold:
 - The clearance gained is at least `RELIEF` times the distance that a touching point of one solid moves along the other.
 
 An arm at depth `d` in one contact therefore slides at most `d / RELIEF` along the other body before it is free. Between
-two walls, or at a body of several solids, there may be no step that relieves. Therefore a step is also allowed if it
-deepens no contact by more than `ASIDE` times the distance that it slides, and if its continuation leads out of the
-contacts (`leads_out`). The arm then slides at most `d / ESCAPE`. Only payloads that the task permits to slide may slide
-without relief (`worksite.sliding`).
+two walls, or at a body of several solids, there may be no step that relieves the contacts. Therefore a step is also
+allowed if it deepens no contact by more than `ASIDE` times the distance that the touching points slide, and if its
+continuation leads out of the contacts (`leads_out`). The arm then slides at most `d / ESCAPE`. These conditions do not
+apply to a held payload in modes 1 to 7, which may slide along walls (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_trial import DEEPEST, GAINED, LESSENED, MADE, SLID, STEP, WORST, trials_of
 
 DEEPER = 1e-12
-"""Greatest decrease of a clearance in a step that counts as no change [m]: the accuracy of clearances."""
+"""Decrease of a clearance in a step that is too small to count as a change [m]: the accuracy of clearances."""
 BESIDES = 1e-3
-"""Greatest clearance that another contact may lose in a step, as a share of the clearance that the step gains [1]
+"""Greatest decrease of any contact's clearance in a step, as a share of the clearance that the step gains [1]
 (assumed).
 
-The motion of a step is curved. Without this share, an arm that touches two walls could move away from one of them,
-along the other, by only micrometres per step.
+The motion of a step is curved. If no decrease were allowed, an arm that touches two walls could move away from one of
+them, along the other, by only micrometres per step.
 """
 RELIEF = 0.5
 """Clearance that a step has to gain for each metre that a touching point slides [1] (assumed).
@@ -56,7 +56,7 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups of a sliding payload and a wall.
         harmful: (g,) 1 for each of these groups whose contact is detrimental.
         after: (F, 12) poses of the frames after the motion, in L; only frames that move with the arm change.
     """
@@ -64,18 +64,18 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
 
 
 def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array, ahead: Sequence[Array]) -> Array:
-    """Return for each of several motions by how much it decreases the penetration if it is continued for many steps.
+    """Return how much each of several motions decreases the penetration if the motion is continued for many steps.
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups of a sliding payload and a wall.
         harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
         ahead: arrays of the same form as `afters`, each with the poses after a different number of steps.
 
     Returns:
-        (k,) decrease of the sum of all depths [m]: the greatest one over the arrays in `ahead`. An array counts only if
-        the decrease is more than `ESCAPE` times the distance that a touching point slides. The result is 0 if no array
+        (k,) greatest decrease of the sum of all depths among the arrays in `ahead` [m]. An array counts only if its
+        decrease is more than `ESCAPE` times the distance that a touching point slides. The result is 0 if no array
         counts. It is also 0 if the first step makes a contact, or deepens a contact by more than `ASIDE` times the
         distance that a touching point slides.
     """
@@ -117,25 +117,25 @@ def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
 
 
 def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return for each of several motions how much clearance one step gains in the present contacts.
+    """Return how much clearance one step of each of several motions gains in the present contacts.
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups that slide.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups of a sliding payload and a wall.
         harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
 
     Returns:
         (k,) increase of the sum of the clearances of all pairs of solids in detrimental contact [m], if the step
-        relieves; 0 or less if it does not relieve.
+        relieves the contacts; 0 or less if it does not.
     """
     return _relief(trials_of(watch, counts, harmful, afters))
 
 
 def _relief(trials: Array) -> Array:
-    """Return (k,) the clearance that each predicted step, a row of `trials` (k, 7), gains if it relieves [m].
+    """Return the clearance (k,) that each predicted step gains [m], from the rows of `trials` (k, 7).
 
-    For a step that does not relieve, return 0, or the worst change of a clearance, which is negative.
+    For a step that does not relieve the contacts, return 0 or the greatest decrease of a clearance (negative).
     """
     worst, gained = trials[:, WORST], trials[:, GAINED]
     slides = gained < np.maximum(RELIEF * trials[:, SLID], LEAST_RELIEF)

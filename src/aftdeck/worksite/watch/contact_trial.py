@@ -1,4 +1,4 @@
-"""Predicted effect of a motion on the contacts: the clearance that it gains, and the distance that parts slide.
+"""Predicted effect of a motion on the contacts: the clearance that it gains, and how far touching parts slide.
 
 Every pair of touching solids counts separately. For a body made of several solids, the deepest pair alone would not
 show which direction separates all of them.
@@ -41,12 +41,12 @@ class PredictedContacts(NamedTuple):
     """Effect of a motion on the contacts.
 
     Attributes:
-        worst: least change of the clearance of a present or new contact [m]. It is negative if a clearance decreases,
-            0 or more if none decreases, and inf if there is no contact.
-        which: the group of that contact; -1 if there is no contact.
-        gained: sum of the changes in clearance of all pairs of solids in harmful contacts [m]; inf if there is no
-            harmful contact.
-        slid: greatest distance that a touching point of a harmful contact moves along the other body [m].
+        worst: lowest (most negative) change of a clearance among the present and new contacts [m]; 0 or more if no
+            clearance decreases; inf if there is no contact.
+        which: the group with this change; -1 if there is no contact.
+        gained: sum of the changes in clearance of all pairs of solids in detrimental contacts [m]; inf if there is no
+            detrimental contact.
+        slid: greatest distance that a touching point of a detrimental contact moves along the other body [m].
         deeper: greatest increase of the penetration depth of two parts [m]; negative or 0 if no depth increases.
         lessened: decrease of the sum of the depths of all contacts [m].
         made: True if the motion makes a new contact.
@@ -72,7 +72,7 @@ def predict_contacts(
         own: arrays of the monitor before the motion. `at` and `placed` have to be copies, because they are changed to
             the values after the motion. `memory` is updated, which does not affect the result.
         counts: (g,) 1 for groups whose contacts count; they have to be active.
-        harmful: (g,) 1 for each of these groups whose contact is harmful: the motion has to relieve it.
+        harmful: (g,) 1 for each of these groups whose contact is detrimental: the motion has to relieve the contact.
         after: (F, 12) poses of the frames after the motion, in L.
     """
     found, begins, between = own.found, layout.begins, layout.between_frames
@@ -113,7 +113,8 @@ def predict_contacts(
 def _summed_changes(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tuple[float, float]:
     """Return two sums over a group's pairs of solids: changes in clearance, and decreases in depth [m].
 
-    `was` contains the clearance of each pair before the motion; pairs with inf are left out.
+    `was` contains the clearance of each pair before the motion; pairs with inf are left out. For a pair that did not
+    touch before the motion, both sums contain only the new depth, as a negative value.
     """
     gained, lessened, own = 0.0, 0.0, np.empty(packed.PAIR)
     for k in range(begin, end):
@@ -130,8 +131,8 @@ def _summed_changes(placed: Array, pairs: Indices, begin: int, end: int, was: Ar
 def _slid(layout: PackedLayout, own: Measured, after: Array, k: int, was: Array) -> float:
     """Return the distance that the touching points of pair k slide along each other [m]; 0 if the pair does not touch.
 
-    The distance is perpendicular to the shortest move that separates the solids. Also write the present clearance of
-    the pair into was[k]; was[k] remains inf if the solids are farther apart than `STEP`.
+    The distance is measured perpendicular to the shortest move that separates the solids. Also write the present
+    clearance of the pair into was[k]; was[k] remains inf if `not_nearer` proves that the clearance is at least `STEP`.
     """
     i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     a, b = own.placed[i], own.placed[j]
@@ -184,7 +185,8 @@ def tried_many(
 ) -> None:
     """Write the prediction for each of several motions, `afters` (k, F, 12), into `trials` (k, 7).
 
-    The arrays of the layout and of the monitor are separate arguments here, because Python passes them faster.
+    The arrays of the layout and of the monitor are separate arguments here, because Python passes separate arrays
+    faster than a tuple of arrays.
     """
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     for k in range(len(afters)):

@@ -93,14 +93,14 @@ def update_contacts(
 ) -> tuple[bool, bool, int]:
     """Run `place_everything`, `measure_groups` and `count_frames`; the arguments are those of these three laws.
 
-    The arrays of the tuples are separate arguments here: Python passes these faster.
+    The arrays of the tuples are separate arguments here, because Python passes separate arrays faster than a tuple.
 
     On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
 
     Returns:
         Three values: whether a group is in contact; whether a contact began, ended or reached its second step; and the
-        group of least clearance among those that count, -1 if there is none. The result is a plain tuple, because
-        compiled code makes a plain tuple faster than a named tuple.
+        group of least clearance among those with a 1 in `counts`, -1 if there is none. The result is a plain tuple,
+        because compiled code builds plain tuples in less time than named tuples.
     """
     before[:] = now
     place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)

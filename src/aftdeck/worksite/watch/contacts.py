@@ -34,7 +34,7 @@ _LEAST_DEPTH = 5e-4
 
 
 class Inhibit(NamedTuple):
-    """Inhibit flags that the contacts of a step set.
+    """Inhibit flags of a step, set by its contacts.
 
     Attributes:
         arm: the arm's motion is inhibited.
@@ -82,9 +82,9 @@ def two_frames(count: Mask, essential: Mask, arm: Mask, prong: Mask, mode: int) 
 
     Args:
         count: (g,) number of successive steps in which each group was in contact.
-        essential: (g,) 1 for groups whose contact belongs to the task; such a contact never inhibits.
-        arm: (g,) 1 for groups with a part that moves with the arm. Only these inhibit: the arm cannot relieve contacts
-            of other groups.
+        essential: (g,) 1 for groups whose contact belongs to the task; such a contact never inhibits motion.
+        arm: (g,) 1 for groups with a part that moves with the arm. Only contacts of these groups inhibit
+            motion, because the arm cannot relieve contacts of other groups.
         prong: (g,) 1 for groups of the prong.
         mode: the report's mode, 1 to 4.
     """
@@ -104,7 +104,7 @@ class Contact(msgspec.Struct, frozen=True):
         a: the first part.
         b: the second part.
         depth: penetration depth, 0 if the parts merely touch [m].
-        essential: the contact belongs to the task and never inhibits.
+        essential: the contact belongs to the task and never inhibits motion.
         inhibits: the contact is detrimental, one of its parts moves with the arm, and it was found in two successive
             steps.
         text: sentence for the operator.
@@ -126,7 +126,7 @@ class Contacts(StatePart):
         essential: (g,) 1 for groups whose contact belongs to the task; the caller sets it.
         arm: (g,) 1 for groups with a part that moves with the arm, such as a held payload; the caller sets it.
         count: (g,) number of successive steps in which each group has been in contact, at most 2.
-        inhibit: flags that the contacts of the last step set.
+        inhibit: inhibit flags of the last step.
     """
 
     essential: Mask
@@ -135,12 +135,12 @@ class Contacts(StatePart):
     inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
 
     def update(self, found: Array, prong: Mask, mode: int) -> Inhibit:
-        """Count the contacts of one more step, from `ClearanceMonitor.found` (g, 15), and return the flags."""
+        """Count the contacts in a step's measurements, `ClearanceMonitor.found` (g, 15), and return the flags."""
         counted = count_frames(found, self.count)
         return self.judge(counted.touching, counted.changed, prong, mode)
 
     def judge(self, touching: bool, changed: bool, prong: Mask, mode: int) -> Inhibit:
-        """Set and return the flags, from the present counts and the result of `count_frames`.
+        """Compute the flags from the present counts and the result of `count_frames`; store and return them.
 
         Args:
             touching: at least one group is in contact.

@@ -11,12 +11,12 @@ POINT_A, POINT_B = 2, 5
 NORMAL, DISTANCE = 8, 11
 """Plane halfway between the closest points: its unit normal from first to second part [1], and its distance [m].
 
-If the solids are apart, the plane separates all sixteen vertices of the two. If the solids are in contact, the normal
-is the direction of the shortest move that separates them, and the plane does not separate them.
+If the solids are apart, all eight vertices of each solid are on its own side of the plane. If the solids are in
+contact, the normal is the direction of the shortest move that separates them, and the plane does not separate them.
 """
 FEATURE_A, FEATURE_B = 12, 13
 """Feature of the first part, and of the second part, that penetrates, touches or is closest; `aftdeck.bodies.pair`."""
 WHICH = 14
-"""Index in the layout of the pair of solids that has this clearance."""
+"""Index of the pair of solids with the least clearance, in `Layout.pairs`."""
 FOUND = 15
 """Length of a row."""

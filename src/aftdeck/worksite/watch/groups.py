@@ -1,8 +1,8 @@
 """All solids of a run and the monitored pairs of parts, packed for the laws.
 
 The operator reads the names of *parts* ("lower boom", "bay wall port"). The laws measure *solids*; a part consists of
-one or several solids. A *group* is a monitored pair of parts, with its pairs of solids: each solid of one part with
-each solid of the other. The clearance of a group is the least clearance of its pairs of solids.
+one or several solids. A *group* is a monitored pair of parts. Its pairs of solids combine each solid of the first part
+with each solid of the second part. The clearance of a group is the least clearance of these pairs of solids.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
     between_frames: Indices
     """(g, 2) the frames of the two parts of each group."""
     reach: Array
-    """(F,) greatest distance of a frame's solids from its origin [m]."""
+    """(F,) upper bound of the distance of a frame's solids from the frame's origin [m]."""
 
     @cached_property
     def packed(self) -> PackedLayout:

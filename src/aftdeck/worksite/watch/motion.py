@@ -38,7 +38,7 @@ def motion(before: Array, now: Array, period: float) -> Motion:
     if still:
         return Motion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     r, q = now[3:], before[3:]
-    # axis times sine of the rotation R Qᵀ, from its antisymmetric part; the cosine below is from its trace
+    # axis times sine of the angle, from the antisymmetric part of the rotation R Qᵀ; its trace gives the cosine below
     axis = Vector(
         0.5 * (_dot(r, q, 6, 3) - _dot(r, q, 3, 6)),
         0.5 * (_dot(r, q, 0, 6) - _dot(r, q, 6, 0)),

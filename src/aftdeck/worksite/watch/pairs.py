@@ -21,13 +21,13 @@ def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[Pa
     """Return all pairs of parts that can touch, among the parts of the arm, of the payloads and of the bodies.
 
     Two parts in one frame are not a pair. Two parts of the arm in successive frames of the chain are not a pair either,
-    because a joint connects them; frames without solids are skipped in the chain. The caller has to exclude, with
-    `apart`, the pairs of a part of the arm and the structure on which the arm is mounted.
+    because a joint connects them; frames without solids are skipped in the chain. With `apart`, the
+    caller has to exclude each pair of a stationary part of the arm and a part of the structure that carries the arm.
 
     Args:
         solids: all solids of the run.
         chain: the arm's frames from its base to its tip, then a frame that moves relative to the tip, if there is one.
-        apart: further pairs to leave out, with their parts in either order: parts that are joined, or never touch.
+        apart: further pairs to leave out (parts that are joined or never touch), with their parts in either order.
 
     Returns:
         The pairs. The order within a pair is: parts of the arm first, then parts of payloads, then parts of bodies.

@@ -11,7 +11,7 @@ const LENGTH = 200;
 
 export interface GapGauge {
   readonly element: HTMLElement;
-  /** Display the clearance [m]; null if none is measured. */
+  /** Displays the clearance [m]; null if none is measured. */
   point(clearance: number | null): void;
   setUnits(units: Units): void;
 }

@@ -30,7 +30,7 @@ export class Places {
     return places.flatMap((name) => known.get(name) ?? []);
   }
 
-  /** Returns as many names as there are cells, failing conditions preferred, in the order of the argument. */
+  /** Returns a name for each cell, in the order of the argument. Failing conditions are chosen before the others. */
   private first(conditions: readonly Condition[]): string[] {
     const wanted = [...conditions.filter(({ holds }) => !holds), ...conditions.filter(({ holds }) => holds)];
     const chosen = new Set(wanted.slice(0, this.most));

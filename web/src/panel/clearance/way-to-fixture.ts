@@ -1,6 +1,6 @@
 /**
- * The vector from the empty snares to the grapple pin, in components along the axes of the sticks. Each component has
- * the key, button or axis that moves the end effector towards the pin.
+ * The vector from the empty snares to the grapple pin, in components along the axes of the sticks. Beside each
+ * component is the key, button or axis that moves the end effector towards the pin.
  */
 
 import type { Names } from '../../input/active-device';

@@ -118,11 +118,7 @@ export class KeyMap {
         { class: 'working' },
         el('h3', {}, 'End effector, worksite, panel'),
         this.table(working(this.welcome)),
-        el(
-          'p',
-          {},
-          'MASTER: arrow keys move the focused slider by half a degree, Page Up and Page Down move it by five degrees.',
-        ),
+        el('p', {}, 'MASTER: arrow keys move the focused slider by 0.5°, Page up and Page down by 5°.'),
         el(
           'p',
           {},
@@ -186,7 +182,7 @@ function sources(kind: Kind, use: string): readonly string[] {
   return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
 }
 
-/** Joins names. Their common beginning is written once: `Menu + Cross ↓ ↑`. */
+/** Joins names. A common beginning of the names is written once: `Menu + Cross ↓ ↑`. */
 export function together(names: readonly string[]): string {
   const [first = '', ...others] = names;
   if (others.length === 0) return first;

@@ -47,7 +47,7 @@ export function touchView(sticks: TouchSticks): TouchView {
   };
 }
 
-/** Makes a stick or slider for two axes; an axis is null if there is no motion in its direction. */
+/** Makes a stick or slider. `across`, `down`: axes of its two directions; null if it cannot move in this direction. */
 function knob(sticks: TouchSticks, across: number | null, down: number | null, shape: string): Knob {
   const cap = el('i');
   const element = el('div', { class: `knob ${shape}` }, cap);

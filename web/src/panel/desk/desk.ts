@@ -27,12 +27,12 @@ export interface DeskListener {
   controlPage(): void;
   /** Assigns the THC to the orbiter, or to the arm. */
   flyOrbiter(on: boolean): void;
-  /** Shows the last minutes as strips in a secondary window; absent if there is no such window. */
+  /** Shows the last minutes as strips in a secondary window; undefined in a replay. */
   strips?(): void;
 }
 
 export interface Groups {
-  /** The groups in the order of the focus: the upper row from the left, then the lower row. */
+  /** The groups in the order in which the focus moves: the upper row from the left, then the lower row. */
   readonly elements: readonly HTMLElement[];
   readonly mode: ModeGroup;
   readonly target: TargetGroup;

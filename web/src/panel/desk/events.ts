@@ -1,4 +1,7 @@
-/** The log, newest line first: three lines, or on demand all entries in full. A pressed lamp filters it by cause. */
+/**
+ * The log, newest line first: three lines, or on demand all entries in full. After a press of a lamp, only the lines
+ * that belong to the lamp are displayed.
+ */
 
 import type { Event as LogEvent } from '../../link/protocol';
 import { clock } from '../../words/format';
@@ -11,7 +14,7 @@ const KEPT = 200;
 export class EventsGroup {
   readonly element: HTMLElement;
   private readonly list = el('ol', { class: 'log' });
-  /** All entries in full. This list covers read-outs, but no keys. */
+  /** All entries in full. The open list lies over read-outs, but over no keys. */
   private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events in full', tabindex: '0' });
   private readonly more: HTMLButtonElement;
   private readonly all: HTMLButtonElement;
@@ -42,7 +45,10 @@ export class EventsGroup {
     this.draw();
   }
 
-  /** Shows only lines of these kinds, for the lamp `name`. A second call for this lamp, or no kind, shows all lines. */
+  /**
+   * Shows only lines of these kinds, for the lamp `name`. Shows all lines if `kinds` is empty, or if the lines of this
+   * lamp are already displayed.
+   */
   keepTo(name: string, kinds: readonly string[]): void {
     this.keptTo = kinds.length === 0 || this.keptTo?.name === name ? null : { name, kinds };
     this.draw();

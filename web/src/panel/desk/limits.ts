@@ -68,7 +68,7 @@ export function leadsAway(way: WayOut, names: Names): string {
   return `${name.charAt(0).toUpperCase()}${name.slice(1)}: ${wayOutText(way, '', names)} leads away`;
 }
 
-/** Returns the level of a limit. POR limits are active in every motion and are information; others are cautions. */
+/** Returns the level of a limit: info for the POR limits, which are active in every motion; caution for all others. */
 function level(kind: Limit['kind']): Line['level'] {
   switch (kind) {
     case 'POR translation':

@@ -57,8 +57,8 @@ export function lookAhead(desk: Desk): Part {
 }
 
 const ABOUT =
-  'Prediction with the present stick command or, if the sticks are centred, full deflection of the last axis; ' +
-  'the blue arm in the pictures is the predicted arm';
+  'Prediction with the present stick command. If the sticks are centred: with full deflection of the axis that was ' +
+  'deflected last. The blue arm in the pictures is the predicted arm.';
 
 /**
  * Returns a word for the stick command that the prediction uses: the present deflection, full deflection of the axis
@@ -69,7 +69,7 @@ export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {
   return moves ? 'last axis' : 'centred';
 }
 
-/** Returns the prediction time after `seconds` in the cycle [s]. */
+/** Returns the prediction time that follows `seconds`; after the longest time, the shortest one follows [s]. */
 export function next(seconds: number): number {
   return TIMES.find((each) => each > seconds) ?? TIMES[0];
 }

@@ -1,4 +1,4 @@
-/** Translation of the orbiter relative to the bodies that do not move with the orbiter, and its speed. */
+/** Translation and velocity of the orbiter, relative to the bodies that do not move with the orbiter. */
 
 import type { Display, Vec3 } from '../../link/protocol';
 import { fixed } from '../../words/format';

@@ -160,7 +160,7 @@ export function limitTags(frame: Frame, joints: readonly JointInfo[]): readonly 
   return tags;
 }
 
-/** Returns the row of the largest of three values, starting at row `first`. */
+/** Returns the row of the value with the largest magnitude, out of the three rows that start at `first`. */
 function largest(values: readonly number[], first: number): number {
   const sizes = values.slice(first, first + 3).map(Math.abs);
   return first + sizes.indexOf(Math.max(...sizes));

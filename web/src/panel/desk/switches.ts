@@ -1,4 +1,4 @@
-/** The switches under the MODE rotary; only the switches that the selected mode has are visible. */
+/** The switches under the MODE rotary. Only the switches of the selected mode are visible. */
 
 import type { Frame, LawChoice, ModeInfo } from '../../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';

@@ -59,7 +59,10 @@ export function effectorGroup(desk: Desk): EffectorGroup {
 /** Below this distance to the fixture, the group of the conditions shows the distance [m]. */
 const CONDITIONS_M = 3;
 
-/** Returns the held payload, its mass and the speed limit of its POR, or else the distance to the nearest fixture. */
+/**
+ * Returns the name of the held payload, its mass and the speed limit of its POR. If no payload is held, returns
+ * `empty`, with the distance to the nearest fixture if that distance is above `CONDITIONS_M`.
+ */
 export function graspWords(
   {
     work: { cargo },

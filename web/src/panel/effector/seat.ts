@@ -47,7 +47,10 @@ export function seat(desk: Desk): Seat {
   };
 }
 
-/** Returns the name of the held payload's berth or, if no payload is held, of any payload's; empty without one. */
+/**
+ * Returns the name of the berth of the held payload or, if no payload is held, of the first payload that is in a berth.
+ * Empty if there is no such berth.
+ */
 export function seatNow({ cargo }: Pick<Work, 'cargo'>): string {
   const held = cargo.find((each) => each.held);
   return held ? held.seat : (cargo.find((each) => each.seat !== '')?.seat ?? '');

@@ -24,7 +24,10 @@ export function angleAt(joint: Limits, at: number): number {
   return between(PLACES, angles(joint), at);
 }
 
-/** Interpolates: returns the value in `to` that corresponds to `at` in `from`. Both lists increase; ends are limits. */
+/**
+ * Interpolates: returns the value in `to` that corresponds to `at` in `from`. Both lists increase. Outside `from`,
+ * returns the first or the last value of `to`.
+ */
 function between(from: readonly number[], to: readonly number[], at: number): number {
   const above = from.findIndex((each) => at < each);
   if (above === 0) return to[0] ?? 0;

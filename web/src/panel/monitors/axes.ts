@@ -5,7 +5,7 @@ import type { Vec3 } from '../../link/protocol';
 import { setAttribute, setClass, setText, svg } from '../parts/dom';
 
 const LENGTH = 34;
-/** The ring is dashed above this angle, slightly more than 90° so that a view straight down does not flicker [rad]. */
+/** The ring is dashed above this angle [rad]: a little over 90°, so that a view straight down does not flicker. */
 const CROSSED = Math.PI / 2 + 0.04;
 /** An axis shorter than this in the picture counts as pointing towards the viewer or away from the viewer. */
 const END_ON = 0.2;

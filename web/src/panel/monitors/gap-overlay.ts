@@ -54,8 +54,8 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
   const label = el('p', { class: 'gap-label' });
   const element = svg('svg', { class: 'gaps', 'aria-hidden': 'true' }, gap, ...marks);
   /**
-   * Sizes of the label by number of characters. All digits are equally wide, so the number of characters is sufficient.
-   * The sizes are stored, because each measurement makes the browser compute the layout.
+   * Sizes of the label by number of characters, which is sufficient because all digits are equally wide. The sizes are
+   * stored because each measurement forces a layout.
    */
   const sizes = new Map<number, Size>();
   let room = 0;

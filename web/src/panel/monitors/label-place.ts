@@ -78,7 +78,10 @@ export function labelPlace(
   return places.find(fits) ?? inside.find(free) ?? nearest ?? inside[0] ?? middle;
 }
 
-/** Returns how far, aside and above, the edge of a label must be from the middle of a line to be clear of the line. */
+/**
+ * Returns two distances from the middle of a line, horizontal and vertical, at which the nearer edge of a label is
+ * clear of the line.
+ */
 function reachOf(a: Point, b: Point, label: Size): Point {
   const [wide, high] = [Math.abs(a.x - b.x), Math.abs(a.y - b.y)];
   const off = APART * Math.hypot(wide, high);

@@ -1,4 +1,4 @@
-/** All cameras at once. A tile for each camera names the targets that it sees; clearance and lamps are below. */
+/** All cameras at once. Each tile names the targets that its camera sees. Clearance and lamps are below the tiles. */
 
 import type { Target } from '../../cameras/best-pair';
 import { type Age, isStale } from '../../link/delay-line';
@@ -18,7 +18,7 @@ export interface Tile {
 
 export interface MatrixListener {
   chosen(camera: Camera): void;
-  /** Opens all cameras in a secondary window; absent in such a window. */
+  /** Opens all cameras in a secondary window. Undefined if this page is itself in one. */
   tearOff?: () => void;
 }
 

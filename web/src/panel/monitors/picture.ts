@@ -12,8 +12,9 @@ import { axesOverlay } from './axes';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
 
-/** A drag across the picture rotates an engineering view by this [rad]; a notch changes its distance by `WHEEL`. */
+/** Rotation of an engineering view by a drag across the whole picture [rad]. */
 const DRAGGED = Math.PI;
+/** Factor by which a step of the wheel changes the distance of an engineering view. */
 const WHEEL = 1.15;
 /** Bit of a mouse's second button in `buttons`. */
 const SECOND = 2;
@@ -28,7 +29,7 @@ const WATCHED = 'observing: only the operator moves cameras';
 export interface PictureListener {
   /** Called when the user selects this picture. */
   taken(): void;
-  /** Called to rotate or shift (`aside`) the engineering view to the right and upwards [rad], or to bring it nearer. */
+  /** Called to rotate the engineering view [rad], or to shift it if `aside`, and to divide its distance by `nearer`. */
   orbited(right: number, upwards: number, nearer: number, aside: boolean): void;
   /** Whether this page can turn cameras. */
   readonly turns: boolean;
@@ -123,7 +124,7 @@ export class Picture {
     this.gap.show(line, touches, picture);
   }
 
-  /** Writes the minimum clearance; `seen`: whether each end of its line is visible in this picture. */
+  /** Writes the minimum clearance; `seen`: whether each end of the line is visible in this picture. */
   setGapText(text: string, seen: readonly [boolean, boolean]): void {
     this.gap.setText(text, seen);
   }
@@ -152,7 +153,7 @@ export class Picture {
     return boxes;
   }
 
-  /** Boxes of the texts if MON 2 is in a corner of MON 1. For a picture of MON 1, the box of MON 2 is added. */
+  /** Boxes of the texts on a page where MON 2 is in a corner of MON 1. A picture of MON 1 also has the box of MON 2. */
   private narrowCorners(picture: Size): readonly Box[] {
     const own = cornersOf(picture);
     if (this.element.closest('.monitor + .monitor')) return own;
@@ -230,7 +231,7 @@ export class Picture {
   }
 }
 
-/** Returns which drives of a camera a drag or the wheel moves. */
+/** Returns the effect of a drag and of the wheel on a camera: both turn and zoom it, they only zoom it, or none. */
 function drives({ drive }: Camera): keyof typeof HINTS {
   if (!drive) return 'none';
   return drive.pan || drive.tilt ? 'turns' : 'zooms';

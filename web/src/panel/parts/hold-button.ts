@@ -55,7 +55,7 @@ export function holdButton(
   });
   element.addEventListener('click', (event) => {
     if (event.detail > 0) element.blur();
-    else if (begins()) act(); // a click without pointer or key comes from an assistive device, which cannot hold
+    else if (begins()) act(); // a click without pointer or key: from an assistive device that cannot hold a button
   });
   return {
     element,

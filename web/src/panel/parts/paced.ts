@@ -10,7 +10,7 @@ export class Paced<T> {
     private readonly send: (value: T) => void,
   ) {}
 
-  /** Sends the value now, or else when the period is over, unless a newer value has replaced it. */
+  /** Sends the value now or, if a period is under way, at its end. A newer value replaces one that still waits. */
   put(value: T): void {
     this.newest = { value };
     if (this.timer === undefined) this.next();

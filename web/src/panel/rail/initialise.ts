@@ -1,4 +1,4 @@
-/** INITIALISE of RMS-VS: a list of task phases at which the run can start, below the key. */
+/** INITIALISE of RMS-VS: a key, and below the key a list of the task phases at which the run can start. */
 
 import type { ProblemPart } from '../../link/protocol';
 import { button, el } from '../parts/dom';

@@ -1,4 +1,4 @@
-/** Light on the worksite, in a list below the key: sun and Earth, lamps, exposure lock, and early television. */
+/** Key for the light on the worksite, and its list: sun and Earth, lamps, exposure lock, and early television. */
 
 import { keyOf } from '../../input/layout';
 import type { Camera, Frame, Lighting } from '../../link/protocol';

@@ -9,7 +9,7 @@ import { dropDown } from '../parts/drop-down';
 const KEPT = 'aftdeck.name';
 /** Greatest length of a name at the station [characters]. */
 const MOST = 24;
-/** Length of `Observing · page 1 flies`, for which there is always room [characters]. */
+/** Greatest length for which the rail always has room: the length of `Observing · page 1 flies` [characters]. */
 const USUAL = 24;
 const OFFER = 'press to enter your name';
 
@@ -18,9 +18,9 @@ export interface Naming {
   /** Button that shows the names of operator and observers, and opens the field. */
   readonly key: HTMLButtonElement;
   say(text: string): void;
-  /** Called for the station's list of names. If this page has no name there, it sends the stored name. */
+  /** Called for each `Role` message. If this page has no name at the station, sends the stored name. */
   set(role: Role): void;
-  /** Called for a rejected command. If the command has set a name, shows the reason and returns true. */
+  /** Called for a rejected command. If that command was to set this page's name, shows the reason and returns true. */
   refuse(number: number, text: string): boolean;
   close(): void;
 }

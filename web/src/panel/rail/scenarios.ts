@@ -7,7 +7,7 @@ import type { Desk } from '../parts/part';
 
 /** A run counts as flown if a joint has moved by more than this [rad]. */
 const TURNED = 1e-3;
-/** A page that connects later than this in a run cannot know whether the arm has moved [s]. */
+/** A page that connects later than this after the start of a run cannot know whether the arm has moved [s]. */
 const BEGUN_S = 1;
 
 export interface ScenarioChoice {

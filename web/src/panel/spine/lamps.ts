@@ -23,7 +23,7 @@ export interface SpineLamp extends Omit<Lamp, 'name'> {
 export interface Concern {
   /** Kinds of log lines. */
   readonly kinds: readonly string[];
-  /** Selector of the elements to which the lamp refers; `group` selects the group to outline if there are none. */
+  /** Selectors of the elements that the lamp concerns, and of the group to outline if there are no such elements. */
   readonly elements: string;
   readonly group: string;
 }

@@ -73,7 +73,7 @@ export class Spine {
       );
   }
 
-  /** Returns the level of the unacknowledged lamps, and whether another lamp was lit since the last call. */
+  /** Returns the highest level of the unacknowledged lamps, and whether a new alarm occurred since the last call. */
   takeAlarm(): { readonly alarm: Alarm; readonly more: boolean } {
     const levels = [...this.unseen].map((name) => this.lit.get(name)?.level);
     const alarm = levels.includes('warning') ? 'warning' : levels.length > 0 ? 'caution' : 'none';

@@ -80,7 +80,10 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     });
   }
 
-  /** Shows the tip's pose if no field has the focus. If the point of resolution is the payload's, clears them. */
+  /**
+   * Shows the tip's pose in the fields or, if the point of resolution is the payload's, clears the fields. Does nothing
+   * while a field has the focus.
+   */
   function follow(frame: Frame, shown: Units): void {
     if (element.contains(document.activeElement)) return;
     if (showsTip(frame)) write(frame.display.actual.position, frame.display.actual.attitude, shown);

@@ -21,7 +21,10 @@ export interface StoredPoints {
 }
 
 export function storedPoints(sequences: readonly StoredSequence[]): StoredPoints {
-  /** The displayed sequence. Null: the sequence of the entered mode or, if it has none, the first one with points. */
+  /**
+   * The sequence that the user has selected for display. If null, the entered AUTO mode's sequence is displayed or, in
+   * another mode, the first sequence with points.
+   */
   let chosen: string | null = null;
   let entered = '';
   const keys = SLOTS.map(([item, position]) => {
@@ -114,7 +117,7 @@ export function startPoint(
   return point > points ? 1 : point; // a complete sequence begins again at its first point
 }
 
-/** Returns the index of the first visible row (from 0) at which the next point (its number from 1) is visible. */
+/** Returns the index (from 0) of the point in the first row. Point number `next` (from 1) is then visible. */
 export function firstShown(next: number, points: number): number {
   return Math.max(0, Math.min(next - 2, points - ROWS));
 }

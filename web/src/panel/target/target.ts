@@ -47,7 +47,7 @@ export function targetGroup(desk: Desk): TargetGroup {
 }
 
 export function remaining({ goal, sequence, mode }: Frame, { length }: Units): string {
-  if (!goal) return 'OPR CMD moves the point there.';
+  if (!goal) return 'OPR CMD moves the tip to the target.';
   const left = `${fixed(goal.distance * length.perSi, length.decimals, false)} ${length.name}, ${degrees(goal.angle, 1, false)}°`;
   if (sequence === 'in progress') return `${left} to go, ${Math.ceil(goal.remaining_s)} s`;
   return mode === 'OPR CMD' ? `${left} away` : `${left} away; OPR CMD moves there.`;
