@@ -69,7 +69,7 @@ def data_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     folder = tmp_path_factory.mktemp("data")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_DATA_HOME", str(folder))
-        if platformdirs.user_data_path() != folder:  # on systems where no variable sets it
+        if platformdirs.user_data_path() != folder:  # on systems where the variable has no effect
             patch.setattr(platformdirs, "user_data_dir", lambda name, **_: str(folder / name))
         yield folder
 

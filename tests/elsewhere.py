@@ -1,4 +1,4 @@
-"""Program that runs a scenario without libraries, threads and files: ``python -m tests.elsewhere SCENARIO STEPS``.
+"""Program that runs a scenario under restrictions: ``python -m tests.elsewhere SCENARIO STEPS``.
 
 The libraries of server, recording and terminal cannot be imported. After the scenario is loaded, no thread can be
 started and no file can be opened.

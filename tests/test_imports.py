@@ -110,7 +110,7 @@ def wrong_imports(module: str, text: str) -> list[str]:
     wrong = []
     for line, name in imports(module, text):
         target = [*name.split("."), "__init__"][1]
-        # A name that is not a package is a name of aftdeck itself, which belongs to the last layer.
+        # A name that is not a package comes from aftdeck/__init__.py, which is in the last layer.
         if LAYER.get(target, LAYER["__init__"]) > LAYER[package]:
             wrong.append(f"{module}, line {line}: {package} may not import {name}")
     return wrong

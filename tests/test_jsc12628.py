@@ -181,7 +181,7 @@ def test_rmangs_inverts_lnkage_and_rmsist_agrees(q: Array, unit: jsc12628.Units,
     again = jsc12628.lnkage(arm, theta, unit)
     np.testing.assert_allclose(again.r_6B, r, atol=1e-8)
     np.testing.assert_allclose(again.T_B7, T, atol=1e-9)
-    if arm is ARM:  # the report's branch: wrist yaw within 90 deg, and the elbow above the line
+    if arm is ARM:  # the report's branch: wrist yaw within 90 deg, and the elbow above the shoulder-wrist line
         assert abs(theta[4]) <= math.pi / 2 and angles_of(theta)[2] <= 0.0
         np.testing.assert_allclose(theta, q - math.tau * np.round(q / math.tau), atol=1e-8)
     low, high = arm.limits.hard.T

@@ -48,7 +48,7 @@ def structs(kind: Any) -> list[type[msgspec.Struct]]:
 
 
 def lists_of_tables(kind: type[msgspec.Struct], depth: int = DEEPEST) -> Iterator[tuple[str | None, ...]]:
-    """Yield the path of each list of tables in a type: keys, with None after each list."""
+    """Yield the path of each list of tables in a type: its keys, with None after the key of each list."""
     for name, hint in get_type_hints(kind, include_extras=False).items():
         member = next((k for k in (hint, *get_args(hint)) if get_origin(k) is tuple), None)
         listed = get_args(member)[0] if member is not None and get_args(member)[1:] == (...,) else None
@@ -106,7 +106,7 @@ def test_unknown_field_is_reported_with_its_index_and_line(
 
 WORKSITE = tomllib.loads((Path(worksite_file.__file__).parents[1] / "concept-1972.toml").read_text())
 INSIDE = [float(x) for x in load_worksite("concept-1972").solids[0].vertices.mean(axis=0)]
-"""Position in a solid of the orbiter, in the scene."""
+"""A point inside a solid of the orbiter, in scene coordinates [m]."""
 STILL = [
     i
     for i, camera in enumerate(WORKSITE["camera"])
@@ -136,7 +136,7 @@ def test_index_of_a_camera_counts_all_cameras(order: list[int], broken: int) -> 
 @settings(max_examples=6)
 @given(st.permutations(range(4)), st.integers(1, 3))
 def test_index_of_a_payload_counts_all_payloads(order: list[int], broken: int) -> None:
-    """Some payloads start in an unknown berth, one has the part of a body: each error has the index of its payload."""
+    """Some payloads start in an unknown berth, one has the name of a part: each error has the index of its payload."""
     wrong = tomlkit.parse(tomlkit.dumps(WORKSITE)).unwrap()
     first = dict(wrong["cargo"][0])
     part = load_worksite("concept-1972").solids[0].part

@@ -58,7 +58,7 @@ def command(wheel: Path, tmp_path_factory: pytest.TempPathFactory, bare: dict[st
 
 
 def run(arguments: list[str | Path], environment: dict[str, str], cwd: Path | None = None) -> str:
-    """Run a command to its end and return its output; fail with its output if it fails."""
+    """Run a command to its end and return its output; if the command fails, fail the test and show that output."""
     ended = subprocess.run(
         arguments, env=environment, cwd=cwd, capture_output=True, text=True, timeout=WAIT_S, check=False
     )

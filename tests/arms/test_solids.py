@@ -1,4 +1,4 @@
-"""Solids of an arm: they are valid, are at the arm's pose, and enclose the shapes of the arm."""
+"""Solids of an arm: they are valid, belong to frames of the arm, and enclose the shapes of the arm."""
 
 from __future__ import annotations
 
@@ -26,7 +26,8 @@ from aftdeck.scene.solids import solid as surface_of
 
 FOOT = 0.3048
 MAX_PROJECTION = 1e-3
-"""Distance by which a shape may project from the solids [m]: positions in the arm file are rounded, then rotated."""
+"""Distance by which a shape may project from the solids [m]. It is not 0, because positions in the arm file are
+rounded before they are rotated."""
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 
 

@@ -26,7 +26,7 @@ def clearance(a: Array, b: Array) -> float:
 def _edges(a: Array, b: Array) -> float:
     """Return the minimum distance between an edge of `a` and an edge of `b`.
 
-    The closest points of two edges are inside both edges, or one of them is an end of its edge.
+    Each closest point is between the ends of its edge, or at least one of the two closest points is an end.
     """
     p, q = (a[ends] for ends in np.repeat(EDGES, 12, axis=0).T)
     r, s = (b[ends] for ends in np.tile(EDGES, (12, 1)).T)

@@ -72,11 +72,12 @@ class Placing(NamedTuple):
 
 
 def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
-    """Return positions at which each body of `b` (n, 8, 3) is 1e-10 to 0.3 m outside or inside its body of `a`.
+    """Return a position of each body of `b` (n, 8, 3) near the body of `a` that has the same index.
 
-    An eighth of the positions is random. At the others, the closest features are two vertices, a vertex and a face, or
-    two edges. If the bodies do not overlap, their closest points are on two parallel planes that separate the bodies.
-    The distance of the closest points is then the clearance.
+    An eighth of the positions is random. At the others, the body of `b` is 1e-10 to 0.3 m outside or inside the body
+    of `a`, and the closest features are two vertices, a vertex and a face, or two edges. If the bodies do not
+    overlap, their closest points are on two parallel planes that separate the bodies. The distance of the closest
+    points is then the clearance.
     """
     n, rows = len(a), np.arange(len(a))
     kind = rng.integers(8, size=n)

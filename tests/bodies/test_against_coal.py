@@ -18,9 +18,10 @@ from tests.bodies.witnesses import ROUNDING, features_penetrate, planes_hold, po
 
 Ints = NDArray[np.int64]
 GAP, USUAL = coal.GJKConvergenceCriterion.DualityGap, coal.GJKConvergenceCriterion.Default
-"""Coal's convergence criteria. At a tolerance of 1e-12, the duality gap misses depths of up to 1e-8 m (1 pair in
-50,000), and the default reports gaps of up to 3e-6 m as collisions (1 pair in 70). So the test uses the duality gap.
-If it disagrees, the test uses the default, and compares the clearance with brute force."""
+"""Coal's convergence criteria. At a tolerance of 1e-12, `DualityGap` misses penetration depths of up to 1e-8 m (1 pair
+in 50,000), and `Default` reports clearances of up to 3e-6 m as collisions (1 pair in 70). So the test uses
+`DualityGap`. If coal and Aftdeck then disagree about a pair, the test uses `Default` for this pair, and compares the
+clearance with brute force."""
 KINDS = {"boxes": boxes, "skewed": skewed}
 
 

@@ -28,7 +28,7 @@ def covered(points: Array, bodies: Array) -> bool:
 
 
 def radii(bodies: Array, axis: Axis) -> Array:
-    """Return the distances from the axis of random points in the bodies."""
+    """Take random points in the bodies; return their distances from the axis."""
     rng = np.random.default_rng(51)
     share = rng.dirichlet(np.full(8, 0.3), 4000)
     points = np.concatenate([share @ body for body in bodies])

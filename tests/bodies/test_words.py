@@ -32,7 +32,7 @@ POSITIONS = {
     (1, -1, 1): "bdf",
     (-1, 1, -1): "ace",
 }
-"""Positions of a small body around a large body; faces of the large body with the small body on their TRUE side."""
+"""Position of a small body relative to a large body: faces of the large body on whose TRUE side the small body is."""
 
 
 def words(a: Array, b: Array) -> list[int]:

@@ -18,7 +18,7 @@ from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.programs import running
 
 START_S = 120.0
-"""Longest time in which a station prints its address, and in which the browser starts [s]."""
+"""Longest wait for the address that a station prints, and longest wait for the start of the browser [s]."""
 
 COMPILED_S = 300.0
 """Longest time from the printed address to the first answer of the station [s]; the first run compiles the laws."""
@@ -41,7 +41,7 @@ PAD = """
     };
     navigator.getGamepads = () => [window.testPad];
 """
-"""A gamepad whose axes a test sets; null disconnects it."""
+"""A gamepad whose axes and buttons a test sets. A test disconnects it by setting `window.testPad` to null."""
 
 SIZES = [(1280, 720), (1440, 900), (1920, 1080)]
 """Window sizes that the page must fit [px]."""
@@ -99,7 +99,10 @@ def browser(chromium: Path) -> Iterator[Browser]:
 
 @pytest.fixture
 def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
-    """Function that opens a page of the station with `quality=low`. An error in its console fails the test."""
+    """Function that opens a page of the station with `quality=low`.
+
+    An error or a warning in the page's console fails the test.
+    """
     errors: list[str] = []
     pages: list[Page] = []
 

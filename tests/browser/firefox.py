@@ -25,7 +25,7 @@ NAMES = ("firefox-esr", "firefox")
 WAIT_S = 120.0
 """Longest wait for an action of Firefox or of a page in it [s]."""
 PREFERENCES = {
-    "webgl.force-enabled": True,  # it does not use software WebGL by default
+    "webgl.force-enabled": True,  # by default, Firefox does not use software WebGL
     "remote.active-protocols": 1,
     "browser.shell.checkDefaultBrowser": False,
     "datareporting.policy.dataSubmissionEnabled": False,

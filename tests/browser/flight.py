@@ -15,7 +15,7 @@ WAIT_MS = 60_000
 """Longest wait for an action of a page [ms]; software drawing on a busy machine is slow."""
 
 TURNED = "document.querySelector('.rotary .turned')?.textContent"
-"""JavaScript: mode to which the rotary is turned, as long as this mode is not entered."""
+"""JavaScript: mode to which the rotary is turned; undefined if this mode is already entered."""
 ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
 """JavaScript: mode that the rotary shows as entered."""
 
@@ -30,7 +30,7 @@ NAMING = "!document.querySelector('.choices.naming').hidden"
 TYPING = "document.body.classList.contains('typing')"
 """JavaScript condition: keys write text, and do not move the arm."""
 LOGGED = "[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.dataset.kind)"
-"""JavaScript: kinds of the lines of the log that are on the page, the newest first."""
+"""JavaScript: kind of each log line that the page shows, newest line first."""
 
 WATCH = """() => {
     window.shown = false;
@@ -65,7 +65,7 @@ class Flight:
     def until(self, condition: str, timeout_ms: float = WAIT_MS) -> Frame:
         """Wait for a JavaScript condition, in which `frame` is the last frame shown; return that frame.
 
-        It may miss a state that lasts only a short time: use `shows` for such a state.
+        `until` may miss a state that lasts only a short time; use `shows` for such a state.
         """
         expression = (
             f"() => {{ const frame = window.__aftdeck?.lastFrame; return frame && ({condition}) && {{ frame }}; }}"

@@ -40,7 +40,7 @@ def test_every_body_of_the_concept_worksite_is_drawn(flight: Flight) -> None:
 def test_keys_acquire_lift_and_release_the_payload(flight: Flight) -> None:
     flight.until(f"{TITLE}.startsWith('acquire Payload') && !({HEIGHT_HOLDS})")
 
-    # Down to contact: the arm is inhibited, and the page shows the escape.
+    # Down to contact: the arm is inhibited, and the page shows the escape direction.
     flight.press("v")
     flight.until("frame.rate === 'vernier'")
     flight.hold("e")
@@ -49,7 +49,7 @@ def test_keys_acquire_lift_and_release_the_payload(flight: Flight) -> None:
     flight.until(f"{AT_REST} && /Escape: THC −Z/.test(document.querySelector('.touching').textContent)")
     assert_tidy(flight)
 
-    # Up until the palm height holds.
+    # Upwards, until the condition `palm height` holds; downwards after too long a press.
     for _ in range(MOST_TRIES):
         frame = flight.until(AT_REST)
         failed = {each.name: each.value for each in frame.work.conditions if not each.holds}

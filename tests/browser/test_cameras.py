@@ -1,4 +1,4 @@
-"""Cameras on the page: selection, drives, split monitors, all cameras, windows, and a secondary window."""
+"""Cameras on the page: selection, drives, split monitors, display of all cameras, and secondary windows."""
 
 from __future__ import annotations
 

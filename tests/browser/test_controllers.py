@@ -1,4 +1,4 @@
-"""Devices of the hand controllers: assignments, changes of them, and lost devices."""
+"""Devices of the hand controllers: assignments, changed assignments, and lost devices."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def padded(open_page: OpenPage) -> Flight:
 
 
 def open_sheet(flight: Flight, device: str | None = None) -> None:
-    """Open the sheet, and the part of a device if one is given."""
+    """Open the sheet; if a device is given, show the part of the sheet for this device."""
     flight.page.get_by_role("button", name="Controllers", exact=True).click()
     sheet(flight.page).wait_for(state="visible")
     if device:
@@ -81,7 +81,7 @@ def close_sheet(flight: Flight) -> None:
 
 
 def request_assignment(flight: Flight, use: str) -> None:
-    """Press the button of a use; the sheet then waits for a key, button or axis."""
+    """Press the button of a function, such as +X; the sheet then waits for a key, button or axis."""
     flight.page.locator(f'[data-use="{use}"]').click()
     expect(flight.page.locator(f'[data-use="{use}"]')).to_contain_class("asked")
 
@@ -95,7 +95,7 @@ def test_reassigned_key_flies_and_is_stored_and_recorded(flight: Flight, recordi
     open_sheet(flight, "Keyboard")
     request_assignment(flight, "+X")
     flight.press("s")
-    assert "“THC −X”" in message(flight)  # S already has this use
+    assert "“THC −X”" in message(flight)  # S is already assigned to THC −X
     flight.press("Tab")
     assert "belongs to the browser" in message(flight)
     flight.press("Space")

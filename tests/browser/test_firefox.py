@@ -36,7 +36,7 @@ COLOURS = """() => {
 
 @pytest.fixture(scope="module")
 def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
-    """A Firefox in control of the station. An error in its console fails the tests."""
+    """A Firefox in control of the station. An error or a warning in its console fails the tests."""
     programs = find_programs()
     if programs is None:
         missing = "no Firefox, or no Xvfb to draw on, was found: install firefox-esr and xvfb"

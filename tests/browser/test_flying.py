@@ -58,7 +58,7 @@ def test_pad_deflects_thc_and_rhc_at_once(open_page: OpenPage) -> None:
     start = flight.frame().display.actual.position
     flight.pad_axes(0, -1, 0.5, 0)
     flown = flight.until(f"frame.display.actual.position[0] > {start[0] + 0.05} && frame.translation[0] === 1")
-    assert 0 < flown.rotation[2] < 0.5, "expo makes half a stick less than half a rate"
+    assert 0 < flown.rotation[2] < 0.5, "with expo, half a deflection commands less than half of the rate"
     flight.pad_axes(0.05, 0.05, 0.05, 0.05)
     flight.until(STICKS_AT_ZERO)
 

@@ -15,7 +15,7 @@ SHOWN = "document.querySelector('{}').checkVisibility()"
 TO_THE_STOP_MS = 180_000
 """Longest wait until a joint reaches its stop [ms]; the motion takes 20 s."""
 CHECK_CRT = "[...document.querySelectorAll('.lamp.caution')].some((lamp) => lamp.textContent.includes('CHECK CRT'))"
-"""JavaScript condition: the lamp of a rejection is lit, which lasts 5 s."""
+"""JavaScript condition: the lamp CHECK CRT is lit. A rejected command lights it for 5 s."""
 
 
 def test_brackets_turn_the_rotary_and_enter_enters_the_mode(flight: Flight) -> None:
@@ -150,7 +150,7 @@ def test_lamp_filters_the_log_and_outlines_its_group(flight: Flight) -> None:
     flight.turn_to("PL")
     with flight.logs("refused"), flight.shows(CHECK_CRT):
         flight.press("Enter")
-    with flight.logs("mode"):  # the newest line; a line that came later would end the filter
+    with flight.logs("mode"):  # wait for this line: if it came later, it would end the filter
         flight.enter("END EFF")
     with flight.shows("document.querySelector('.events').matches('.concerned')"):
         flight.page.get_by_role("button", name="CHECK CRT").click()

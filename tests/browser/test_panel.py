@@ -13,7 +13,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 SCENARIO = "srms-berth"
 
 SHEETS = {"Key map": "?", "PDRS control": "\\", "Controllers": ""}
-"""Key that opens each sheet; the last one is opened by a button."""
+"""Key that opens each sheet; empty if a button opens the sheet."""
 
 UNREACHED = """() => {
     const visited = new Set(window.visited);

@@ -1,4 +1,4 @@
-"""Near all three singularities: the gauges, their lamp, and the escapes that the page shows."""
+"""Near all three singularities: the gauges, their lamp, and the escape directions that the page shows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tutorial: flown with a pad, opened on the first visit and by its button, and its layout."""
+"""The tutorial: its steps with a pad, its opening on the first visit and by its button, and its layout."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LATCHES_MS = 120_000
 """Longest wait for the latches [ms], which take 30 s."""
 MOST_TRIES = 20
 MIDDLE = 1.5 * INCH
-"""Distance from the axis of the pin within which the test stops to align [m]; the tutorial allows 2 inches."""
+"""Distance from the axis of the pin below which the test ends the alignment [m]; the tutorial allows 2 inches."""
 
 CLASHES = """() => {
     const box = (node) => node.getBoundingClientRect();

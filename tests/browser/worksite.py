@@ -56,7 +56,7 @@ def info(hand: Any = "snares", stand: bool = False) -> WorkInfo:
 
 
 def work(**changes: Any) -> Work:
-    """Return a worksite without close parts, at rest, with these fields changed."""
+    """Return a worksite with these fields changed. No parts are close to each other; only the free flyer moves."""
     cargo = (
         Cargo("payload", POINT_A, UPRIGHT, AT_REST, False, "bay"),
         Cargo("free flyer", POINT_A, UPRIGHT, (0.012, 0.0, 0.0), False, ""),
@@ -87,7 +87,7 @@ class Worksite:
     Attributes:
         work: worksite of every later frame.
         mode: mode of every later frame; if empty, the mode of the station.
-        ways_out: escapes of every later frame.
+        ways_out: escape directions of every later frame.
         sent: all messages of the page except `hello` and `shown`, as decoded JSON.
     """
 

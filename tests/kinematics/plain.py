@@ -17,7 +17,7 @@ STEPS = 120
 
 
 def results() -> dict[str, list[Any]]:
-    """Return results of the kinematics of an arm of each family, and of the first steps of three scenarios."""
+    """Return kinematic results for an arm of each family, and results of the first steps of three scenarios."""
     found: dict[str, list[Any]] = {}
     for name in ("srms", "concept-1972"):
         arm = aftdeck.load_arm(name)

@@ -21,7 +21,7 @@ AXES = np.array(
         [0.0, -math.sin(_LEAN), -math.cos(_LEAN)],
     ]
 )
-"""L's axes as columns, in structural components: aft, port, down, leaning to port."""
+"""L's axes (aft, port, down) as columns, in structural components. L leans to port."""
 ORIGIN = np.array(CENTRES["shoulder_yaw"]) * INCH
 """L's origin, structural [m]."""
 BODY = np.diag([-1.0, 1.0, -1.0])
@@ -36,7 +36,7 @@ def structural(position: Array) -> Array:
 
 
 def legal(arm: aftdeck.Arm, seed: int, count: int) -> Array:
-    """Return random angles (count, 6) inside the hard limits; a tenth of them is at or just inside a limit."""
+    """Return random angles (count, 6) inside the hard limits; about one angle in ten is at or just inside a limit."""
     rng = np.random.default_rng(seed)
     low, high = arm.limits.hard[:, 0], arm.limits.hard[:, 1]
     q = rng.uniform(low, high, (count, 6))

@@ -1,4 +1,4 @@
-"""The concept arm of 1972: the report's rotations, telescope, branches, singularities, and its mission."""
+"""The concept arm of 1972: rotations and mission of the report, telescope, branches, singularities."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def test_pose_inside_reach_has_two_shoulders_elbows_and_wrists(concept: aftdeck.
     flipped = np.cos(found[:, 4]) < 0.0
     assert len(set(zip(turned, up, flipped, strict=True))) == 8
     assert np.abs(found[:, 2]) == pytest.approx(np.full(8, math.radians(90)))
-    # for each shoulder and elbow, the flipped wrist has heading and roll changed by 180 deg
+    # for each shoulder and elbow, flipping the wrist adds 180 deg to heading and roll; pitch p becomes 180 deg - p
     for one in found[~flipped]:
         other = np.array([*one[:3], one[3] + math.pi, math.pi - one[4], one[5] + math.pi])
         assert min(np.abs(apart(row, other)).max() for row in found[flipped]) < 1e-9
@@ -218,11 +218,11 @@ def test_singular_wrist_is_rejected_only_among_returned_solutions(
 # --- the mission ------------------------------------------------------------------------------------------
 
 BAR = np.array([28.0, 0.0, 0.74])
-"""Centre of the top of the bar of the payload in the bay [ft]. The payload is a prism, 11.26 across flats.
-Its centre is at a depth of 7.12, and its bar is 0.75 high."""
+"""Centre of the bar's upper side, with the payload in the bay [ft]. The payload is a prism, 11.26 ft across flats.
+Its centre is at a depth of 7.12 ft, and its bar is 0.75 ft high."""
 DOCKED = np.array([-4.0 + 16.0, 16.0, -22.0 - (7.12 - 0.74)])
-"""The same point of the docked payload [ft]. The forward face of the probe, 16 ft from the centre of the payload, is in
-the port at (-4, 16, -22)."""
+"""Centre of the bar's upper side, with the payload docked [ft]. The forward face of the probe, 16 ft from the centre of
+the payload, is in the port at (-4, 16, -22)."""
 DOWN = by_the_report(np.radians([0, 0, 0, 0, -90, 0]))
 """Orientation of the end effector that points straight down, with a finger on each side of a bar along the bay."""
 PATH: list[Array] = [

@@ -47,7 +47,7 @@ OTHER = Chain(
 
 
 def concept(height: float) -> Chain:
-    """Return the concept arm in R with its shoulder at a height [m]; booms of 25 ft, 2 ft from wrist to tip."""
+    """Return the concept arm in R with its shoulder at a height [m]; each boom is 25 ft long, the wrist 2 ft."""
     along = np.array([0.0, 0.0, 25.0, 50.0, 50.0, 50.0, 52.0]) * 12.0 * INCH
     down = np.array([0.0, *[-height] * 6])
     return Chain(np.stack([along, np.zeros(7), down], axis=1), np.eye(3)[[2, 1, 1, 2, 1, 0]], np.eye(3))

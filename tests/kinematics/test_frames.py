@@ -1,4 +1,4 @@
-"""The coordinate frames of an arm's bodies: against the closed form, and against rotations joint by joint."""
+"""The coordinate frames of an arm's bodies, compared with forward kinematics and with successive joint rotations."""
 
 from __future__ import annotations
 

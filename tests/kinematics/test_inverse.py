@@ -145,7 +145,7 @@ def test_limits_exclude_exactly_the_solutions_outside_the_stops(arm: aftdeck.Arm
 def test_pose_out_of_reach_is_rejected_with_its_excess(arm: aftdeck.Arm, beyond: float) -> None:
     q = np.array([0.4, 0.7, STRAIGHT, -0.1, 0.15, 0.3])
     pose = arm.forward(q)
-    # the line from shoulder pitch to wrist pitch is above the line of the upper arm by a constant angle
+    # the elbow is below the boom line, so the straight arm is below the shoulder pitch angle by a constant angle
     lift = q[1] - math.atan2(6.0, 251.05)
     along = np.array([math.cos(0.4) * math.cos(lift), math.sin(0.4) * math.cos(lift), -math.sin(lift)])
     with pytest.raises(UnreachableError, match="too far") as caught:
@@ -185,7 +185,7 @@ def test_pose_outside_the_stops_is_rejected_with_joint_and_excess(arm: aftdeck.A
         except UnreachableError as error:
             free = arm.inverse(pose, limits=False)
             turns = free + math.tau * np.arange(-2, 3)[:, None, None]
-            beyond = np.maximum(low - turns, turns - high).min(axis=0)  # in the best revolution of each joint
+            beyond = np.maximum(low - turns, turns - high).min(axis=0)  # in the revolution nearest to the limits
             branch = beyond.max(axis=1).argmin()
             joint = int(beyond[branch].argmax())
             assert error.joint == arm.joints[joint]

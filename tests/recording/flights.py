@@ -1,4 +1,4 @@
-"""Recordings of runs with random sticks, and a reader by another library."""
+"""Recordings of runs with random sticks, and a reader that uses another library."""
 
 from __future__ import annotations
 

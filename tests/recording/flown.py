@@ -1,4 +1,4 @@
-"""Recordings for the tests: of runs, and with changed messages."""
+"""Recordings for the tests: recorded runs, and copies with changed messages."""
 
 from __future__ import annotations
 

@@ -96,7 +96,7 @@ def fly(scenario: Scenario, path: Path, steps: int, checks: int, seed: int) -> N
 
 
 class ForkedRun:
-    """Run in its own process."""
+    """Recorded run in a process of its own."""
 
     def __init__(self, scenario: Scenario, path: Path, seed: int) -> None:
         self.path = path

@@ -58,7 +58,7 @@ def unclosed(whole: Path) -> Path:
 
 
 def fault(path: Path) -> str:
-    """Open a file, and return the fault of the error; check that the message is one line and names the file."""
+    """Open a file, and return the error's `fault`; check that the error's message is one line and names the file."""
     with pytest.raises(RecordingError) as caught:
         Recording(path)
     text = str(caught.value)

@@ -76,7 +76,7 @@ def test_recording_in_progress_is_listed_and_not_deleted(
 
 
 def entry_after_kill(index: Index, path: Path, size: int) -> Entry:
-    """Return the list entry of a recording whose program was killed; the file has this size."""
+    """Return the list entry of a recording whose program was killed; the file is cut to `size` bytes."""
     record_steps(path, MADE, itertools.repeat(Inputs()), 30)
     path.write_bytes(path.read_bytes()[:size])
     add_entry(index, path, ended="")

@@ -33,9 +33,9 @@ def record_and_kill(folder: Path, count: int) -> list[Killed]:
 
 
 def delay(checks: list[Check], since_s: float) -> float:
-    """Return the delay of a recorder's thread by a busy machine or disk, since a time [s].
+    """Return how long a busy machine or disk has delayed a recorder's thread since a time [s].
 
-    This is the sum of the pauses between its checks of the queue, without its own work and its sleep.
+    This is the sum of the pauses between the thread's checks of the queue, without the thread's work and sleep.
     """
     pauses = [
         after.time_s - max(before.time_s, since_s) - (after.worked_s - before.worked_s) - POLL_S
@@ -46,7 +46,7 @@ def delay(checks: list[Check], since_s: float) -> float:
 
 
 def lost_s(run_: Killed) -> float:
-    """Return the length of the part of a run that its file lacks, minus the delay by the machine [s]."""
+    """Return the duration of the steps that a run's file lacks, minus the recorder's `delay` [s]."""
     recording = Recording(Path(run_.file))
     kept, handed_over = sum(1 for _ in recording.steps()), len(run_.handed_over_s)
     assert recording.cut and recording.ended == ""

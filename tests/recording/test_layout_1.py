@@ -111,7 +111,7 @@ def test_escape_by_joint_or_telescope_is_read_from_its_text(joint: int) -> None:
 
 
 def read(escape: WayOut, joints: tuple[str, ...] = ()) -> WayOut:
-    """Write an escape direction as layout 1 does, as text among the reasons for an inhibit; return it as read."""
+    """Return an escape direction as read from a frame of layout 1, which has its text among the inhibit reasons."""
     recording = Recording(FILES[0])
     written = raw_frames(FILES[0])[0]
     written["work"]["inhibits"] = ["palm touches bar", f"way out: {escape.text}"]

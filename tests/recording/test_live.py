@@ -43,7 +43,7 @@ class Viewer:
         self.times: list[int] = []
 
     def until(self, *topics: str) -> set[str]:
-        """Receive messages until each of the topics had one, and return all topics received."""
+        """Receive messages until there is one on each of `topics`, and return all topics received."""
         received: set[str] = set()
         end = time.monotonic() + WAIT_S
         while not set(topics) <= received:

@@ -44,7 +44,7 @@ def steps_of(made: aftdeck.Scenario, count: int) -> list[tuple[Inputs, Frame]]:
 
 
 def record_long_run(path: Path, made: aftdeck.Scenario, seconds: float, patch: pytest.MonkeyPatch) -> dict[float, int]:
-    """Record a long run with chunks as in real time; return the memory by simulated time [s].
+    """Record a long run with chunks as in real time; return the memory [bytes] by simulated time [s].
 
     One minute is simulated, and its steps are recorded repeatedly. The recorder's clock advances one control period at
     each check of the queue.

@@ -95,7 +95,7 @@ def test_stop_acts_in_the_step_of_its_time(inputs: list[Input], new: float) -> N
     made = resample_to(inputs, new)
     for old_step in inputs:
         if old_step.stop:
-            # the first new step that ends after the old step has begun
+            # the first new step that ends after the beginning of the old step
             tick = next(k for k in itertools.count(1) if k * new - 1e-9 > (old_step.tick - 1) * OLD)
             assert made[tick - 1].stop
 

@@ -134,7 +134,7 @@ def same(pose: RigidTransform, seven: NDArray[np.float64]) -> None:
 def test_every_body_has_the_pose_that_the_page_draws(recorded: RecordedRun) -> None:
     displays = Displays(load_scenario(recorded.scenario))
     names = [body.name for body in welcome_of(load_scenario(recorded.scenario), demo=False).bodies]
-    assert ("payload" in names) == (recorded.scenario == "loaded")  # the payload of the other scenario has no shape
+    assert ("payload" in names) == (recorded.scenario == "loaded")  # in concept.toml the payload has no shape
     for (frame, _), message in zip(drawn_frames(recorded), recorded.topics["/tf"], strict=True):
         frames = tree(recorded.topics["/tf_static"][0], message)
         assert set(frames) == {*names, "payload", "L", "tip"}

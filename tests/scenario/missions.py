@@ -1,4 +1,4 @@
-"""The scripted missions at the worksites, each run once: its frames, log and saved states."""
+"""Runs of the scripted missions at the worksites, each computed once: worksite, digests, log and saved states."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class Flown(NamedTuple):
         return [event.kind for event in self.events if event.kind in TURNING_POINTS]
 
     def at(self, kind: str, which: int = 0) -> Work:
-        """Return the worksite after the step that logged the first line of a kind, or its line number `which`."""
+        """Return the worksite after the step that logged line `which` of a kind; the first line is 0."""
         return self.about(kind, which)[1]
 
     def about(self, kind: str, which: int = 0) -> tuple[Work, Work]:

@@ -27,7 +27,7 @@ from tests.bodies.minkowski import depth
 FOOT = 0.3048
 G_IN_WRIST = r"camera G is \S+ \S+ inside wrist"
 FREE_STANDING = r"camera [ABCDHI] is \S+ (in|ft|cm|mm|m) inside .* at joint angles"
-"""Report of the survey on a camera without a housing at the concept's worksite."""
+"""Pattern of the survey's reports about cameras without a housing, at the concept's worksite."""
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -37,7 +37,7 @@ def script() -> str:
 
 
 def resized(dimensions: dict[str, str], text: str = "") -> Scenario:
-    """Return the built-in script scenario, or another scenario's text, with other dimensions."""
+    """Return a scenario with these dimensions, from its text; without a text, from the built-in script scenario."""
     table = "".join(f'{name} = "{value}"\n' for name, value in dimensions.items())
     return parse_scenario(f"{text or script()}\n[dimensions]\n{table}", "test", "test.toml", Path("."))
 

@@ -140,7 +140,7 @@ def test_bevel_removes_a_rounded_corner_from_every_rim(bevel: float) -> None:
     square = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
     surface = solid(Plate(material="metal", normal="z", outline=square, thickness=0.5, bevel=bevel))
     assert closed(surface)
-    # the removed part is limited by two chords of the quarter circle, so it lies between these bounds
+    # two chords replace the quarter circle, so the removed volume lies between these bounds
     off = 2.0 - volume(surface)
     rims = 2 * 8.0 * bevel**2
     assert rims * (1.0 - PI / 4.0) * 0.8 < off < rims * 0.5

@@ -63,10 +63,10 @@ def scenario(
     Args:
         at: position of the palm's centre [ft].
         turned: roll, pitch and yaw about the axes of R, from the orientation with X2 down [deg].
-        held: whether the arm holds the payload, at its middle, as after a capture in the bay.
+        held: whether the palm holds the payload at the middle of its bar, as after a capture in the bay.
         stand: the telescope's length [ft].
         cargo: lines of the [[cargo]] table.
-        extra: more lines of the scenario's head.
+        extra: additional lines of the scenario, before [initial].
     """
     name = cargo.split('"')[1]
     grasped = f'grasped = {{ cargo = "{name}", joints = {joints(ON_BAR)}, stand = "{STAND} ft" }}' if held else ""

@@ -140,7 +140,7 @@ def events_of(frames: Iterable[Frame]) -> list[tuple[str, str]]:
 
 
 def movers(scenario: Scenario, frame: Frame) -> set[str]:
-    """Return the parts that move with the arm in a frame: its own parts and those of the held payload."""
+    """Return the parts that move with the arm: its own parts, and those of the payload that is held in a frame."""
     own = set(arm_parts("srms" if scenario.worksite.name == "orbiter" else "concept-1972"))
     held = [cargo.name for cargo in frame.work.cargo if cargo.held]
     return own | {solid.part for cargo in scenario.cargo if cargo.name in held for solid in cargo.solids}

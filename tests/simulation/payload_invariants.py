@@ -16,7 +16,7 @@ from tests.simulation.flights import in_turn
 EXACT = 1e-9
 """Tolerance of positions [m] and of axes' components [1]."""
 CARRIAGE, LATCHES = 7.0, 30.0
-"""Times of the Shuttle's carriage and latches from end to end [s]."""
+"""Travel times of the Shuttle's carriage and latches, from end to end [s]."""
 PULLED, TURNED = 0.2, 0.5
 """Upper bounds for a pin in the snares: distance from its seat [m], and change of its axes' components [1]."""
 
@@ -60,7 +60,10 @@ def check_possession(scenario: Scenario, frames: list[Frame]) -> None:
 
 
 def check_frame(names: list[str], frame: Frame) -> None:
-    """Check that each payload exists once, at most one is held and reported as held, and no berth contains two."""
+    """Check that each payload exists once, that at most one is held, and that no berth contains two.
+
+    The frame must report the held payload, and no other.
+    """
     work = frame.work
     assert [cargo.name for cargo in work.cargo] == names
     held = [cargo for cargo in work.cargo if cargo.held]

@@ -13,7 +13,7 @@ import aftdeck
 from aftdeck.arrays import Array, Indices, Mask
 
 NEAR = 0.1
-"""Distance of the bounding spheres beyond which a pair of solids is not tested [m]."""
+"""Distance between bounding spheres beyond which a pair of solids is not tested [m]."""
 FACES = np.array([[0, 1, 5, 4], [0, 1, 3, 2], [0, 2, 6, 4], [1, 3, 7, 5], [4, 5, 7, 6], [2, 3, 7, 6]])
 """Corners of each face, in order around the face."""
 EDGES = np.array(
@@ -66,7 +66,7 @@ def depth(a: Array, b: Array, axis: Array) -> float:
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
 def place(vertices: Array, frame: Indices, frames: Array, placed: Array) -> None:
-    """Write the vertices (n, 8, 3) of solids in L into `placed`, for the poses `frames` (F, 12)."""
+    """Write the vertices (n, 8, 3) of solids in L into `placed`; `frames` (F, 12): poses of the coordinate frames."""
     for i in range(len(vertices)):
         row = frames[frame[i]]
         for v in range(8):
@@ -84,7 +84,7 @@ def measure(
     placed: Array, radius: Array, pairs: Indices, begins: Indices, active: Mask, before: Array, now: Array,
     vertices: Array, frame: Indices, axes: Array, depths: Array, travels: Array,
 ) -> None:  # fmt: skip
-    """Write the depth of each monitored pair of parts, and the distance that its parts moved in the step.
+    """Write the depth of each monitored pair of parts, and the relative motion of its two parts in the step.
 
     Args:
         placed: (n, 8, 3) vertices of the solids in L.
@@ -92,10 +92,10 @@ def measure(
         pairs: (m, 2) pairs of solids, in the order of the pairs of parts.
         begins: (g + 1,) first row in `pairs` of each pair of parts.
         active: (g,) 1 for monitored pairs of parts.
-        before: (F, 12) poses of the frames before the step.
-        now: (F, 12) poses of the frames after the step.
-        vertices: (n, 8, 3) vertices in the axes of their frames.
-        frame: (n,) frame of each solid.
+        before: (F, 12) poses of the coordinate frames before the step.
+        now: (F, 12) poses of the coordinate frames after the step.
+        vertices: (n, 8, 3) vertices in their coordinate frames.
+        frame: (n,) coordinate frame of each solid.
         axes: (m, 3) the axis that last separated each pair of solids; updated.
         depths: (g,) out: depth of each pair of parts [m]; -inf if the parts are not near each other.
         travels: (g,) out: greatest motion of a vertex of one part in the axes of the other part [m].
@@ -146,13 +146,14 @@ def moved(before: Array, now: Array, vertices: Array, frame: Indices, i: int, j:
 
 
 class DepthMeter:
-    """Measurement of the penetration depths in a simulation after each step, and their allowed values.
+    """Measurement of the penetration depths after each step of a simulation, and comparison with the allowed depths.
 
-    It covers the monitored pairs, and also the fingers with the bar that they hold.
+    It covers the monitored pairs, and also the fingers with the bar that they hold. The allowed depth is the permitted
+    depth plus the relative motion of the two parts in the first two steps of their overlap. If the pair was not
+    monitored before these steps, its first depth is added.
 
     Attributes:
-        worst: for each pair of parts, greatest excess of its depth over the sum of two steps' travel and the permitted
-            depth [m].
+        worst: for each pair of parts, greatest excess of its depth over the allowed depth [m].
         deepest: for each pair of parts, greatest depth [m].
     """
 
@@ -188,7 +189,7 @@ class DepthMeter:
             self.placed, self.radius, self.layout.pairs, self.layout.begins, active, worksite.before,
             worksite.frames, self.vertices, self.layout.frame, self.axes, self.depths, self.travels,
         )  # fmt: skip
-        # the allowed depth includes the motion from the step in which the two parts come into contact
+        # the allowed depth includes the motion in the step in which the overlap begins
         entered = (self.depths > 0.0) & (self.steps == 0)
         self.steps = np.where(self.depths > 0.0, self.steps + 1, 0)
         known = self.was_active & active

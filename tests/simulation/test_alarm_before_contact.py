@@ -28,7 +28,10 @@ def pair(frame: Frame) -> Pair | None:
 
 
 def until_contact(sim: aftdeck.Simulation, inputs: Inputs, pairs: frozenset[Pair]) -> tuple[list[Frame], Pair | None]:
-    """Return the frames up to a contact of one of `pairs`, and this pair; or up to a docking, and None."""
+    """Return the frames up to a contact of one of `pairs`, and this pair.
+
+    Without a contact, return the frames up to a docking or to `MAX_STEPS`, and None.
+    """
     frames: list[Frame] = []
     for _ in range(MAX_STEPS):
         frames.append(sim.step(inputs))
@@ -41,7 +44,7 @@ def until_contact(sim: aftdeck.Simulation, inputs: Inputs, pairs: frozenset[Pair
 
 
 def beside_the_port(seed: int) -> tuple[list[Frame], Pair | None]:
-    """Return `until_contact` of a run towards the CAE, with the probe farther beside the port than docking allows."""
+    """Return `until_contact` of a run towards the CAE, with the probe too far from the port's centre to dock."""
     rng = np.random.default_rng(seed)
     aside, angle = rng.uniform(1.3 * DOCKING, 1.6), rng.uniform(0.0, math.tau)
     x, y, z = AT_PORT

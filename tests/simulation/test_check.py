@@ -102,7 +102,7 @@ def test_check_fails_under_a_switch_and_repeats_after_it(law: str, switch: str) 
 
 
 def test_check_repeats_after_the_orbiter_has_moved() -> None:
-    """Previously GOOD remained when the orbiter moved, and the arm penetrated the port's element by 0.04 inches."""
+    """Previously GOOD remained after the orbiter moved, and the arm penetrated the port's element by 0.04 inches."""
     script = aftdeck.run("concept-1972-script")
     aside, port = (next(f for f in reversed(script.frames) if f.phase == phase) for phase in ("aside", "to the port"))
     sim = aftdeck.Simulation("concept-1972")
@@ -141,7 +141,7 @@ def test_check_fails_for_arm_in_contact_with_parts_and_position() -> None:
 
 
 def fastest_branch_s(arm: aftdeck.Arm, start: Array, goal: aftdeck.Target) -> float:
-    """Return the least time of mode 1 over all branches inside the soft stops, each in its own run [s]."""
+    """Return the shortest time of mode 1 [s], from one run for each branch inside the soft stops."""
     low, high = arm.limits.soft.T
     times = []
     for angles in arm.inverse(goal.pose, near=np.radians(start)):
@@ -200,12 +200,12 @@ def check_predicts_motion(start: Array, goal: aftdeck.Target, law: str, more: st
         assert frames[-1].work.arm_inhibit or "contact" in {limit.kind for limit in frames[-1].limits}, where
     else:
         assert ending == {"limit": "given up", "miss": "missed"}[verdict.cause], where
-        kinds_now = {limit.kind for limit in frames[-2].limits}  # the last step is the first one at rest
+        kinds_now = {limit.kind for limit in frames[-2].limits}  # in the last step the arm rests already
         assert verdict.cause != "limit" or kinds_now & {"soft stop", "singularity", "joint rate"}, where
 
 
 def random_target(rng: np.random.Generator, arm: aftdeck.Arm) -> tuple[Array, aftdeck.Target]:
-    """Return a start inside the soft stops, and a target near or far, in reach or not."""
+    """Return a start inside the soft stops, and a target that may be near, far or out of reach."""
     low, high = np.degrees(arm.limits.soft).T
     start = np.array(BAY) + rng.uniform(-15.0, 15.0, 6)
     end = np.clip(start + rng.choice([5.0, 25.0, 80.0]) * rng.uniform(-1.0, 1.0, 6), low, high)
@@ -226,7 +226,7 @@ def test_verdict_time_and_cause_equal_those_of_the_motion(law: str) -> None:
 @pytest.mark.slow
 @laws
 def test_many_verdicts_times_and_causes_equal_those_of_the_motion(law: str) -> None:
-    """24 targets for each law; `AFTDECK_MOVES=1000` runs 1,000, with `-o faulthandler_timeout=0`."""
+    """24 targets for each law; 1,000 with `AFTDECK_MOVES=1000` and pytest's option `-o faulthandler_timeout=0`."""
     rng, arm = np.random.default_rng(7), aftdeck.load_arm("srms")
     for k in range(int(os.environ.get("AFTDECK_MOVES", "24"))):
         start, goal = random_target(rng, arm)

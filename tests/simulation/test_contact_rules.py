@@ -39,7 +39,7 @@ def flown(made: Scenario, given: Iterable[Inputs]) -> tuple[DepthMeter, list[Fra
 
 @pytest.mark.parametrize("push", [(-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)], ids=["along the bay", "across it"])
 def test_inhibited_arm_does_not_slide_along_a_contact(push: Vec3) -> None:
-    """Previously the arm slid from a depth of 0.26 inches, by 130 inches along the bay and by 70 inches across it."""
+    """Previously the arm, at a depth of 0.26 inches, slid 130 inches along the bay and 70 inches across it."""
     sim = aftdeck.Simulation(scenario(ABOVE_BAR))
     frame = sim.step(Inputs())
     while not frame.work.arm_inhibit:
@@ -53,7 +53,7 @@ def test_inhibited_arm_does_not_slide_along_a_contact(push: Vec3) -> None:
 
 
 def test_contact_of_prong_alone_inhibits_the_arm() -> None:
-    """Previously the contact did not inhibit the arm in task phase 1, and the prong was 3.7 inches deep."""
+    """Previously the contact did not inhibit the arm in task phase 1, and the prong penetrated it by 3.7 inches."""
     sim = aftdeck.Simulation(scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0)))
     frame = sim.step(Inputs(effector="close"))
     while not frame.work.finger_inhibit:
@@ -68,14 +68,14 @@ def test_contact_of_prong_alone_inhibits_the_arm() -> None:
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_finger_does_not_pass_through_the_bar(side: float) -> None:
-    """Previously the finger was 4.4 inches deep. At 1 ft/s, it moves 0.24 inches in a control step."""
+    """Previously the finger penetrated the bar by 4.4 inches. At 1 ft/s, it moves 0.24 inches in a control step."""
     meter, frames = flown(scenario((28.0, 1.5 * side, 0.71)), [Inputs((0.0, 0.5 * side, 0.0))] * 200)
     assert max(meter.worst.values()) <= ROUNDING
     assert any(not contact.essential for contact in frames[-1].work.contacts)
 
 
 def test_prong_penetrates_offset_bar_only_to_permitted_depth() -> None:
-    """Previously the prong was 0.9 inches deep. It moves 0.06 inches in a control step."""
+    """Previously the prong penetrated the bar by 0.9 inches. It moves 0.06 inches in a control step."""
     meter, frames = flown(scenario((28.0, 0.2, 0.71)), [Inputs(effector="close"), *[Inputs()] * 250])
     assert not frames[-1].work.cargo[0].held and frames[-1].work.finger_inhibit
     assert meter.deepest["prong", "payload receptacle"] <= 0.01 * FOOT + 2.0 * 0.06 * INCH
@@ -83,7 +83,7 @@ def test_prong_penetrates_offset_bar_only_to_permitted_depth() -> None:
 
 @pytest.mark.parametrize("aside", [(1.5, 0.0), (0.0, 1.5), (0.3, 0.0)])
 def test_probe_does_not_enter_the_element_beside_the_port(aside: tuple[float, float]) -> None:
-    """Previously the probe was 12.3 inches deep. It moves 0.1 inches in a control step."""
+    """Previously the probe penetrated the element by 12.3 inches. It moves 0.1 inches in a control step."""
     x, y, z = AT_PORT
     made = scenario((x + 0.5, y + aside[0], z + aside[1]), held=True)
     meter, frames = flown(made, [Inputs((0.3, 0.0, 0.0))] * 300)

@@ -40,7 +40,7 @@ def bits(frames: list[Frame]) -> bytes:
 
 
 def without_digest(frames: list[Frame]) -> bytes:
-    """Return encoded frames without the digest, which covers delayed inputs as well."""
+    """Return the encoded frames without their digests, which also contain the delayed inputs."""
     return bits([msgspec.structs.replace(frame, sha256="") for frame in frames])
 
 

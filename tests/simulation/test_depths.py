@@ -21,11 +21,11 @@ from tests.simulation.sat import DepthMeter
 
 STEPS = 20_000
 SEGMENT = 500
-"""Number of steps with random inputs, from one of the starts."""
+"""Number of random steps after each start."""
 STARTS = 12
-"""Number of states of the scripted run that are starts."""
+"""Number of states during the script that serve as starts."""
 SLIGHTLY = 5e-5
-"""Greatest depth by which a step out of several contacts may deepen one of them [m]; rounding errors are smaller."""
+"""Greatest depth that a step may add to one contact while it leads out of several [m]; rounding errors are smaller."""
 
 
 def starts(sim: aftdeck.Simulation) -> list[SavedSimulation]:
@@ -53,7 +53,7 @@ def random_pushes(rng: np.random.Generator, steps: int) -> Iterator[Inputs]:
 
 
 def deepest(name: str, steps: int, seed: int = 1) -> DepthMeter:
-    """Return the depths measured in this number of random steps of a built-in scenario."""
+    """Return the depths measured during `steps` random steps of a built-in scenario."""
     sim = aftdeck.Simulation(name)
     rng = np.random.default_rng(seed)
     begin = starts(sim)
@@ -76,7 +76,7 @@ def test_penetration_stays_within_two_steps_travel(name: str) -> None:
 
 
 def main(steps: int, names: tuple[str, ...]) -> None:
-    """Print for each scenario the four pairs with the greatest depth over their limit."""
+    """Print, for each scenario, the four pairs whose depths exceed their limits most."""
     for name in names:
         meter = deepest(name, steps)
         over = sorted(((depth, pair) for pair, depth in meter.worst.items()), reverse=True)[:4]

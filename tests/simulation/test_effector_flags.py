@@ -20,7 +20,7 @@ FIXED = '[payload]\nmass = 1000\nposition = ["0 m", "0 m", "1 m"]\n'
 AT = (28.0, 0.0, -20.0)
 """Start position of the tip, above the bay [ft]."""
 HELD = {"CAPTURE", "CLOSE"}
-"""Flags that are lit on either end effector while it holds a payload. RIGID is added on a rigidized Shuttle payload."""
+"""Flags that are lit on either end effector while it holds a payload. A rigidized Shuttle payload also lights RIGID."""
 
 
 @functools.cache

@@ -19,7 +19,7 @@ from tests.simulation.flights import flown, harmful, in_turn, random_inputs, sam
 DEPTH = 1e-9
 """Decrease of a clearance that counts as no change [m]."""
 ASIDE = 0.05
-"""Allowed decrease for each metre that the parts move, in a step that leads out of several contacts [1]."""
+"""Allowed decrease of a clearance for each metre of motion, in a step that leads out of several contacts [1]."""
 LEVER = 10.0
 """Greatest distance of a contact point from the tip [m]."""
 PRONG = "prong"
@@ -27,7 +27,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def over_the_bar(rng: np.random.Generator) -> Scenario:
-    """Start with the concept's open end effector about the bar, deep in the bar or just clear of it."""
+    """Start with the concept's open end effector around the bar; it penetrates the bar or is just clear of it."""
     off = rng.uniform(-1.0, 1.0, 3) * [0.6, 0.5, 0.3]
     return scenario(vec3(ON_BAR + off), vec3(rng.uniform(-3.0, 3.0, 3)))
 
@@ -56,7 +56,7 @@ def near_the_fixture(rng: np.random.Generator) -> Scenario:
 
 
 def shuttle(rng: np.random.Generator) -> Scenario:
-    """Start with the Shuttle's end effector about the payload's fixture in the bay."""
+    """Start with the Shuttle's end effector at the payload's fixture in the bay."""
     above, x, y = rng.uniform(-8.0, 4.0), *rng.uniform(-20.0, 20.0, 2)
     return srms(float(above), float(x), float(y), vec3(rng.uniform(-10.0, 10.0, 3)))
 
@@ -90,7 +90,7 @@ def check_inhibited_steps(made: Scenario, frames: list[Frame]) -> int:
                 continue
             if pair in was:
                 assert contact.clearance >= was[pair].clearance - DEPTH - allowed, (now.time_s, pair)
-            else:  # the contact existed before, but was essential, or was not one of the arm
+            else:  # the contact is not new, but was essential before, or was not a contact of the arm
                 earlier = {(c.a, c.b): c.clearance for c in before.work.contacts}
                 assert not same_possession(before, now) or contact.clearance >= earlier[pair] - DEPTH, (
                     now.time_s,
@@ -176,7 +176,7 @@ def test_prong_contact_inhibits_finger_and_arm_but_prong_may_open() -> None:
 
 
 def advised(frame: Frame) -> Inputs:
-    """Return the inputs of the escape that a frame names for its contacts, at a tenth of full deflection."""
+    """Return inputs in the frame's escape direction from its contacts, at a tenth of full deflection."""
     (escape,) = frame.ways_out
     assert escape.cause == "contact"
     value, mode = 0.1 * escape.sign, escape.position or None
@@ -189,7 +189,7 @@ def advised(frame: Frame) -> Inputs:
 
 
 def freed(sim: aftdeck.Simulation, frame: Frame) -> bool:
-    """Return whether the escapes of the frames, at a tenth of full deflection, end the inhibit within a minute."""
+    """Return whether the inputs of `advised`, repeated for up to a minute, end the inhibit."""
     for _ in range(3000):
         if not frame.work.arm_inhibit:
             return True

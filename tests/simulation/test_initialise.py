@@ -1,4 +1,4 @@
-"""Re-initialisation: from any state, a run continues as a run that starts there."""
+"""Re-initialisation: from any state, a run continues like a new run that starts with the chosen part."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ PARTS = ("full problem", "acquisition", "extraction", "manoeuvring")
 
 @functools.cache
 def problem(extra: str = "", name: str = "concept-1972") -> Scenario:
-    """Return the report's full problem, or another scenario, with more lines in its head."""
+    """Return the report's full problem, or another scenario; the lines `extra` are added before its text."""
     text = load_scenario(name).text
     return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
 
 
 @functools.cache
 def begins_there(part: str, extra: str = "", name: str = "concept-1972") -> Scenario:
-    """Return a scenario whose full problem starts at the start of a part."""
+    """Return a scenario that itself starts where a part of `PARTS` starts."""
     text = load_scenario(name).text
     if part == "full problem":
         return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
@@ -67,7 +67,7 @@ def timeless(frames: list[Frame], *, first: bool) -> list[Frame]:
 
 
 def turning(given: Iterable[Inputs], made: Scenario, rng: np.random.Generator) -> Iterator[Inputs]:
-    """Yield the inputs with a random camera command in every step."""
+    """Yield the inputs, each with a random camera command."""
     names = [camera.name for camera in cameras_of(made) if camera.drive is not None]
     for inputs in given:
         drive = CameraDrive(str(rng.choice(names)), *rng.choice([-1.0, 1.0], 3).tolist())

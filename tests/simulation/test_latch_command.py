@@ -1,4 +1,4 @@
-"""LATCH and UNLATCH of a payload with an empty grasp: conditions, and confirmation."""
+"""LATCH and UNLATCH of a payload that the arm does not hold: conditions, and confirmation."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def test_latch_fixes_floating_payload_in_bay_within_tolerances(seed: int, spread
 @settings(max_examples=15)
 @given(seeds, st.floats(0.0, 1.0))
 def test_latches_fix_floating_payload_if_trunnions_are_ready(seed: int, spread: float) -> None:
-    """A start inside another body is rejected at load, so such examples are left out."""
+    """Examples that start inside another body are left out, because loading rejects them."""
     rng = np.random.default_rng(seed)
     off = spread * rng.uniform(-0.05, 0.05, 3) * [1.0, 0.4, 0.2] + [0.0, 0.0, 0.04 * spread]
     place = np.array(load_worksite("orbiter").seats[0].pose.position) / FOOT + off / FOOT

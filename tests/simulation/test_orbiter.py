@@ -25,7 +25,7 @@ UNDER_THE_HAND = 'name = "payload"\nstart = { position = ["28 ft", "0 ft", "12.6
 
 
 def check_speed(frames: list[Frame]) -> None:
-    """Check that the position is the integral of the speed, and that acceleration is limited unless it stops."""
+    """Check, except where the orbiter stops, that position is the integral of speed and acceleration is limited."""
     for before, now in pairwise(frames):
         v, w = np.array(before.work.orbiter_velocity), np.array(now.work.orbiter_velocity)
         assert np.abs(w).max() <= SPEED * (1.0 + 1e-12)

@@ -62,7 +62,7 @@ LIFT = Inputs((0.0, 0.0, -1.0), mode="ORB UNL")
 
 
 def captured(share: float) -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
-    """Capture the Shuttle's payload in its latches, from 3 inches and with up to 6 deg of error; return the run."""
+    """Capture the Shuttle's payload in its latches from 3 inches, with an error of up to 6 deg; return the run."""
     made = srms(3.0, 1.0, 2.0, (5.0 * share, -4.0 * share, 6.0 * share), head=SLOWLY)
     sim = aftdeck.Simulation(made)
     frames = fly(sim, 2.64, Inputs(effector="close", effector_mode="manual", mode="END EFF"))
@@ -71,14 +71,14 @@ def captured(share: float) -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
 
 
 def stowed() -> tuple[np.ndarray, np.ndarray]:
-    """Return the pose of a rigidized payload in frame 7, as accurate as the given joint angles."""
+    """Return a rigidized payload's pose in frame 7; it is as accurate as the scenario's joint angles."""
     frame = aftdeck.Simulation(srms(0.0, held=True)).step(Inputs())
     return in_frame_7(frame, frame.work.cargo[0])
 
 
 @pytest.mark.parametrize("retracted", [0.0, 0.3, 0.95, 1.0])
 def test_unlatched_payload_does_not_jump_while_carriage_draws_in(retracted: float) -> None:
-    """While the payload is fixed, the carriage travels without it. It does not make up for this travel later."""
+    """While the payload is fixed, the carriage travels without it. Later, it moves the payload only by the rest."""
     made, sim, frames = captured(0.1)
     if retracted:
         frames += fly(sim, retracted * 7.0, Inputs(rigid="rigid"))
@@ -131,11 +131,11 @@ def test_released_payload_keeps_velocity_and_angular_velocity() -> None:
     check_possession(made, frames)
     velocities = np.diff([in_space(frame, frame.work.cargo[0])[0] for frame in free], axis=0) / 0.02
     assert np.ptp(velocities, axis=0) == pytest.approx(np.zeros(3), abs=1e-9)
-    # motion in space of the last step before the release continues
+    # the payload keeps its motion in space from the last step before the release
     last = frames[len(frames) - len(free) - 1], free[0]
     before = np.subtract(*(in_space(frame, frame.work.cargo[0])[0] for frame in last[::-1])) / 0.02
     assert np.linalg.norm(before) > 0.05
-    assert velocities[0] == pytest.approx(before, abs=2e-4)  # that step's displacement is a chord
+    assert velocities[0] == pytest.approx(before, abs=2e-4)  # the displacement is only a chord of the path
     turns = [np.array(a.work.cargo[0].orientation).T @ b.work.cargo[0].orientation for a, b in pairwise(free)]
     assert np.ptp(turns, axis=0) == pytest.approx(np.zeros((3, 3)), abs=1e-9)
     held = np.array(last[0].work.cargo[0].orientation).T @ last[1].work.cargo[0].orientation

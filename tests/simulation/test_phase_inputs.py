@@ -29,7 +29,7 @@ por = { translation = "0.3 ft/s", vernier_translation = "0.1 ft/s", acceleration
 
 
 def flown(made: aftdeck.Scenario) -> list[Frame]:
-    """Return the frames of a script, without the frame in which it has ended."""
+    """Return the frames of a script, except the last frame, in which the script has ended."""
     sim = aftdeck.Simulation(made)
     frames = [sim.step()]
     while not sim.ended:

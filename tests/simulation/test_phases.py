@@ -41,7 +41,7 @@ def agrees(margins: np.ndarray, verdict: bool) -> bool:
 
 
 def check_entries(frames: Sequence[Frame]) -> None:
-    """Check the conditions of each entry of a task phase, and the task phase of each frame."""
+    """Check the conditions at each entry into a task phase, and the task phase of each frame."""
     for before, now in pairwise(frames):
         cargo, was = now.work.cargo[0], before.work.cargo[0]
         if cargo.held and not was.held:

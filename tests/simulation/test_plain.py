@@ -1,4 +1,4 @@
-"""NumPy numbers, arrays and texts are accepted in place of Python's, with the same results."""
+"""Numbers, arrays and texts of NumPy's types are accepted like those of Python's types, with the same results."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ NUMBER_TYPES: list[Callable[[Any], Any]] = [
     lambda x: np.int64(x) if float(x).is_integer() else np.float64(x),
     float,
 ]
-"""Types in which a number can be given that is exact in half precision."""
+"""Types for a number in inputs; each keeps a value that is exact in half precision."""
 halves = st.integers(-64, 64).map(lambda k: k / 64)
 threes = st.tuples(halves, halves, halves)
 flags = st.one_of(st.none(), st.booleans())

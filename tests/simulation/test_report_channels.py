@@ -77,7 +77,7 @@ def test_run_from_written_channels_is_equal(name: str, seed: int, tmp_path: Path
 
 @pytest.mark.parametrize("seed", range(3))
 def test_run_from_channels_is_equal_up_to_first_unsaid_command(seed: int, tmp_path: Path) -> None:
-    """A line names commands without a channel in `unsaid`. Up to the first such line, the two runs are equal."""
+    """`unsaid` in a line names the commands without a channel. Up to the first such line, the two runs are equal."""
     rng = np.random.default_rng(seed)
     scenario = load_scenario("concept-1972")
     expressible, any_inputs = random_master_inputs(rng, scenario, 60 + 40 * seed), random_inputs(rng, 100, switches=0.5)

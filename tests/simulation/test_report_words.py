@@ -24,7 +24,7 @@ from tests.simulation.master_inputs import random_master_inputs
 HALF_B0, HALF_B1, HALF_B11 = 2.0**-24, 2.0**-23, 2.0**-13 * FOOT
 """Half a last bit of a word at these scales: [1], [1], [m]."""
 GREATEST = 1.0 - 2.0**-23
-"""Greatest value of a word at B0, the report's scale for normals; 1 has no such word."""
+"""Greatest value of a word at B0, the report's scale for normals; no word at B0 represents 1."""
 FINGERS = ("palm", "fixed finger", "prong")
 
 

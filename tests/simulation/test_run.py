@@ -149,13 +149,13 @@ def test_kinematic_plant_integrates_the_commanded_rates() -> None:
 
 def test_demand_is_stick_times_limit_in_orbiter_axes() -> None:
     frame = aftdeck.Simulation(scenario()).step(aftdeck.Inputs(translation=(0.0, 0.0, 1.0)))
-    # the yaw axis leans to port above, so down in the orbiter is down and to port in L
+    # the arm's base leans to port, so the orbiter's down direction has components down and to port in L
     wanted = [0.0, math.sin(LEAN) * 0.6096, math.cos(LEAN) * 0.6096]
     assert frame.twist_demanded[3:] == pytest.approx(wanted) and frame.twist_demanded[:3] == (0.0, 0.0, 0.0)
 
 
 def test_given_inputs_replace_the_script() -> None:
-    """The frames equal those of a caller who steps with these inputs. No inputs for the first step are an error."""
+    """The frames equal those of a caller who steps with these inputs. A first step without inputs is an error."""
     given = [aftdeck.Inputs(translation=(0.2 * k, 0.0, 0.0)) for k in range(4)]
     left, seen = iter(given), []
     done = aftdeck.run("first-flight", inputs=lambda _: next(left, None), stepped=lambda sim: seen.append(sim.given))

@@ -30,7 +30,7 @@ start = { position = ["40 ft", "30 ft", "20 ft"], velocity = ["0.1 ft/s", "0 ft/
 
 
 def acquiring(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
-    """The prong closes about the bar, while a free flyer drifts and the orbiter moves; then random inputs follow."""
+    """The prong closes around the bar, while a free flyer drifts and the orbiter moves; then random inputs follow."""
     close = Inputs(effector="close", orbiter=(1.0, 0.0, -1.0))
 
     def given_() -> Iterator[Inputs]:

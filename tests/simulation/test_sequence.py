@@ -24,7 +24,7 @@ def joints(point: Sequence[float]) -> list[float]:
 
 
 def auto_1(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> aftdeck.Simulation:
-    """Return a simulation in AUTO 1 whose points with these numbers (from 1) are pause points."""
+    """Return a simulation in AUTO 1; `pauses` lists the numbers of its pause points, counted from 1."""
     points = "\n".join(
         f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(point)]} }}\n"
         f"pause = {'true' if k in pauses else 'false'}"
@@ -38,7 +38,7 @@ def auto_1(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> a
 def until(sim: aftdeck.Simulation, sequence: str, first: aftdeck.Inputs, seconds: float = 120.0) -> list[Frame]:
     """Return the frames up to the next frame in which the sequence has this state.
 
-    After PROCEED, the search begins only when the motion has begun or its check has failed.
+    After PROCEED, a frame counts only once the motion has begun, or its check has failed.
     """
     frames = [sim.step(first)]
     while first.proceed and frames[-1].sequence in {"checking", "ready"}:

@@ -40,7 +40,7 @@ def flight(name: str) -> tuple[aftdeck.Simulation, tuple[bytes, ...], tuple[byte
 
 
 def kind(state: State) -> tuple[object, ...]:
-    """Return the kind of a state: its check in progress, its held payload, and its contacts."""
+    """Return the kind of a state: check in progress, held payload, fixed arm, contacts, and alignment."""
     worksite, checking = state.worksite, state.checking
     rehearsing = checking is not None and checking.steps > 0
     return (
@@ -54,7 +54,7 @@ def kind(state: State) -> tuple[object, ...]:
 
 
 def altered(value: Any) -> Iterator[tuple[str, Any]]:
-    """Yield paths, and copies of a value in which the item at this path has the least possible change."""
+    """Yield pairs: the path of an item, and a copy of the value with the least possible change of this item."""
     match value:
         case bool():
             yield "", not value

@@ -1,4 +1,4 @@
-"""No law is compiled during a run: `warm_up` calls every law before."""
+"""No law is compiled during a run, because `warm_up` calls every law before the run."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ for _ in range(int(sys.argv[2])):
 for module, name, _ in sorted(compiled() - before):
     print(module, name)
 """
-"""Program that prints the laws that are compiled, for new argument types, during a run."""
+"""Program that prints each law that a run compiles for new argument types."""
 
 
 @pytest.mark.parametrize(

@@ -101,7 +101,7 @@ def master_file(path: Path) -> Path:
 
 
 def test_run_from_channels_writes_equal_channels_and_words(run: Run, short: str, tmp_path: Path) -> None:
-    """The runs from the file, from the channels that this run writes, and from its recording are equal."""
+    """Three runs are equal: from a file, from the channels that the first run writes, and from its recording."""
     given, first, second, third = (tmp_path / f"{name}.jsonl" for name in ("given", "first", "second", "third"))
     out = tmp_path / "run.mcap"
     master_file(given)

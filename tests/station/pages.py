@@ -29,9 +29,9 @@ from aftdeck.station.session.session import Session
 from aftdeck.tuples import Vec3
 
 WAIT_S = 60.0
-"""Longest wait for a condition [s]; without a fault no wait takes as long, even on a busy machine."""
+"""Longest wait for a condition [s]; even on a busy machine, only a fault makes a wait so long."""
 LATE_S = 0.5
-"""Delay that a series of frames may have [s]."""
+"""Allowed delay of a series of frames [s]."""
 STILL = (0.0, 0.0, 0.0)
 
 _messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
@@ -105,7 +105,7 @@ class Page:
         return self.wait_for(Frame, lambda frame: frame.display.stick_seq >= seq)
 
     def is_answered(self, steps: int) -> bool:
-        """Answer each frame with a stick message, for `steps` control steps; return whether they are in time."""
+        """Answer the frames of `steps` control steps with stick messages; return whether the frames arrive in time."""
         first, begun = self.flown(self.push()), time.monotonic()
         last = first
         while last.tick < first.tick + steps:
@@ -139,7 +139,7 @@ class Server:
         self.address = f"127.0.0.1:{port}"
 
     def get(self, path: str, headers: dict[str, str] | None = None) -> tuple[int, str]:
-        """Return status and text of the answer to an HTTP request; its path is sent unchanged."""
+        """Send an HTTP request with the path unchanged; return the status and text of the answer."""
         link = HTTPConnection("127.0.0.1", self.port, timeout=WAIT_S)
         try:
             link.request("GET", path, headers=headers or {})

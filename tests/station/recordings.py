@@ -30,7 +30,7 @@ NOTE = Event(0.5, "page", "caution", "log line of the station")
 
 
 def files(folder: Path) -> list[Path]:
-    """Return the recordings in a folder, in the order of their beginning."""
+    """Return the recordings in a folder, in the order in which they began."""
     return sorted(folder.glob("*.mcap"), key=lambda path: Recording(path).opening.began)
 
 

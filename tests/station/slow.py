@@ -1,4 +1,4 @@
-"""Preparation of a station that waits for the test."""
+"""Slow preparation of a station; it waits for the test."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Control roles without a server: pages are letters, and the test sets the time."""
+"""Control roles without a server: letters represent pages, and the test sets the time."""
 
 from __future__ import annotations
 

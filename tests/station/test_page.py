@@ -81,7 +81,7 @@ def test_page_beyond_the_maximum_number_is_rejected(shared: Station) -> None:
 
 
 def controllers(count: int = 1, **changed: object) -> str:
-    """Return a `Controllers` message with keyboards, each with these changes."""
+    """Return a `Controllers` message with `count` keyboards; `changed` replaces fields of each."""
     used = {"kind": "keyboard", "name": "Keyboard", "deadband": 0, "expo": 0, "bindings": ["KeyW +X"], "centres": []}
     return json.dumps({"type": "controllers", "seq": 1, "controllers": [used | changed] * count})
 

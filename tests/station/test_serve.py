@@ -86,7 +86,7 @@ def test_station_listens_on_this_machine_only() -> None:
 
 def test_listener_disables_nagles_algorithm() -> None:
     with listen("127.0.0.1", 0) as listener:
-        # asyncio disables Nagle's algorithm only for listeners whose protocol is TCP explicitly
+        # asyncio disables Nagle's algorithm only for listeners whose protocol is explicitly TCP
         assert listener.proto == socket.IPPROTO_TCP
 
 

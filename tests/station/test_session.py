@@ -72,7 +72,7 @@ def test_delayed_sticks_of_one_page_are_not_reported_to_the_next() -> None:
             return frame.display.flown_seq == 5
 
         step_until(session, acts, "the sticks of the new operator act")
-        assert numbers == {-1, 5}, "900 is a number of the other page"
+        assert numbers == {-1, 5}, "900 is a message number of the other page"
 
 
 def test_sticks_act_at_once_without_delay_and_not_during_a_script() -> None:

@@ -36,7 +36,7 @@ BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
         [0.0, -math.sin(LEAN), -math.cos(LEAN)],
     ]
 )
-"""Conversion from L (aft, port, down, leaning 19.48 deg to port) to the orbiter's axes (forward, starboard, down)."""
+"""Conversion from L (aft, port, down) to the orbiter's axes (forward, starboard, down); L leans 19.48 deg to port."""
 
 
 def scenario(joints: Sequence[float] = BAY, extra: str = "", name: str = "test") -> Scenario:

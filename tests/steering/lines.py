@@ -43,7 +43,7 @@ def chain_of(arm: aftdeck.Arm) -> Chain:
 
 
 def distances(chain: Chain, q: Array) -> Array:
-    """Return the normalised distances from the shoulder, elbow and wrist singularities, by the joints' positions."""
+    """Return normalised distances from the shoulder, elbow and wrist singularities, computed from joint positions."""
 
     def pitched(v: Array, slope: float) -> Array:
         return np.array(
@@ -88,7 +88,8 @@ def along(solve: Solver, arm: aftdeck.Arm, move: Move, clear: float, samples: in
     """Return joint angles (samples + 1, 6) along the line of a move in mode 3.
 
     Returns:
-        The angles. None if the line passes a soft stop, a singularity or another branch, or ends at other angles.
+        The angles. None if the line passes a soft stop or a singularity, changes the branch, or ends at other angles
+        than the move.
     """
     chain, soft = chain_of(arm), arm.limits.soft
     a, b = solve(move.start), solve(move.end)
@@ -124,7 +125,7 @@ def _solved(solve: Solver, q: Array, position: Array, orientations: Array) -> Ar
 
 
 def random_moves(arm: aftdeck.Arm, seed: int) -> Iterator[Move]:
-    """Yield moves between joint angles inside the soft stops, near and far; there is no last one."""
+    """Yield short and long moves between joint angles inside the soft stops, without end."""
     rng = np.random.default_rng(seed)
     low, high = np.maximum(arm.limits.soft[:, 0], -math.pi), np.minimum(arm.limits.soft[:, 1], math.pi)
     while True:

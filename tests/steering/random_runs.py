@@ -33,7 +33,7 @@ GRAIN = 1e-9
 
 
 def start(rng: np.random.Generator) -> Array:
-    """Return random joint angles inside the hard stops [deg]: anywhere, near stops or singularities, or the cradle."""
+    """Return joint angles inside the hard stops [deg]: random, at stops, near singularities, or in the cradle."""
     low, high = np.array(LIMITS["hard"], dtype=np.float64).T
     q: Array = rng.uniform(np.maximum(low, -180), np.minimum(high, 180))
     match rng.integers(5):

@@ -51,7 +51,7 @@ def off_the_line(start: Sequence[float], frames: Sequence[Frame]) -> float:
 
 
 def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
-    """Return the greatest angle [rad] between frame 7 and the one-axis rotation from its start to its target."""
+    """Return the greatest angle [rad] between frame 7 and the rotation about one axis from start to target."""
     goal = frames[-1].goal
     assert goal is not None
     whole = (Rotation.from_matrix(goal.rotation) * Rotation.from_matrix(start).inv()).as_rotvec()
@@ -115,7 +115,10 @@ def test_strict_leaves_the_line_by_the_reference_distance() -> None:
 
 
 def moves(count: int) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Return pairs of joint angles [deg], a few metres and tens of degrees apart, far from stops and singularities."""
+    """Return start and end angles [deg] of motions far from stops and singularities.
+
+    The tip moves by a few metres and tens of degrees.
+    """
     rng = np.random.default_rng(70)
     found: list[tuple[np.ndarray, np.ndarray]] = []
     while len(found) < count:

@@ -51,7 +51,7 @@ def near(kind: str, rng: np.random.Generator) -> Array:
 
 
 def escape_inputs(escape: WayOut, mode: str) -> aftdeck.Inputs:
-    """Return the inputs of an escape, in the panel position that the escape names, otherwise in `mode`."""
+    """Return the inputs of an escape, in the panel position that it names, or in `mode` if it names none."""
     position = escape.position or mode
     if escape.stick == "joint":
         return aftdeck.Inputs(mode=position, joint=escape.axis, drive=float(escape.sign))
@@ -70,7 +70,7 @@ def clear(cause: str, frame: Frame) -> bool:
 
 
 def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
-    """For each singularity and limit, follow the escape of the frame, updated every 2 s, until the arm is clear."""
+    """For each singularity and limit, follow the frame's escape direction, read every 2 s, until the arm is clear."""
     made = scenario(start.tolist(), f"control_period = 0.08\nduration = 80\n{extra}")
     first = aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode))
     causes = [*first.singular, *(ARM.joints[joint] for joint, zone in enumerate(first.zones) if zone)]

@@ -98,7 +98,7 @@ def test_strict_mode_5_moves_along_frame_7() -> None:
     frames = fly(flight, 3.0, aftdeck.Inputs(translation=(0.0, 0.0, 1.0), mode="END EFF"))
     displacement, _ = moved(frames)
     lean = math.radians(19.48)
-    # with a level end effector, axis 3 of frame 7 is that of L: it points down, and leans to starboard
+    # with a level end effector, axis 3 of frame 7 is parallel to axis 3 of L, which points down and leans to starboard
     assert displacement / np.linalg.norm(displacement) == pytest.approx((0.0, math.sin(lean), math.cos(lean)), abs=2e-2)
 
 

@@ -12,7 +12,7 @@ DOCUMENT = Path(__file__).parents[2] / "docs" / "steering.md"
 
 
 def documented() -> Iterator[tuple[str, set[int]]]:
-    """Yield each position of the first table of docs/steering.md, and the report's modes that it lists there."""
+    """Yield the positions in the first table of docs/steering.md, each with the report's modes that the table lists."""
     numbers: set[int] = set()
     for line in DOCUMENT.read_text(encoding="utf-8").partition("| position | mode |")[2].splitlines()[2:]:
         if not line.startswith("|"):

@@ -37,9 +37,9 @@ def final_error(frames: list[aftdeck.Frame]) -> tuple[float, float]:
         (20.0 * V, 0.0, V, 0.0, 24.0, 4.0, None),
         # 2 ft are too short for the ramps: 2 s of acceleration at 0.5 ft/s2, and 2 s of braking
         (V, 0.0, 0.5 * V, 0.0, 4.0, 2.0, None),
-        # alone, the rotation would take 10 + 4 s; here it takes 24 s, as the translation: 10 W over 24 - 4 s
+        # alone, the rotation would take 10 + 4 s; here it takes 24 s like the translation, at 10 W / (24 - 4)
         (20.0 * V, 10.0 * W, V, 0.5 * W, 24.0, 4.0, 4.0),
-        # alone, the translation would take 4 s; here it takes 14 s, as the rotation: V over 14 - 2 s
+        # alone, the translation would take 4 s; here it takes 14 s like the rotation, at V / (14 - 2)
         (V, 10.0 * W, V / 12.0, W, 14.0, 2.0, 4.0),
         (0.0, W, 0.0, 0.5 * W, 4.0, None, 2.0),
     ],

@@ -1,4 +1,4 @@
-"""Agreement of all modes at control periods of 0.08 s, the report's, and 0.02 s."""
+"""Agreement of all modes between control periods of 0.02 s and 0.08 s (the report's)."""
 
 from __future__ import annotations
 

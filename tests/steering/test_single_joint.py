@@ -29,7 +29,7 @@ def test_selected_joint_ramps_and_no_other_moves(joint: int, rate: str, drive: f
     own = rates[:, joint]
     assert own[299] == pytest.approx(drive * most)
     assert own[-1] == 0.0
-    # the coarse rate is reached in 4 s, like the POR speed; no step changes the rate by more
+    # the coarse rate is reached in 4 s, like the POR speed; `change` is the greatest change in a control step
     change = math.radians(LIMITS["coarse"][joint]) / 4.0 * 0.02
     assert np.abs(np.diff(own, prepend=0.0)).max() <= change * (1 + 1e-9)
     ramp = abs(drive) * most / change

@@ -55,7 +55,7 @@ def test_start_given_by_pose_uses_branch_of_rmangs(seed: int) -> None:
 
 
 BENT = (0.0, 60.0, -30.0, 20.0, 20.0, 0.0)
-"""Joint angles with a nearly straight elbow: outward motion of the tip straightens it [deg]."""
+"""Joint angles [deg] with a nearly straight elbow, which outward motion of the tip straightens further."""
 OUTWARDS = aftdeck.Inputs(translation=(1.0, 0.0, 0.0), mode="END EFF")
 
 

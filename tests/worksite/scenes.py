@@ -72,6 +72,6 @@ def all_pairs(made: list[Solid], layout: Layout, group: int, frames: Array) -> l
 
 
 def clearances(made: list[Solid], layout: Layout, frames: Array) -> Array:
-    """Return the minimum clearance (g,) of each monitored pair [m], without memory and without skipped pairs."""
+    """Return the minimum clearance (g,) of each monitored pair [m], computed anew from all pairs of solids."""
     groups = range(len(layout.groups))
     return np.array([min(s.clearance for s in all_pairs(made, layout, g, frames)) for g in groups])

@@ -98,7 +98,7 @@ def test_skewed_bodies_are_measured_from_the_same_faces(seed: int) -> None:
 
 
 FINGERS = {"fixed finger beside bar", "prong beside bar"}
-ENVELOPE = [  # failed condition, and its limit along one axis, with the palm 0.03 ft over the bar (feet, radians)
+ENVELOPE = [  # failed condition, axis, and limit along or about the axis [ft, rad]; the palm is 0.03 ft over the bar
     ("palm along bar", "along", 1.0),
     ("palm along bar", "along", -1.0),
     ("fixed finger beside bar", "across", -0.125),

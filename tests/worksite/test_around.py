@@ -28,7 +28,7 @@ def some_row(rng: np.random.Generator, size: float = 5.0) -> Array:
 
 
 def within(outer: Array, inner: Array) -> Array:
-    """Return the pose `inner`, which is given relative to the pose `outer`, in the frame of `outer`; by matrices."""
+    """Return `inner`, a pose relative to `outer`, in the coordinate frame in which `outer` is given; by matrices."""
     a, b = pose_of(outer), pose_of(inner)
     return row_of(Pose(a.rotation @ b.position + a.position, a.rotation @ b.rotation))
 

@@ -1,4 +1,4 @@
-"""Free flight: it is exact in time, orthonormal for hours, and within its deadband. Translation of the orbiter."""
+"""Limit cycle: within its deadband. Coasting: exact for any step, orthonormal for hours. Translation of the orbiter."""
 
 from __future__ import annotations
 
@@ -181,7 +181,7 @@ def test_orbiter_reaches_its_speed_and_stops_when_the_stick_is_centred() -> None
     position, velocity = translated([(5.0, (1, 0, -1)), (2.5, (0, 0, 0))], 0.02)
     assert velocity == pytest.approx([0.0, 0.0, 0.0], abs=0.0)
     assert position == pytest.approx([5.0 * SPEED, 0.0, -5.0 * SPEED])
-    # Reversal is twice the change of speed.
+    # A reversal changes the velocity by 2 SPEED, and so takes 4 s.
     position, velocity = translated([(2.0, (0, 1, 0)), (4.0, (0, -1, 0))], 0.02)
     assert velocity[1] == pytest.approx(-SPEED)
     assert position[1] == pytest.approx(SPEED)

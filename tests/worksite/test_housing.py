@@ -47,7 +47,7 @@ def test_moved_camera_moves_its_shapes_and_its_solid(tmp_path: Path) -> None:
 
 
 def test_housing_encloses_its_camera_at_any_orientation() -> None:
-    """The pan axis is surveyed (SSV): Xo 588.76, Yo -71.5, Zo 446.06 in; the lens is seven inches in front of it."""
+    """Surveyed pan axis (SSV): Xo 588.76, Yo -71.5, Zo 446.06 in. The lens is seven inches in front of this axis."""
     site = load_worksite("orbiter")
     middle = (block(site, "A").max(axis=0) + block(site, "A").min(axis=0))[:2] / 2.0
     assert middle == pytest.approx([-8.972, -1.816], abs=1e-3)

@@ -44,7 +44,7 @@ def corners(half: tuple[float, float, float]) -> Points:
 
 
 def hull(shape: Shape) -> Points:
-    """Return points in the frame that lists the shape; their bounding box contains the shape."""
+    """Return points whose bounding box contains a shape, in the coordinate frame of the body or group that lists it."""
     return turned(np.vstack(list(own_hull(shape))), shape.rotation, shape.position)
 
 

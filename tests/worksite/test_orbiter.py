@@ -47,7 +47,7 @@ def heights(solids: Sequence[Solid], points: Array) -> Array:
 
 
 def outside(shape: Leaf, pose: Pose, solids: Sequence[Solid], allowed: float) -> Array:
-    """Return the corners (n, 3) of a shape that are not nearer to a solid than allowed [m]."""
+    """Return the corners (n, 3) of a shape that are at least a distance `allowed` [m] away from every solid."""
     points = np.unique(moved(solid(shape, 24), pose).vertices, axis=0)
     order = heights(solids, points).argsort(axis=1)
     out = [
@@ -84,7 +84,10 @@ def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
 
 
 def test_perfect_capture_leaves_clearance_to_the_target_rod(orbiter: Worksite) -> None:
-    """It is 0.286 m minus the radii of end effector, 0.2 m, and rod, 0.013 m. Camera and light are far behind."""
+    """The clearance is the distance of the axes minus the radii of end effector and rod: 0.286 m - 0.2 m - 0.013 m.
+
+    Wrist camera and wrist light are far behind.
+    """
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
     model = aftdeck.load_arm("srms").model
@@ -184,7 +187,7 @@ def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
 
 
 def test_berth_guides_match_the_latch_solids(orbiter: Worksite) -> None:
-    """Low and high in the V, the clearance of a trunnion to the latch solids is that of the berth's guides."""
+    """Low and high in the V, a trunnion has the same clearance to the latch solids as to the berth's guides."""
     (seat,) = orbiter.seats
     (cargo,) = orbiter.cargoes
     assert seat.guides is not None

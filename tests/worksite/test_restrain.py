@@ -72,7 +72,7 @@ def gained_clearance(made: list[Solid], layout: Layout, counts: Mask, now: Array
 
 
 def lost_at_most(before: Array, after: Array, gained: float) -> float:
-    """Return the clearance [m] that a step with this gain may lose at other pairs; `DEEPER` if it makes a contact."""
+    """Return the clearance [m] that a step with this gain may lose at other pairs; `DEEPER` for a step into contact."""
     made = bool(((before > CONTACT) & (after <= CONTACT)).any())
     return DEEPER if made or not np.isfinite(gained) else max(DEEPER, BESIDES * gained)
 
@@ -158,7 +158,7 @@ def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> 
         candidates = directions(now, step)
         gains = ways_out(watch, counts, counts, candidates)
         best = int(gains.argmax())
-        # one of three perpendicular axes is within 55 deg of any escape direction
+        # any escape direction is within 55 deg of one of three perpendicular axes
         assert gains[best] >= step / sqrt(3.0) - 1e-12
         assert relieves(watch, counts, counts, candidates[best])
         watch.update(now, candidates[best], PERIOD)

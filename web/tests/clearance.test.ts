@@ -83,7 +83,7 @@ test('conditions keep their order if each of them has a cell', () => {
   expect(names(0.1, 0.1)).toEqual(['a', 'b']);
 });
 
-test('a failed condition replaces one that holds if there are too few cells', () => {
+test('with too few cells, a failed condition replaces a condition that holds', () => {
   const places = new Places(3);
   const shown = (failing: string) =>
     places
@@ -124,7 +124,7 @@ test('the bar of a range is continuous where the nearer bound changes', () => {
   expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);
 });
 
-test('the distance to the pin names the stick and key that reduce it', () => {
+test('each component of the distance to the pin has the stick and key that reduce it', () => {
   expect(wayParts([1.99, 0.3, -0.254], FEET, KEYS)).toEqual([
     { stick: '+X', handle: 'W', value: '78' },
     { stick: '+Y', handle: 'D', value: '12' },
@@ -137,7 +137,7 @@ test('the distance to the pin names the stick and key that reduce it', () => {
   ]);
 });
 
-test('distances are in the small units of the operator', () => {
+test('values are in the operator’s small units', () => {
   expect(figures(condition({ value: 0.0635 }), FEET)).toEqual({ value: '2.5', unit: 'in' });
   expect(figures(condition({ value: 1.2 }), SI)).toEqual({ value: '120', unit: 'cm' });
   expect(figures(condition({ value: 0.1, unit: 'rad' }), SI)).toEqual({ value: '5.7', unit: '°' });

@@ -3,7 +3,7 @@ import { Controllers } from '../src/input/controllers';
 import { isZero } from '../src/input/deflection';
 import { NO_AXES, plugged } from './gamepads';
 
-test('a lost device zeroes all devices and is forgotten when acknowledged', () => {
+test('the loss of a device centres all devices; acknowledging removes the lost device', () => {
   const world = plugged({ id: 'Left' }, { id: 'Right' });
   vi.stubGlobal('window', { addEventListener() {} });
   const controllers = new Controllers(() => {}, { moved() {}, taken: () => false });

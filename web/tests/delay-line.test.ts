@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { DelayLine, isStale } from '../src/link/delay-line';
 import type { Frame } from '../src/link/protocol';
 
-/** Return the ticks that a line with this delay [s] shows at each time [ms]. From 0, a frame arrives every 100 ms. */
+/** Returns the tick that a line with this delay [s] shows at each time [ms]. Frames arrive at 0, 100, 200 … ms. */
 function shows(delay: number, times: readonly number[], frames = 100): readonly (number | undefined)[] {
   const line = new DelayLine(delay);
   let tick = 0;
@@ -15,14 +15,14 @@ function shows(delay: number, times: readonly number[], frames = 100): readonly 
 const seen = (tick: number, at: number) => ({ frame: { tick } as Frame, at });
 
 describe('a delay line', () => {
-  it('shows each frame after its delay, in order', () => {
+  it('shows each frame after the delay, in order', () => {
     const times = Array.from({ length: 500 }, (_, i) => 7 * i);
     shows(1.5, times).forEach((tick, i) => {
       expect(tick).toBe(Math.max(0, Math.floor(((times[i] ?? 0) - 1500) / 100)));
     });
   });
 
-  it('shows the newest frame if its delay is zero', () => {
+  it('shows the newest frame if the delay is zero', () => {
     expect(shows(0, [0, 99, 100, 250])).toEqual([0, 0, 1, 2]);
     const line = new DelayLine(0);
     line.put(seen(0, 500)); // arrived just before the page drew an earlier frame

@@ -120,7 +120,7 @@ test('a device with a sensor off centre is reported, and is used after it was ze
   restore('pad');
 });
 
-test('a stick that a hand holds off centre is not a sensor off centre', () => {
+test('a stick that the operator holds off centre does not count as a sensor off centre', () => {
   const device = new Device('pad', () => {});
   for (let now = 0; now <= 10_000; now += 100) device.read(reading([0.2 + 0.05 * (now % 200), 0, 0, 0]), now);
   expect(device.resting).toBe(false);

@@ -20,7 +20,7 @@ it('there is no event before the first or after the last one', () => {
   expect(eventBeside(events, 5, 1)).toBeUndefined();
 });
 
-it('steps forwards reach the time of each event once', () => {
+it('forward steps reach the time of each event once', () => {
   const visited: number[] = [];
   let next = eventBeside(events, 0, 1);
   while (next) {

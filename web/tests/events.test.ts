@@ -73,9 +73,9 @@ test.each<[string, readonly Level[], number]>([
   ['newest warning', ['info', 'warning', 'info'], 1],
   ['newest caution', ['info', 'caution', 'info'], 1],
   ['newest of two cautions', ['caution', 'caution', 'info'], 0],
-  ['newest line without a caution', ['info', 'info', 'info'], 0],
-  ['newest line if the caution is the third', ['info', 'info', 'caution'], 0],
-])('the %s is wrapped', (_, levels, place) => {
+  ['newest line if there is no caution', ['info', 'info', 'info'], 0],
+  ['newest line if only the third line is a caution', ['info', 'info', 'caution'], 0],
+])('the wrapped line is the %s', (_, levels, place) => {
   const { group, rows } = log();
   group.add([...levels].reverse().map((level) => event('mode', level)));
   const wrapped = rows('ol.log').map(({ classes }) => classes.includes('whole'));

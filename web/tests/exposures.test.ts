@@ -96,7 +96,7 @@ describe('an exposure', () => {
     expect(Math.max(...all.map(Math.abs))).toBeLessThanOrEqual(RANGE);
   });
 
-  it('brings the light of a picture to its key, by the tone curve of the profile', () => {
+  it('brings the light of a picture to the value KEY, by the tone curve of the profile', () => {
     const light = { full: LIGHT_OF[180] ?? Number.NaN, low: (180 / 255) ** 2 };
     for (const quality of ['full', 'low'] as const)
       expect(stops(180, 1, quality)).toBeCloseTo(Math.log2(KEY / light[quality]), 1);
@@ -146,7 +146,7 @@ test.each<[Quality, number]>([
   ['full', 300],
   ['low', 1500],
 ])(
-  'two meterings are at least one interval apart, two meterings of one camera two: %s',
+  'meterings are at least one interval apart, those of the same camera two intervals: %s',
   (quality, interval) => {
     const { meter } = metering(quality);
     meter('A');

@@ -39,6 +39,6 @@ test.each([
   ['12 in', null],
   ['1e3', null],
   ['--1', null],
-])('keyed-in %j reads as %j', (text, value) => {
+])('the keyed-in text %j is read as %j', (text, value) => {
   expect(parseNumber(text)).toBe(value);
 });

@@ -13,7 +13,7 @@ const WAYS = [
   { ...WAY, stick: 'rotation', axis: 0, sign: -1 },
 ] as const;
 
-test('the device moved last is named until a key is pressed', () => {
+test('the device that was moved last is named until a key is pressed', () => {
   const still = Array.from({ length: 17 }, () => ({ pressed: false, value: 0 }));
   const device = {
     kind: 'pad',

@@ -11,7 +11,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-test('master angles are sent at most 20 times a second, the last ones always', () => {
+test('master angles are sent at most 20 times a second; the last angles are always sent', () => {
   const sent: number[] = [];
   const paced = new Paced<number>(50, (value) => sent.push(value));
   for (let i = 0; i < 100; i += 1) {

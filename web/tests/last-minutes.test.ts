@@ -111,7 +111,7 @@ test.each([
   [0, 0, 1, [0, 0.2]],
   [-1.2, -1.0, 1, [-1.2, -1]],
   [3, 3, 1, [3, 4]],
-])('the range of %d to %d, displayed times %d, is round', (low, high, perSi, range) => {
+])('the range from %d to %d is round if %d displayed units are one SI unit', (low, high, perSi, range) => {
   const [from, to] = roundRange(low, high, perSi);
   expect(from).toBeCloseTo(range[0] ?? NaN, 9);
   expect(to).toBeCloseTo(range[1] ?? NaN, 9);

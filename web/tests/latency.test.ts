@@ -22,7 +22,7 @@ describe('stick to picture', () => {
     expect(latency.percentile95(160 + 10_001)).toBeNull();
   });
 
-  it('has a share of the link, which ends when the frame that used the input arrives', () => {
+  it('is measured separately from the time until the first frame that used the input arrives', () => {
     const latency = new Latency();
     latency.sent(1, 100);
     latency.sent(2, 200);

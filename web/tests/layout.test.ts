@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { learnLetter, nameOf } from '../src/input/layout';
 
-test('a key pressed alone sets its letter', () => {
+test('the letter of a key is learned when the key is pressed without a modifier', () => {
   const alone = { shiftKey: false, ctrlKey: false, altKey: false, metaKey: false };
   expect(nameOf('KeyQ')).toBe('Q');
   learnLetter({ ...alone, code: 'KeyQ', key: '!', shiftKey: true });

@@ -41,7 +41,7 @@ function lighted(): { light: LambertLight; body: Body; materials: Materials } {
 
 const uniform = (light: LambertLight, name: string) => light.uniforms[name]?.value;
 
-test('an unknown condition is an error that names it', () => {
+test('the error for an unknown light condition names the condition', () => {
   expect(() => daylightOf([DAY], 'dusk')).toThrow('dusk');
 });
 
@@ -56,7 +56,7 @@ test('the low profile has sun, Earth and sky light of the condition', () => {
   expect(uniform(light, 'earthshine').g).toBeCloseTo(0.5 / Math.PI, 12);
 });
 
-test('lamps are computed only in the dark, by their switches', () => {
+test('only lamps that are switched on are computed, and only in the dark', () => {
   const { light } = lighted();
   expect(light.room).toBe(2);
   const count = (name: string, on: readonly string[]) => {

@@ -93,7 +93,7 @@ test('of the lines of the page, only a rejection sets the time of the last rejec
   expect(lines.map(({ text }) => text)).toEqual(['A line', 'A reason']);
 });
 
-test('a cleared log has no lines that were not due yet', () => {
+test('clearing the log also discards the lines that are not due yet', () => {
   const { arrivals, group, log, show } = opened(1);
   show(10);
   arrivals.addEvents([event(10.5)]);

@@ -30,7 +30,7 @@ test('distances and angles are in the operator’s units', () => {
   expect(words(ahead, joints, unitsOf('SI')).clearance).toBe('25 cm');
 });
 
-test('a predicted contact or joint past its limit is named', () => {
+test('a predicted contact is named, and so is a joint past its limit', () => {
   const told = words({ ...ahead, contact_s: 3.04, room: -0.0175 }, joints, unitsOf('SI'));
   expect(told.clearance).toBe('contact 3.0 s');
   expect(told.joint).toBe('Elbow 1° past');

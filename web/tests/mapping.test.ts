@@ -9,7 +9,7 @@ function steps(least: number, most: number, count: number): readonly number[] {
 
 const SETTINGS = steps(0, 0.5, 5).flatMap((deadband) => steps(0, 1, 4).map((expo) => ({ deadband, expo })));
 
-test('deadband and expo are monotone, odd, and keep 0 and 1', () => {
+test('deadband and expo are monotone and odd, and map 0 to 0 and 1 to 1', () => {
   for (const setting of SETTINGS) {
     expect(Object.is(shape(0, setting), 0)).toBe(true);
     expect(shape(1, setting)).toBeCloseTo(1, 12);

@@ -25,7 +25,7 @@ function made() {
   });
   return {
     ...{ monitors, changed, chosen },
-    /** Cameras of each monitor, and the position of the selected picture among all. */
+    /** Cameras of each monitor, and the position of the selected picture among all pictures. */
     state: () => {
       const pictures = monitors.both.flatMap((monitor) => monitor.pictures);
       const selected = pictures.indexOf(monitors.hand.picture);
@@ -34,7 +34,7 @@ function made() {
   };
 }
 
-test('MON 1 is selected first, and no camera is chosen', () => {
+test('at first, MON 1 is selected and no camera is chosen', () => {
   const { monitors, state } = made();
   expect(state()).toBe('A A 0');
   expect(monitors.chosen).toBe(false);
@@ -90,7 +90,7 @@ describe('a digit', () => {
       'L',
     ],
     [
-      'pressed after another one',
+      'pressed after another digit',
       [
         [0, 0],
         [300, 1],
@@ -98,7 +98,7 @@ describe('a digit', () => {
       'B',
     ],
     [
-      'pressed again after another one',
+      'pressed again after another digit',
       [
         [0, 1],
         [200, 0],
@@ -107,7 +107,7 @@ describe('a digit', () => {
       'B',
     ],
     [
-      'twice, if there is no camera with ten more',
+      'pressed again without a camera ten places later',
       [
         [0, 2],
         [300, 2],
@@ -133,7 +133,7 @@ describe('a digit', () => {
   });
 });
 
-test('a step from the last camera leads to the first, and back', () => {
+test('a step forward from the last camera leads to the first, and a step back to the last', () => {
   const { monitors } = made();
   const step = (by: number) => {
     monitors.step(by);
@@ -154,7 +154,7 @@ describe('a monitor that is split', () => {
     expect(state()).toBe('AB A 1');
   });
 
-  it('keeps the selected half when it is whole again', () => {
+  it('keeps the selected half when the split ends', () => {
     const { monitors, state } = made();
     monitors.toggleSplit();
     monitors.choose(B);
@@ -171,7 +171,7 @@ describe('a monitor that is split', () => {
     expect(state()).toBe('A A 0');
   });
 
-  it('has two pictures in the cycle in which pictures are selected', () => {
+  it('counts as two pictures when pictures are selected in turn', () => {
     const { monitors, state } = made();
     monitors.toggleSplit();
     monitors.take(0, 0);
@@ -184,7 +184,7 @@ describe('a monitor that is split', () => {
   });
 });
 
-test('another page or a recording sets the cameras of a monitor, one or two', () => {
+test('another page or a recording puts one or two cameras on a monitor', () => {
   const { monitors, state, changed } = made();
   monitors.show(1, ['B', 'C']);
   expect(state()).toBe('A BC 0');
@@ -194,7 +194,7 @@ test('another page or a recording sets the cameras of a monitor, one or two', ()
   expect(changed).toHaveBeenCalledTimes(2);
 });
 
-test('cameras that a monitor shows already change nothing', () => {
+test('a request for the cameras that a monitor already shows changes nothing', () => {
   const { monitors, changed } = made();
   monitors.show(0, ['A']);
   expect(changed).not.toHaveBeenCalled();

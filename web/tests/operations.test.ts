@@ -78,7 +78,7 @@ describe('STOP', () => {
   it.each([
     ['MASTER', 1],
     ['ORB UNL', 0],
-  ])('in %s sets the master arm to the angles of the arm %i times', (mode, times) => {
+  ])('in %s sets the master arm to the arm’s angles; number of calls: %i', (mode, times) => {
     const { frame, operations, parts } = station();
     frame.mode = mode;
     operations.stop();
@@ -170,7 +170,7 @@ test('clearance and lamps move to the view of all cameras until it closes', () =
   expect(classes.size).toBe(0);
 });
 
-test('acknowledging concerns lamps and lost devices', () => {
+test('one action acknowledges lamps and lost devices', () => {
   const { operations, parts } = station(false);
   operations.act({ name: 'acknowledge' });
   expect(parts.operator.controllers.acknowledge).toHaveBeenCalledTimes(1);
@@ -226,7 +226,7 @@ test('a pressed lamp filters the log by its kinds and outlines its elements for 
 test.each([
   ['opens', {}, 0],
   ['is blocked', null, 1],
-])('a secondary window that %s is logged %s %i times', (_, opened, times) => {
+])('a secondary window that %s (the browser returns %s) adds %i lines to the log', (_, opened, times) => {
   vi.stubGlobal('location', { href: 'http://station/?quality=low' });
   const open = vi.fn((_address: URL) => opened);
   vi.stubGlobal('window', { open, addEventListener() {} });

@@ -25,7 +25,7 @@ test('the pad that moves first is the THC until the pads are swapped', () => {
   expect(pads.devices.map(({ name }) => name)).toEqual(['Right', 'Left']);
 });
 
-test('a joystick that was never moved does not fly', () => {
+test('a joystick that was never moved is not used', () => {
   const world = plugged(
     { id: 'Stick', standard: false, axes: [0, 0, 0, 1], buttons: { 5: 1 } },
     { id: 'Pad' },

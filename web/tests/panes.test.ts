@@ -116,7 +116,7 @@ describe('a picture', () => {
     expect([draw('2', 3), draw('3', 5), draw('3', 6)]).toEqual(['AB false', 'AB false', 'C true']);
   });
 
-  it('is drawn again when its exposure changes, and no other is', () => {
+  it('is drawn again when its exposure changes; other pictures are not', () => {
     const { stops, draw } = drawn();
     draw('1', 0);
     stops['B'] = 0.5;
@@ -154,7 +154,7 @@ describe('a picture', () => {
     expect(draw('1', 11)).toBe('B true');
   });
 
-  it('is drawn on a wiped canvas in any case', () => {
+  it('is always drawn again after the canvas was wiped', () => {
     const { draw } = drawn();
     draw('1', 0);
     expect(draw('1', 1, true)).toBe('ABC true');

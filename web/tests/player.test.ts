@@ -42,7 +42,7 @@ test('playback pauses at the end and starts again from the first frame', async (
   expect(made.position).toBe(0.02);
 });
 
-test('each multiple of the period shows its own frame', async () => {
+test('at each multiple of the period, the player shows the frame of that time', async () => {
   const { player: made } = await player();
   for (let tick = 1; tick <= 1000; tick += 1) {
     made.seek(tick * 0.02);

@@ -3,7 +3,7 @@ import { figure, minutes, withUnit } from '../src/replay/quantity';
 import { began, drawnRate } from '../src/replay/rail';
 import { unitsOf } from '../src/words/units';
 
-test('a distance with an angle shows both', () => {
+test('a distance is shown with its angle if it has one', () => {
   const measure = {
     name: '',
     quantity: 'gap',

@@ -80,7 +80,7 @@ describe('CLEARANCE', () => {
   });
 });
 
-test('the view names the operator, and its sticks move the orbiter only on the page in control', () => {
+test('the view names the operator; only the page in control moves the orbiter with its sticks', () => {
   const { control, parts, readouts } = desk();
   const frame = frameOf('ORB UNL', []);
   expect(readouts.viewOf(frame)).toMatchObject({ flier: 'Anna', flying: true, orbiting: true });

@@ -37,7 +37,7 @@ test('a stick assigned to +X inverted replaces both sides of X', () => {
   expect(movers(changed, '-X')).toEqual([{ source: 'a3', sign: 1 }]);
 });
 
-test('an axis is rejected for a function of a button, or if it has another function', () => {
+test('an axis is rejected for a button function, and also if it already has another function', () => {
   expect(() => bind('pad', DEFAULTS.pad, 'rate', { source: 'a5', sign: 1 })).toThrow('needs a button');
   expect(() => bind('pad', DEFAULTS.pad, '+X', { source: 'a3', sign: 1 })).toThrow('RHC −pitch');
 });

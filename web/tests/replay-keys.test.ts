@@ -3,7 +3,7 @@ import { actionOf } from '../src/replay/keys';
 import { player } from './recording-player';
 
 const none = () => {};
-/** Effects of the keys, all empty. */
+/** Key actions that do nothing. */
 const NOTHING = {
   event: none,
   desk: none,
@@ -34,7 +34,7 @@ test('keys play, seek and step; an unassigned key does nothing', async () => {
   expect(actionOf(made, NOTHING, { code: 'KeyW', shiftKey: false })).toBeUndefined();
 });
 
-test('A restores the cameras as flown; plus and minus zoom', async () => {
+test('the key A restores the cameras as flown; the keys plus and minus zoom', async () => {
   const { player: made } = await player();
   const done: string[] = [];
   const keys = {

@@ -119,7 +119,7 @@ function bodyOf(shapes: readonly Shape[]): Body {
   return new Body(info, new Materials('low', new LambertLight(0)), 'low');
 }
 
-test('a group repeats in even steps and mirrors port to starboard', () => {
+test('a group repeats its shapes at equal steps and mirrors them from port to starboard', () => {
   const group: Group = {
     kind: 'group',
     position: [0, 2, 0],

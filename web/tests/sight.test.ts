@@ -38,7 +38,7 @@ const eye: Camera = {
   pane: { distance: 1, width: 0.4, height: 0.4 },
 };
 
-test('a camera sees a body in its picture that no other body hides', () => {
+test('a camera sees a body that is in its picture and not hidden by another body', () => {
   const { sight } = place(body('payload', [10, 0, 0]));
   expect(sight.body(bay, 'payload')).toBe(true);
   expect(place(body('payload', [10, -20, 0])).sight.body(bay, 'payload')).toBe(false);
@@ -84,7 +84,7 @@ test('a clearance line is visible if any part of it is unobstructed', () => {
   expect(place(body('wall', [5, 0, 0], [0.2, 8, 8])).sight.ends(bay, a, b)).toEqual([false, false]);
 });
 
-test('a window sees through its pane; bodies before the pane hide nothing', () => {
+test('a window sees through its pane; bodies between the eye and the pane hide nothing', () => {
   const ahead = place(body('payload', [10, 0, 0]), body('wall', [0.5, 0, 0], [0.2, 8, 8]));
   expect(ahead.sight.body(eye, 'payload')).toBe(true);
   // A pane edge 0.2 m from the axis, 1 m away, limits the view to 2 m from the axis at 10 m.

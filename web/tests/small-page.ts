@@ -1,6 +1,6 @@
 import { vi } from 'vitest';
 
-/** A small document for components of the panel. They can be made and read in it, but have no layout. */
+/** A small document in which tests make and read components of the panel. It computes no layout. */
 
 class SmallText {
   constructor(public data: string) {}

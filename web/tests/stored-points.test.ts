@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { firstShown, startPoint } from '../src/panel/target/stored-points';
 
-test('a long list of points shows the next one and the one before it', () => {
+test('a long list of points shows the next point and the point before it', () => {
   expect(firstShown(1, 4)).toBe(0);
   expect(firstShown(1, 12)).toBe(0);
   expect(firstShown(6, 12)).toBe(4);

@@ -80,7 +80,7 @@ describe('tones', () => {
     expect(audio.tones[0]?.ended).not.toBeNull();
   });
 
-  it('sound two rising clicks for a capture, one for a mode', () => {
+  it('sound two rising clicks for a capture, and one click for a mode', () => {
     const { audio, tones } = made();
     tones.wake();
     tones.captured();

@@ -172,7 +172,7 @@ test('a restart starts the tutorial again from the present tip position', () => 
   expect(progress).toMatchObject({ at: 0, tick: 1, from: [7, 0, 0], seat: -2 });
 });
 
-test('the tutorial starts at the lift with a captured payload', () => {
+test('with a captured payload, the tutorial starts at the lift step', () => {
   expect(seen(BEGIN, frame({ held: true }), 0).at).toBe(STEPS.length - 1);
 });
 

@@ -104,7 +104,7 @@ test('a window puts only cameras of the scenario on the selected monitor', () =>
   expect(monitors.choose.mock.calls).toEqual([[bay]]);
 });
 
-test('the window of a monitor selects this monitor in the page of an operator, once', () => {
+test('the window of a monitor selects this monitor in an operator’s page, unless it is already selected', () => {
   const { channel, monitors } = opened();
   channel.receive({ kind: 'take', monitor: 0 });
   expect(monitors.take).not.toHaveBeenCalled();
