@@ -12,7 +12,8 @@ export interface ReplayRail {
 }
 
 const CUT = 'The recording ends before the end of the run; it plays up to its last frame';
-const THINNED = 'To stay small, the file contains only some of the frames; lanes, strips and log are complete';
+const THINNED =
+  'To stay small, the file contains only some of the frames; lanes, strips and log are complete';
 
 /** `flying`: address of the station with the present run; null if there is none. */
 export function replayRail(index: PlaybackIndex, flying: string | null, changeUnits: () => void): ReplayRail {
