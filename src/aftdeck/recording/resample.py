@@ -8,8 +8,10 @@ import msgspec
 
 from aftdeck.recording.records import Input
 
-_SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold", "brakes", "safing", "effector",
-             "effector_mode", "rigid", "latch", "master", "initialise", "target")  # fmt: skip
+_SWITCHES = tuple(
+    field.name for field in msgspec.structs.fields(Input) if field.default is None and field.name != "camera"
+)
+"""Fields that are None unless a switch was set or a target was keyed in; camera drives act while they are deflected."""
 SAME_TIME = 1e-9
 """Times that differ by less than this value are equal [s]."""
 

@@ -70,8 +70,8 @@ def _in_l(site: Site, along: Array) -> Vec3:
     x, y, z = along.tolist()
     if x == y == z == 0.0:
         return _ZERO
-    x, y, z = (site.axes @ along).tolist()
-    return x, y, z
+    (a, b, c), (d, e, f), (g, h, i) = site.axes.tolist()
+    return a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
 
 
 def _six(values: Array) -> Six:
