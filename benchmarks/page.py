@@ -17,8 +17,8 @@ from benchmarks.measure import Figure
 from benchmarks.station import flying
 
 FLAGS = ("--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-compositing", "--no-sandbox")
-"""Mesa's GL draws the scene but does not composite the page, as in Chromium without a graphics card. If it also
-composited the page, Chromium would draw half as many pictures."""
+"""Mesa's GL draws the scene. Chromium composites the page without GL, as on a machine without a graphics card. If
+Mesa's GL also composited the page, Chromium would draw half as many pictures."""
 WIDTH, HEIGHT = 640, 400
 """Size of each monitor's picture [px]."""
 SECONDS = 10

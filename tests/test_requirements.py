@@ -1,4 +1,7 @@
-"""The pins in ``requirements/`` satisfy pyproject.toml, with hashes and without addresses."""
+"""Versions pinned in ``requirements/``: pyproject.toml allows them, and each has a hash.
+
+No file of ``requirements/`` contains a download address.
+"""
 
 import re
 import tomllib

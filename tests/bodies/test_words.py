@@ -36,7 +36,7 @@ POSITIONS = {
 
 
 def words(a: Array, b: Array) -> list[int]:
-    """Return the location words of the body `a` relative to the body `b`."""
+    """Return the location word of each vertex of `a`: the faces of `b` on whose TRUE side the vertex is."""
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)

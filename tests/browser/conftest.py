@@ -23,7 +23,7 @@ START_S = 120.0
 COMPILED_S = 300.0
 """Longest time from the printed address to the first answer of the station [s]; the first run compiles the laws."""
 
-# As in benchmarks/page.py: Mesa's GL draws the scene, but does not composite the page.
+# As in benchmarks/page.py: Mesa's GL draws the scene, and Chromium composites the page without GL.
 FLAGS = [
     "--use-angle=gl-egl",
     "--disable-gpu-compositing",

@@ -56,7 +56,7 @@ CLASHES = """() => {
     }
     return clashes;
 }"""
-"""Groups that the card covers, and parts of the card that leave it or overlap."""
+"""Groups that the card covers, and parts of the card that extend beyond its edge or overlap each other."""
 
 
 def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:

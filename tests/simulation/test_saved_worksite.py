@@ -1,4 +1,7 @@
-"""A state that is saved while the worksite moves continues bit for bit, and recordings of such runs verify."""
+"""States saved while the worksite moves: a run from such a state gives the same frames, bit for bit.
+
+Recordings of runs in which the worksite moves pass verification.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Near singularities and limits: every mode stays bounded, and the frame's escape direction leads out."""
+"""At singularities and joint limits, angles and rates stay finite, and the frame's escape direction leads away."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def near(kind: str, rng: np.random.Generator) -> Array:
 
 
 def escape_inputs(escape: WayOut, mode: str) -> aftdeck.Inputs:
-    """Return the inputs of an escape, in the panel position that it names, or in `mode` if it names none."""
+    """Return the inputs of an escape direction, in the panel position that it names, or in `mode` if it names none."""
     position = escape.position or mode
     if escape.stick == "joint":
         return aftdeck.Inputs(mode=position, joint=escape.axis, drive=float(escape.sign))
@@ -127,11 +127,11 @@ def test_escapes_lead_out_with_a_heavy_payload(seed: int, mode: str) -> None:
 @pytest.mark.parametrize(
     "start",
     [
-        # shoulder pitch alone is no escape here: the joint reaches its stop, or the folded arm is too short
+        # shoulder pitch alone is no escape direction here: the joint reaches its stop, or the folded arm is too short
         (115.469, 88.788, -158.281, -96.997, -106.507, -89.65),
         (-107.884, 130.465, -70.984, -73.09, -90.0, 50.966),
         (26.557, 135.806, -85.422, 77.213, -101.794, -41.189),
-        # the elbow is between straight and its upper stop; the stop is too near for an escape
+        # the elbow is between straight and its upper stop; the stop is too near for an escape direction
         (142.0, 5.872, -1.589, -39.584, 98.826, 104.884),
         (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     ],

@@ -38,7 +38,8 @@ def test_all_joints_move_in_proportion_to_their_final_angles(rotations: tuple[fl
 @pytest.mark.parametrize(
     ("rotations", "eta", "peak"),
     [
-        # 10 s at 1.27 deg/s; the ramps at both ends take 2 ft/s over 0.5 ft/s2 = 4 s each, which adds 4 s
+        # 10 s at 1.27 deg/s. Each of the two ramps lasts (2 ft/s) / (0.5 ft/s2) = 4 s, at half the rate on average:
+        # together they add 4 s
         ((12.7, 0.0, 0.0, 0.0, 0.0, 0.0), 14.0, 1.27),
         # the slowest joint counts: 17.8 deg of elbow at 1.78 deg/s
         ((-6.0, 8.0, 17.8, -20.0, 5.0, 22.0), 14.0, 1.78),

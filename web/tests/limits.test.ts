@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { KEYS } from '../src/input/active-device';
 import { leadsAway } from '../src/panel/desk/limits';
 
-test('the escape of a joint past a limit names the joint once', () => {
+test('the escape direction of a joint past a limit names the joint once', () => {
   const way = {
     cause: 'elbow_pitch',
     stick: 'translation',

@@ -11,7 +11,7 @@ test('a stick direction has its mode and key', () => {
   expect(wayOutText({ ...WAY, stick: 'rotation', axis: 0, sign: 1 }, '', KEYS)).toBe('RHC +roll (O)');
 });
 
-test('a joint escape names its mode; an escape by the telescope has no mode', () => {
+test('an escape direction by a joint names its mode; an escape direction by the telescope has no mode', () => {
   const joint: WayOut = { ...WAY, stick: 'joint', axis: 2, position: 'SINGLE' };
   expect(wayOutText(joint, 'elbow pitch', KEYS)).toBe('SINGLE elbow pitch −');
   expect(wayOutText(joint, '', KEYS)).toBe('SINGLE −');

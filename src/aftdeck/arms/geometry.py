@@ -23,8 +23,8 @@ class Linkage(NamedTuple):
     """An arm's joints, from the foot to the tip. Arrays are read-only.
 
     Attributes:
-        links: (8,) in the order of `kinematics.linkage`: L1 to L5 [m], the angles of upper and lower arm above
-            their boom lines at zero angles [rad], and the kind of wrist.
+        links: (8,) in the order of `kinematics.linkage`: L1 to L5 [m]; the angles from the boom line up to the upper
+            arm, and up to the lower arm, at zero joint angles [rad]; and the kind of wrist.
         steps: (6, 3) vectors to each joint's centre at zero angles, in L [m]: the vector to the first joint begins at
             L's origin, and each other vector begins at the preceding joint.
         axes: for each joint, the axis of L, 1 to 3, about which the joint rotates at zero angles.

@@ -119,9 +119,9 @@ class ArmModel:
     def por_limits(self, payload_mass: float) -> PorLimits:
         """Return the limits of the point of resolution for a payload's mass [kg].
 
-        Between two rows for payloads, the limits are interpolated in the logarithm of the mass. Between the row without
-        a payload and the row of the lightest payload, they are interpolated in the mass. Above the row of the heaviest
-        payload, the limits of that row apply (assumed).
+        Between two rows for payloads, the limits are interpolated linearly in the logarithm of the mass. Between the
+        row without a payload and the row of the lightest payload, they are interpolated linearly in the mass. Above the
+        row of the heaviest payload, the limits of that row apply (assumed).
 
         Raises:
             InputError: the mass is negative.

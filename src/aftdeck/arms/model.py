@@ -1,9 +1,9 @@
 """Contents of an arm file: geometry, limits, rates and masses, each constant with its source.
 
-The field `family` selects one of two families of arms. The Shuttle's family is described in JSC-12628 (yaw, pitch,
-pitch, pitch, yaw, roll). The concept's family is described in the *Remote Manipulator Simulation* (heading, pitch,
-pitch, heading, pitch, roll). Tables that differ between the families, or that only one family has, have their own
-structs.
+The field `family` selects one of two families of arms. The family of the Shuttle's arm is described in JSC-12628 (yaw,
+pitch, pitch, pitch, yaw, roll). The family of the concept arm of 1972 is described in the *Remote Manipulator
+Simulation* (heading, pitch, pitch, heading, pitch, roll). Tables that differ between the families, or that only one
+family has, have their own structs.
 """
 
 from __future__ import annotations
@@ -120,7 +120,7 @@ class PorRow(_Part, frozen=True):
 
 
 class YawParts(_Part, frozen=True):
-    """Masses of the parts of an arm of the Shuttle's family [kg]."""
+    """Masses of the parts [kg] of an arm of the family of the Shuttle's arm."""
 
     yaw_housing: Mass
     shoulder: Mass
@@ -134,7 +134,7 @@ class YawParts(_Part, frozen=True):
 
 
 class HeadingParts(_Part, frozen=True):
-    """Masses of the parts of an arm of the concept's family [kg], without the telescope."""
+    """Masses of the parts [kg] of an arm of the family of the concept arm of 1972, without the telescope."""
 
     upper_arm: Mass
     lower_arm: Mass
@@ -260,7 +260,7 @@ class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
 
 
 class YawArmFile(_AnyArm, frozen=True, kw_only=True, tag="yaw-pitch-pitch-pitch-yaw-roll"):
-    """Arm of the Shuttle's family."""
+    """Arm of the family of the Shuttle's arm."""
 
     geometry: YawGeometry
     masses: MassesFile[YawParts]
@@ -269,7 +269,7 @@ class YawArmFile(_AnyArm, frozen=True, kw_only=True, tag="yaw-pitch-pitch-pitch-
 
 
 class HeadingArmFile(_AnyArm, frozen=True, kw_only=True, tag="heading-pitch-pitch-heading-pitch-roll"):
-    """Arm of the concept's family."""
+    """Arm of the family of the concept arm of 1972."""
 
     geometry: HeadingGeometry
     masses: MassesFile[HeadingParts]

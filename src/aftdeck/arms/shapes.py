@@ -43,8 +43,8 @@ class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def shapes_of(model: ArmModel) -> ArmShapes:
     """Return an arm's shapes and cameras from its shape file.
 
-    For a concept arm without a shape file, the shapes are computed from its dimensions. An arm of the Shuttle's family
-    without a shape file has no shapes.
+    For a concept arm without a shape file, the shapes are computed from its dimensions. An arm of the family of the
+    Shuttle's arm has no shapes without a shape file.
 
     Raises:
         ScenarioError: a shape or camera is invalid, or the frames are not the arm's. The message names the place in the

@@ -83,7 +83,7 @@ def corner(a: Array, b: Array, i: int, j: int, moved: Vector) -> Corner:
 
 @law
 def on_segment(p: Corner, q: Corner) -> Simplex:
-    """Return the simplex with the point of a segment that is nearest to the origin."""
+    """Find the point of a segment that is nearest to the origin, and return the simplex in which this point lies."""
     e = minus(q.at, p.at)
     along = -dot(p.at, e)
     square = dot(e, e)
@@ -107,7 +107,7 @@ def nearer(s: Simplex, t: Simplex) -> Simplex:
 
 @law
 def on_triangle(p: Corner, q: Corner, r: Corner) -> Simplex:
-    """Return the simplex with the point of a triangle that is nearest to the origin."""
+    """Find the point of a triangle that is nearest to the origin, and return the simplex in which this point lies."""
     n = cross(minus(q.at, p.at), minus(r.at, p.at))
     pq, qr, rp = dot(n, cross(p.at, q.at)), dot(n, cross(q.at, r.at)), dot(n, cross(r.at, p.at))
     if pq > 0.0 and qr > 0.0 and rp > 0.0:
@@ -126,7 +126,7 @@ def outside(p: Corner, q: Corner, r: Corner, s: Corner) -> bool:
 
 @law
 def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
-    """Return the simplex with the point of a tetrahedron that is nearest to the origin.
+    """Find the point of a tetrahedron that is nearest to the origin, and return the simplex in which this point lies.
 
     The face p, q, r is not tested: if the origin is not inside, the nearest point is on a face with the corner s.
     """
@@ -141,7 +141,10 @@ def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
 
 @law
 def shortest(s: Simplex, w: Corner) -> Simplex:
-    """Return the simplex with the point nearest to the origin, for the corners of a simplex and one more corner."""
+    """Find the point nearest to the origin for the corners of a simplex and one more corner.
+
+    Return the simplex in which this point lies.
+    """
     if s.size == 1:
         return on_segment(s.p, w)
     if s.size == 2:
@@ -151,7 +154,7 @@ def shortest(s: Simplex, w: Corner) -> Simplex:
 
 @law
 def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
-    """Return the simplex with the point nearest to the origin, for one to three corners."""
+    """Find the point of one to three corners nearest to the origin, and return the simplex in which this point lies."""
     if size == 1:
         return Simplex(1, p, p, p, p.at)
     if size == 2:

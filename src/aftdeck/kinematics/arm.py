@@ -232,8 +232,8 @@ class Arm:
         distances = dict(zip(NAMES, (float(d) for d in self.singularities(angles)), strict=True))
         name = min(distances, key=lambda key: abs(distances[key]))
         return SingularityError(
-            f"the arm is at its {name} singularity (distance {distances[name]:.2g} of 1): no bounded joint rates "
-            "produce this twist",
+            f"the arm is at its {name} singularity (distance {distances[name]:.2g}; the greatest is 1): no bounded "
+            "joint rates produce this twist",
             name,
             distances[name],
         )

@@ -31,7 +31,7 @@ def encode(message: msgspec.Struct) -> bytes:
 
 
 def decode(kind: type[S], data: bytes) -> S:
-    """Return the message of a type from the JSON that `encode` made.
+    """Convert JSON from `encode` to a message of the type `kind`.
 
     Raises:
         msgspec.MsgspecError: `data` is not a message of this type.
@@ -46,7 +46,7 @@ def plain(message: msgspec.Struct) -> Any:
 
 
 def restored(kind: type[S], data: Any) -> S:
-    """Return the message of a type from its plain form.
+    """Convert the plain form of a message to a message of the type `kind`.
 
     Raises:
         msgspec.ValidationError: `data` is not a message of this type.

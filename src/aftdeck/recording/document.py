@@ -30,7 +30,7 @@ def tables() -> str:
 def _channels() -> Iterator[str]:
     inner: dict[str, type[msgspec.Struct]] = {}
     for topic, (kind, when) in CHANNELS.items():
-        yield f"### `{topic}`: {_first(kind)}\n\nSchema `aftdeck.{kind.__name__}`. A message is written {when}.\n"
+        yield f"### `{topic}`: {_first(kind)}\n\nSchema `aftdeck.{kind.__name__}`. This message is written {when}.\n"
         yield _table(kind, inner)
     while inner:
         name, within = inner.popitem()

@@ -142,13 +142,13 @@ class Closing(Message, frozen=True):
 
 
 CHANNELS: dict[str, tuple[type[Message], str]] = {
-    "/opening": (Opening, "once, as the first message"),
+    "/opening": (Opening, "once, as the first message of the recording"),
     "/inputs": (Input, "in every step"),
     "/frames": (FrameRecord, "in every step"),
     "/notes": (Note, "when the station logs a line"),
     "/controllers": (ControllersRecord, "when manual control begins, and when devices or mappings change"),
     "/shown": (Shown, "when a monitor changes its camera"),
     "/light": (LightRecord, "at the first step, and when the lighting changes"),
-    "/closing": (Closing, "once, as the last message"),
+    "/closing": (Closing, "once, as the last message of the recording"),
 }
 """Type of each channel's messages, and when they are written."""

@@ -86,9 +86,9 @@ def phase_limits(
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
     """Return the limits of the point of resolution for a payload's `mass` [kg].
 
-    For a speed or angular rate that `over` does not give, the arm's limit applies. An acceleration that `over` does not
-    give is the coarse speed or angular rate divided by the time `reached_in`. If `over` has no `reached_in`, the arm's
-    time from rest to its coarse limit is used.
+    If `over` contains no value for a speed or angular rate, the arm's limit applies. If it contains no value for an
+    acceleration, the acceleration is the coarse speed or angular rate divided by the time `reached_in`. If it contains
+    no `reached_in` either, the arm's time from rest to its coarse limit is used.
     """
     arm_limits = arm.por_limits(mass)
 

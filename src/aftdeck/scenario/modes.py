@@ -19,7 +19,7 @@ _LAWS: dict[int, LawChoice] = {number: law for law, number in AUTOMATIC_LAWS.ite
 
 @dataclass(frozen=True)
 class Chosen:
-    """A mode, and those settings of the switches beside the MODE rotary that the report's number determines.
+    """A mode. If it is given by one of the report's numbers 1 to 8, also the switch settings that it determines.
 
     Attributes:
         position: position of the MODE rotary.

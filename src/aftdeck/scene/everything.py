@@ -30,7 +30,7 @@ class ScenePoses:
         self._finger = 0.0 if prong is None else prong.fixed_finger
 
     def at(self, frame: Frame) -> list[float]:
-        """Return seven numbers per body: x, y, z [m], then the quaternion w, x, y, z."""
+        """Return seven numbers for each body: x, y, z [m], then the quaternion w, x, y, z."""
         poses = self.worksite(frame)
         poses += self.arm.at(np.array(frame.angles), frame.work.stand, self.prong(frame))
         if self._payload and frame.payload is not None:
@@ -40,14 +40,14 @@ class ScenePoses:
         return poses
 
     def then(self, ahead: Ahead, prong: float | None) -> list[float]:
-        """Return seven numbers per body of a look-ahead: the arm's bodies, then the worksite's payloads."""
+        """Return seven numbers for each body in a look-ahead: first the arm's bodies, then the worksite's payloads."""
         poses = self.arm.at(np.array(ahead.angles), ahead.stand, prong)
         for position, orientation in ahead.cargo:
             poses += self.pose(position, orientation)
         return poses
 
     def worksite(self, frame: Frame) -> list[float]:
-        """Return seven numbers per body of the worksite.
+        """Return seven numbers for each body of the worksite.
 
         Bodies that are fixed to ``space`` move opposite to the orbiter's translation, because the scene moves with the
         orbiter.

@@ -83,7 +83,9 @@ class Check(msgspec.Struct, frozen=True):
 class WayOut(msgspec.Struct, frozen=True, gc=False):
     """Command that leads away from a singularity or joint limit, or out of contacts that inhibit the arm."""
 
-    cause: Annotated[str, field_meta("cause of the escape: `elbow` (a singularity), a joint's name, or `contact`")]
+    cause: Annotated[
+        str, field_meta("cause of the escape direction: `elbow` (a singularity), a joint's name, or `contact`")
+    ]
     text: Annotated[str, field_meta("text for the operator: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -`")]
     stick: Annotated[Literal["translation", "rotation", "joint", "telescope"], field_meta("stick or switch to deflect")]
     axis: Annotated[int, field_meta("axis of the stick, 0 to 2, or number of the joint")]
@@ -251,8 +253,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     ways_out: Annotated[
         tuple[WayOut, ...],
         field_meta(
-            "escape direction from each near singularity and each joint beyond a limit; while a contact inhibits the "
-            "arm, only the escape direction out of the contact",
+            "escape direction from each singularity in `singular` and each joint beyond a limit; while a contact "
+            "inhibits the arm, only the escape direction from the contact",
             value="state.ways_out",
         ),
     ]

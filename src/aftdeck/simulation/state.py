@@ -79,7 +79,7 @@ class Panel(StatePart):
     camera: str = ""
     """Camera that was commanded last (RMS-VS: station point); "" if no camera has a drive."""
     advice: dict[str, int] = msgspec.field(default_factory=dict)
-    """Number of the stick direction that was displayed last, for each cause of an escape."""
+    """Number of the stick direction that was displayed last, for each cause of an escape direction."""
 
     @property
     def flown(self) -> int:
@@ -124,7 +124,7 @@ class State(StatePart):
         by_script: True if the script supplied the inputs of the last step.
         phase: name of the script's phase in the last step; "" with manual inputs.
         checking: CMD CK in progress; None if no check is in progress.
-        ways_out: escapes from near singularities, passed joint limits and contacts.
+        ways_out: escape directions from nearby singularities, passed joint limits and contacts.
         events: log lines of the present step.
     """
 

@@ -58,7 +58,7 @@ TARGET = MOTION_ACTIVE + 1
 PLAN = TARGET + 12
 """(11,) plan of mode 1 or 3, computed once at the start of the motion; the modules of the two modes define the values.
 
-In mode 1, the first six values are the final joint angles until the plan is computed.
+In mode 1, until the plan is computed, its first six elements contain the joints' final angles [rad].
 """
 MASTER = PLAN + 11
 """(6,) the master arm's joint angles [rad]."""

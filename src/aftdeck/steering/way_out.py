@@ -80,8 +80,9 @@ def stick_rates(rules: Array, command: Array, state: Array, speeds: Array) -> No
 
 @law
 def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, threshold: float) -> tuple[int, int]:
-    """Return the joint that leaves a singularity by the least rotation inside its reach limits, and the sign.
+    """Return the joint that moves the arm out of a singularity with the least rotation, and the sign of this rotation.
 
+    The joint stays inside its reach limits.
     The joint's whole path to its reach limit is evaluated, because a path that leads away from the singularity at first
     may end before the arm has left the singularity.
 
@@ -93,8 +94,8 @@ def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, thresho
         threshold: normalised distance beyond which the arm has left the singularity [1].
 
     Returns:
-        The joint, 0 to 5, and the sign of its rotation, +1 or -1. If no joint leaves the singularity, the joint is the
-        first that changes the distance from the singularity, and the sign is -1.
+        The joint, 0 to 5, and the sign of its rotation, +1 or -1. If no joint moves the arm out of the singularity, the
+        joint is the first that changes the distance from the singularity, and the sign is -1.
     """
     first, last = (1, 3) if singularity == 0 else (2, 2) if singularity == 1 else (4, 4)
     best, direction, least = first, -1, math.inf

@@ -897,7 +897,7 @@ export interface Frame {
   readonly singularity: Vec3;
   /** singularities nearer than the arm's threshold */
   readonly singular: readonly string[];
-  /** escape direction from each near singularity and each joint beyond a limit; while a contact inhibits the arm, only the escape direction out of the contact */
+  /** escape direction from each singularity in `singular` and each joint beyond a limit; while a contact inhibits the arm, only the escape direction from the contact */
   readonly ways_out: readonly WayOut[];
   /** target of an automatic mode; null if there is none */
   readonly goal: Goal | null;
@@ -940,7 +940,7 @@ export interface Limit {
 
 /** Command that leads away from a singularity or joint limit, or out of contacts that inhibit the arm. */
 export interface WayOut {
-  /** cause of the escape: `elbow` (a singularity), a joint's name, or `contact` */
+  /** cause of the escape direction: `elbow` (a singularity), a joint's name, or `contact` */
   readonly cause: string;
   /** text for the operator: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -` */
   readonly text: string;
@@ -1329,7 +1329,11 @@ export interface Moment {
 export interface Hello {
   readonly type: 'hello';
   readonly protocol: number;
-  /** True for a secondary window or a page that is too narrow: it cannot take control until it sends `TakeSeat`. */
+  /**
+   * True for a secondary window or a page that is too narrow: it cannot take control.
+   *
+   * A page that becomes wide enough sends `TakeSeat`; it can then take control.
+   */
   readonly shows: boolean;
   /** True if the page draws strips: the server then also sends `Recent` messages. */
   readonly strips: boolean;

@@ -30,9 +30,9 @@ export interface Drawn {
 export class DrawLoop {
   /** Number of pictures drawn. */
   drawn = 0;
-  /** Last frame that pictures, lamps and numbers have all shown, with the number of restarts before it. */
+  /** Last frame that pictures, lamps and read-outs have all displayed, and the count of restarts before this frame. */
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** Last frame that the numbers have shown, with the number of restarts before it. */
+  /** Last frame that lamps and read-outs have displayed, and the count of restarts before this frame. */
   private figures = this.shown;
   /** Whether a frame has arrived since the last picture. */
   private fresh = false;

@@ -30,9 +30,9 @@ const BLOCKED_MS = 8000;
 
 export class Replay {
   private drawn = 0;
-  /** The frame that pictures and numbers show. */
+  /** The frame that both the pictures and the read-outs display. */
   private shown: Frame | null = null;
-  /** The frame that the numbers show. */
+  /** The frame that the read-outs display. */
   private figures: Frame | null = null;
   private readonly units: ShownUnits;
   private before = performance.now();

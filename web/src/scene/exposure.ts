@@ -3,7 +3,7 @@
  * exposure for full sunlight.
  */
 
-/** Greatest difference from the exposure with which the light condition begins [stops]. */
+/** Greatest difference between a camera's exposure and its exposure when the light condition begins [stops]. */
 export const RANGE = 2;
 /** Time in which the exposure's error decreases by the factor e [s]. */
 export const TIME_CONSTANT_S = 0.8;

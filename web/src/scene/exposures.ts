@@ -6,8 +6,9 @@ import { Exposure, metered } from './exposure';
 import { Meter } from './meter';
 
 /**
- * Least time between two meterings [ms]. Two meterings of the same camera are at least twice this time apart. To read a
- * picture, the page waits until all pending drawing is complete. This takes long if the processor draws.
+ * Least time [ms] between two meterings (measurements of the light of a picture). Two meterings of the same camera are
+ * at least twice this time apart. To read a picture, the page waits until all pending drawing is complete. This takes
+ * long if the processor draws.
  */
 const METERED_MS = { full: 300, low: 1500 } as const;
 /** Steps of exposure per stop; a smaller change is invisible. */
@@ -53,8 +54,8 @@ export class Exposures {
   }
 
   /**
-   * Meters the picture just drawn, if due; `height`: height of the canvas [CSS px]; `factor`: factor by which the
-   * picture multiplies light.
+   * If a metering is due, starts it for the picture that was just drawn; `height`: height of the canvas [CSS px];
+   * `factor`: factor by which the picture multiplies light.
    */
   measure(camera: string, rect: Rect, height: number, factor: number): void {
     const due = this.cameras.get(camera);

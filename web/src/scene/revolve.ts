@@ -26,7 +26,10 @@ export function revolve(
   return surface;
 }
 
-/** Return a point or direction (along, away, round), at an angle about the axis, in the body's x, y, z. */
+/**
+ * Return a point or direction in the body's x, y, z. It is given by its components along the axis, away from the axis
+ * and round the axis, at the position `angle` about the axis [rad].
+ */
 function around(axis: Axis, angle: number, along: number, away: number, round: number): Vector3 {
   const p = away * Math.cos(angle) - round * Math.sin(angle);
   const q = away * Math.sin(angle) + round * Math.cos(angle);

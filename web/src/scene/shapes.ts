@@ -53,7 +53,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
   }
 }
 
-/** Return the number of sides with which a circle of this radius is drawn [m]. */
+/** Return the number of sides with which a circle of this radius [m] is drawn. */
 function sides(radius: number, quality: Quality): number {
   if (quality === 'low') return SIDES.find(([below]) => radius < below)?.[1] ?? MOST;
   return Math.round(Math.min(96, 24 + 60 * radius));

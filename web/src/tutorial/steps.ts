@@ -136,7 +136,7 @@ export const STEPS: readonly Step[] = [
       const high = units.name === 'SI' ? '1 m' : '40 in';
       const fast = now.rate === 'vernier' ? ' {rate} changes to fast rates.' : '';
       return (
-        'The payload is free. Hold {-X} to move back and lift it, until it is ' +
+        'The payload is free. Hold {-X}: the end effector moves back and lifts the payload. Stop when it is ' +
         `${high} above its berth.${fast}${besides(now)}`
       );
     },

@@ -26,7 +26,7 @@ export interface Played {
 export class Display {
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** Last frame that the numbers have shown, with the number of restarts before it. */
+  /** Last frame whose time the window has displayed, and the count of restarts before this frame. */
   private latest = this.shown;
   private newest: Frame | null = null;
   private restarts = 0;

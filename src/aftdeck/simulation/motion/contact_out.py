@@ -1,4 +1,4 @@
-"""Escape out of the contacts that inhibit the arm: a motion by a stick, one joint or the telescope."""
+"""Escape direction from the contacts that inhibit the arm: a motion by a stick, one joint or the telescope."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from aftdeck.worksite.watch.contact_motion import leads_out, ways_out
 SEARCH_EVERY = 10
 """Number of control steps from one search to the next."""
 CONTACT = "contact"
-"""Cause of these escapes, in `WayOut.cause`."""
+"""Cause of these escape directions, in `WayOut.cause`."""
 SLOWLY = 0.02
 """Fraction of the full rates [1], for the evaluation of motions; about the rates of an arm that starts from rest."""
 
@@ -42,8 +42,9 @@ class _Motion(NamedTuple):
 def way_out_of_contact(flight: Flight, state: State) -> None:
     """Find the motion that leads out of the contacts fastest, and store its command in `worksite.advice`.
 
-    Joints and telescope are evaluated only if no stick direction leads out. If no motion leads out, `advice` is None.
-    The search runs every `SEARCH_EVERY` steps, and in every step while `advice` is None.
+    Motions of single joints and of the telescope are tried only if no stick direction leads out of the contacts. If no
+    motion at all leads out of them, `advice` is None. The search runs every `SEARCH_EVERY` steps, and in every step
+    while `advice` is None.
     """
     worksite = state.worksite
     if worksite.advice and state.tick % SEARCH_EVERY:

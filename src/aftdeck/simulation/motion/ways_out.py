@@ -34,9 +34,9 @@ AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
 
 
 def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
-    """Return an escape for each near singularity and for each joint past a limit, and update `panel.advice`.
+    """Return an escape direction for each nearby singularity and each joint past a limit; update `panel.advice`.
 
-    Under ARM INHIBIT, return only the escape out of the contacts, if there is one (`contact_out`).
+    Under ARM INHIBIT, return only the escape direction from the contacts, if there is one (`contact_out`).
     """
     contact = state.worksite.contacts.inhibit.arm
     if contact or (not singular and not any(zones)):
@@ -73,9 +73,9 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def by_stick(state: State, cause: str, direction: int) -> WayOut:
-    """Return a stick direction, 0 to 11 (axis by axis, + before −), as an escape.
+    """Return a stick direction, 0 to 11 (axis by axis, + before −), as an escape direction.
 
-    If the present mode is not manual, the escape begins with the selection of ORB UNL.
+    If the present mode is not manual, the operator first has to select ORB UNL.
     """
     (stick, name), sign = AXES[direction // 2], 1 if direction % 2 == 0 else -1
     text, enter = name.format("+" if sign > 0 else "−"), "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL"
@@ -83,7 +83,7 @@ def by_stick(state: State, cause: str, direction: int) -> WayOut:
 
 
 def by_joint(flight: Flight, position: str, cause: str, joint: int, sign: int) -> WayOut:
-    """Return the motion of one joint, in the panel position `position`, as an escape."""
+    """Return the motion of one joint, in the panel position `position`, as an escape direction."""
     text = f"{position} {joint_label(flight.scenario.arm.joints[joint])} {'+' if sign > 0 else '−'}"
     return WayOut(cause, text, "joint", joint, sign, position)
 
@@ -92,8 +92,8 @@ def _best(state: State, cause: str, speeds: np.ndarray) -> WayOut | None:
     """Return the stick direction that leads away fastest, or the previous direction if it is nearly as fast.
 
     Returns:
-        The escape; its direction is also stored in `panel.advice` under `cause`. None if every stick direction leads
-        away more slowly than `LEAST`.
+        The escape direction; its number is also stored in `panel.advice` under `cause`. None if every stick direction
+        leads away more slowly than `LEAST`.
     """
     advice = state.panel.advice
     best = int(speeds.argmax())

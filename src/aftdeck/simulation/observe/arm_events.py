@@ -26,7 +26,10 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
 
 
 def log_arm_events(flight: Flight, state: State) -> None:
-    """Compute the zones of the joints, the near singularities and the clearance level; log changes; update escapes."""
+    """Compute the joints' zones, the nearby singularities and the clearance level, and log their changes.
+
+    Also update the escape directions.
+    """
     model, plant = flight.scenario.arm.model, state.plant
     near = observe_near(
         state.arm.model.links,

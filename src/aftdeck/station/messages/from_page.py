@@ -28,7 +28,10 @@ class Hello(WireMessage, frozen=True, tag="hello"):
 
     protocol: int
     shows: bool = False
-    """True for a secondary window or a page that is too narrow: it cannot take control until it sends `TakeSeat`."""
+    """True for a secondary window or a page that is too narrow: it cannot take control.
+
+    A page that becomes wide enough sends `TakeSeat`; it can then take control.
+    """
     strips: bool = False
     """True if the page draws strips: the server then also sends `Recent` messages."""
 

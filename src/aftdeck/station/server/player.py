@@ -39,7 +39,7 @@ class Player:
         self._store.close()
 
     def routes(self) -> list[BaseRoute]:
-        """Return the routes of the built page, the recording's index, its blocks, and the verdict."""
+        """Return the routes that serve the built page, the recording's index and blocks, and the verdict."""
         return [
             Route("/", self._page),
             Route("/index.html", self._page),

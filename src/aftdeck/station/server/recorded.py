@@ -35,7 +35,7 @@ class Recordings:
         self._lock = Lock()
 
     def routes(self) -> list[BaseRoute]:
-        """Return the routes of the list and of the playback pages."""
+        """Return the routes that serve the list of recordings and the playback pages."""
         return [Route("/recordings.json", self._listed), Mount("/replay/{file}", app=self._play)]
 
     def listed(self) -> tuple[Recorded, ...]:

@@ -10,7 +10,7 @@ for. The rate profile is ours: ramps of the duration V_L/dV_L at both ends. A mo
 has a triangular profile.
 
 Plan of this mode: the rotation of each joint (6) [rad], ETA and ramp time [s], and the full rate, as a share of the
-rotation per second [1/s]. Before the plan is computed, its first six values are the joints' final angles.
+rotation per second [1/s]. Until the plan is computed, its first six elements contain the joints' final angles [rad].
 """
 
 from __future__ import annotations

@@ -30,17 +30,17 @@ def touching(
     out: float,
     touches: Array,
 ) -> int:
-    """Write the touches of the groups of a sliding part and a wall, and return the number of touches.
+    """Find all touches of a sliding part with its walls, write their rows into `touches`, and return their number.
 
-    The touches of a group are the point of the sliding part that is closest to the wall, and every vertex of the
-    sliding part that is within reach of a face of the wall. When a whole side touches a wall, all its corners are
-    therefore touches, and no rotation can move a corner into the wall.
+    The sliding part and one of its walls form a group. The touches of the group are the point of the sliding part that
+    is closest to the wall, and every vertex of the sliding part that is within reach of a face of the wall. When a
+    whole side touches a wall, all its corners are therefore touches, and no rotation can move a corner into the wall.
 
     Args:
         frame: (n,) as `Layout.frame`.
         pairs: (m, 2) as `Layout.pairs`.
         begins: (g + 1,) as `Layout.begins`.
-        counts: (g,) 1 for groups of a sliding part and a wall.
+        counts: (g,) 1 for groups that consist of a sliding part and a wall.
         slides: index of the frame of the sliding part.
         placed: (n, 52) the solids in L.
         found: (g, 15) the last measurements.
@@ -98,7 +98,7 @@ def touches(watch: ClearanceMonitor, counts: Mask, slides: str, reach: float, pe
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups of a sliding part and a wall.
+        counts: (g,) 1 for groups that consist of a sliding part and a wall.
         slides: name of the payload's frame.
         reach: clearance up to which a wall is considered [m], from `sliding.walls.met`.
         period: duration of a step [s].

@@ -45,7 +45,7 @@ def met(found: Array, counts: Mask, steering: Array, stand: float, period: float
 
     Args:
         found: (g, 15) the last measurements.
-        counts: (g,) 1 for groups of a sliding part and a wall.
+        counts: (g,) 1 for groups that consist of a sliding part and a wall.
         steering: state of the steering, with the step's commanded twist.
         stand: speed of the telescope [m/s].
         period: duration of a step [s].

@@ -45,10 +45,11 @@ LEAST_RELIEF = 1e-9
 """Least clearance that a step has to gain [m]. Rounding errors are smaller than this value. Even the first step from
 rest at a hundredth of the vernier rate gains more than this value."""
 ESCAPE = 0.25
-"""Least decrease of depth for each metre that a touching point slides, for a motion that leads out [1] (assumed)."""
+"""For a motion that leads out of the contacts: least decrease of depth for each metre that a touching point slides [1]
+(assumed)."""
 ASIDE = 0.05
-"""For a step that leads out: greatest depth that it may add to a contact, for each metre that a touching point slides
-[1]. This depth allows for a contact normal that is wrong by a few degrees."""
+"""For a step that leads out of the contacts: greatest depth that it may add to a contact, for each metre that a
+touching point slides [1]. This depth allows for a contact normal that is wrong by a few degrees."""
 
 
 def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> bool:
@@ -56,7 +57,8 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups of a sliding payload and a wall.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups that consist of a sliding payload
+            and a wall.
         harmful: (g,) 1 for each of these groups whose contact is detrimental.
         after: (F, 12) poses of the frames after the motion, in L; only frames that move with the arm change.
     """
@@ -68,7 +70,8 @@ def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Arra
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups of a sliding payload and a wall.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups that consist of a sliding payload
+            and a wall.
         harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
         ahead: arrays of the same form as `afters`, each with the poses after a different number of steps.
@@ -121,7 +124,8 @@ def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array
 
     Args:
         watch: the monitor, updated for the present frames.
-        counts: (g,) 1 for groups with a part that moves with the arm, except groups of a sliding payload and a wall.
+        counts: (g,) 1 for groups with a part that moves with the arm, except groups that consist of a sliding payload
+            and a wall.
         harmful: (g,) 1 for each of these groups whose contact is detrimental.
         afters: (k, F, 12) poses of the frames after one step of each motion, in L.
 

@@ -23,7 +23,7 @@ export function swapQuestion(pads: Pads): SwapQuestion {
       if (element.hidden === pads.asks) element.hidden = !pads.asks;
       const [thc, rhc] = pads.devices;
       if (!pads.asks || !thc || !rhc) return;
-      setText(words, `Moved first: ${thc.short} is the THC. Moved second: ${rhc.short} is the RHC. Swap?`);
+      setText(words, `Two devices: ${thc.short} is the THC, and ${rhc.short} is the RHC. Swap?`);
     },
   };
 }

@@ -1,4 +1,7 @@
-/** Distance from each singularity, 0 to 1. Below the arm's threshold, a row is a caution with the escape direction. */
+/**
+ * A row for each singularity, with the distance from it, 0 to 1. If the distance is below the arm's threshold, the row
+ * is marked as a caution and names the escape direction.
+ */
 
 import { fixed } from '../../words/format';
 import { spoken, wayOutText } from '../../words/way-out';

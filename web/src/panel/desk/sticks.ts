@@ -1,6 +1,7 @@
 /**
  * Stick displays, a square for the THC and a circle for the RHC. A mark shows the deflection that the displayed frame
- * used. Under RATE HOLD, this mark shows the present deflection, and a second mark the deflection of the kept rates.
+ * used. Under RATE HOLD, this mark shows the present deflection. A second mark then shows the deflection that
+ * corresponds to the rates that RATE HOLD keeps.
  */
 
 import type { ControllersShown } from '../../input/controllers';
@@ -17,7 +18,10 @@ interface Mark {
   set(x: number, y: number): void;
 }
 
-/** Makes a mark. The mark of kept rates (`held`) is dashed, has no stem, and is invisible in the middle. */
+/**
+ * Makes a mark. The mark for the rates that RATE HOLD keeps (`held`) is dashed and has no stem. While it is at the
+ * centre, it is hidden.
+ */
 export function mark(held = false): Mark {
   const stem = svg('line', { class: 'stem', x1: '0', y1: '0', x2: '0', y2: '0' });
   const ring = svg('circle', { class: 'mark', r: held ? '8.5' : '5.5', cx: '0', cy: '0' });

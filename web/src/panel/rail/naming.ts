@@ -20,7 +20,10 @@ export interface Naming {
   say(text: string): void;
   /** Called for each `Role` message. If this page has no name at the station, sends the stored name. */
   set(role: Role): void;
-  /** Called for a rejected command. If that command was to set this page's name, shows the reason and returns true. */
+  /**
+   * Called for a rejected command. If this command sent the name that the user has entered, shows `text`, the reason
+   * for the rejection, and returns true.
+   */
   refuse(number: number, text: string): boolean;
   close(): void;
 }
