@@ -30,7 +30,7 @@ PERIOD, GAIN = 0.02, 0.5
 PROMISED = 120e6
 """Promised number of arm-steps per second, on two cores."""
 SPAN = 5.0
-"""Time for which each program is repeated [s]; its shortest time is reported."""
+"""Time for which each program is repeated [s]; the shortest of its runs is reported."""
 
 
 def arm_steps() -> list[Figure]:

@@ -79,7 +79,7 @@ def hexahedra() -> list[Figure]:
         frames = np.empty((FRAMES, COUNT, BODY))
         for frame in range(FRAMES):
             spun = np.array([_turn(spin[k], SPIN * frame) @ turns[k] for k in range(COUNT)])
-            # The centres only move apart, so that few bodies overlap: the depth of an overlap is measured below.
+            # The centres of a pair only move apart, so that few pairs overlap. Overlapping pairs are measured below.
             away = drift * np.sign((drift * pairs[:, NORMAL : NORMAL + 3]).sum(axis=1))[:, None]
             frames[frame] = _placed(local, middles + away * DRIFT * frame, spun)
         time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs})

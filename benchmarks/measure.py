@@ -45,6 +45,6 @@ def microseconds(statement: str, names: dict[str, object], *, repeat: int = 150,
 
 
 def percentile(values: list[float], percent: float) -> float:
-    """Return the smallest value such that at least `percent` % of the values are equal to it or less."""
+    """Return the smallest value that at least `percent` % of the values do not exceed."""
     ordered = sorted(values)
     return ordered[max(0, math.ceil(percent / 100 * len(ordered)) - 1)]

@@ -1,6 +1,7 @@
 """Benchmark of the page in headless Chromium without a graphics card.
 
-It measures the time between two pictures, and the time from a key press to the first picture of its effect.
+It measures the time between two pictures, and the time from a key press to the first picture that shows the effect
+of the key.
 
 The computer's processor draws the pictures.
 """
@@ -22,7 +23,7 @@ Mesa's GL also composited the page, Chromium would draw half as many pictures.""
 WIDTH, HEIGHT = 640, 400
 """Size of each monitor's picture [px]."""
 SECONDS = 10
-"""Shortest time for which keys move the arm, one key after another [s]."""
+"""Least time for which keys move the arm, one key at a time [s]."""
 WAIT_MS = 300_000.0
 """Longest wait [ms]; the first run compiles the laws."""
 PROGRESS = "[window.__aftdeck.frames, performance.now()]"

@@ -20,7 +20,7 @@ from benchmarks.measure import Figure, percentile
 FLOWN_S = 30.0
 """Real time for which a run is recorded [s]."""
 SMOOTH = 0.1
-"""Fraction of the way to its next deflection that a stick moves in each step."""
+"""Fraction of a stick's distance to its next deflection that the stick covers in each step."""
 
 
 def recording() -> list[Figure]:
@@ -54,7 +54,7 @@ def recording() -> list[Figure]:
 
 
 def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[list[float], list[float]]:
-    """Run in real time; return the time of each step, and the part of it that queues the step for the file [us]."""
+    """Run in real time; return the time of each step, and how long it takes to queue the step for the file [us]."""
     sim = Simulation(scenario)
     steps, appends = [], []
     due = time.perf_counter()

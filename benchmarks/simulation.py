@@ -85,15 +85,15 @@ def _framed(sim: Simulation, tally: Tally) -> None:
 def _flown(scenario: Scenario, how: How) -> tuple[int, float]:
     """Return the number of steps of a scenario's script and their time [s].
 
-    Every run computes the same steps. The time is the sum over all pieces of `PIECE` steps, for each piece its shortest
-    time of all runs. This excludes other work of the machine.
+    Every run computes the same steps, and its pieces of `PIECE` steps are timed. The time of a piece is its shortest
+    time in all runs, so that other work of the machine is excluded. The returned time is the sum over all pieces.
     """
     flights = [_pieces(scenario, how) for _ in range(FLIGHTS + 1)][1:]  # the first run warms up
     return flights[0][0], sum(min(took) for took in zip(*(took for _, took in flights), strict=True))
 
 
 def _pieces(scenario: Scenario, how: How) -> tuple[int, list[float]]:
-    """Return the number of steps of one run and the time of each piece of it [s]."""
+    """Return the number of steps of one run, and the time of each piece of the run [s]."""
     steps, took, ticks = _steps(scenario, how), [], 0
     while True:
         start = time.perf_counter()

@@ -31,7 +31,7 @@ def off_the_line(flight: Run) -> float:
 
 
 def arrivals(flight: Run) -> tuple[float, float]:
-    """Return the time from which the tip stays within 1 mm of its target, and the time for 0.01 deg [s]."""
+    """Return the times from which the tip stays within 1 mm, and within 0.01 deg, of its target [s]."""
     tip = turn = 0.0
     for frame in flight.frames:
         if frame.goal is None or frame.goal.distance > 1e-3:

@@ -1,7 +1,7 @@
 """Fixtures and hooks of all tests.
 
-Browser tests run if a Chromium is found; otherwise the summary reports them. Hypothesis tries new examples in every
-run. With ``--hypothesis-profile=ci``, as in `.ci/run`, it tries the same examples in every run.
+Browser tests run if a Chromium is found; otherwise the summary reports how many were not run. Hypothesis tries new
+examples in every run. With ``--hypothesis-profile=ci``, as in `.ci/run`, it tries the same examples in every run.
 """
 
 import os
@@ -29,7 +29,7 @@ settings.register_profile("default", deadline=None, suppress_health_check=[Healt
 
 
 def find_chromium() -> Path | None:
-    """Return the Chromium for the tests: that of AFTDECK_CHROMIUM, else the first one on PATH or in a usual folder.
+    """Return the Chromium for the tests: AFTDECK_CHROMIUM if set, else the first one on PATH or in a usual folder.
 
     Raises:
         pytest.UsageError: AFTDECK_CHROMIUM is not a file.
@@ -65,11 +65,11 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
 
 @pytest.fixture(scope="session", autouse=True)
 def data_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Set an empty data folder for the tests and the programs that they start, in place of the user's."""
+    """Replace the user's data folder by an empty folder, for the tests and the programs that they start."""
     folder = tmp_path_factory.mktemp("data")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_DATA_HOME", str(folder))
-        if platformdirs.user_data_path() != folder:  # on systems where the variable has no effect
+        if platformdirs.user_data_path() != folder:  # on systems where XDG_DATA_HOME has no effect
             patch.setattr(platformdirs, "user_data_dir", lambda name, **_: str(folder / name))
         yield folder
 

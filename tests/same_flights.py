@@ -48,7 +48,7 @@ def operator(seed: int) -> Callable[[Simulation], Inputs | None] | None:
 
 
 def compare(path: Path) -> str:
-    """Re-simulate a recording; return each differing field, in how many frames it differs, and the first difference."""
+    """Re-simulate a recording; return the differing fields, each with its frame count, and the first difference."""
     recording = Recording(path)
     sim = Simulation(scenario_of(recording.opening), recording.opening.seed)
     fields, first, count = Counter[str](), "", 0

@@ -20,7 +20,7 @@ def calls(source: str) -> list[str]:
 
 
 def body(module: object, name: str) -> list[str]:
-    """Return the calls of a function of a module."""
+    """Return the names of the functions that a module's function calls."""
     file = Path(str(vars(module)["__file__"]))
     tree = ast.parse(file.read_text(encoding="utf-8"))
     (function,) = (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name)

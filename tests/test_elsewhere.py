@@ -1,4 +1,4 @@
-"""The simulation needs no threads, no files after loading, and no libraries of server or recording."""
+"""After loading, the simulation starts no threads and opens no files; it needs no server or recording libraries."""
 
 from __future__ import annotations
 

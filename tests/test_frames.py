@@ -117,7 +117,7 @@ def test_shoulder_is_at_its_drawn_position_in_each_coordinate_frame() -> None:
 def test_l_axes_point_aft_port_and_down_and_lean_to_port() -> None:
     aft, port, down = aftdeck.load_arm("srms").model.mount.rotation.T
     assert aft == pytest.approx([-1, 0, 0])
-    # Space Shuttle Vessel: the yaw axis is (0, -0.33348, 0.94276) in structural Xo, Yo, Zo
+    # according to the simulator Space Shuttle Vessel, the yaw axis is (0, -0.33348, 0.94276) in structural Xo, Yo, Zo
     assert -down == pytest.approx([0, -0.33348, -0.94276], abs=1e-5)
     assert np.cross(aft, port) == pytest.approx(down)
 

@@ -82,7 +82,7 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
         ("__init__",),
     ),
 }
-"""Order within the largest packages; imports only for types may violate this order."""
+"""Order within the largest packages. Imports that are needed only for types may violate this order."""
 
 
 def imports(module: str, text: str) -> Iterator[tuple[int, str]]:

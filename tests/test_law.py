@@ -19,7 +19,7 @@ from aftdeck import law
 from aftdeck.law import sincos
 
 OURS, THEIRS = 2e-16, 1.2e-16
-"""Greatest error that `sincos` promises, and greatest error of `math` (one unit in the last place)."""
+"""Greatest errors: that of `sincos`, as promised, and that of `math`, which is one unit in the last place."""
 
 
 def off(angle: float) -> float:

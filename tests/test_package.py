@@ -1,4 +1,4 @@
-"""The public names of the package, and its import without libraries."""
+"""The public names of the package, and the libraries that its import loads."""
 
 from __future__ import annotations
 

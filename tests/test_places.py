@@ -1,4 +1,4 @@
-"""Locations in error messages: an index counts all items of the list in the file; the line is that of the item."""
+"""Locations in error messages: an index counts all items of the list in the file; the line is the item's line."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ FILES: tuple[type[msgspec.Struct], ...] = (
     light._File,
 )
 DEEPEST = 4
-"""Maximum depth of the lists of tables that are tested; groups of shapes contain groups of shapes."""
+"""Maximum depth of the tested lists of tables. Without it, groups of shapes in groups of shapes would never end."""
 
 
 def structs(kind: Any) -> list[type[msgspec.Struct]]:
@@ -48,7 +48,7 @@ def structs(kind: Any) -> list[type[msgspec.Struct]]:
 
 
 def lists_of_tables(kind: type[msgspec.Struct], depth: int = DEEPEST) -> Iterator[tuple[str | None, ...]]:
-    """Yield the path of each list of tables in a type: its keys, with None after the key of each list."""
+    """Yield the path of each list of tables in a type: a tuple of keys, in which None follows the key of each list."""
     for name, hint in get_type_hints(kind, include_extras=False).items():
         member = next((k for k in (hint, *get_args(hint)) if get_origin(k) is tuple), None)
         listed = get_args(member)[0] if member is not None and get_args(member)[1:] == (...,) else None

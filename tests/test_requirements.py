@@ -17,7 +17,7 @@ PINNED = sorted((ROOT / "requirements").glob("*.txt"))
 
 
 def pins(path: Path) -> Iterator[Requirement]:
-    """Yield the requirements in a file from ``uv pip compile``."""
+    """Yield the requirements in a file that ``uv pip compile`` wrote."""
     for line in path.read_text(encoding="utf-8").splitlines():
         if re.match(r"[a-z0-9]", line):
             yield Requirement(line.removesuffix("\\"))

@@ -23,7 +23,7 @@ PAGE = "aftdeck/station/static/index.html"
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("wheel")]
 
 WAIT_S = 400.0
-"""Maximum time for a program, or for the station's answer, which may include the compilation of laws [s]."""
+"""Maximum time for a program, or for the station's answer [s]. Both may include the compilation of laws."""
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +94,7 @@ def test_installed_command_runs_a_scenario_headless(command: Path, bare: dict[st
 
 @pytest.fixture
 def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str]:
-    """Start a station by the installed command; yield its address."""
+    """Start a station with the installed command; yield its address."""
     log_file = tmp_path / "output.txt"
     with log_file.open("w") as output:
         server = subprocess.Popen(
@@ -117,7 +117,7 @@ def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str
 
 
 def address(log_file: Path, server: subprocess.Popen[bytes]) -> str:
-    """Return the address in a station's output, once the station serves it."""
+    """Wait until a station answers at the address in its output; return this address."""
     end = time.monotonic() + WAIT_S
     while time.monotonic() < end and server.poll() is None:
         time.sleep(0.1)

@@ -66,7 +66,9 @@ def derive(raw: dict[str, Any]) -> list[Problem]:
 
 
 def derive_from(given: Mapping[str, str | float], raw: dict[str, Any]) -> list[Problem]:
-    """Replace the expressions in `raw` by their values, with the dimensions of another file; return the problems found.
+    """Replace the expressions in `raw` by their values; return the problems found.
+
+    The expressions may use the dimensions of another file.
 
     Args:
         given: dimensions of the other file, already evaluated by `derive`.
@@ -91,7 +93,7 @@ def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Probl
 
 
 def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]:
-    """Yield, for each expression, the table or list that holds it, its key or index there, its location, its text."""
+    """Yield, for each expression: the table or list that contains it, its key or index, its place, and its text."""
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, item in items:
         if (*where, key) == (KEY,):
@@ -118,7 +120,7 @@ def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
 
 
 def _file_value(value: _Value) -> str | float:
-    """Return a value in the form used in a file: a plain number, or a string in SI units with its unit."""
+    """Return a value in the form used in a file: a plain number, or a string that contains a number and its SI unit."""
     if value.powers == _PLAIN:
         return value.number
     if value.powers not in _KINDS:

@@ -81,7 +81,7 @@ class SimulationError(AftdeckError):
 RecordingFault = Literal["other", "unreadable", "foreign", "empty", "damaged", "newer layout", "exists", "unwritable"]
 """Cause of a `RecordingError`.
 
-``foreign``: the file is not a recording. ``empty``: the recording ends before its first second.
+``foreign``: the file is not a recording. ``empty``: the recording contains no control step.
 """
 
 

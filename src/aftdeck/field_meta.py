@@ -26,8 +26,8 @@ def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIM
         unit: unit of the values.
         frame: coordinate frame of the components.
         decimals: number of decimals of a recorded value.
-        value: for a field of `Frame`, the expression by which `simulation.observe.look` computes the field; "" if a
-            local variable with the field's name holds the value there.
+        value: for a field of `Frame`, the expression of the field's value in the code of `simulation.observe.look`;
+            "" if a local variable in that code has the field's name and value.
     """
     extra = {"unit": unit, "frame": frame, "decimals": decimals, "value": value}
     return msgspec.Meta(description=what, extra=extra)
@@ -35,7 +35,7 @@ def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIM
 
 @lru_cache
 def comments(struct: type) -> dict[str, str]:
-    """Return, by field name, the string below each field in the source code of a class and of its base classes."""
+    """Return the string below each field in the source code, by field name; fields of base classes are included."""
     found: dict[str, str] = {}
     for cls in reversed(struct.__mro__):
         if not issubclass(cls, msgspec.Struct) or cls is msgspec.Struct:

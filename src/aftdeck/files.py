@@ -55,7 +55,7 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
 
 
 def beside(name: str, folder: Path) -> str:
-    """Return the path `name` with `folder` put before it; `folder` is the folder of the file that contains this path.
+    """Return `folder` joined with the path `name`; `folder` is the folder of the file in which `name` is written.
 
     Names of built-in files and absolute paths are returned unchanged.
     """
@@ -80,7 +80,7 @@ def examine(
     changes: Changes | None = None,
     derive: Callable[[dict[str, Any]], list[Problem]] | None = None,
 ) -> tuple[_T | None, list[Problem]]:
-    """Return the file's contents without the wrong fields, and all problems found.
+    """Return two values: the file's contents without the wrong fields, and a list of all problems found.
 
     The contents are None if they cannot be decoded without the wrong fields, for example because a field is required.
 
@@ -135,7 +135,7 @@ def _put(raw: Any, where: Where, value: object) -> None:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value with NumPy types and tuples converted to Python numbers and lists."""
+    """Return a value in which NumPy types and tuples are converted to Python numbers and lists."""
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
@@ -208,7 +208,10 @@ def sentences(problems: Sequence[Problem], name: str, text: str) -> list[str]:
 
 
 def line_of(where: Where, text: str) -> int | None:
-    """Return the line (from 1) of the longest initial part of `where` found in the text; None if no part is found."""
+    """Return the line (from 1) of a place in the text; None if not even the first part of `where` is found.
+
+    If only the first parts of `where` are found, return the line of the last of these parts.
+    """
     found = located(text)
     for part in where:
         if part not in found.parts:
@@ -221,7 +224,7 @@ def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
     """Return all reasons why `raw` is not a valid `kind`, each with its place."""
     kind = _without_none(kind)
     base = get_origin(kind) or kind
-    if base is Annotated:  # report problems inside the value before a constraint on the whole value
+    if base is Annotated:  # check the constraint only if the value is valid without it
         return _problems(raw, get_args(kind)[0], where) or _problem(raw, kind, where)
     if tagged := _tagged(kind):
         return _tagged_problems(raw, kind, tagged, where)

@@ -42,7 +42,7 @@ class Pose(NamedTuple):
 
 
 class Mount(NamedTuple):
-    """Position and orientation of an arm's base frame L in the orbiter.
+    """Position and orientation of an arm's base frame L on the orbiter.
 
     Attributes:
         origin: (3,) L's origin in panel coordinates [m].
@@ -107,7 +107,7 @@ def oriend(rotation: Array) -> tuple[float, float, float]:
 
 
 def oriend_rows(rows: Rows) -> tuple[float, float, float]:
-    """Return `oriend` of an orientation given as rows."""
+    """Return the angles of `oriend` for an orientation that is given as the rows of its rotation matrix."""
     (a, b, _), (d, e, _), (g, h, i) = rows
     cosine = math.hypot(a, d)
     elevation = math.atan2(-g, cosine)

@@ -87,7 +87,7 @@ def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
 
 def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Declare a law in which a product and the sum that contains it are rounded only once, if the processor can do so.
+    """Declare a law with fused multiply-add, if the processor has it: a sum with a product is rounded only once.
 
     Use this decorator only if each sum contains one product at most, or is exact. In a sum of two products, the
     compiler chooses which product to fuse, and its choice varies. The result for one arm alone would then differ in

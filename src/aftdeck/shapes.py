@@ -1,9 +1,9 @@
 """Drawable shapes, as listed in arm and worksite files. Every picture consists of such shapes.
 
 Lengths are in metres and angles in radians, in the frame of the body to which the shape belongs. A shape is first
-rotated by its `rotation`, then moved to its `position`. Files name materials;
-`scene.colours` and the page define their colours, and the page their finish. The constructor of a shape that cannot be
-drawn raises ValueError. A decoder then reports the shape's place in the file.
+rotated by its `rotation`, then moved to its `position`. Files name materials. `scene.colours` and the page define the
+colour of each material; the page also defines its finish. The constructor of a shape that cannot be drawn raises
+ValueError. A decoder then reports the shape's place in the file.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ HEXAHEDRON_VERTICES = 8
 
 
 def _positive(shape: str, **sizes: float) -> None:
-    """Raise ValueError for a size that is not above zero or not finite; the message names the size."""
+    """Raise ValueError for a size that is zero, negative or not finite; the message names the size."""
     for name, value in sizes.items():
         if not 0.0 < value < inf:
             raise ValueError(f"the {shape}'s {name} is {value:g}; it has to be above 0")
@@ -163,7 +163,7 @@ class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
     """Distance by which the edges are cut back, at most half the thickness [m]."""
 
     def __post_init__(self) -> None:
-        """Reject fewer than 3 corners, a thickness not above zero, and a bevel outside zero to half the thickness."""
+        """Reject fewer than 3 corners, a thickness not above zero, and a bevel below 0 or above half the thickness."""
         _positive("plate", thickness=self.thickness)
         if len(self.outline) < FEWEST_CORNERS:
             raise ValueError(f"the plate's outline has {len(self.outline)} corners; it needs at least {FEWEST_CORNERS}")
@@ -248,7 +248,8 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
     step: Vec3 = (0.0, 0.0, 0.0)
     """Translation from one copy to the next, along the group's own axes [m]."""
     turn: Vec3 = (0.0, 0.0, 0.0)
-    """Roll, pitch, yaw as in `rotation`, about the group's own axes [rad]; copy i (from 0) rotates by i times these."""
+    """Roll, pitch, yaw about the group's own axes, as in `rotation` [rad]. For copy i, counted from 0, each angle is
+    multiplied by i."""
     mirror: bool = False
     """Whether all copies are also drawn mirrored across the plane y = 0 of the frame in which the group is listed."""
 

@@ -40,7 +40,7 @@ same size in all states of a run."""
 
 @lru_cache
 def declaration(kind: type[StatePart]) -> str:
-    """Return 16 digits of a digest over `DIGEST` and a part's declaration: each field, with its type and position.
+    """Return 16 digits of the SHA-256 of `DIGEST` and a part's declaration: each field, with its type and position.
 
     Parts with different declarations, such as those of different versions, cannot be compared by their digests.
     """
@@ -70,7 +70,7 @@ def digest(part: StatePart) -> bytes:
     """Return the SHA-256 digest of a part, computed from the exact values of all its fields except caches (`DIGEST`).
 
     Raises:
-        TypeError: a value is not a plain value, an array or a cache.
+        TypeError: a value is neither a plain value nor an array nor a cache.
     """
     others: list[Any] = []
     plain = msgspec.msgpack.encode(part, enc_hook=others.append)
@@ -85,7 +85,7 @@ def copied(part: P) -> P:
 
 
 def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
-    """Return the part of which `data` is the encoding (see `encoded`).
+    """Return the part from the bytes that `encoded` returned.
 
     Args:
         like: a part of the same run, with arrays of the same lengths.
@@ -93,7 +93,7 @@ def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
         empty: function that returns an empty cache of the given class.
 
     Raises:
-        InputError: the bytes are not an encoding of such a part.
+        InputError: the bytes do not encode a part with the type and sizes of `like`.
     """
 
     def hook(kind: type, given: Any) -> object:
@@ -149,7 +149,7 @@ def _copied(value: Any) -> Any:
 
 
 def _unlike(part: StatePart, like: StatePart) -> str | None:
-    """Return the path of the first array or list of parts whose size is not the same in both parts; None if none."""
+    """Return the path of the first array or list of parts that has different sizes in `part` and `like`, or None."""
     sizes = dict(_sizes(part, ""))
     return next((where for where, size in _sizes(like, "") if sizes.get(where) != size), None)
 

@@ -16,7 +16,7 @@ _SPACE = re.compile(r"[ \t]*")
 _GAP = re.compile(r"(?:[ \t\r\n]+|#[^\n]*)*")
 """White space and comments, which separate expressions and the items of a list."""
 _STRING = re.compile(
-    r'"""(?:[^\\]|\\.)*?"{3,5}'  # three quotes end the string; up to two quotes before them belong to it
+    r'"""(?:[^\\]|\\.)*?"{3,5}'  # the last three quotes end the string; one or two more before these are content
     r"|'''.*?'{3,5}"
     r'|"[^"\\]*(?:\\.[^"\\]*)*"'
     r"|'[^']*'",
@@ -68,7 +68,7 @@ class _Scanner:
         return root
 
     def _table(self, root: Located, key: list[str], another: bool) -> Located:
-        """Return the table that a header begins.
+        """Return the table to which a header belongs; create it if it is new.
 
         Args:
             root: the whole file.
@@ -80,7 +80,7 @@ class _Scanner:
             table = table.parts.setdefault(part, Located(line))
             if another and depth == len(key):
                 table = table.parts.setdefault(len(table.parts), Located(line))
-            elif table.parts and 0 in table.parts:  # in a list of tables, a header means the last so far
+            elif table.parts and 0 in table.parts:  # a list of tables: the header refers to its last table
                 table = table.parts[len(table.parts) - 1]
         return table
 
@@ -93,7 +93,7 @@ class _Scanner:
         self._value(table)
 
     def _value(self, value: Located) -> None:
-        """Read a value; the contents of a list or an inline table become its parts."""
+        """Read a value into `value`; the contents of a list or an inline table become the parts of `value`."""
         self._skip(_SPACE)
         if self._take("["):
             self._skip(_GAP)

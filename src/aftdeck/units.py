@@ -1,6 +1,6 @@
 """Quantities in files: a bare number is in SI units, a string contains its unit (``"2 ft/s"``, ``"19.48 deg"``).
 
-A decoded quantity is a float in SI units. Its class only defines which units a file may use for it.
+A decoded quantity is a float in SI units. Its class determines which units a file may use.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def with_article(noun: str) -> str:
 
 
 class Quantity(float):
-    """A number in SI, which a file may give with a unit. Each subclass has one physical dimension."""
+    """A number in SI units. In a file it may also have another unit. Each subclass has one physical dimension."""
 
     noun: ClassVar[str] = ""
     unit: ClassVar[str] = ""

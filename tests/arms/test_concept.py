@@ -79,7 +79,7 @@ def test_bisecting_plane_separates_the_booms_at_the_elbow_limit(file: HeadingArm
         upper.mean(axis=0)
     )
     assert (lower @ normal).min() >= 0.0 >= (upper @ normal).max()
-    # the plane cuts booms that are slightly thicker than the rule allows
+    # the plane cuts booms that are slightly thicker than `set_back` allows at this bend
     thicker = corners(set_back, 7.0, 1.001 * set_back / math.tan(0.5 * bend))
     assert (thicker @ normal).min() < 0.0
 

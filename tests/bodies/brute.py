@@ -26,7 +26,7 @@ def clearance(a: Array, b: Array) -> float:
 def _edges(a: Array, b: Array) -> float:
     """Return the minimum distance between an edge of `a` and an edge of `b`.
 
-    Each closest point is between the ends of its edge, or at least one of the two closest points is an end.
+    Either both closest points are between the ends of their edges, or at least one of them is an end.
     """
     p, q = (a[ends] for ends in np.repeat(EDGES, 12, axis=0).T)
     r, s = (b[ends] for ends in np.tile(EDGES, (12, 1)).T)

@@ -1,4 +1,7 @@
-"""Results for pairs near contact, for runs with and without the compiler: ``python -m tests.bodies.plain``."""
+"""Clearances and verdicts of pairs near contact: ``python -m tests.bodies.plain``.
+
+A test compares the results with and without the compiler.
+"""
 
 from __future__ import annotations
 

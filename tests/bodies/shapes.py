@@ -72,12 +72,12 @@ class Placing(NamedTuple):
 
 
 def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
-    """Return a position of each body of `b` (n, 8, 3) near the body of `a` that has the same index.
+    """Return translations that move each body of `b` (n, 8, 3) near the body of `a` with the same index.
 
-    An eighth of the positions is random. At the others, the body of `b` is 1e-10 to 0.3 m outside or inside the body
+    An eighth of the positions are random. At the others, the body of `b` is 1e-10 to 0.3 m outside or inside the body
     of `a`, and the closest features are two vertices, a vertex and a face, or two edges. If the bodies do not
-    overlap, their closest points are on two parallel planes that separate the bodies. The distance of the closest
-    points is then the clearance.
+    overlap, their closest points are on two parallel planes that separate the bodies. The clearance is then the
+    distance between the closest points.
     """
     n, rows = len(a), np.arange(len(a))
     kind = rng.integers(8, size=n)
@@ -100,7 +100,7 @@ def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
 
 
 def _support(rng: np.random.Generator, bodies: Array, direction: Array) -> Array:
-    """Return a random point (n, 3) of each body's extreme feature along a direction (n, 3)."""
+    """Return a random point (n, 3) of each body's feature that is farthest along a direction (n, 3)."""
     height = np.einsum("nvk,nk->nv", bodies, direction)
     share = rng.random(height.shape) * (height >= height.max(axis=1, keepdims=True) - 1e-12)
     return np.asarray(np.einsum("nv,nvk->nk", share / share.sum(axis=1, keepdims=True), bodies))

@@ -45,7 +45,7 @@ def check_witnesses(a: Array, b: Array, pairs: Array, clearance: Array) -> None:
 
 
 def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, int]:
-    """Place `shapes` random pairs in each round; return the number of compared pairs and of disagreements."""
+    """Compare random pairs, `shapes` in each round; return the numbers of compared pairs and of disagreements."""
     rng = np.random.default_rng(seed)
     first = np.einsum("nij,nvj->nvi", rotations(rng, shapes), KINDS[kind](rng, shapes))
     second = KINDS[kind](rng, shapes)

@@ -59,7 +59,7 @@ def test_input_other_than_eight_points_is_rejected(given: object) -> None:
 def test_only_the_24_rotated_numberings_of_a_box_are_accepted() -> None:
     body = CUBE * [1.0, 2.0, 3.0]
     taken = 0
-    # To save time, skip orders in which vertices 1 and 4 have more than one wrong neighbour in total.
+    # To save time, skip orders in which more than one of the six edges at vertices 1 and 4 is wrong.
     for order in permutations(range(8)):
         if sum(order[k] ^ order[k ^ bit] in (1, 2, 4) for k in (0, 3) for bit in (1, 2, 4)) < 5:
             continue

@@ -22,9 +22,9 @@ from tests.bodies.witnesses import features_penetrate, planes_hold, points_hold
 
 
 def motions(seed: int, count: int, frames: int) -> list[tuple[Array, list[Array]]]:
-    """Return bodies, each with the vertices of a second body in each frame.
+    """Return pairs: a body, and the vertices of a second body in each frame.
 
-    The second body drifts past the first body and rotates: by a few millimetres and about 1 degree in each frame.
+    In each frame, the second body moves a few millimetres past the first body and rotates by about 1 degree.
     """
     rng = np.random.default_rng(seed)
     a, b = skewed(rng, count), boxes(rng, count)

@@ -1,4 +1,4 @@
-"""Location words and edge tests, against tables from the report's numbering."""
+"""Location words and edge tests, against tables with the report's vertex numbers and face letters."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def words(a: Array, b: Array) -> list[int]:
 
 
 def pierced(a: Array, b: Array) -> tuple[int, int]:
-    """Return an edge of `a` that pierces a face of `b`, and this face, both counted from 0.
+    """Return an edge of `a` that pierces a face of `b`, and this face, as indices from 0.
 
     The edge is -1 if no edge pierces a face.
     """

@@ -22,7 +22,7 @@ def vertices(packed: Array) -> Array:
 
 
 def planes_hold(a: Array, b: Array, pairs: Array) -> Bools:
-    """Return whether the plane of each pair (n,) separates `a` (n, 8, 3) from `b` by more than CONTACT."""
+    """Return for each pair (n,) whether its plane separates `a` (n, 8, 3) from `b` by more than CONTACT."""
     normal = pairs[:, NORMAL : NORMAL + 3]
     reach = np.einsum("nvk,nk->nv", a, normal).max(axis=1)
     begin = np.einsum("nvk,nk->nv", b, normal).min(axis=1)
@@ -56,7 +56,7 @@ def _enters(a: Array, b: Array, of_a: NDArray[np.int64], of_b: NDArray[np.int64]
 
 
 def points_hold(a: Array, b: Array, pairs: Array) -> Bools:
-    """Return whether each pair's closest points (n,) are in their bodies, at a distance equal to the clearance."""
+    """Return for each pair (n,) whether its closest points are in `a` and `b`, and |clearance| is their distance."""
     p, q = pairs[:, POINT_A : POINT_A + 3], pairs[:, POINT_B : POINT_B + 3]
     apart = np.abs(np.linalg.norm(p - q, axis=1) - np.abs(pairs[:, CLEARANCE])) <= ROUNDING
     on_a = _heights(p[:, None], a).max(axis=(1, 2)) <= ROUNDING

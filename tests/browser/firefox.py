@@ -60,7 +60,7 @@ class Firefox:
         self.command("session.subscribe", events=["log.entryAdded"])
         self._tab = self.command("browsingContext.getTree")["contexts"][0]["context"]
 
-    def command(self, method: str, **params: Any) -> Any:  # the standard defines each result
+    def command(self, method: str, **params: Any) -> Any:  # the standard defines a result for each method
         """Send a command and return its result."""
         number = next(self._numbers)
         self._socket.send(json.dumps({"id": number, "method": method, "params": params}))

@@ -20,7 +20,7 @@ ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
 """JavaScript: mode that the rotary shows as entered."""
 
 WHO = "document.querySelector('.rail .who').textContent"
-"""JavaScript: text of the rail that names the operator."""
+"""JavaScript: the rail's text about the operator."""
 FLIES = "document.querySelector('.rail .who').matches('.flying')"
 """JavaScript condition: the page is in control."""
 OBSERVES = "document.querySelector('.rail .who').matches(':not(.flying, .lost)')"

@@ -162,7 +162,7 @@ def collisions(page: Scripted, within: str = "body") -> list[str]:
 
 
 def assert_readable(page: Scripted, within: str = "body", least: int = 80) -> None:
-    """Assert that there are more than `least` texts, and that each has a contrast of at least 4.5 and at least 10 px.
+    """Assert that there are more than `least` texts, and that each of them is readable.
 
     A text is readable if its contrast is at least 4.5 and its font size is at least 10 px. `within` is the
     selector of the part that is checked.

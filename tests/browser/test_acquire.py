@@ -27,7 +27,7 @@ HELD = "frame.work.cargo[0].held"
 NORTH, MENU, CROSS_UP = 3, 9, 12
 """Buttons of the standard mapping."""
 MOST_TRIES = 10
-"""Greatest number of tries to stop the palm in its range of 0.75 inches. A key may be released too late."""
+"""Greatest number of attempts to stop the palm in its range of 0.75 inches. An attempt may release the key too late."""
 
 
 def test_every_body_of_the_concept_worksite_is_drawn(flight: Flight) -> None:

@@ -21,7 +21,7 @@ CAMERAS = [*"ABCDEFGHI", "P1", "P2", "CAE2", "W", "AFT", "ENG"]
 
 
 def lens(flight: Flight) -> str:
-    """Return the text of drive and lens in MON 1's picture."""
+    """Return the read-out of the camera's drives and lens in MON 1's picture."""
     return str(flight.page.locator(".monitor .lens").first.inner_text())
 
 
@@ -41,7 +41,7 @@ def drawn(flight: Flight) -> bytes:
 
 
 def steady(flight: Flight, steps: int = 15) -> None:
-    """Wait until more steps have run and have been drawn."""
+    """Wait until more than `steps` further control steps have run, and the page has been drawn again."""
     tick, count = flight.frame().tick, flight.script("window.__aftdeck.frames")
     flight.until(f"frame.tick > {tick + steps} && window.__aftdeck.frames > {count + 4}")
 

@@ -22,7 +22,7 @@ TITLE = "document.querySelector('.conditions h2').textContent"
 LIT = "[...document.querySelectorAll('.flags .lit')].map((flag) => flag.textContent).join()"
 ABOUT = "document.querySelector('.effector .about').textContent"
 LOADED = "[...document.querySelectorAll('.rotary :not(.absent)')].some((key) => key.textContent === '{}')"
-"""JavaScript condition: the mode that replaces {} can be entered."""
+"""JavaScript condition, with {} for the name of a mode: this mode can be entered."""
 INCH = 0.0254
 MOST_TRIES = 20
 

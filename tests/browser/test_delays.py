@@ -61,7 +61,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture
 def page(open_page: OpenPage) -> Flight:
-    """A page that shows delayed frames. Its very first frame, which is shown without a delay, is already past."""
+    """A page that shows delayed frames. It no longer shows its first frame, which has no delay."""
     page = open_page(1280, 720, prepare=lambda page: page.add_init_script(RECORD_ARRIVALS))
     page.until(f"frame.time_s > {page.frame().time_s + CAMERA_S + 1.0}")
     return page

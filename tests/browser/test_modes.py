@@ -150,7 +150,7 @@ def test_lamp_filters_the_log_and_outlines_its_group(flight: Flight) -> None:
     flight.turn_to("PL")
     with flight.logs("refused"), flight.shows(CHECK_CRT):
         flight.press("Enter")
-    with flight.logs("mode"):  # wait for this line: if it came later, it would end the filter
+    with flight.logs("mode"):  # wait for this line: a new line of another kind would end the filter
         flight.enter("END EFF")
     with flight.shows("document.querySelector('.events').matches('.concerned')"):
         flight.page.get_by_role("button", name="CHECK CRT").click()

@@ -144,7 +144,7 @@ def test_narrow_replay_is_tidy_with_and_without_the_desk(replay: Flight) -> None
             else:
                 replay.press("d")
             replay.until(f"innerWidth === {width} && window.__aftdeck.frames > {drawn}")
-            if change != "desk" or height > 768:  # in a window of less height, the desk scrolls
+            if change != "desk" or height > 768:  # at a height of 768 px or less, the desk scrolls
                 assert_tidy(replay)
                 assert_readable(replay)
 

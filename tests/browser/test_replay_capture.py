@@ -1,4 +1,4 @@
-"""A recorded capture played back in a browser: clearance, marks, cameras as flown, zoom of the time axis."""
+"""A recorded capture played back in a browser: clearance, marks, cameras shown in flight, zoom of the time axis."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Secondary windows of a recording: monitor, cameras and strips at the playhead of the page."""
+"""Secondary windows of a recording: monitor, cameras and strips follow the playhead of the page."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def test_strips_window_has_its_own_time_axis_and_fits(replay: Flight, strips: Fl
 def test_window_of_a_closed_page_says_so_and_still_seeks(replay: Flight, strips: Flight) -> None:
     replay.page.goto("about:blank")
     strips.until(who("Its page is closed"))
-    seek(strips.page, 0.5)  # the window seeks without its page
+    seek(strips.page, 0.5)  # a click moves the playhead also without the page
     strips.until(f"Math.abs(frame.tick - {STEPS / 2}) < 5")
 
 

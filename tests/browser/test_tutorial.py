@@ -1,4 +1,4 @@
-"""The tutorial: its steps with a pad, its opening on the first visit and by its button, and its layout."""
+"""The tutorial: its steps with a pad, how it opens (on the first visit and by its button), and its layout."""
 
 from __future__ import annotations
 

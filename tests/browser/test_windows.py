@@ -1,4 +1,4 @@
-"""Secondary windows of a flight: keys act for a window's page, strips follow the run, each page has its own windows."""
+"""Secondary windows of a flight: their keys act on their page, strips follow the run, each page has its own windows."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ HANDLES = "document.querySelector('.who').textContent === 'Keys act here too'"
 
 @pytest.fixture
 def second(flight: Flight) -> Flight:
-    """A window of MON 2 whose keys act for the operator's page."""
+    """A window of MON 2 whose keys act on the operator's page."""
     second = open_window(flight, own_window(flight, 1))
     second.until(HANDLES)
     return second
@@ -28,7 +28,7 @@ def second(flight: Flight) -> Flight:
 
 @pytest.fixture
 def strips(flight: Flight) -> Flight:
-    """A window of the strips whose keys act for the operator's page."""
+    """A window of the strips whose keys act on the operator's page."""
     strips = open_window(flight, flight.page.get_by_role("button", name="Strips ↗"))
     strips.until(HANDLES)
     return strips
@@ -49,17 +49,17 @@ def own_window(flight: Flight, monitor: int) -> Locator:
 
 
 def who(words: str) -> str:
-    """Return the JavaScript condition that the window shows this text about its page."""
+    """Return a JavaScript condition: the window shows this text about its page."""
     return f"document.querySelector('.who').textContent === '{words}'"
 
 
 def row(name: str) -> str:
-    """Return the row of a lane or strip, in JavaScript."""
+    """Return a JavaScript expression for the row of a lane or strip."""
     return f"[...document.querySelectorAll('.timeline .row')].find((row) => row.textContent.startsWith('{name}'))"
 
 
 def tag(strip: str) -> str:
-    """Return a strip's value at the playhead, in JavaScript."""
+    """Return a JavaScript expression for the value of a strip at the playhead."""
     return f"{row(strip)}?.querySelector('.tag')?.textContent"
 
 

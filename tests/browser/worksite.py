@@ -39,13 +39,13 @@ def near(a: str, b: str, clearance: float, closing: float = 0.0, essential: bool
 
 
 def closest_points(pair: Near) -> ClosestPoints:
-    """Return the closest points of a pair as they are drawn."""
+    """Return the closest points of a pair in the form that the page draws."""
     x, y, z = ((p + q) / 2.0 for p, q in zip(pair.point_a, pair.point_b, strict=True))
     return ClosestPoints(pair.point_a, pair.point_b, (x, y, z), pair.normal)
 
 
 def condition(name: str, value: float, limit: float, text: str, unit: Unit = "m") -> Condition:
-    """Return a condition that holds up to a limit."""
+    """Return a condition that holds if `value` is at most `limit`."""
     return Condition(name, value <= limit, value, limit, unit, limit - value, text)
 
 

@@ -1,4 +1,4 @@
-"""Joint angles for tests, random and singular, and the structural coordinates of the sources."""
+"""Random and singular joint angles for tests, and conversion to the structural coordinates of the sources."""
 
 from __future__ import annotations
 

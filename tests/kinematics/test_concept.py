@@ -237,7 +237,7 @@ PATH: list[Array] = [
 
 
 def path_angles(arm: aftdeck.Arm) -> Array:
-    """Return angles (n, 6) [rad] along the path, each solution nearest to the previous one, with a level payload."""
+    """Return angles (n, 6) [rad] along the path with a level payload, each nearest to the previous solution."""
     legs = [np.linspace(a, b, 50) for a, b in pairwise(PATH)]
     near, found = np.radians([0.0, 40.0, -100.0, 0.0, -30.0, 0.0]), []
     for place in np.concatenate(legs):

@@ -60,7 +60,7 @@ engines = pytest.mark.parametrize("engine", [in_mujoco, in_pinocchio])
 def test_srms_agrees_with_a_model_built_from_its_joint_centres(
     arm: aftdeck.Arm, engine: Callable[[Chain], Solver]
 ) -> None:
-    # seven printed centres, each with an error of up to half a thousandth of an inch in each of three coordinates
+    # seven printed centres; each of their three coordinates has an error of up to 0.0005 inches
     most = 7 * 3**0.5 * CENTRES["tolerance"] * INCH
     solve = engine(SHUTTLE)
     for q in legal(arm, 6, 300):

@@ -145,7 +145,7 @@ def test_limits_exclude_exactly_the_solutions_outside_the_stops(arm: aftdeck.Arm
 def test_pose_out_of_reach_is_rejected_with_its_excess(arm: aftdeck.Arm, beyond: float) -> None:
     q = np.array([0.4, 0.7, STRAIGHT, -0.1, 0.15, 0.3])
     pose = arm.forward(q)
-    # the elbow is below the boom line, so the straight arm is below the shoulder pitch angle by a constant angle
+    # the elbow is below the boom line, so the elevation of the straight arm is shoulder pitch minus a constant
     lift = q[1] - math.atan2(6.0, 251.05)
     along = np.array([math.cos(0.4) * math.cos(lift), math.sin(0.4) * math.cos(lift), -math.sin(lift)])
     with pytest.raises(UnreachableError, match="too far") as caught:
@@ -163,7 +163,8 @@ def test_stretched_arm_is_within_reach(arm: aftdeck.Arm) -> None:
 
 
 def test_pose_too_close_is_rejected_with_its_excess(arm: aftdeck.Arm) -> None:
-    # the wrist yaw joint is 0.1 m from shoulder pitch; the level end effector puts wrist pitch 18 inches from wrist yaw
+    # the wrist yaw joint is 0.1 m from the shoulder pitch joint; the end effector is level, so the wrist pitch joint
+    # is at the same height as wrist yaw, 18 inches away from it
     upper, lower = math.hypot(251.05, 6.0) * 0.0254, math.hypot(277.95, 6.0) * 0.0254
     inside = lower - upper - (0.1 - 18 * 0.0254) * -1.0
     outside = lower - upper - (0.1 + 18 * 0.0254)

@@ -85,7 +85,7 @@ def read_until_error(path: Path) -> tuple[list[Message], RecordingError | None]:
 def rewritten(
     source: Path, out: Path, change: dict[str, bytes], *, profile: str = "aftdeck", leave_out: tuple[str, ...] = ()
 ) -> None:
-    """Rewrite a recording with another library; `change` replaces the first message on some topics."""
+    """Rewrite a recording with another library; `change` maps a topic to new data for its first message."""
     topics: dict[int, str] = {}
     channels: dict[str, int] = {}
     changes = dict(change)
@@ -102,7 +102,7 @@ def rewritten(
                 if topic not in leave_out:
                     data = changes.pop(topic, record.data)
                     writer.add_message(channels[topic], record.log_time, data, record.publish_time)
-        finish: Callable[[], None] = writer.finish  # its library has no types
+        finish: Callable[[], None] = writer.finish  # the writer's library has no types
         finish()
 
 

@@ -31,7 +31,7 @@ from aftdeck.simulation.warm import warm_up
 AT_ONCE = 5
 """Number of simultaneous runs; two slow processors are sufficient for them."""
 LEAST_S, MOST_S = 0.0, 2.0
-"""Range of the random time until a run is killed [s]; it starts when every simultaneous run has made a step."""
+"""Range of the random time until a run is killed [s]; this time starts when every simultaneous run has made a step."""
 PERIOD_S = 0.02
 WAIT_S = 60.0
 """Longest wait for a condition [s]."""

@@ -1,4 +1,4 @@
-"""Reader of protobuf messages by the schema in a file: the part of the format that Foxglove's messages need."""
+"""Reader of protobuf messages whose schema is in a recording; it supports what Foxglove's messages need."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class _Field(NamedTuple):
 
 
 class Decoder:
-    """Decoder for messages of one schema, given by a FileDescriptorSet and the full name of the message in it."""
+    """Decoder for messages of one type, given by its full name and the FileDescriptorSet that describes it."""
 
     def __init__(self, descriptors: bytes, name: str) -> None:
         self._name = name

@@ -204,7 +204,7 @@ def test_invalid_options_exit_with_2_and_name_the_error(
 
 @pytest.fixture
 def trials(run: Run, recording: Path, tmp_path: Path) -> list[Path]:
-    """List of three equal runs: one without a participant, one of P07, one of P08."""
+    """List of three equal runs: without a participant, with participant P07, with participant P08."""
     listing.Index().begin(recording, Recording(recording).opening)
     paths = [recording]
     for code in ("P07", "P08"):

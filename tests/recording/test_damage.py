@@ -49,7 +49,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def unclosed(whole: Path) -> Path:
-    """The same recording without its end, as after a killed program: up to the first byte of the last chunk."""
+    """The same recording up to the first byte of its last chunk, like the recording of a killed program."""
     data = whole.read_bytes()
     last_chunk = [at for at, kind, _ in chunks(data) if kind == 6][-1]
     path = whole.with_name("unclosed.mcap")
@@ -236,7 +236,7 @@ def test_mcap_file_of_another_program_is_foreign(
         schema = writer.register_schema("thing", "jsonschema", b"{}")
         channel = writer.register_channel(topic, "json", schema)
         writer.add_message(channel, 0, b'{"format": 1, "x": [1, 2]}', 0)
-        finish: Callable[[], None] = writer.finish  # its library has no types
+        finish: Callable[[], None] = writer.finish  # the mcap library has no type annotations
         finish()
     assert fault(path) == "foreign"
 

@@ -35,7 +35,7 @@ WAIT_S = 60.0
 
 @pytest.fixture(scope="module", autouse=True)
 def compiled() -> None:
-    """Compile the laws before the disk is full, because Numba writes them to it."""
+    """Compile the laws before the disk is full, because Numba writes the compiled laws to the disk."""
     warm_up(bay(extra=SCRIPT))
 
 
@@ -51,7 +51,7 @@ def full_disk(room: int = ROOM) -> Iterator[None]:
 
 
 def check_kept(path: Path) -> None:
-    """Check that the written part of a recording is readable and verifies."""
+    """Check that the written part of a recording can be read and verified."""
     verdict = verify(path)
     assert verdict.equal and verdict.cut and verdict.frames > 0
     assert 0 < path.stat().st_size <= ROOM

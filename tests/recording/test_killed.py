@@ -1,4 +1,4 @@
-"""A killed program loses at most the last second of its recording: each file can be read, and verifies to its end."""
+"""A killed program loses at most the last second of its recording: each file can be read and verified up to its end."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def record_and_kill(folder: Path, count: int) -> list[Killed]:
 
 
 def delay(checks: list[Check], since_s: float) -> float:
-    """Return how long a busy machine or disk has delayed a recorder's thread since a time [s].
+    """Return how long a busy machine or disk has delayed a recorder's thread since the time `since_s` [s].
 
     This is the sum of the pauses between the thread's checks of the queue, without the thread's work and sleep.
     """

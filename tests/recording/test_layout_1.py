@@ -111,7 +111,7 @@ def test_escape_by_joint_or_telescope_is_read_from_its_text(joint: int) -> None:
 
 
 def read(escape: WayOut, joints: tuple[str, ...] = ()) -> WayOut:
-    """Return an escape direction as read from a frame of layout 1, which has its text among the inhibit reasons."""
+    """Write an escape direction into a frame of layout 1, as one of the inhibit reasons; return it as converted."""
     recording = Recording(FILES[0])
     written = raw_frames(FILES[0])[0]
     written["work"]["inhibits"] = ["palm touches bar", f"way out: {escape.text}"]

@@ -26,7 +26,7 @@ HOUR_S = 3600.0
 WARM_S = 600.0
 """Initial time in which growth of the memory is not counted [s]."""
 MAX_GROWTH = 16e6
-"""Maximum growth of the memory in two hours, mostly by the index of the file [bytes]."""
+"""Maximum growth of the memory in two hours [bytes]; the index of the file causes most of the growth."""
 MAX_MINUTE_SIZE = 1.5e6
 """Maximum size of a recording for each minute [bytes]."""
 

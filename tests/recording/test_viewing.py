@@ -17,7 +17,7 @@ from aftdeck.station.conversion.welcome_of import welcome_of
 from tests.recording.flights import NOTE, Decoded, read, record_random_sticks
 
 ROUNDING = 1e-4
-"""Greatest error of a pose that is composed of rounded poses of its links [m, rad]."""
+"""Greatest error of a pose that is composed of the rounded poses of several links [m, rad]."""
 
 SCHEMAS = {
     "/tf": "foxglove.FrameTransforms",

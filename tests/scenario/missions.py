@@ -60,11 +60,11 @@ class Flown(NamedTuple):
         return [event.kind for event in self.events if event.kind in TURNING_POINTS]
 
     def at(self, kind: str, which: int = 0) -> Work:
-        """Return the worksite after the step that logged line `which` of a kind; the first line is 0."""
+        """Return the worksite after the step that logged line number `which` of a kind, counted from 0."""
         return self.about(kind, which)[1]
 
     def about(self, kind: str, which: int = 0) -> tuple[Work, Work]:
-        """Return the worksite before and after the step that logged a line of a kind; `which` is as in `at`."""
+        """Return the worksite before and after the step that logged line number `which` of a kind, counted from 0."""
         ticks = [self.tick(event) for event in self.events if event.kind == kind]
         return self.work[ticks[which] - 2], self.work[ticks[which] - 1]
 

@@ -100,7 +100,7 @@ def runs_without_overlap(made: Scenario) -> bool:
 
 
 def deepest_overlap(made: Scenario, sim: aftdeck.Simulation) -> float:
-    """Return the greatest penetration depth of a payload and the worksite, by the independent solver [m]."""
+    """Return the greatest penetration depth between any payload and the worksite, by the independent solver [m]."""
     frame = sim.look()
     worst = 0.0
     away = np.array(frame.work.orbiter)
@@ -162,7 +162,7 @@ def test_edited_dimensions_are_rejected_with_depth_or_run_cleanly(seed: int) -> 
     assert runs_without_overlap(made) == (not out_of_reach), (dimensions, out_of_reach)
 
 
-# --- former false acceptances ----------------------------------------------------------------------------------
+# --- faulty scenarios that the loader previously accepted -------------------------------------------------
 
 CONCEPT = """title = "test"
 arm = "concept-1972"
@@ -235,7 +235,7 @@ def test_unused_berth_that_does_not_fit_a_payload_is_a_caution() -> None:
     assert "bay wall" in caution.what and caution.where == ("cargo", 0)
 
 
-# --- over sampled poses -----------------------------------------------------------------------------------
+# --- survey of sampled poses ------------------------------------------------------------------------------
 
 
 @pytest.mark.slow

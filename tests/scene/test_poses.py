@@ -29,7 +29,7 @@ def random_angles(arm: aftdeck.Arm, count: int) -> Array:
 
 
 def placed(arm: aftdeck.Arm, q: Array) -> tuple[Array, list[Rotation]]:
-    """Return origins (n, 3) and orientations of the base and the moving frames, in the scene."""
+    """Return origins (n, 3) and orientations of the arm's coordinate frames, in the scene."""
     rows = np.array(ArmPoses(arm.model).at(q)).reshape(-1, 7)
     return rows[:, :3], [Rotation.from_quat(row[[4, 5, 6, 3]]) for row in rows]
 

@@ -74,7 +74,7 @@ def random_inputs(
     without: tuple[str, ...] = (),
     every: int = 16,
 ) -> Iterator[Inputs]:
-    """Yield random inputs: sticks in every direction, changed every third of a second, and random switches.
+    """Yield random inputs: sticks in every direction, changed every few steps, and random switches.
 
     Args:
         rng: random generator.

@@ -73,8 +73,8 @@ def vertices(size: Size) -> Array:
 def acquisition(frame: Frame, k: int = 0) -> Array:
     """Return the (8,) margins of acquisition [ft].
 
-    Each of the six conditions has one margin; the fifth has a second one, because it has two bounds. The last margin
-    is for the distance at which the fingers are tested.
+    Each of the six conditions has one margin, except the fifth: it has two bounds, and therefore two margins. The last
+    margin is for the distance at which the fingers are tested.
     """
     centre, axes = pose(frame, k)
     size = SIZES[frame.work.cargo[k].name]

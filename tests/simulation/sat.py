@@ -41,7 +41,7 @@ def overlap(a: Array, b: Array, x: float, y: float, z: float) -> float:
 def depth(a: Array, b: Array, axis: Array) -> float:
     """Return the penetration depth of two convex hexahedra (8, 3) [m]; negative if an axis separates them.
 
-    `axis` (3,) is the axis that separated the two solids last. It is tested first, and is updated.
+    `axis` (3,) is the most recent separating axis of the two solids. It is tested first, and is updated.
     """
     least = overlap(a, b, axis[0], axis[1], axis[2])
     if least < 0.0:
@@ -96,7 +96,7 @@ def measure(
         now: (F, 12) poses of the coordinate frames after the step.
         vertices: (n, 8, 3) vertices in their coordinate frames.
         frame: (n,) coordinate frame of each solid.
-        axes: (m, 3) the axis that last separated each pair of solids; updated.
+        axes: (m, 3) most recent separating axis of each pair of solids; updated.
         depths: (g,) out: depth of each pair of parts [m]; -inf if the parts are not near each other.
         travels: (g,) out: greatest motion of a vertex of one part in the axes of the other part [m].
     """

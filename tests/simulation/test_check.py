@@ -141,7 +141,7 @@ def test_check_fails_for_arm_in_contact_with_parts_and_position() -> None:
 
 
 def fastest_branch_s(arm: aftdeck.Arm, start: Array, goal: aftdeck.Target) -> float:
-    """Return the shortest time of mode 1 [s], from one run for each branch inside the soft stops."""
+    """Return the shortest time of a motion in mode 1 [s], from one run for each branch inside the soft stops."""
     low, high = arm.limits.soft.T
     times = []
     for angles in arm.inverse(goal.pose, near=np.radians(start)):

@@ -1,4 +1,4 @@
-"""Command delay: manual inputs act a number of steps after they are given."""
+"""Command delay: manual inputs act after a given number of steps."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ SEGMENT = 500
 STARTS = 12
 """Number of states during the script that serve as starts."""
 SLIGHTLY = 5e-5
-"""Greatest depth that a step may add to one contact while it leads out of several [m]; rounding errors are smaller."""
+"""Greatest depth that a step out of several contacts may add to one of them [m]; rounding errors are smaller."""
 
 
 def starts(sim: aftdeck.Simulation) -> list[SavedSimulation]:

@@ -90,7 +90,7 @@ def check_inhibited_steps(made: Scenario, frames: list[Frame]) -> int:
                 continue
             if pair in was:
                 assert contact.clearance >= was[pair].clearance - DEPTH - allowed, (now.time_s, pair)
-            else:  # the contact is not new, but was essential before, or was not a contact of the arm
+            else:  # not a new contact: before the step it was essential, or not a contact of the arm
                 earlier = {(c.a, c.b): c.clearance for c in before.work.contacts}
                 assert not same_possession(before, now) or contact.clearance >= earlier[pair] - DEPTH, (
                     now.time_s,
@@ -176,7 +176,7 @@ def test_prong_contact_inhibits_finger_and_arm_but_prong_may_open() -> None:
 
 
 def advised(frame: Frame) -> Inputs:
-    """Return inputs in the frame's escape direction from its contacts, at a tenth of full deflection."""
+    """Return inputs in the escape direction from the contacts of a frame, at a tenth of full deflection."""
     (escape,) = frame.ways_out
     assert escape.cause == "contact"
     value, mode = 0.1 * escape.sign, escape.position or None

@@ -1,4 +1,4 @@
-"""Re-initialisation: from any state, a run continues like a new run that starts with the chosen part."""
+"""Re-initialisation: from any state, a run continues like a new run that starts with the chosen part of the problem."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ PARTS = ("full problem", "acquisition", "extraction", "manoeuvring")
 
 @functools.cache
 def problem(extra: str = "", name: str = "concept-1972") -> Scenario:
-    """Return the report's full problem, or another scenario; the lines `extra` are added before its text."""
+    """Return a built-in scenario, by default the report's full problem, with the lines `extra` before its text."""
     text = load_scenario(name).text
     return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
 
 
 @functools.cache
 def begins_there(part: str, extra: str = "", name: str = "concept-1972") -> Scenario:
-    """Return a scenario that itself starts where a part of `PARTS` starts."""
+    """Return a scenario that starts with one of `PARTS`, without re-initialisation."""
     text = load_scenario(name).text
     if part == "full problem":
         return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
@@ -56,7 +56,7 @@ def _toml(value: object) -> str:
 
 
 def timeless(frames: list[Frame], *, first: bool) -> list[Frame]:
-    """Return frames without time and digest; if `first`, without the log lines of initialisation in the first frame."""
+    """Return frames without time and digest; if `first`, the first frame also loses the log lines of initialisation."""
     found = []
     for k, frame in enumerate(frames):
         events = tuple(msgspec.structs.replace(event, time_s=0.0) for event in frame.events)

@@ -99,7 +99,8 @@ def test_docking_stops_the_orbiter_until_release() -> None:
     assert 10 < docked < 399
     check_possession(made, frames)
     assert np.linalg.norm(frames[docked].work.orbiter_velocity) > 0.5 * SPEED
-    assert frames[docked].work.cargo[0].velocity == (0.0, 0.0, 0.0)  # the arm still held it at rest
+    # in this step the arm still held the payload at rest
+    assert frames[docked].work.cargo[0].velocity == (0.0, 0.0, 0.0)
     for frame in frames[docked + 1 :]:
         assert frame.work.orbiter == frames[docked].work.orbiter
         assert not any(frame.work.orbiter_velocity) and not any(frame.rates)
@@ -121,7 +122,7 @@ def test_docking_stops_a_coasting_orbiter_and_logs_the_reason() -> None:
 
 
 def test_contact_with_resting_payload_inhibits_the_arm() -> None:
-    """A contact does not accelerate the arm; the inhibited arm may only leave the payload."""
+    """A contact does not accelerate the arm; the inhibited arm may only move away from the payload."""
     start = 'start = { position = ["28 ft", "0 ft", "12.4 ft"], velocity = ["0 ft/s", "0 ft/s", "0.2 ft/s"] }'
     made = scenario((28.0, 0.0, -20.0), cargo=f'name = "payload"\n{start}')
     sim = aftdeck.Simulation(made)

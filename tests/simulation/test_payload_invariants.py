@@ -62,7 +62,7 @@ LIFT = Inputs((0.0, 0.0, -1.0), mode="ORB UNL")
 
 
 def captured(share: float) -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
-    """Capture the Shuttle's payload in its latches from 3 inches, with an error of up to 6 deg; return the run."""
+    """Capture the Shuttle's latched payload from 3 inches above its fixture, rotated by up to 6 deg; return the run."""
     made = srms(3.0, 1.0, 2.0, (5.0 * share, -4.0 * share, 6.0 * share), head=SLOWLY)
     sim = aftdeck.Simulation(made)
     frames = fly(sim, 2.64, Inputs(effector="close", effector_mode="manual", mode="END EFF"))
@@ -71,14 +71,14 @@ def captured(share: float) -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
 
 
 def stowed() -> tuple[np.ndarray, np.ndarray]:
-    """Return a rigidized payload's pose in frame 7; it is as accurate as the scenario's joint angles."""
+    """Return a rigidized payload's pose in frame 7, with the accuracy of the scenario's joint angles."""
     frame = aftdeck.Simulation(srms(0.0, held=True)).step(Inputs())
     return in_frame_7(frame, frame.work.cargo[0])
 
 
 @pytest.mark.parametrize("retracted", [0.0, 0.3, 0.95, 1.0])
 def test_unlatched_payload_does_not_jump_while_carriage_draws_in(retracted: float) -> None:
-    """While the payload is fixed, the carriage travels without it. Later, it moves the payload only by the rest."""
+    """A fixed payload does not move with the carriage; after UNLATCH, it moves only by the rest of the travel."""
     made, sim, frames = captured(0.1)
     if retracted:
         frames += fly(sim, retracted * 7.0, Inputs(rigid="rigid"))

@@ -1,4 +1,4 @@
-"""JSC-12628's phase inputs in a script: velocities in physical units, limits and the payload in the grasp by phase."""
+"""JSC-12628's phase inputs in a script: velocities in physical units, and the limits and payload of each phase."""
 
 from __future__ import annotations
 

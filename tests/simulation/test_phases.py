@@ -18,7 +18,7 @@ from tests.simulation.concept import ABOVE, AT_PORT, ON_BAR, flown, scenario, ve
 from tests.simulation.independent_rules import acquisition, depth_in_bay, docking
 
 ROUNDING = 1e-9
-"""Smaller margins are not compared [ft], [rad], because the two computations may round differently."""
+"""Smallest compared margin [ft], [rad]; the two computations may round a smaller margin differently."""
 FIRST, EXTRACTION, MANOEUVRING, DOCKED = 1, 2, 3, 4
 AT_RIM = (28.0, 0.0, -12.04)
 """Position of the palm at which the held payload leaves the bay [ft]."""

@@ -155,7 +155,7 @@ def test_demand_is_stick_times_limit_in_orbiter_axes() -> None:
 
 
 def test_given_inputs_replace_the_script() -> None:
-    """The frames equal those of a caller who steps with these inputs. A first step without inputs is an error."""
+    """`run` with inputs makes the same frames as `step` with these inputs. A first step without inputs is an error."""
     given = [aftdeck.Inputs(translation=(0.2 * k, 0.0, 0.0)) for k in range(4)]
     left, seen = iter(given), []
     done = aftdeck.run("first-flight", inputs=lambda _: next(left, None), stepped=lambda sim: seen.append(sim.given))

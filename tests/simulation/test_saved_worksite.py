@@ -62,7 +62,7 @@ def latching(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
 
 
 def capturing(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
-    """The snares close on a pin that is off its seat, and the carriage draws it in."""
+    """The snares close on a grapple pin that is off centre, and the carriage draws the pin in."""
     made = srms(2.0, 1.0, 1.0, (3.0, -2.0, 3.0))
 
     def given_() -> Iterator[Inputs]:

@@ -56,7 +56,7 @@ def test_scenario_with_two_payloads_in_one_berth_is_rejected() -> None:
 
 
 def test_script_waits_for_latches_of_the_held_payload() -> None:
-    """Another payload in the bay does not count."""
+    """Another payload, which is fixed in the bay, does not end the phase."""
     cargo = 'name = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-5.82 ft"] }\n[[cargo]]\nname = "payload"'
     phases = '[[phase]]\nmode = "ORB UNL"\nuntil = "latched"\nduration = "0.2 s"'
     made = scenario((28.0, 20.0, -25.0), held=True, cargo=f"{cargo}\n{phases}")

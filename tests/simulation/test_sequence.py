@@ -16,7 +16,7 @@ from aftdeck.simulation.frame import Frame
 from tests.steering.flying import BAY, checked, disturbed, fly, log_of, scenario, speed
 
 POINTS = [(12.0, 0.0, 0.0), (12.0, -10.0, 0.0), (0.0, -10.0, 8.0), (0.0, 0.0, 0.0)]
-"""Points of the sequence: differences [deg] of the first three joint angles from those above the bay."""
+"""Points of the sequence: offsets [deg] of the first three joint angles from `BAY`."""
 
 
 def joints(point: Sequence[float]) -> list[float]:
@@ -38,7 +38,7 @@ def auto_1(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> a
 def until(sim: aftdeck.Simulation, sequence: str, first: aftdeck.Inputs, seconds: float = 120.0) -> list[Frame]:
     """Return the frames up to the next frame in which the sequence has this state.
 
-    After PROCEED, a frame counts only once the motion has begun, or its check has failed.
+    After PROCEED, the search begins only when the motion has begun, or when its check has failed.
     """
     frames = [sim.step(first)]
     while first.proceed and frames[-1].sequence in {"checking", "ready"}:

@@ -1,4 +1,4 @@
-"""The snares capture a payload, and latches fix it, only in frames in which independent conditions hold."""
+"""The snares capture a payload, and latches fix it, exactly if conditions hold that are computed independently."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tests.simulation.shuttle_rules import envelope, latching
 from tests.steering.flying import fly
 
 ROUNDING = 1e-9
-"""Smaller margins are not compared [m], [rad], because the two computations may round differently."""
+"""Smallest compared margin [m], [rad]; the two computations may round a smaller margin differently."""
 seeds = st.integers(0, 2**32 - 1)
 
 

@@ -54,7 +54,7 @@ def kind(state: State) -> tuple[object, ...]:
 
 
 def altered(value: Any) -> Iterator[tuple[str, Any]]:
-    """Yield pairs: the path of an item, and a copy of the value with the least possible change of this item."""
+    """Yield pairs: the path of an item, and a copy of the value that differs only in this item, by the least step."""
     match value:
         case bool():
             yield "", not value
@@ -122,7 +122,7 @@ def test_restored_state_equals_the_saved_one(name: str) -> None:
 
 @pytest.mark.parametrize("name", FLOWN)
 def test_run_without_caches_is_bit_for_bit_equal(name: str) -> None:
-    """Most steps lose the cached clearances. Every twentieth step loses all caches, as after saving and restoring."""
+    """Most steps begin without cached clearances, and every twentieth step begins as after saving and restoring."""
     sim, rng, lost = aftdeck.Simulation(name), np.random.default_rng(9), set[str]()
     sticks = None if sim.scenario.phases else random_inputs(np.random.default_rng(3), 100_000)
     for tick, expected in enumerate(flight(name)[1]):

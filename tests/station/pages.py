@@ -29,7 +29,7 @@ from aftdeck.station.session.session import Session
 from aftdeck.tuples import Vec3
 
 WAIT_S = 60.0
-"""Longest wait for a condition [s]; even on a busy machine, only a fault makes a wait so long."""
+"""Longest wait for a condition [s]; even on a busy machine, a longer wait means a fault."""
 LATE_S = 0.5
 """Allowed delay of a series of frames [s]."""
 STILL = (0.0, 0.0, 0.0)
@@ -60,8 +60,8 @@ def until(condition: Callable[[], bool], what: str) -> None:
 def in_time(begun: float, steps: int) -> bool:
     """Return whether `steps` control steps since the time `begun` [s] have taken no longer than expected.
 
-    A busy machine delays some series of steps, a fault delays every series. A test therefore waits `until` one series
-    is in time.
+    A busy machine delays some series of steps; a fault delays every series. A test therefore repeats the series with
+    `until`, until one series is in time.
     """
     return time.monotonic() - begun < steps * scenario().control_period + LATE_S
 
@@ -92,7 +92,7 @@ class Page:
         return _messages.decode(self.socket.recv(timeout=WAIT_S))
 
     def wait_for(self, kind: type[_M], condition: Callable[[_M], bool] = lambda _: True) -> _M:
-        """Return the next message of a type that `condition` accepts."""
+        """Return the next message of type `kind` that `condition` accepts."""
         end = time.monotonic() + WAIT_S
         while True:
             message = self.receive()
@@ -150,7 +150,7 @@ class Server:
 
     @contextmanager
     def unannounced(self, *, buffered: int | None = None, origin: str | None = None) -> Iterator[Page]:
-        """Yield a page that has not sent hello. It accepts `buffered` unread messages, or any number if None."""
+        """Yield a page that has not sent hello. It buffers up to `buffered` unread messages; None means no limit."""
         url = f"ws://{self.address}/ws"
         own = None if origin is None else Origin(origin)
         with connect(

@@ -42,7 +42,7 @@ def ended(path: Path) -> str:
 
 
 def record_run(path: Path, steps: int = 600, *, script: bool = True, trial: Trial = NO_TRIAL) -> list[Frame]:
-    """Record a run and return its frames: manual translation, then also rotation, and at the end the script."""
+    """Record a run and return its frames: manual translation, then also rotation, then the script, if `script`."""
     simulation = Simulation(scenario())
     recorder = Recorder(path, simulation.scenario, 0, trial=trial)
     recorder.controllers(0.0, CONTROLLERS)
@@ -68,9 +68,9 @@ def record_run(path: Path, steps: int = 600, *, script: bool = True, trial: Tria
 
 
 def record_capture(path: Path) -> list[Frame]:
-    """Record a capture with an error of 1 inch and 3 deg, brakes, camera changes and a release; return its frames.
+    """Record a capture (error of 1 inch and 3 deg), brakes, camera changes and a release; return the frames.
 
-    Afterwards the end effector approaches the payload away from the pin, and retreats.
+    After the release, the end effector approaches the payload beside the grapple pin, and retreats.
     """
     simulation = Simulation(srms(4.0, 1.0, turned=(0.0, 3.0, 0.0)))
     recorder = Recorder(path, simulation.scenario, 0)

@@ -16,7 +16,7 @@ class Slow:
     """Preparation that continues when the test sets `go`."""
 
     def __init__(self, error: Exception | None = None) -> None:
-        self.session = Session(scenario())  # made here, because compiling the laws takes longer than a page waits
+        self.session = Session(scenario())  # in advance: compiling the laws takes longer than a page waits
         self.go, self.error, self.failed = Event(), error, Event()
         self.coming = Preparation(self.make)
 

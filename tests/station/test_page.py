@@ -52,7 +52,7 @@ def test_page_of_another_protocol_is_disconnected(shared: Station) -> None:
 
 
 def reason_of_close(page: Page) -> str:
-    """Return the reason with which the server closes the connection; check that the close frame has it too."""
+    """Return the server's reason for closing the connection; check that the close frame's reason begins like it."""
     text = page.rejection()
     closed = closing(page)
     assert closed.rcvd is not None

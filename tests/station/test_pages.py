@@ -15,7 +15,7 @@ from tests.station.pages import Station, until
 
 
 def hand_overs(station: Station) -> list[str]:
-    """Return the log lines about control that was handed over."""
+    """Return the log lines about handovers of control."""
     return [event.text for event in station.session.log.since(0) if event.kind == "hand-over"]
 
 
@@ -76,7 +76,7 @@ def test_sticks_of_a_silent_page_go_to_zero(station: Station, monkeypatch: pytes
 
 def test_observer_cannot_send_commands(shared: Station) -> None:
     with shared.page(), shared.page() as observer:
-        for _ in range(MAX_REJECTIONS + 5):  # these rejections do not count
+        for _ in range(MAX_REJECTIONS + 5):  # they do not count towards MAX_REJECTIONS
             observer.push(translation=(1.0, 0.0, 0.0))
             assert observer.rejection() == NOT_IN_CONTROL
     shared.check_running()

@@ -33,7 +33,7 @@ def restarted(session: Flown) -> Frame:
 
 
 def has_warned(session: Flown) -> bool:
-    """Do a step, and return whether the log has a line about the recording, which another thread writes."""
+    """Do a step, and return whether the log has a line about the recording. Another thread writes the recording."""
     session.step()
     return any(event.kind == "recording" for event in session.log.since(0))
 

@@ -18,7 +18,7 @@ CLEAR = 0.05
 SAMPLES = 120
 """Number of poses on a line for which joint angles are computed."""
 FURTHEST = math.radians(10.0)
-"""Rotation of a joint between two samples [rad]; more means a change of the branch, or a singularity."""
+"""Greatest rotation of a joint between two samples [rad]; more means a change of the branch, or a singularity."""
 
 
 class Move(NamedTuple):

@@ -54,7 +54,7 @@ def start(rng: np.random.Generator) -> Array:
 
 
 def equipped(rng: np.random.Generator, first: Array, mass: str) -> str:
-    """Return TOML lines of a payload, if a mass is given, and of random points near the first pose for AUTO 1 and 2."""
+    """Return TOML lines: a payload, if a mass is given; for AUTO 1 and 2, random points near the first pose."""
     low, high = np.array(LIMITS["hard"], dtype=np.float64).T
     lines = ["", PAYLOAD.format(mass=mass) if mass else ""]
     for slot in (1, 2):
@@ -131,7 +131,7 @@ def check(
         return
     last = np.array(before.twist_commanded if before else (0.0,) * 6)
     change = np.array(frame.twist_commanded) - last
-    # mode 3 predicts half a step with the last clock rate, so it brakes a little more while this rate rises
+    # mode 3 predicts half a step with the previous clock rate; while this rate rises, mode 3 brakes a little harder
     more = 0.05 if frame.law == 3 else 1e-6
     assert np.linalg.norm(change[3:]) <= up[0] * period * (1 + more) + 1e-12, where
     assert np.linalg.norm(change[:3]) <= up[1] * period * (1 + more) + 1e-12, where

@@ -35,7 +35,7 @@ PERIOD = 0.02
 
 
 def changed(line: str) -> Scenario:
-    """Return sts-400-closed with one more line in its head and a duration of 144 s, a multiple of 0.08 s."""
+    """Return sts-400-closed with one more line at its start and a duration of 144 s, a multiple of 0.08 s."""
     text = load_scenario("sts-400-closed").text.replace('duration = "150 s"', 'duration = "144 s"')
     return parse_scenario(f"{line}\n{text}", "sts-400", "sts-400.toml", Path("."))
 
@@ -51,7 +51,7 @@ def off_the_line(start: Sequence[float], frames: Sequence[Frame]) -> float:
 
 
 def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
-    """Return the greatest angle [rad] between frame 7 and the rotation about one axis from start to target."""
+    """Return the greatest deviation [rad] of frame 7 from a rotation about one axis, from start to target."""
     goal = frames[-1].goal
     assert goal is not None
     whole = (Rotation.from_matrix(goal.rotation) * Rotation.from_matrix(start).inv()).as_rotvec()
@@ -71,7 +71,7 @@ def final_errors(frames: Sequence[Frame]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> list[Frame]:
-    """Return the frames of a motion to a target and of one second after it."""
+    """Return the frames of a motion to a target, and of the second after the motion."""
     period = sim.scenario.control_period
     frames = [sim.step(aftdeck.Inputs(target=goal, proceed=True))]
     while frames[-1].sequence in {"checking", "in progress"} and frames[-1].time_s < seconds:
@@ -215,7 +215,7 @@ def test_target_out_of_reach_fails_its_check_and_is_rejected(place: tuple[float,
     far = aftdeck.Target(place, ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0)))
     frames = fly(sim, 1.0, aftdeck.Inputs(target=far, proceed=True))
     last = frames[-1]
-    assert last.goal is not None and last.goal.position == place  # kept, so that the operator can correct it
+    assert last.goal is not None and last.goal.position == place  # kept: the operator can correct it
     assert last.sequence == "idle" and last.check is not None and not last.check.good
     assert last.check.cause == "reach"
     assert list(last.angles) == start

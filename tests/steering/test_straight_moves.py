@@ -1,4 +1,7 @@
-"""Random straight moves whose line is free according to Pinocchio, made by modes 1, 2 and 3 on the kinematic plant."""
+"""Random straight moves of the kinematic plant in modes 1, 2 and 3.
+
+According to Pinocchio, the lines of these moves stay inside the soft stops and clear of singularities.
+"""
 
 from __future__ import annotations
 
@@ -51,7 +54,7 @@ def final_error(name: str, move: Move, law: int) -> tuple[float, float, bool]:
 
 
 def reached(name: str, move: Move, law: int) -> bool:
-    """Return whether the motion ends at its target, even if a stop holds its last part."""
+    """Return whether the final error is within its limits, even if a stop blocks the rest of the motion."""
     distance, turn, _ = final_error(name, move, law)
     return distance <= NEAR and turn <= NEAR_TURN
 

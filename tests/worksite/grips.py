@@ -1,4 +1,4 @@
-"""The concept arm's end effector and a payload's bar, with the dimensions of their files; half-space arithmetic."""
+"""Vertices of the concept arm's end effector and of a payload's bar, as in their files; heights over a face."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def found_at(bodies: list[Array], tolerances: Tolerances = TOLERANCES) -> tuple[
 
 
 def over_face(body: Array, rim: tuple[int, int, int, int], points: Array) -> Array:
-    """Return the heights of points (n, 3) over the plane of a face, given by its vertices; positive outside."""
+    """Return the heights of points (n, 3) over a face's plane, positive outside; `rim` numbers the face's vertices."""
     p, q, r, _ = (body[v - 1] for v in rim)
     normal = np.cross(q - p, r - p)
     normal /= np.linalg.norm(normal)

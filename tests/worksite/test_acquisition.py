@@ -129,7 +129,8 @@ def test_acquisition_envelope_ends_at_its_closed_form_limits(name: str, axis: st
 
 @pytest.mark.parametrize("sense", [1.0, -1.0])
 def test_both_fingers_limit_yaw(sense: float) -> None:
-    # Both of the bar's corners reach a finger's inner face at once: 1.5 sin t + 0.25 cos t = 0.375.
+    # Two opposite corners of the bar reach the planes of the two fingers' inner faces at the same angle t:
+    # 1.5 sin t + 0.25 cos t = 0.375.
     limit = asin(0.375 / hypot(1.5, 0.25)) - atan2(0.25, 1.5)
     assert limit == pytest.approx(radians(4.8), abs=radians(0.05))
     assert found_at([*over(yaw=sense * (limit - 1e-7)), bar()])[0]

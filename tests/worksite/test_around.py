@@ -1,4 +1,4 @@
-"""One contact update, against its parts called separately and against plain matrices."""
+"""The contact update of a control step, against separate calls of its functions and against plain matrices."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def some_row(rng: np.random.Generator, size: float = 5.0) -> Array:
 
 
 def within(outer: Array, inner: Array) -> Array:
-    """Return `inner`, a pose relative to `outer`, in the coordinate frame in which `outer` is given; by matrices."""
+    """Return the product of two poses, by matrices: `outer` in a coordinate frame, and `inner` relative to `outer`."""
     a, b = pose_of(outer), pose_of(inner)
     return row_of(Pose(a.rotation @ b.position + a.position, a.rotation @ b.rotation))
 

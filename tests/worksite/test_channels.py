@@ -1,4 +1,4 @@
-"""The operator's input channels against TABLE I, and encoded and decoded with noise."""
+"""The operator's input channels: voltages against TABLE I, and encoding and decoding with noise."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def test_switches_are_decoded_with_noise_of_an_eighth_of_a_volt(
 def test_angles_keep_every_bit(angles: tuple[float, ...]) -> None:
     there = encode_inputs(AT_REST._replace(angles=angles))  # type: ignore[arg-type]
     for back, angle in zip(decode_inputs(there).angles, angles, strict=True):
-        assert back.hex() == angle.hex() or abs(angle) < 1e-300  # smaller angles lose precision in the quotient
+        assert back.hex() == angle.hex() or abs(angle) < 1e-300  # below 1e-300 rad, the quotient loses precision
 
 
 @pytest.mark.parametrize(

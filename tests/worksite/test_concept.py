@@ -1,4 +1,4 @@
-"""The concept's worksite against the report's text, and the reach of its arm there."""
+"""The concept arm's worksite against the report's text, and the arm's reach in this worksite."""
 
 from __future__ import annotations
 
@@ -172,7 +172,7 @@ def test_station_points_have_cameras_that_zoom_from_25_to_60_deg(concept: Worksi
 
 
 def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
-    """Return whether a camera sees a point of the scene at the start, in a picture of 5:3.
+    """Return whether a camera in its initial direction has a point of the scene in its 5:3 picture.
 
     `pose` is the pose of the body that carries the camera.
     """
@@ -191,7 +191,7 @@ def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
     [("A", "bay"), ("B", "bay"), ("C", "bay"), ("D", "bay"), ("H", "port"), ("I", "port"), ("P2", "bar")],
 )
 def test_camera_sees_the_bar_or_the_port_at_the_start(concept: Worksite, name: str, at: str) -> None:
-    """Targets: the payload's bar in the bay, the port, and the bar seen from the payload's own camera."""
+    """Cameras A to D and the payload's own camera P2 see the payload's bar in the bay; H and I see the port."""
     payload: Cargo = concept.cargoes[0]
     still = Pose(np.zeros(3), np.eye(3))
     body = next(camera for camera in concept.cameras if camera.name == name).body

@@ -1,4 +1,4 @@
-"""Docking: the envelope's figures in closed form, and the tests on the probe against plain arithmetic."""
+"""Docking: the envelope's figures in closed form, and the results of `approach` against plain arithmetic."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def pose(position: Array, rotation: Array) -> Array:
 
 
 def found_at(out: float, across: float = 0.0, turn: Array | None = None, sides: int = 6, seed: int = 1) -> Array:
-    """Return the result of `approach` for a probe tip `out` and `across` from a randomly placed port [ft]."""
+    """Return the result of `approach` at a random port; `out` and `across` are the probe tip's position there [ft]."""
     rng = np.random.default_rng(seed)
     base, shift = rotations(rng, 1)[0], rng.uniform(-20.0, 20.0, 3)
     vertices, face = probe()
@@ -102,7 +102,8 @@ def test_square_docking_envelope_never_closes() -> None:
 def test_probe_fits_within_the_lateral_limits_of_the_dimension_table(
     out: float, sides: int, room: float | None
 ) -> None:
-    # ±0.9 ft at a distance of 4 ft, ±3.2 ft at contact; an octagon has room up to about 1.5 ft from the port.
+    # The probe has ±0.9 ft of lateral room at a distance of 4 ft, and ±3.2 ft at contact.
+    # With an octagonal envelope it has room only up to about 1.5 ft from the port.
     if room is None:
         assert found_at(out, sides=sides)[INSIDE] > 0.0 > found_at(out + 0.15, sides=sides)[INSIDE]
         return

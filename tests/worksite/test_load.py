@@ -44,7 +44,7 @@ def corners(half: tuple[float, float, float]) -> Points:
 
 
 def hull(shape: Shape) -> Points:
-    """Return points whose bounding box contains a shape, in the coordinate frame of the body or group that lists it."""
+    """Return points whose bounding box contains a shape, in the coordinate frame of the shape's body or group."""
     return turned(np.vstack(list(own_hull(shape))), shape.rotation, shape.position)
 
 

@@ -21,7 +21,7 @@ def test_constant_twist_is_recovered(seed: int, angle: float) -> None:
     twist[0, 3:] *= angle / period
     now = moved(frame, twist, period)[0]
     found = np.array(motion(frame[0], now, period))
-    # near half a turn the angle's sine, from which the axis comes, is small
+    # the axis is computed from the sine of the angle, which is small near half a turn
     near = {"abs": 1e-11 * (1.0 + angle) / period / abs(np.sin(angle) / angle)}
     assert found[:3] == pytest.approx(twist[0, :3], **near)
     assert found[3:] == pytest.approx(np.cross(twist[0, :3], now[:3]) + twist[0, 3:], **near)

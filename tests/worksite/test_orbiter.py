@@ -67,7 +67,10 @@ def test_orbiter_shapes_lie_inside_its_solids(orbiter: Worksite) -> None:
 
 @pytest.mark.parametrize("name", worksites())
 def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
-    """The pin enters the end effector. Shapes on the body project by up to 2 cm, and by 7 mm on the ends."""
+    """The pin enters the end effector.
+
+    Bright and dark boxes project from the solids by up to 2 cm, shapes of foil or structure by up to 7 mm.
+    """
     allowed = {
         (kind, of): 0.0071 for kind, of in [("Cylinder", "foil"), ("Cylinder", "structure"), ("Box", "structure")]
     }
@@ -84,9 +87,9 @@ def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
 
 
 def test_perfect_capture_leaves_clearance_to_the_target_rod(orbiter: Worksite) -> None:
-    """The clearance is the distance of the axes minus the radii of end effector and rod: 0.286 m - 0.2 m - 0.013 m.
+    """The clearance is the distance between the axes of end effector and rod, minus the radii: 0.286 - 0.2 - 0.013 m.
 
-    Wrist camera and wrist light are far behind.
+    Wrist camera and wrist light are more than 0.4 m away from the rod.
     """
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
@@ -113,7 +116,7 @@ def test_target_shape_without_a_cover_is_rejected(orbiter: Worksite, tmp_path: P
 
 
 def test_payload_envelope_of_90_in_radius_is_clear_in_the_bay(orbiter: Worksite) -> None:
-    """Exception: the bay cameras on the bulkheads are in that envelope at its two ends."""
+    """Exception: the bay cameras on the bulkheads are inside the envelope, at its two ends."""
     assert orbiter.bay is not None
     x = np.linspace(orbiter.bay.low[0] + 0.6, orbiter.bay.high[0] - 0.6, 40)
     t = np.linspace(0.0, math.tau, 361)
@@ -135,7 +138,7 @@ def test_latched_payload_contacts_only_the_latches(orbiter: Worksite) -> None:
 
 
 def test_trunnions_are_at_their_published_positions_over_the_latches(orbiter: Worksite) -> None:
-    """Longeron Yo 93.925, Zo 414.05, attach points 3.933 in apart from Xo 608.80; keel Yo 0, Zo 305.025."""
+    """Longeron: Yo 93.925, Zo 414.05, an attach point every 3.933 from Xo 608.80 on; keel: Yo 0, Zo 305.025 [in]."""
     (cargo,) = orbiter.cargoes
     pose = cargo.start.pose
     places = (cargo.trunnions @ pose.rotation.T + pose.position) / INCH + [942.0, 0.0, 400.0]

@@ -32,7 +32,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def arm_moved(rng: np.random.Generator, frames: Array, pace: float) -> Array:
-    """Return the coordinate frames one step later: those of the arm moved at random twists, the others unchanged."""
+    """Return the coordinate frames one step later: the arm's frames have random twists, the others do not move."""
     twists = np.zeros((len(frames), 6))
     twists[1:4] = pace * rng.normal(size=(3, 6))
     return moved(frames, twists, PERIOD)
@@ -51,7 +51,10 @@ def carried(before: Array, after: Array, point: Array) -> Array:
 
 
 def gained_clearance(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array) -> tuple[float, float]:
-    """Return the clearance gained by all solids in contact (inf if none) and the greatest sliding distance [m]."""
+    """Return the clearance gained by all solids in contact and the greatest sliding distance [m].
+
+    Without a contact, the first value is inf.
+    """
     gained, slid, touching = 0.0, 0.0, False
     for g in np.flatnonzero(counts).tolist():
         pairs = list(zip(all_pairs(made, layout, g, now), all_pairs(made, layout, g, then), strict=True))
@@ -72,7 +75,10 @@ def gained_clearance(made: list[Solid], layout: Layout, counts: Mask, now: Array
 
 
 def lost_at_most(before: Array, after: Array, gained: float) -> float:
-    """Return the clearance [m] that a step with this gain may lose at other pairs; `DEEPER` for a step into contact."""
+    """Return the clearance [m] that each pair may lose if the solids in contact gain `gained` in total.
+
+    If the step makes a new contact, the result is `DEEPER`.
+    """
     made = bool(((before > CONTACT) & (after <= CONTACT)).any())
     return DEEPER if made or not np.isfinite(gained) else max(DEEPER, BESIDES * gained)
 
@@ -126,7 +132,10 @@ def test_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
 
 
 def directions(frames: Array, step: float) -> Array:
-    """Return frames (12, F, 12) with frame 1 rotated about and moved along three axes, in both directions."""
+    """Return the coordinate frames (12, F, 12) after each of 12 motions of frame 1.
+
+    The motions are a rotation about, and a translation along, each of three axes, in both directions.
+    """
     found = []
     for axis in range(6):
         for sign in (1.0, -1.0):

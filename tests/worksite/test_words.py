@@ -1,4 +1,4 @@
-"""The scene generator's words against TABLE II, bit by bit, and encoded and decoded."""
+"""The scene generator's words: bits against TABLE II, and encoding followed by decoding."""
 
 from __future__ import annotations
 

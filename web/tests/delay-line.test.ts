@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { DelayLine, isStale } from '../src/link/delay-line';
 import type { Frame } from '../src/link/protocol';
 
-/** Returns the tick that a line with this delay [s] shows at each time [ms]. Frames arrive at 0, 100, 200 … ms. */
+/** Returns the tick that a delay line with `delay` [s] shows at each time [ms]. Frames arrive at 0, 100, 200 … ms. */
 function shows(delay: number, times: readonly number[], frames = 100): readonly (number | undefined)[] {
   const line = new DelayLine(delay);
   let tick = 0;

@@ -12,7 +12,7 @@ afterEach(() => {
 const event = (kind: string, level: Level = 'info'): LogEvent => ({ time_s: 0, kind, level, text: 'A line' });
 const kindOf = ({ kind }: LogEvent) => kind;
 
-/** An empty log with one hint. */
+/** A log that contains no event, but one hint. */
 function log() {
   const group = new EventsGroup(['A hint']);
   const element = small(group.element);

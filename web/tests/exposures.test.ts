@@ -38,13 +38,13 @@ function metering(quality: Quality = 'full') {
     time += 0.02;
     exposures.follow(time, base, locked);
   };
-  /** Draws a picture; returns whether it is metered. */
+  /** Draws a picture; returns whether its metering starts. */
   const draw = (camera: string, factor = 1) => {
     const before = rows.mock.calls.length;
     exposures.measure(camera, PICTURE, 300, factor);
     return rows.mock.calls.length > before;
   };
-  /** Draws a picture and lets its light arrive; returns whether it is metered. */
+  /** Draws a picture, then collects its light by `follow`; returns whether its metering started. */
   const meter = (camera: string, factor = 1) => {
     const begun = draw(camera, factor);
     follow();

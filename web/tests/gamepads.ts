@@ -14,7 +14,7 @@ export function reading(axes: readonly number[], pressed: Record<number, number>
   return { axes, buttons };
 }
 
-/** Replace the browser's gamepads by gamepads that a test connects and moves. */
+/** Replaces the browser's gamepads with gamepads that a test connects and moves. */
 export function plugged(
   ...pads: { id: string; axes?: number[]; standard?: boolean; buttons?: Record<number, number> }[]
 ) {

@@ -23,7 +23,7 @@ const strip = (name: string, more: Partial<Strip> = {}): Strip => ({
 const CLEARANCE = strip('Clearance', { caution: 0.6, warning: 0.15 });
 const ANGLE = strip('Elbow', { quantity: 'angle', rests: false });
 
-/** Frames of some seconds, ten each second; each value is the time. */
+/** Samples between two times [s], ten each second; both values are linear in time. */
 function recent(from: number, to: number, more: Partial<Recent> = {}): Recent {
   const count = Math.round((to - from) * 10);
   const samples = Array.from({ length: count }, (_, i) => {

@@ -14,7 +14,7 @@ afterEach(() => {
 
 const event = (time_s: number, kind = 'mode'): LogEvent => ({ time_s, kind, level: 'info', text: 'A line' });
 
-/** A log that displays frames after a delay [s]. */
+/** The log of a page with the telemetry delay `delay` [s]. */
 function opened(delay = 0) {
   const arrivals = new Arrivals({ command_delay_s: 0, telemetry_delay_s: delay, camera_delay_s: 0 });
   const lines: LogEvent[] = [];

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { DEFAULTS } from '../src/input/defaults';
 import { centred, KINDS, MOST_BINDINGS, parseMapping, shape } from '../src/input/mapping';
 
-/** Values from least to most, both included. */
+/** Returns `count` + 1 equally spaced values, from `least` to `most`, with both ends included. */
 function steps(least: number, most: number, count: number): readonly number[] {
   return Array.from({ length: count + 1 }, (_, i) => least + ((most - least) * i) / count);
 }

@@ -14,7 +14,7 @@ const NAMES = [...'ABCDEFGHIJKL'];
 const CAMERAS: readonly Camera[] = NAMES.map((name) => ({ ...bay, name }));
 const [A, B, C] = CAMERAS as [Camera, Camera, Camera, ...Camera[]];
 
-/** Both monitors with camera A; cameras A to L. */
+/** Two monitors in a scenario with cameras A to L. Both monitors show camera A at first. */
 function made() {
   const changed = vi.fn();
   const chosen = vi.fn();

@@ -18,7 +18,9 @@ const MODES = [
   { position: 'MASTER', kind: 'master' },
 ] as readonly Mode[];
 
-/** A page of the operator, with the frame that it displays; its parts record their calls. */
+/**
+ * A page of the operator, or of an observer if `flying` is false. It displays `frame`; its `parts` record their calls.
+ */
 function station(flying = true, payloads = 1) {
   const frame = { mode: 'ORB UNL', rate: 'coarse' as Rate, by: 'hand' };
   const sticks = { flyingOrbiter: false, flyOrbiter: vi.fn() };

@@ -5,7 +5,10 @@ import { Player } from '../src/replay/player';
 
 export const EXTENT = { period_s: 0.02, ticks: 1000, stride: 1, block: 100 };
 
-/** Make a player of a recording whose blocks arrive at once. `requested` lists the numbers of the requested blocks. */
+/**
+ * Makes a player of a recording whose blocks arrive without delay. `requested` lists the numbers of the requested
+ * blocks.
+ */
 export async function player(extent: Partial<typeof EXTENT> = {}) {
   const all = { ...EXTENT, ...extent };
   const requested: number[] = [];

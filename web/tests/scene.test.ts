@@ -13,7 +13,7 @@ const solid = { ...placed, material: 'metal' } as const;
 const turn = { start: 0, sweep: 2 * Math.PI } as const;
 const section = { half_width: 1, top: 1, middle: 0, bottom: -1, exponents: [2, 2] } as const;
 
-/** Return the volume of a closed surface; negative if its triangles face inwards. */
+/** Returns the volume of a closed surface; negative if its triangles face inwards. */
 function volume({ positions, indices }: Surface): number {
   const corner = (i: number) => new Vector3().fromArray(positions, 3 * (indices[i] ?? 0));
   let sum = 0;

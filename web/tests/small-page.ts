@@ -90,7 +90,7 @@ export class SmallElement {
     return this.children.flatMap((child) => (child instanceof SmallElement ? [child, ...child.all] : []));
   }
 
-  /** The first element for a selector of tags and classes with spaces between them. */
+  /** The first element that matches `selector`: steps such as `button.key`, separated by spaces. */
   querySelector(selector: string): SmallElement | null {
     let within: readonly SmallElement[] = [this];
     for (const step of selector.split(' ')) {
@@ -108,7 +108,7 @@ export class SmallElement {
     this.listeners.set(type, [...(this.listeners.get(type) ?? []), listener]);
   }
 
-  /** Calls the listeners of a click without a pointer. */
+  /** Calls the click listeners, as a click by keyboard does: `detail` is 0. */
   click(): void {
     for (const listener of this.listeners.get('click') ?? []) listener({ detail: 0 });
   }
@@ -124,7 +124,7 @@ export function useSmallPage(): void {
   });
 }
 
-/** A component's element as an element of the small document. */
+/** Returns `element` with its type in the small document. */
 export function small(element: Element): SmallElement {
   return element as unknown as SmallElement;
 }

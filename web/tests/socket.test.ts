@@ -4,7 +4,7 @@ import { type Command, Link, type LinkState, parse } from '../src/link/socket';
 
 const STOP: Command = { type: 'stop' };
 
-/** A socket to which the test answers in place of the station. */
+/** A socket whose messages come from the test, not from the station. */
 class FakeSocket {
   readonly sent: Record<string, unknown>[] = [];
   closed = false;

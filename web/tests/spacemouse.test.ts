@@ -1,7 +1,7 @@
 import { expect, test, vi } from 'vitest';
 import { CAP_AT_REST, parsed, SpaceMouse } from '../src/input/spacemouse';
 
-/** Return a SpaceMouse that the page has permission to use, and its controls for a test. */
+/** Returns a SpaceMouse that the page has permission to use, and functions that send its reports and unplug it. */
 async function connected(vendorId = 0x256f, usage = 8) {
   const device = Object.assign(new EventTarget(), {
     vendorId,

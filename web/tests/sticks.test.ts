@@ -21,7 +21,10 @@ test('X drives the selected joint unless the THC flies the orbiter', () => {
 
 describe('stick to picture', () => {
   const still = Array.from({ length: 10 }, () => 0);
-  /** Sticks with the devices' deflections `at`; `inputTimes` lists the input time of each measured message. */
+  /**
+   * Sticks that read their deflections from `at`, not from devices. `inputTimes` lists the input time of each message
+   * whose latency is measured.
+   */
   function stickOf(at: { value: readonly number[]; moved: boolean }) {
     const inputTimes: number[] = [];
     const latency = { sent: (_seq: number, from: number) => inputTimes.push(from) };

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { kept, Tones } from '../src/page/tones';
 
-/** Records which oscillators are started and stopped, with their pitch. */
+/** An audio context that records the pitch, start and end of each oscillator. */
 class FakeAudio {
   currentTime = 0;
   state = 'running';

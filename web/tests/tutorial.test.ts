@@ -17,7 +17,7 @@ interface Flown {
   readonly x?: number;
   readonly stick?: number;
   readonly offAxis?: boolean;
-  /** Distance from the axis of the pin, within the capture envelope. */
+  /** Value of the condition `pin off axis` [m]; the capture envelope allows at most 0.1 m. */
   readonly aside?: number;
   readonly depth?: boolean;
   readonly held?: boolean;
@@ -41,7 +41,10 @@ function condition(name: string, holds: boolean, value = 0): Condition {
   };
 }
 
-/** Return a frame: the end effector is above the berthed payload, no condition holds, and nothing is captured. */
+/**
+ * Returns a frame. By default, the end effector is above the berthed payload, nothing is captured, and no capture
+ * condition holds.
+ */
 function frame(flown: Flown = {}): Frame {
   const { tick = 1, x = 0, stick = 0, held = false, seat = 'bay', flags = ['EXTEND', 'OPEN'] } = flown;
   const work = {

@@ -1,4 +1,4 @@
-"""Boxes of the concept arm, computed from the dimensions in its file: for collisions and for drawing.
+"""Boxes of the concept arm for collision tests and drawing, computed from the dimensions in the arm's file.
 
 The Remote Manipulator Simulation has these solids: the three hexahedra of the end effector; ARM 0, ARM 1 and ARM 2; and
 STAND. The housings of the joints, and the tube that slides in the telescope's sleeve, are our additions.
@@ -66,7 +66,7 @@ def _stand(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
 
 
 def _booms(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
-    """Yield upper arm, lower arm, the stub, and the cubes around the pins."""
+    """Yield the upper arm, the lower arm, the stub, and the cubes around the pins."""
     b, upper, lower = file.booms, file.geometry.upper_arm.value, file.geometry.lower_arm.value
     back, side = b.set_back.value, b.side.value
     yield Block("shoulder", frames[2], *_cube(b.shoulder_housing.value), "housing")
@@ -89,9 +89,9 @@ def _effector(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
 
 
 def _along(axis: int, begin: float, end: float, side: float) -> tuple[Vec3, Vec3]:
-    """Return the least and the greatest corner of a box that extends along an axis of its frame, 0, 1 or 2.
+    """Return the least and the greatest corner of a box that extends along one axis of its frame.
 
-    The box has a square section.
+    `axis` is the number of this axis: 0, 1 or 2. The box has a square section.
     """
     half = 0.5 * side
     low, high = [-half] * 3, [half] * 3
@@ -100,5 +100,5 @@ def _along(axis: int, begin: float, end: float, side: float) -> tuple[Vec3, Vec3
 
 
 def _cube(edge: float) -> tuple[Vec3, Vec3]:
-    """Return the least and the greatest corner of a cube; its centre is its frame's origin."""
+    """Return the least and the greatest corner of a cube whose centre is the origin of its frame."""
     return _along(0, -0.5 * edge, 0.5 * edge, edge)

@@ -1,11 +1,12 @@
 """Checks that a concept arm's telescope, booms and end effector fit together.
 
-A pin joins two booms. One plane contains the pin and bisects the bend. It separates the booms only if both booms begin
-far enough from the pin. Let w be half the width of a boom and theta the angle of the bend. For a bend about an axis
-perpendicular to a face, the boom has to begin at least w tan(theta/2) from the pin. For a bend about any axis, this
-least distance is sqrt(2) w tan(theta/2). The corners of a joint's housing must not be farther from the pin than the end
-of the nearer boom. The end planes of the booms then separate the booms from the housing. Both conditions are needed for
-separating planes SP 11 and SP 12 of the Remote Manipulator Simulation.
+A pin joins two booms. The plane that contains the pin and bisects the angle between the booms has to separate the two
+booms. Each boom therefore has to begin far enough from the pin. Let w be half the width of a boom and theta the angle
+of the bend. If the axis of the bend is perpendicular to a side face of the boom, the boom has to begin at least
+w tan(theta/2) from the pin. If the axis can have any direction, this least distance is sqrt(2) w tan(theta/2). The
+corners of a joint's housing must not be farther from the pin than the end of the nearer boom. The end planes of the
+booms then separate the booms from the housing. Both conditions are needed for separating planes SP 11 and SP 12 of the
+Remote Manipulator Simulation.
 """
 
 from __future__ import annotations

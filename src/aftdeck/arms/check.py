@@ -1,4 +1,4 @@
-"""Checks of an arm file that its types cannot make: lengths, the order of the limits, and the sum of the masses.
+"""Checks of an arm file that field types cannot express: lengths, the order of the limits, and the sum of the masses.
 
 `arms.bodies` checks the tables that only a concept arm has: `stand`, `booms` and `effector`.
 """

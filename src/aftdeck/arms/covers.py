@@ -1,4 +1,4 @@
-"""Hexahedra of the covers that a file lists, each in the frame of the body that it covers."""
+"""Hexahedra of the covers that a file lists. Their coordinates are in the frame of the covered body."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def hexahedra(cover: Cover, part: str) -> Array:
 
 
 def cover_problem(cover: Cover, part: str) -> str:
-    """Return the error in a cover's sizes; empty if the sizes are valid."""
+    """Return the error message about a cover's sizes, or an empty string if the sizes are valid."""
     try:
         hexahedra(cover, part)
     except InputError as error:

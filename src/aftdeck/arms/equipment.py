@@ -53,7 +53,8 @@ class Equipment(NamedTuple):
         master: for each joint of the master arm, the axis of the hand controllers that moves the joint. These axes are
             used if no other device gives the master arm's angles. Each RHC axis moves the wrist joint that rotates
             about the same axis.
-        covered: whether the arm's solids cover round parts from outside. If so, neighbouring solids overlap at joints.
+        covered: whether the arm's solids are covers that enclose round parts. If so, neighbouring solids overlap at
+            joints.
     """
 
     telescope: Telescope | None

@@ -23,14 +23,14 @@ class Linkage(NamedTuple):
     """An arm's joints, from the foot to the tip. Arrays are read-only.
 
     Attributes:
-        links: (8,) in the order of `kinematics.linkage`: L1 to L5 [m]; the angles from the boom line up to the upper
-            arm, and up to the lower arm, at zero joint angles [rad]; and the kind of wrist.
+        links: (8,) in the order of `kinematics.linkage`: L1 to L5 [m]; two angles at zero joint angles [rad], from the
+            boom line to the upper arm and from the boom line to the lower arm, positive upwards; and the kind of wrist.
         steps: (6, 3) vectors to each joint's centre at zero angles, in L [m]: the vector to the first joint begins at
             L's origin, and each other vector begins at the preceding joint.
         axes: for each joint, the axis of L, 1 to 3, about which the joint rotates at zero angles.
         frames: names of the frames that carry the arm's bodies: the foot (fixed in L), then one frame for each joint.
-            The axes of a joint's frame are those of L, rotated by all joints up to this joint. The origin is the
-            joint's centre; for the last joint it is the centre of the preceding joint.
+            The axes of a joint's frame are those of L, rotated by this joint and all joints before it. The
+            origin is the joint's centre; for the last joint it is the centre of the preceding joint.
         end_effector_roll: the angle r in R_E = R_7 Rx(r) [rad].
     """
 

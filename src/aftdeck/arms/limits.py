@@ -31,8 +31,8 @@ class JointRates(NamedTuple):
 
     Attributes:
         servo: (6,) greatest rates of the servos [rad/s]; RATLMT uses them in modes 2 to 7.
-        coarse: (6,) limits in modes 1 and 8, in DIRECT, and in MASTER, if the rate setting is coarse [rad/s].
-        vernier: (6,) limits in these modes if the rate setting is vernier [rad/s].
+        coarse: (6,) limits for the rate setting coarse, in modes 1 and 8, DIRECT and MASTER [rad/s].
+        vernier: (6,) limits for the rate setting vernier, in the same modes as `coarse` [rad/s].
         acceleration: (6,) greatest joint accelerations, applied in modes 1 to 7 [rad/s2].
     """
 

@@ -1,4 +1,4 @@
-"""Loader of an arm file into arrays; `arms.check` makes the checks that types cannot make."""
+"""Loader that converts an arm file to arrays; `arms.check` makes the checks that field types cannot express."""
 
 from __future__ import annotations
 
@@ -120,8 +120,8 @@ class ArmModel:
         """Return the limits of the point of resolution for a payload's mass [kg].
 
         Between two rows for payloads, the limits are interpolated linearly in the logarithm of the mass. Between the
-        row without a payload and the row of the lightest payload, they are interpolated linearly in the mass. Above the
-        row of the heaviest payload, the limits of that row apply (assumed).
+        row without a payload and the row of the lightest payload, they are interpolated linearly in the mass. If the
+        mass is greater than in the row of the heaviest payload, the limits of that row apply (assumed).
 
         Raises:
             InputError: the mass is negative.

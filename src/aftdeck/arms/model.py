@@ -36,7 +36,7 @@ class Constant(_Part, Generic[_T], frozen=True):
 Offset = tuple[Length, Length]
 """Offset of a joint from the joint before it, at zero angles: along the arm, then down [m]."""
 Span = tuple[Length, Length]
-"""Where a body begins and where it ends, along a line [m]."""
+"""Coordinates of the two ends of a body along a line: begin, then end [m]."""
 SixRanges = tuple[
     tuple[Angle, Angle],
     tuple[Angle, Angle],
@@ -76,7 +76,10 @@ class HeadingGeometry(_Part, frozen=True):
 
 
 class MountFile(_Part, frozen=True):
-    """Position and lean of the arm's base on the orbiter. Positions are structural Xo, Yo, Zo."""
+    """Position of the arm's base on the orbiter, and the base's lean.
+
+    The lean is the angle of the first joint's axis from the vertical, to port. Positions are structural Xo, Yo, Zo.
+    """
 
     origin: Constant[tuple[Length, Length, Length]]
     lean: Constant[Angle]
@@ -120,7 +123,7 @@ class PorRow(_Part, frozen=True):
 
 
 class YawParts(_Part, frozen=True):
-    """Masses of the parts [kg] of an arm of the family of the Shuttle's arm."""
+    """Masses of an arm's parts [kg], for the family of the Shuttle's arm."""
 
     yaw_housing: Mass
     shoulder: Mass
@@ -134,7 +137,7 @@ class YawParts(_Part, frozen=True):
 
 
 class HeadingParts(_Part, frozen=True):
-    """Masses of the parts [kg] of an arm of the family of the concept arm of 1972, without the telescope."""
+    """Masses of an arm's parts [kg] without the telescope, for the family of the concept arm of 1972."""
 
     upper_arm: Mass
     lower_arm: Mass
@@ -245,7 +248,7 @@ class PrismBody(PrismCover, frozen=True, kw_only=True, tag="prism"):
 
 
 class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
-    """Fields of every arm file; `arms.check` makes the checks that types cannot make."""
+    """Fields of every arm file; `arms.check` makes the checks that field types cannot express."""
 
     name: Text
     title: Text

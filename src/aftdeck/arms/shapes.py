@@ -43,12 +43,12 @@ class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def shapes_of(model: ArmModel) -> ArmShapes:
     """Return an arm's shapes and cameras from its shape file.
 
-    For a concept arm without a shape file, the shapes are computed from its dimensions. An arm of the family of the
-    Shuttle's arm has no shapes without a shape file.
+    For a concept arm without a shape file, the shapes are computed from the arm's dimensions. Without a shape file,
+    an arm of the family of the Shuttle's arm has no shapes.
 
     Raises:
-        ScenarioError: a shape or camera is invalid, or the frames are not the arm's. The message names the place in the
-            file.
+        ScenarioError: a shape or camera is invalid, or the file does not list the arm's frames in order. The message
+            names the place in the file.
     """
     if model.shapes is not None:
         file = parse(_File, model.shapes)
@@ -74,7 +74,10 @@ def _box(block: Block) -> Box:
 
 
 def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[Problem]:
-    """Yield a problem if the frames are not the arm's, and one for each camera on an unknown frame."""
+    """Yield a problem if the file does not list the arm's frames in order.
+
+    Also yield a problem for each camera on an unknown frame.
+    """
     allowed = ", ".join(frames)
     names = tuple(body.name for body in file.body)
     if names != frames:

@@ -13,9 +13,9 @@ from aftdeck.bodies.solid import Solid
 def solids_of(model: ArmModel) -> tuple[Solid, ...]:
     """Return an arm's solids, from the foot to the tip; their vertices are read-only.
 
-    The concept arm's solids are the boxes of `arms.blocks`. The solids of an arm of the family of the Shuttle's arm are
-    the covers that its file lists. `bodies.cover` states how far a cover extends beyond the round part that it covers.
-    If the file lists no covers, the arm has no solids.
+    The concept arm's solids are the boxes of `arms.blocks`. For the family of the Shuttle's arm, the solids are the
+    covers that the arm's file lists. `bodies.cover` states how far a cover extends beyond the round part that it
+    covers. If the file lists no covers, the arm has no solids.
     """
     file = model.source
     if isinstance(file, HeadingArmFile):

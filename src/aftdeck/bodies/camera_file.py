@@ -1,4 +1,4 @@
-"""Types of the cameras and drives in a worksite file or in an arm's shape file, with values that have units."""
+"""Types of the cameras and drives in a worksite file or in an arm's shape file. These files give values with units."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class TravelFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         self.travel()
 
     def travel(self) -> Travel:
-        """Return the same values as a `Travel`, in SI units."""
+        """Return these values as a `Travel`, in SI units."""
         slow = None if self.slow is None else float(self.slow)
         return Travel(float(self.least), float(self.greatest), float(self.rate), slow)
 
@@ -56,7 +56,7 @@ class PaneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         self.pane()
 
     def pane(self) -> Pane:
-        """Return the same values as a `Pane`, in SI units."""
+        """Return these values as a `Pane`, in SI units."""
         return Pane(float(self.distance), float(self.width), float(self.height))
 
 
@@ -75,7 +75,7 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     drive: str | None = None
     """Name of the drive that moves the camera; None if the camera is fixed."""
     zero: Vec3 | None = None
-    """Direction of zero pan and tilt, which is made perpendicular to `up`; None to use the boresight."""
+    """Direction of zero pan and tilt; its component along `up` is removed. None to use the boresight."""
     kind: Kind = "camera"
     pane: PaneFile | None = None
     """Opening of a window; None for any other kind."""

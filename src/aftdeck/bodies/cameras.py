@@ -1,8 +1,8 @@
 """Cameras: position, boresight, field of view, and the ranges of the drives.
 
 Pan rotates a camera about its `up` direction; positive pan is to the right in the picture. Tilt then raises the
-boresight; positive tilt is upwards. RMS-VS calls pan and tilt heading and pitch: heading rotates about Z, which points
-down, and positive pitch raises the boresight.
+boresight; positive tilt is upwards. In RMS-VS, pan is called heading, and tilt is called pitch: heading rotates about
+Z, which points down, and positive pitch raises the boresight.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from aftdeck.tuples import Vec3
 
 Kind = Literal["camera", "window", "engineering"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
-"""Kinds of sources of pictures: a television camera, an eye behind a window, or a view for engineers, which does not
-represent any hardware."""
+"""Kinds of cameras: a television camera, an eye behind a window, or a view for engineers, which does not represent any
+hardware."""
 
 
 class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -44,7 +44,7 @@ class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Drive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Pan and tilt unit with its lens. An axis that is None does not move: it has the camera's initial setting."""
+    """Pan and tilt unit with its lens. If `pan`, `tilt` or `zoom` is None, it stays at the camera's initial setting."""
 
     zero: Vec3
     """Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`."""

@@ -4,8 +4,8 @@ The algorithm GJK finds the point of their Minkowski difference that is nearest 
 
 Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
 three-dimensional space", 1988. All sub-simplices are enumerated. The search ends when the point's distance from
-the origin agrees with the gap between the bodies along the point's direction. The gap proves that no other point is
-nearer.
+the origin agrees with the gap between the bodies along the direction from the origin to the point. The gap proves that
+no other point is nearer.
 """
 
 from __future__ import annotations
@@ -24,12 +24,13 @@ from aftdeck.law import law
 AGREED = 1e-13
 """Greatest difference between distance and gap at which the search ends [m]."""
 NOTHING = 1e-14
-"""Greatest distance that counts as zero [m]. At such a distance, rounding errors make the direction of the point
-meaningless."""
+"""Greatest distance that counts as zero [m]. At such a distance, rounding errors make the direction from the origin
+to the point meaningless."""
 ENCLOSED = 4
 """Size of a simplex that contains the origin."""
 MOST_STEPS = 64
-"""Greatest number of search steps; no observed pair needed as many. The distance decreases with every step."""
+"""Greatest number of search steps; no observed pair of bodies needed this number. The distance decreases with every
+step."""
 
 
 class Corner(NamedTuple):
@@ -66,7 +67,7 @@ class Nearest(NamedTuple):
     Attributes:
         simplex: the final simplex.
         distance: distance of the simplex's point from the origin [m].
-        gap: gap between the bodies along the direction of that point [m].
+        gap: gap between the bodies along the direction from the origin to that point [m].
     """
 
     simplex: Simplex
@@ -141,7 +142,7 @@ def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
 
 @law
 def shortest(s: Simplex, w: Corner) -> Simplex:
-    """Find the point nearest to the origin for the corners of a simplex and one more corner.
+    """Add a corner to a simplex, and find the point of the enlarged simplex that is nearest to the origin.
 
     Return the simplex in which this point lies.
     """
@@ -154,7 +155,10 @@ def shortest(s: Simplex, w: Corner) -> Simplex:
 
 @law
 def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
-    """Find the point of one to three corners nearest to the origin, and return the simplex in which this point lies."""
+    """Find the point that is nearest to the origin in a simplex with one to three corners.
+
+    Return the simplex in which this point lies.
+    """
     if size == 1:
         return Simplex(1, p, p, p, p.at)
     if size == 2:
@@ -166,7 +170,7 @@ def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
 def nearest(a: Array, b: Array, moved: Vector, start: Simplex, enough: float) -> Nearest:
     """Find the point of a Minkowski difference that is nearest to the origin.
 
-    The difference is that of body `a`, moved by a vector, and body `b`.
+    The difference is formed from body `a`, displaced by `moved`, and body `b`.
 
     Args:
         a: packed body.
@@ -196,7 +200,7 @@ def nearest(a: Array, b: Array, moved: Vector, start: Simplex, enough: float) ->
 
 @law
 def weights(s: Simplex) -> tuple[float, float, float]:
-    """Return the weights of a simplex's corners in the simplex's point; the sum of the weights is 1."""
+    """Return the weights for which the weighted sum of a simplex's corners is the simplex's point. Their sum is 1."""
     if s.size == 1:
         return 1.0, 0.0, 0.0
     e, h = minus(s.q.at, s.p.at), minus(s.point, s.p.at)

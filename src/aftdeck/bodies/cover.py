@@ -1,9 +1,9 @@
-"""Hexahedra that cover curved bodies from outside. No clearance of a covered body is therefore overstated.
+"""Hexahedra that cover curved bodies from outside. The clearance of a covered body is therefore never overstated.
 
 The docstring of each function states the greatest distance by which its hexahedra extend beyond the body. The body's
 clearance is understated by at most that distance. The clearance of several hexahedra is the least of their
-clearances. A negative clearance is minus the shortest move out of one hexahedron. That move can be shorter than the
-shortest move out of all hexahedra.
+clearances. If the clearance is negative, its magnitude is the length of the shortest move out of one hexahedron. That
+move can be shorter than the shortest move out of all hexahedra.
 """
 
 from __future__ import annotations
@@ -97,8 +97,8 @@ def prism(
     (1 / cos(pi / sides) - 1). The cuts are parallel.
 
     Args:
-        radius: radius of the circle at the end with the lesser coordinate along the axis [m]. It is the distance of a
-            side from the axis.
+        radius: radius of the circle at the end with the lesser coordinate along the axis [m]. At this end, it is also
+            the distance of each side from the axis.
         length: length along the axis [m].
         radius_end: radius of the circle at the other end [m]; None if it equals `radius`.
         axis: axis of the prism.

@@ -2,8 +2,9 @@
 
 The separation along a direction is the gap between the two bodies in that direction; it is negative if they overlap.
 The depth is minus the greatest separation. Only two kinds of directions have to be examined. The first kind: the
-normals of the faces of both bodies. The second kind: the directions perpendicular to one edge of each body, if the arcs
-of normals of the two edges cross (Gauss map; S. Gottschalk's theorem of separating axes).
+normals of the faces of both bodies. The second kind: the directions perpendicular to an edge of one body and to an edge
+of the other body, for pairs of edges whose arcs of normals cross (Gauss map; S. Gottschalk's theorem of separating
+axes).
 """
 
 from __future__ import annotations
@@ -72,7 +73,8 @@ def greatest(a: Array, b: Array, above_b: Array, above_a: Array) -> Separation:
         for g in range(len(ENDS)):
             k, m = ENDS[g, 0], ENDS[g, 1]
             b1, b2 = BESIDE[g, 0], BESIDE[g, 1]
-            # p1, p2: dot products of b's edge with the normals of the two faces at a's edge; q1, q2: the reverse
+            # p1, p2: dot products of b's edge with the normals of the two faces at a's edge
+            # q1, q2: dot products of a's edge with the normals of the two faces at b's edge
             p1, p2 = above_a[a1, m] - above_a[a1, k], above_a[a2, m] - above_a[a2, k]
             q1, q2 = above_b[b1, j] - above_b[b1, i], above_b[b2, j] - above_b[b2, i]
             if p1 * p2 >= 0.0 or q1 * q2 >= 0.0 or p1 * q1 <= 0.0:

@@ -4,8 +4,8 @@ Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV
 
 - The edges of both bodies are tested.
 - An edge is a segment, not a ray.
-- An edge is clipped by the faces whose bits differ between the location words of its two ends. The source uses scalar
-  triple products with a table of bounding edges; its method fails for tapered bodies.
+- An edge is clipped by each face whose bit is different in the location words of the edge's two ends. The source uses
+  scalar triple products with a table of bounding edges; the source's method fails for tapered bodies.
 """
 
 from __future__ import annotations

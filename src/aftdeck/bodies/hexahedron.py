@@ -61,14 +61,15 @@ BESIDE = np.array([_beside(p, q) for p, q in EDGES])
 
 
 def pack(vertices: Array) -> Array:
-    """Return a packed body from vertices (8, 3) [m] in their order; the vertices are not checked.
+    """Return a packed body from its vertices (8, 3) [m], in the order of their numbers; the vertices are not checked.
 
     A face's normal is perpendicular to the face's diagonals. A face's plane contains the face's outermost vertex.
     """
     p, q, r, s = vertices[CORNERS].transpose(1, 0, 2)
     normals = np.cross(s - p, r - q)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]  # without the signs, b, c and f would point inwards
+    # without these signs, the normals of faces b, c and f would point inwards
+    normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]
     distances = np.einsum("fvk,fk->fv", vertices[CORNERS], normals).max(axis=1)
     return np.concatenate([vertices.T.ravel(), normals.T.ravel(), distances])
 

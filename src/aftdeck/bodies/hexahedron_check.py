@@ -12,7 +12,7 @@ from aftdeck.errors import InputError
 FLAT = 1e-9
 """Greatest allowed distance of a face's vertices from the face's plane [m]; equal to `pair.CONTACT`."""
 FARTHEST = 1e4
-"""Greatest allowed coordinate [m] (assumed). Beyond it, rounding errors are not small compared with FLAT."""
+"""Greatest allowed coordinate [m] (assumed). For greater values, rounding errors are not small compared with FLAT."""
 SHORTEST = 1e-6
 """Smallest allowed distance between two vertices [m] (assumed)."""
 THINNEST = 1e-6
@@ -24,7 +24,7 @@ _RIMS = CORNERS[:, [0, 1, 3, 2]]
 _BESIDE = np.arange(VERTICES)[:, None] ^ np.array([1, 2, 4])
 """(8, 3) neighbours of each vertex along the body's own z, x and y, numbered from zero."""
 _UPWARD = np.sign(_BESIDE - np.arange(VERTICES)[:, None])[..., None]
-"""(8, 3, 1) sign of the direction to each neighbour along its axis."""
+"""(8, 3, 1) 1 if the neighbour is in the positive direction of the axis (z, x or y), otherwise -1."""
 
 
 def hexahedron(vertices: ArrayLike, name: str = "the hexahedron") -> Array:
@@ -134,7 +134,7 @@ def _round(points: Array, name: str) -> None:
 
 
 def _convex(points: Array, body: Array, name: str) -> None:
-    """Reject a vertex that is not on the inner side of the plane of every face to which it does not belong."""
+    """Check that each vertex is on the inner side of the planes of all faces that do not contain the vertex."""
     longest = np.linalg.norm(points[ENDS[:, 1]] - points[ENDS[:, 0]], axis=1).max()
     normals, distances = body[24:42].reshape(3, 6).T, body[42:]
     inside = distances[:, None] - normals @ points.T

@@ -1,4 +1,6 @@
-"""Penetration depth of convex hexahedra in plain NumPy: checks of files must not wait for compilation.
+"""Penetration depth of convex hexahedra.
+
+It is computed in plain NumPy, because checks of files must not wait for compilation.
 
 Method: the theorem of separating axes over all face normals and all pairs of edges. Compiled code uses
 `bodies.repeated_test`.
@@ -14,7 +16,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import CORNERS, ENDS
 
 _SHORT = 1e-12
-"""Limit [1]: edges are parallel if the cross product of their unit vectors has at most this squared length."""
+"""Limit [1]: two edges count as parallel if the squared length of their unit vectors' cross product is at most this."""
 
 
 def overlap(a: Array, b: Array) -> float:
@@ -29,7 +31,7 @@ def overlap(a: Array, b: Array) -> float:
 
 
 def deepest(some: Sequence[Array], others: Sequence[Array]) -> float:
-    """Return the greatest penetration depth [m] of a hexahedron in `some` with one in `others`; 0 if none overlap."""
+    """Return the greatest penetration depth [m] of two bodies, one of `some` and one of `others`; 0 if none overlap."""
     return max((overlap(a, b) for a, b in _pairs_with_overlapping_boxes(some, others)), default=0.0)
 
 

@@ -21,8 +21,8 @@ FEATURE_A, FEATURE_B = 11, 12
 """Features of a and of b that touch, pierce or are closest. A feature is stored as the sum of 2**(v - 1) over its
 vertices v."""
 SIZE, SIMPLEX = 13, 14
-"""Corners of the Minkowski difference that span its point nearest to the origin: their number (at most 3), and the
-corners themselves. A corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered from zero."""
+"""Simplex at which the last search in the Minkowski difference ended: its number of corners (at most 3), and these
+corners. A corner is stored as 8 i + j, for vertex i of body a and vertex j of body b, numbered from zero."""
 PAIR = 17
 """Number of values in a packed pair."""
 

@@ -1,7 +1,7 @@
 """Dynamic separating planes. A plane counts as valid only after a test of all vertices of both bodies.
 
 The laws index the coordinates of a packed body directly: 0 to 7 are x, 8 to 15 are y, 16 to 23 are z. They process
-vertices in pairs; a processor can then compute the products of a pair in parallel.
+vertices in pairs, so that a processor can compute the dot products of a pair in parallel.
 """
 
 from __future__ import annotations

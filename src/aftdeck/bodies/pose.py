@@ -34,9 +34,10 @@ def pose_of(row: Array) -> Pose:
 
 @law
 def compose(outer: Array, inner: Array, out: Array) -> None:
-    """Write the composed pose into `out`: `inner` is given in a frame, and that frame has the pose `outer`.
+    """Write into `out` the pose of a body in frame F.
 
-    All three are rows (12,). `out` must not be `outer` or `inner`.
+    `outer` is the pose of a second frame in F, and `inner` is the pose of the body in this second frame. All three
+    poses are rows (12,). `out` must not be `outer` or `inner`.
     """
     for i in range(3):
         a, b, c = outer[3 + 3 * i], outer[4 + 3 * i], outer[5 + 3 * i]

@@ -37,8 +37,8 @@ EDGE_BITS = (1 << ENDS).sum(axis=1)
 FACE_BITS = (1 << CORNERS).sum(axis=1)
 """Feature values of the edges (12,) and of the faces (6,), as stored in a packed pair."""
 ASIDE = 1e-9
-"""Gap [m] to which overlapping bodies are moved apart before the search for their closest points. If the gap were
-greater, rounding could hide that a point beside the closest point is farther away."""
+"""Gap [m] to which overlapping bodies are moved apart before the search for their closest points. With a greater gap,
+the distance of the closest points could differ from that of their neighbours by less than the rounding errors."""
 
 
 @law
@@ -96,10 +96,11 @@ def measure_all(bodies: Array, watched: Indices, pairs: Array) -> None:
 
 @law
 def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
-    """Return the clearance of bodies that overlap, or almost overlap (within CONTACT and rounding), and fill the pair.
+    """Return the clearance of bodies that overlap or almost overlap, and fill the pair.
 
-    The closest points of overlapping bodies are the points that touch last on the shortest move that separates the
-    bodies. To find them, move body a by this move and then by ASIDE more, and search for the closest points.
+    Bodies almost overlap if their distance, apart from rounding errors, is at most CONTACT. The closest points of
+    overlapping bodies are the points that are in contact after the shortest move that separates the bodies. To find
+    these points, extend this move by ASIDE and apply it to body a; then search for the closest points.
     """
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
@@ -156,8 +157,8 @@ def _penetrates(a: Array, b: Array, pair: Array) -> bool:
 def _start(a: Array, b: Array, pair: Array) -> Simplex:
     """Return the simplex of the last measurement, at the bodies' present poses.
 
-    For a pair that was never measured, return a simplex with only one corner. This corner belongs to the vertex of each
-    body that is farthest in the direction of the other body's centre.
+    For a pair that was never measured, return a simplex with only one corner. This corner combines one vertex of each
+    body: the vertex that is farthest in the direction of the other body's centre.
     """
     size = int(pair[SIZE])
     if size == 0:
@@ -192,7 +193,7 @@ def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
 
 @law
 def _put_points(a: Array, b: Array, pair: Array, s: Simplex) -> None:
-    """Store the points of a and b whose difference is the simplex's point, and the features that contain the points."""
+    """Store the points of a and b whose difference is `s.point`, and the features that contain these two points."""
     p, q, r = weights(s)
     i, j, k = s.p.a, s.q.a, s.r.a
     point = moved_along(moved_along(times(p, vertex(a, i)), q, vertex(a, j)), r, vertex(a, k))

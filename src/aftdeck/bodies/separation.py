@@ -42,7 +42,9 @@ class Plane(NamedTuple):
 
 
 class Closest(NamedTuple):
-    """Closest points of two bodies. If the bodies overlap: the points that touch last on the shortest separating move.
+    """Closest points of two bodies.
+
+    If the bodies overlap: the points that are in contact after the shortest move that separates the bodies.
 
     Attributes:
         a: (3,) point of the first body [m].

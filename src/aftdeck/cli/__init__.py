@@ -1,4 +1,4 @@
-"""Command line: `app`, with one module for each group of commands, and `main`, which runs it."""
+"""Command line: the application `app`, one module for each group of commands, and `main`, which runs `app`."""
 
 from __future__ import annotations
 

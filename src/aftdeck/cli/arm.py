@@ -158,7 +158,7 @@ def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
 
 
 def _shown_limits(rows: Sequence[Mapping[str, object]], names: tuple[str, ...], ending: str) -> list[dict[str, object]]:
-    """Return a table of the limits `names` as text; `ending` is added to each name to find the value in `rows`."""
+    """Return a table's rows with the limits `names` as text; a limit's key in `rows` is its name plus `ending`."""
     return [{"joint": row["joint"]} | {name: _range(row[name + ending]) for name in names} for row in rows]
 
 

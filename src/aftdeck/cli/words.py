@@ -33,7 +33,7 @@ def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
 
 
 def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tuple[str, ...]]:
-    """Return the scenario, an operator that returns the samples of a file, and the scenario's changes as KEY=VALUE.
+    """Return the changed scenario, an operator that returns the samples of a file, and the changes as KEY=VALUE.
 
     The report's program read its channels without delay, so the scenario's command delay is set to 0.
 

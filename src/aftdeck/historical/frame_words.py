@@ -1,10 +1,11 @@
 """Frame block: the 32 words that RMS-VS's program sent to its scene generator in each control step, TABLE II.
 
 The first word is the control word. A word has 24 bits; here it is an integer from 0 to 2**24 - 1. Bit 0 is the most
-significant bit, the sign of a number (probable, because XDS numbers bits in this order). A number at scale Bn is in
-two's complement, with the binary point n bits after the sign: it is in [-2**n, 2**n), in steps of 2**(n - 23).
-Source: the final report of the Remote Manipulator Simulation. Assumed: sines and cosines at B1, distances in feet, the
-order of sines and cosines, and the codes of the stations I, P1, P2, CAE2 and W.
+significant bit, which is the sign of a number (probable, because XDS computers number bits in this order). A number at
+scale Bn is in two's complement, with the binary point n bits after the sign. The range of such numbers is
+[-2**n, 2**n), in steps of 2**(n - 23). Source: the final report of the Remote Manipulator Simulation. Assumed: sines
+and cosines at B1, distances in feet, the order of sines and cosines, and the codes of the stations I, P1, P2, CAE2 and
+W.
 """
 
 from __future__ import annotations
@@ -44,7 +45,8 @@ STATIONS = {
 SPARE = range(14, 18)
 """Bits of the control word that have no meaning."""
 UNIT = 1e-5
-"""Allowed deviation from 1 of sine squared plus cosine squared, and of a normal's squared length [1] (assumed)."""
+"""Allowed difference between 1 and the sum of squares of an angle's sine and cosine, or of a normal's components [1]
+(assumed)."""
 
 Direction = Literal[-1, 0, 1]
 """Direction of a motion; 0 for no motion."""
@@ -264,7 +266,7 @@ def number(word: int, scale: int) -> float:
 
 
 def _bit(bit: int) -> int:
-    """Return a word in which only this bit is 1; bit 0 is the most significant bit."""
+    """Return a word in which only bit number `bit` is 1; bit 0 is the most significant bit."""
     return 1 << (BITS - 1 - bit)
 
 

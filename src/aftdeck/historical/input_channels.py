@@ -26,9 +26,9 @@ Angles = tuple[float, float, float, float, float, float]
 CHANNELS = 13
 JOINTS = ("HO", "PO", "P1", "H2", "P2", "R2")
 FULL_SCALE: Final = 8.0
-"""Joint angle at 1 V [rad]. The value is our choice; it is more than a whole turn."""
+"""Joint angle at 1 V [rad]. We chose this value; it is more than one revolution."""
 NOISE: Final = 0.125
-"""Greatest allowed excess of a voltage beyond -1 V or 1 V [V]: half the least step between levels (assumed)."""
+"""Amount by which a voltage may be below -1 V or above 1 V [V]: half the least step between levels (assumed)."""
 
 RUN: Mapping[bool, float] = {False: 0.0, True: 1.0}
 START: Mapping[Start, float] = {"full problem": 0.0, "mode 1": 1.0, "mode 2 or 3": -1.0}
@@ -52,8 +52,8 @@ class OperatorInputs(NamedTuple):
 
     Attributes:
         initialise: channel 1: True to initialise, False to run.
-        start: channel 2: part of the problem (full problem, mode 1, mode 2 or 3); the run is initialised to the start
-            of this part.
+        start: channel 2: full problem, mode 1, or mode 2 or 3; the run is initialised to the start of the full problem
+            or of the named mode.
         angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], from -8 to 8.
         telescope: channel 9: 1 longer, -1 shorter, 0 stop.
         camera: channel 10: pan or tilt of the camera.

@@ -22,7 +22,7 @@ from aftdeck.steering.layout import MASTER
 MODE = "MASTER"
 """Mode in which the arm follows the channels' angles."""
 NOT_CONNECTED: Station = "E"
-"""Station that channel 12 holds if the commanded camera has no level in TABLE I; the level of station E is 0 V."""
+"""Station that channel 12 holds if the commanded camera has no level in TABLE I: station E, with level 0 V."""
 
 _MOTIONS: dict[tuple[float, float], CameraMotion] = {
     (1.0, 0.0): "+pan",
@@ -59,7 +59,7 @@ class Reading(NamedTuple):
 
 
 def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
-    """Return the channels that command the same step as the inputs `flown`; `state` is the state after that step.
+    """Return the inputs `flown` of a step as settings of the channels; `state` is the state after the step.
 
     In MASTER the channels hold the master arm's angles after the step, whether a device or the sticks moved the master
     arm. In other modes the channels hold the angles of the arm itself.
@@ -92,12 +92,13 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
 
 
 def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
-    """Return the inputs that the thirteen channels command in one step.
+    """Return the inputs of one step from the settings of the thirteen channels.
 
     Args:
         settings: settings of the channels.
         switch: position of the prong's switch before the step.
-        cameras: names of the cameras that have a drive. A station that is not one of these names commands no camera.
+        cameras: names of the cameras that have a drive. If the station is not one of these names, the
+            inputs contain no camera command.
 
     Raises:
         InputError: the channels move a camera without a drive.

@@ -21,7 +21,7 @@ from aftdeck.simulation.state import State
 from aftdeck.units import FOOT
 
 INNER = (3, 1, 4)
-"""Indices, from 0, of faces d, b and e: the faces of HEX 1 to 3 that are towards a held bar."""
+"""Indices, from 0, of face d of HEX 1, face b of HEX 2 and face e of HEX 3. These faces are next to a held bar."""
 NO_CODE = "A"
 """Station in the control word if the commanded camera has no code. Its code is 0000, as for a disabled function."""
 FARTHEST = 2.0**11 * FOOT

@@ -148,7 +148,7 @@ def read_channels(path: Path, period: float) -> Channels:
 
     Args:
         path: the file.
-        period: control period of the run, which must also be the time between two lines of the file [s].
+        period: control period of the run, which must also be the time between successive lines of the file [s].
 
     Raises:
         InputError: the file cannot be read or is empty, a line is not valid, the time in a line is not the time of its
@@ -179,8 +179,8 @@ def read_channels(path: Path, period: float) -> Channels:
 def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inputs | None]:
     """Return a function that returns the inputs of the next sample at each call, and None after the last sample.
 
-    The function raises an InputError, which names the sample's line, if the scenario has no drive for the camera that a
-    sample moves.
+    The function raises an InputError if a sample moves a camera for which the scenario has no drive. The error names
+    the sample's line.
     """
     numbered = enumerate(samples, 1)
 

@@ -2,7 +2,7 @@
 
 The package contains no formulas: it calls the simulation's compiled laws. Where the simulation differs from the report,
 these functions follow the report, like a scenario with ``strict``. VCLOSE and AVCLMT are as published, RMANGS returns
-only its own branch, and joints have no stops.
+only the report's branch, and joints have no stops.
 
 Lengths are in metres, or in feet with ``units="ft"``; angles are in radians, times in seconds. Vectors and rotations
 are in the report's orbiter frame B unless stated otherwise. The columns of a rotation T_BN are the axes of frame N, in

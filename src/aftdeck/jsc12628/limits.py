@@ -1,4 +1,4 @@
-"""VOTRAN, AVCLMT and RATLMT: conversion of a mode's command to B, and reduction of velocities and joint rates."""
+"""VOTRAN, AVCLMT and RATLMT: conversion of a mode's commands to frame B, reduction of velocities and joint rates."""
 
 from __future__ import annotations
 

@@ -147,9 +147,9 @@ def rmsrat(arm: Arm, theta: ArrayLike, omega_C: ArrayLike, V_C: ArrayLike, units
 
 
 def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Array:
-    """Return the joint angles of a pose, on the source's own branch (JSC-12628, subroutine RMANGS, p. 25).
+    """Return the joint angles for a pose, on the report's branch (JSC-12628, subroutine RMANGS, p. 25).
 
-    `Arm.inverse` returns all branches. On the source's branch, theta_1 is the arc tangent of the wrist's direction,
+    `Arm.inverse` returns all branches. On the report's branch, theta_1 is the arc tangent of the wrist's direction,
     theta_5 is within +-90 deg, and the elbow is above the line from shoulder to wrist. Joint limits are ignored.
 
     Args:

@@ -22,7 +22,7 @@ _METRES: dict[Units, float] = {"m": 1.0, "ft": FOOT}
 
 
 def metres(units: Units) -> float:
-    """Return the number of metres in the unit of length.
+    """Return the size of the unit of length [m].
 
     Raises:
         InputError: the unit is neither 'm' nor 'ft'.
@@ -62,7 +62,7 @@ def positive(value: float, name: str) -> float:
 
 
 def strict_rules() -> Array:
-    """Return a `rules` array of the steering laws in which only STRICT is set: the laws run as published."""
+    """Return an array `rules` for the steering laws, with only STRICT set, so that the laws run as published."""
     rules = np.zeros(RULES)
     rules[STRICT] = 1.0
     return rules

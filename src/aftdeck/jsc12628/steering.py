@@ -50,7 +50,7 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.layout import DT as PERIOD
 
 _NO_STOP = 1e6
-"""Angle of the stops [rad], so large that no joint reaches it; the source's joints have no stops."""
+"""Angle of the stops [rad]. The report's joints have no stops, so this angle is too large for any joint to reach."""
 _ZERO = (0.0, 0.0, 0.0)
 
 

@@ -36,7 +36,7 @@ class Vclose(NamedTuple):
     Attributes:
         V_C: speed along U_V.
         omega_C: angular rate about U_omega [rad/s].
-        ETA: estimated end of the phase [s].
+        ETA: estimated phase time at the end of the phase [s].
     """
 
     V_C: float
@@ -83,7 +83,7 @@ def vclose(
         omega_L: greatest angular rate [rad/s].
         V_L_dot: greatest acceleration.
         omega_L_dot: greatest angular acceleration [rad/s2].
-        DT: control period [s]; within one control period of the end, speed and angular rate are zero.
+        DT: control period [s]; if the remaining time is shorter, speed and angular rate are zero.
         TP: time since the start of the phase [s].
         units: unit of all lengths in arguments and results.
     """

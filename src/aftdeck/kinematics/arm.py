@@ -162,8 +162,8 @@ class Arm:
             near: (6,) angles [rad]. Solutions are sorted by their distance from `near` (root of the sum of squared
                 differences), nearest first. Each angle is in the revolution nearest to `near`. If None, the
                 distance is measured from the zero angles, and each angle is within +-180 deg.
-            limits: True to move angles by whole revolutions inside the hard stops where this is possible, and to leave
-                out solutions outside the hard stops.
+            limits: True to move each angle by whole revolutions to a value inside the hard stops where this is
+                possible, and to leave out every solution that is still outside the hard stops.
 
         Returns:
             (n, 6) joint angles [rad], 1 <= n <= 8.
@@ -172,7 +172,8 @@ class Arm:
             SingularityError: the pose does not determine the angles (shoulder or wrist singularity), or one of the
                 solutions is singular.
             UnreachableError: the pose is out of reach, or every solution is outside the hard stops. The error's
-                `excess` is the excess of the nearest branch.
+                `excess` is the smallest of all branches: distance by which the wrist is out of reach [m], or angle
+                beyond a hard stop [rad].
         """
         packed = _packed(pose)
         # a copy, so that the law gets the same array type in every call
@@ -197,7 +198,8 @@ class Arm:
             (6,) joint angles in [-pi, pi] [rad]; joint limits are ignored.
 
         Raises:
-            SingularityError, UnreachableError: in the cases in which `inverse` raises them.
+            SingularityError: as for `inverse`, with `limits` False.
+            UnreachableError: the pose is out of reach for this set of angles.
         """
         self.inverse(pose, limits=False)  # raises an error if the pose is invalid
         branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
@@ -241,7 +243,7 @@ class Arm:
     def _unsolved(self, found: Solved, pose: Pose, near: Array) -> InputError | SingularityError | UnreachableError:
         """Return the error for a pose for which `inverse` finds no joint angles.
 
-        The texts of these errors appear in CMD CK and in the log, so that a changed text changes recordings.
+        The texts of these errors appear in CMD CK and in the log. Recordings therefore change if a text changes.
         """
         first, fifth = (self.joints[k].replace("_", " ") for k in (0, 4))
         match found.outcome:
@@ -340,7 +342,7 @@ def _flat(array: Array) -> Array:
 
 
 def _packed(pose: Pose) -> Array:
-    """Return the position [m], then the rotation row by row (12,), finite or not."""
+    """Return a pose as an array (12,), finite or not: position [m], then the rotation row by row."""
     position, rotation = _converted(pose.position, "a position"), _converted(pose.rotation, "a rotation")
     if position.shape != (3,) or rotation.shape != (3, 3):
         raise InputError(

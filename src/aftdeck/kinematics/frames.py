@@ -24,8 +24,8 @@ class Frames(NamedTuple):
 
     Attributes:
         names: names of the frames, `ArmModel.frames`.
-        joints: (6, 4) for each joint, the vector from the joint before it at zero angles [m], then the number of the
-            axis of rotation, 1 to 3. The vector of the first joint is from L's origin.
+        joints: (6, 4) one row for each joint: the vector to it from the previous joint, at zero angles [m], then the
+            number of its axis of rotation, 1 to 3. The first joint's vector begins at L's origin.
     """
 
     names: tuple[str, ...]

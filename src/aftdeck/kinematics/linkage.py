@@ -4,8 +4,8 @@ In both families, the first three joints are a rotation about the vertical (yaw 
 lower arm define the *arm's plane*. The wrist of JSC-12628 has pitch, yaw and roll. The wrist of the *Remote Manipulator
 Simulation* has heading, pitch and roll; its axes intersect in one point. All vectors are in L. An arm is a packed
 array; the constants below are indices into this array. Joint angles are those of the panel: for the Shuttle's arm they
-are zero at the cradle. If the elbow is below the boom line, shoulder pitch and elbow pitch have constant offsets, which
-this module adds.
+are zero at the cradle. If the elbow joint is below the boom line, this module adds constant offsets to shoulder pitch
+and elbow pitch.
 
 Sources: JSC-12628, subroutine LNKAGE; Remote Manipulator Simulation, final report, "R(-HO) R(-PO) R(-P1) R(-H2) R(-P2)
 R(-R2)", with heading about Z (restored) and with pitch positive upwards.
@@ -20,7 +20,7 @@ from aftdeck.kinematics.finite import finite
 from aftdeck.law import law, sincos
 
 Floats: TypeAlias = Array | tuple[float, ...]
-"""Constants of an arm that are passed to a law: an array, or a tuple in loops over many arms."""
+"""Floats as the argument of a law, such as the constants of an arm: an array; in loops over many arms, a tuple."""
 Three: TypeAlias = tuple[float, float, float]
 Nine: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
 
@@ -29,7 +29,7 @@ L1, L2, L3, L4, L5 = 0, 1, 2, 3, 4
 L3: lower arm. L4: from wrist pitch to wrist yaw; 0 if the wrist's axes intersect in one point. L5: from wrist yaw to
 the tip; if the wrist's axes intersect in one point, from this point to the tip."""
 UPPER, LOWER = 5, 6
-"""Indices of two angles at zero joint angles [rad]: from the boom line up to the upper arm, and up to the lower arm."""
+"""Indices of the slopes of upper arm and lower arm at zero joint angles, from the boom line upwards [rad]."""
 WRIST = 7
 """Index of the kind of wrist, which identifies the family."""
 LINKS = 8

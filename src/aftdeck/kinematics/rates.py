@@ -6,9 +6,9 @@ links' slopes. With a heading-pitch-roll wrist, whose three axes intersect in on
 that point and the last three produce the remaining rotation.
 
 The three denominators are zero at the arm's singularities. If a denominator is nearer to zero than `floor`, the law
-divides by the floor instead. The rates then remain finite. At a singularity they are almost proportional to joint rates
-that do not move the tip. `kinematics.arm` rejects or masks such poses; the steering slows the arm before the arm
-reaches them.
+divides by the floor instead, and the rates remain finite. At a singularity, the law's rates are almost a multiple of
+joint rates that do not move the tip. `kinematics.arm` rejects or masks singular poses; the steering slows the arm
+before the arm reaches them.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
         return _resolved_heading_pitch_roll(arm, a, t, per)
     per_shoulder, per_elbow, per_wrist = per
     side, ahead = arm[L5] * a.s5, arm[L5] * a.c5
-    # the twist's components outwards in the arm's plane and to its side; the component down is the one in L
+    # twist outwards in the arm's plane (w1, v1) and along the plane's normal (b2, b5); downwards it is t.wz and t.vz
     w1, b2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
     v1, b5 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
     # in frame 5
@@ -96,12 +96,12 @@ def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[flo
     produces the remaining rotation.
     """
     per_shoulder, per_elbow, per_wrist = per
-    # the twist's components outwards in the arm's plane and to its side; the component down is the one in L
+    # twist outwards in the arm's plane (w1, v1) and along the plane's normal (w2, v2); downwards it is t.wz and t.vz
     w1, w2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
     v1, v2 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
     # vector from the intersection of the wrist's axes to the tip: along and across the lower arm, and to the side
     ahead, across, side = arm[L5] * (a.cw * a.c5), -arm[L5] * a.s5, arm[L5] * (a.sw * a.c5)
-    # the same vector outwards and down
+    # components of this vector outwards and down
     out, down = a.c23 * ahead + a.s23 * across, a.c23 * across - a.s23 * ahead
     r1 = (v2 - t.wz * out + w1 * down) * per_shoulder
     r2, r23 = _booms(arm, a, v1 - w2 * down + t.wz * side, t.vz - w1 * side + w2 * out, per_elbow)

@@ -1,4 +1,4 @@
-"""All solutions of RMANGS for a pose: checked, in the requested revolutions, inside the limits, and sorted."""
+"""All solutions of RMANGS for a pose: checked, in the requested revolutions and limits, and sorted."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from aftdeck.law import law, nearest
 ROTATION_TOLERANCE = 1e-6
 """Greatest allowed deviation of the pose's rotation from an orthonormal matrix [1]."""
 SAME = 1e-9
-"""Tolerance of each angle at the limits, and in the comparison of two solutions for equality [rad]."""
+"""Tolerance of an angle at its limits, and greatest difference between the angles of two equal solutions [rad]."""
 EPSILON = 1e-9
 """Distance [m] or cosine [1] below which a pose counts as singular."""
 FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = range(8)
@@ -30,8 +30,9 @@ class Solved(NamedTuple):
         number: number of solutions.
         value: a measure that depends on the outcome; 0 for outcomes that are not listed here. SKEW: deviation of R R^T
             from the unit matrix [1]. SHOULDER: distance of the fifth joint from the first joint's axis [m]. WRIST:
-            cosine of the fifth angle [1]. OUT_OF_REACH: distance by which the wrist is out of reach [m], negative if
-            the arm cannot fold so far. OUTSIDE: angle by which `joint` is beyond its limit [rad].
+            cosine of the fifth angle [1]. OUT_OF_REACH: distance by which the wrist is out of reach [m]: positive
+            beyond the reach of the stretched arm, negative inside the reach of the folded arm. OUTSIDE: angle by which
+            `joint` is beyond its limit [rad].
         joint: for OUTSIDE, the joint beyond its limit, 0 to 5; -1 for any other outcome.
         angle: for OUTSIDE, the angle of that joint [rad]; 0 for any other outcome.
     """
@@ -132,9 +133,10 @@ def _determinant(p: Array) -> float:
 
 @law
 def _choose_revolutions(angles: Array, hard: Array, near: Array, turned: bool, limited: bool) -> None:
-    """Move each of six angles by whole revolutions: nearest to `near` if `turned`, inside the limits if `limited`.
+    """Move each of six angles by whole revolutions.
 
-    If an angle is outside its limits in every revolution, use the revolution nearest to the limits.
+    If `turned`, move each angle to the revolution nearest to `near`. Then, if `limited`, move each angle inside its
+    limits. If no revolution is inside the limits, use the revolution nearest to the limits.
     """
     for k in range(6):
         angle = angles[k]

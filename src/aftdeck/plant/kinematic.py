@@ -16,9 +16,9 @@ def follow(commanded_rates: Array, period: float, stops: Array, angles: Array, r
         commanded_rates: (6,) commanded rates [rad/s].
         period: control period [s].
         stops: (6, 2) hard stops [rad].
-        angles: (6,) joint angles, changed [rad].
-        rates: (6,) actual rates, changed [rad/s].
-        commanded: (6,) angles that the joints would have reached at the commanded rates without stops, changed [rad].
+        angles: (6,) joint angles [rad]; updated in place.
+        rates: (6,) output: actual rates [rad/s].
+        commanded: (6,) angles that the joints would have without stops [rad]; updated in place.
     """
     for i in range(6):
         before, after = angles[i], angles[i] + commanded_rates[i] * period
@@ -35,8 +35,8 @@ class KinematicPlant(StatePart):
     Attributes:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
-        commanded: (6,) angles that the joints would have reached at all commanded rates so far without stops [rad].
-        stand: height of the shoulder above L's origin, which the telescope changes.
+        commanded: (6,) angles that the joints would have without stops, from all commanded rates so far [rad].
+        stand: telescope; its position is the shoulder's height above L's origin.
     """
 
     angles: Array

@@ -1,4 +1,4 @@
-"""Header of a recording with all data from which the run starts, and the scenario rebuilt from the header."""
+"""Header of a recording, and the scenario rebuilt from it. The header has all data from which the run starts."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from aftdeck.version import __version__
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
 """Path of the arm file in a temporary folder.
 
-The path has eight subfolders, so that a shapes file with up to eight ``..`` in its relative path is in the temporary
-folder too.
+The path has eight subfolders: the relative path of a shapes file may contain up to eight ``..`` without leaving the
+temporary folder.
 """
 _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")

@@ -33,7 +33,8 @@ _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
     Opcode.CHUNK: ((28, _INT), (0, _LONG)),
     Opcode.MESSAGE_INDEX: ((2, _INT),),
 }
-"""Parts of variable length in each type of record: number of bytes before the part, and format of the part's length."""
+"""Parts of variable length in each type of record: number of bytes between the previous part (or the beginning of the
+record) and the length of this part, and format of this length."""
 _SKIPPED: set[int] = {Opcode.MESSAGE_INDEX, Opcode.ATTACHMENT, Opcode.METADATA}
 _KNOWN: set[int] = _SKIPPED | {Opcode.HEADER, Opcode.CHUNK, Opcode.DATA_END}
 _BROKEN = (McapError, zstandard.ZstdError, struct.error, ValueError, OverflowError, MemoryError)
@@ -86,8 +87,8 @@ def _computed_length(opcode: int, body: bytes) -> int | None:
     """Return a record's length, computed from the lengths of its parts.
 
     Returns:
-        The length; `UNDER_WAY` if a part was still being written; None if the record has no lengths of parts, or if
-        `body` ends before them.
+        The length; `UNDER_WAY` if a part was still being written; None if this type of record has no parts of variable
+        length, or if `body` ends before the length of a part.
     """
     if opcode == Opcode.DATA_END:
         return _INT.size

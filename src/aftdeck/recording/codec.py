@@ -67,9 +67,9 @@ def as_read(message: S) -> S:
 
 @cache
 def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change | None:
-    """Return the conversion of a struct or named tuple; None if no conversion is necessary.
+    """Return the conversion of a struct or named tuple to its plain form, or from its plain form if `back`.
 
-    `decimals` applies to fields that do not declare their own.
+    Return None if no conversion is necessary. `decimals` applies to fields that do not declare their own.
     """
     hints = get_type_hints(kind, include_extras=True)
     changes = {name: change for name in names(kind) if (change := _of(hints[name], back=back, decimals=decimals))}
@@ -108,7 +108,7 @@ def _written(kind: type, changes: dict[str, Change]) -> Change:
 
 
 def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
-    """Return the conversion of values of a type; None if no conversion is necessary."""
+    """Return the conversion of values of a type, as `_of_struct` does; None if no conversion is necessary."""
     hint, meta = apart(hint)
     if meta is not None and meta.extra:
         decimals = meta.extra.get("decimals", decimals)
@@ -127,7 +127,7 @@ def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
 
 
 def _of_tuple(kinds: tuple[Any, ...], *, back: bool, decimals: int | None) -> Change | None:
-    """Return the conversion of a tuple whose items have one type; None if no conversion is necessary."""
+    """Return the conversion of a tuple with items of one type, as `_of_struct` does; None if none is necessary."""
     change = _of(kinds[0], back=back, decimals=decimals)
     if change is None:
         return None

@@ -77,7 +77,7 @@ class Comparison:
         joint: greatest difference of a joint angle [rad].
         joint_name: name of that joint; empty if no angle differs.
         tip_at_end: distance between the tips at the last time at which both runs have a frame [m].
-        compared: number of pairs of frames compared.
+        compared: number of compared pairs of frames.
     """
 
     def __init__(self, joints: tuple[str, ...]) -> None:

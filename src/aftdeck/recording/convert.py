@@ -11,7 +11,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs
 
 DIGITS = 16
-"""Number of hexadecimal digits in a frame's record; they are the first digits of the frame's digest."""
+"""Number of hexadecimal digits in a frame's record, taken from the beginning of the frame's digest."""
 
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:
@@ -25,7 +25,7 @@ def inputs_of(record: Input) -> Inputs | None:
 
 
 def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> FrameRecord:
-    """Return the record of a frame with exact values; `codec.encode` rounds them."""
+    """Return a frame's record, with exact values; `codec.encode` rounds them."""
     fields = {name: getattr(frame, name) for name in Frame.__struct_fields__}
     return FrameRecord(**{**fields, "sha256": frame.sha256[:DIGITS]}, wall_s=wall_s, latency_ms=latency_ms)
 

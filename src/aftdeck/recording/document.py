@@ -23,7 +23,7 @@ _NAMES = {float: "number", int: "whole number", str: "text", bool: "true or fals
 
 
 def tables() -> str:
-    """Return a heading and a table of fields for each channel, and for each type that its fields contain."""
+    """Return a heading and a table of fields for each channel, and for each type that the tables name."""
     return "\n".join(_channels())
 
 
@@ -68,7 +68,7 @@ def renewed(text: str) -> str:
     """Return the document with regenerated tables.
 
     Raises:
-        InputError: the document does not have both marks in their order.
+        InputError: the document does not have the begin mark, or has no end mark after it.
     """
     before, begin, rest = text.partition(BEGIN)
     _, end, after = rest.partition(END)

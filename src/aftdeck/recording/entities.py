@@ -18,7 +18,7 @@ from aftdeck.shapes import Axis, Box, Cylinder, Material, Sphere
 from aftdeck.worksite.model import Body
 
 GRAIN = 2.0**-10
-"""Increment to which the corners of triangles are rounded [m]: short numbers compress well."""
+"""Rounding increment of the corners of triangles [m]: short numbers compress well."""
 _ALONG: dict[Axis, Array] = {
     "x": np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
     "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]),

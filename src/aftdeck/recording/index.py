@@ -89,13 +89,13 @@ class Index:
             )
 
     def entries(self, scenario: str = "", ended: str = "", since: str = "", participant: str = "") -> list[Entry]:
-        """Return the recordings, newest first. If the list does not have the end of a recording, read its file.
+        """Return the recordings, newest first. If a recording has no end in the list, read the recording's file.
 
         Args:
             scenario: return only recordings of this scenario; empty for all.
             ended: return only recordings with this value of `Entry.ended`; empty for all.
-            since: return only recordings that began at this time or later: ISO 8601, or only its beginning such as the
-                date; empty for all.
+            since: return only recordings that began at this time or later: ISO 8601, complete or only the beginning,
+                such as the date; empty for all.
             participant: return only recordings of this participant; empty for all.
         """
         with self._open() as database:
@@ -137,7 +137,7 @@ class Index:
         """Delete the entries' files, and remove the entries from the list.
 
         Raises:
-            RecordingError: a file cannot be deleted or is being recorded; the entries before this one are deleted.
+            RecordingError: a file cannot be deleted or is being recorded; the entries before its entry are deleted.
         """
         for entry in entries:
             if entry.state == "here" and entry.ended == "recording":

@@ -48,7 +48,7 @@ class Recording:
     Attributes:
         path: the file.
         opening: header of the recording.
-        ended: reason for the end of the run; empty before the file has been read to its end, or if it is cut short.
+        ended: reason for the end of the run; empty if the file is cut short, and before it has been read to its end.
         cut: whether the file is cut short, because the program was killed or the disk was full; False before the file
             has been read.
         time_s: simulated time of the last frame read [s].

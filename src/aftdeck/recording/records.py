@@ -151,4 +151,4 @@ CHANNELS: dict[str, tuple[type[Message], str]] = {
     "/light": (LightRecord, "at the first step, and when the lighting changes"),
     "/closing": (Closing, "once, as the last message of the recording"),
 }
-"""Type of each channel's messages, and when they are written."""
+"""Channels, each with the type of its messages and a text that says when they are written."""

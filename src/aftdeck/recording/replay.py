@@ -39,8 +39,8 @@ class Verdict(msgspec.Struct, frozen=True):
     whole: bool
     """True if the digests were compared; equal frames are then equal in all digits.
 
-    False if a digest of the recording covers other fields of the state than a digest of this version. Then every
-    recorded value except the digests was compared.
+    False if the recording and this version declare different fields of the state. In this case the recorded values were
+    compared instead of the digests, as `verify` describes.
     """
     cut: bool
     """True if the recording is cut short; all its frames were compared."""
@@ -59,10 +59,9 @@ def verify(
 ) -> Verdict:
     """Re-simulate a recording's inputs and compare every frame's digest.
 
-    A recording of another version is re-simulated too; the verdict names that version. The recorded digests may
-    cover other fields of the state than the digests of this version. In this case every recorded value is compared
-    instead of the digests. Of a log line from another version, only time, kind and level are then compared, because
-    texts may differ between versions.
+    A recording of another version is re-simulated too; the verdict names that version. If the two versions declare
+    different fields of the state, all recorded values are compared instead of the digests. Log lines are then compared
+    only by time, kind and level, because their texts may differ between versions.
 
     Args:
         path: the recording.
@@ -88,7 +87,7 @@ def verify(
 
 
 def _logged(record: FrameRecord, reworded: bool) -> list[tuple[float, str, str, str]]:
-    """Return the log lines of a frame. If `reworded`, omit their texts, because texts may differ between versions."""
+    """Return the log lines of a frame. If `reworded`, leave the texts empty: versions may word them differently."""
     return [(event.time_s, event.kind, event.level, "" if reworded else event.text) for event in record.events]
 
 

@@ -11,9 +11,12 @@ from aftdeck.recording.records import Input
 _SWITCHES = tuple(
     field.name for field in msgspec.structs.fields(Input) if field.default is None and field.name != "camera"
 )
-"""Fields that are None unless a switch was set or a target was keyed in; camera drives act while they are deflected."""
+"""Fields that are None in every step that does not set them: switches, keyed-in targets, angles of the master arm.
+
+`camera` is left out: a camera drive acts as long as it is deflected, as a stick does.
+"""
 SAME_TIME = 1e-9
-"""Times that differ by less than this value are equal [s]."""
+"""Times that differ by less than this value count as equal [s]."""
 
 
 def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input]:

@@ -1,7 +1,8 @@
 """JSON schemas of the channels, in the simple form that every viewer of MCAP files can read.
 
 A viewer plots JSON messages by their schema, and accepts neither references nor alternatives in a schema. Therefore
-each schema repeats the types of all inner fields. A field that may be absent or null has the schema of its values.
+each schema repeats the types of all inner fields. If a field may be absent or null, its schema describes only its other
+values.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ class FieldInfo(NamedTuple):
     unit: str
     frame: str
     rounded: bool
-    """True if the field has declared decimals. Its numbers are then rounded, and its rotation is a quaternion."""
+    """True if the field has declared decimals. Its numbers are then rounded, and rotations are quaternions."""
 
 
 def fields(kind: type) -> Iterator[FieldInfo]:

@@ -63,7 +63,7 @@ class SessionRecorder:
             return
         self._period = scenario.control_period
         writing = [recorder for recorder in self._ending if recorder.writing]
-        # Collect errors only after listing the active recorders: a recorder that is not listed has stored its errors.
+        # Collect errors only after this list is made: a recorder that is not in the list has already stored its errors.
         self._collect_errors()
         self._ending = writing
         before = self._ending[-1] if self._ending else None
@@ -137,10 +137,13 @@ class SessionRecorder:
 
 
 def _free_name(folder: Path, scenario: str) -> Path:
-    """Return a path that is not in use, such as ``first-flight-20261121-143000.mcap`` (UTC), or with ``-2`` added."""
+    """Return a path at which no file exists, such as ``first-flight-20261121-143000.mcap`` (time in UTC).
+
+    If a file with this name exists, ``-2`` is appended to the name, or the next number that is free.
+    """
     stem = f"{scenario}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
     for ending in ("", *(f"-{n}" for n in range(2, MAX_FILES_PER_SECOND + 1))):
         path = folder / f"{stem}{ending}.mcap"
-        if not os.path.lexists(path):  # unlike Path.exists, does not raise if the folder cannot be read
+        if not os.path.lexists(path):  # Path.exists raises if the folder cannot be read
             return path
     raise RecordingError(f"{folder}: has {MAX_FILES_PER_SECOND} recordings with the name {stem} already")

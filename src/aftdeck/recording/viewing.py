@@ -1,7 +1,7 @@
 """Channels in Foxglove's schemas: joints, tip, log, and a scene of bodies in moving coordinate frames.
 
-The channels of `records` contain every step. The channels of this module are for viewing: they contain rounded numbers,
-ten times per simulated second.
+The channels of `records` contain every step. The channels of this module are for viewing: their numbers are rounded,
+and motion is sent at most ten times per simulated second.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from aftdeck.scene.poses import Seven
 from aftdeck.simulation.frame import Event, Frame
 
 PERIOD = 0.1
-"""Simulated time between two messages of a moving quantity [s]."""
+"""Simulated time between two messages about motion [s]; rounded up to a whole number of control periods."""
 GRAIN = 2.0**18
 """Number of increments per unit (metre, radian, 1).
 
@@ -65,7 +65,10 @@ class Viewing:
             self._send_topic(topic, self._began_ns)
 
     def frame(self, frame: Frame) -> None:
-        """Send the events of a step and the topics of new subscriptions; once a `PERIOD`, also send the motion."""
+        """Send the events of a step, and the topics to which viewers have just subscribed.
+
+        Every `PERIOD`, also send the motion.
+        """
         now = self._began_ns + round(frame.time_s * 1e9)
         for event in frame.events:
             self.line(event, now)

@@ -50,7 +50,7 @@ POLL_S = 0.05
 MAX_WAITING = 20_000
 """Maximum number of entries in the queue; beyond it, the recording ends."""
 BEGIN_S = 2.0
-"""Longest time for which a run waits at its start until the header is in the file [s]."""
+"""Longest time for which a run waits, at its start, for the header to be written [s]."""
 MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run [s]."""
 
@@ -231,7 +231,7 @@ class Recorder:
             self.unlisted = str(error)
 
     def _write(self) -> tuple[str, float]:
-        """Write until the run or the recording ends; return the reason for this end, and its simulated time [s]."""
+        """Write until the run or the recording ends; return the reason and the simulated time [s] of the end."""
         channels = self._live.channels if self._live else Channels()
         file = None
         if self._sink is not None:

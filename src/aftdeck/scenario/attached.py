@@ -24,7 +24,7 @@ class Grasp:
 
     @property
     def loaded(self) -> bool:
-        """Whether the end effector may hold a payload."""
+        """Whether the end effector can hold a payload: one is attached, or the worksite's payloads are present."""
         return self.held > 0 or self._cargo
 
     @property

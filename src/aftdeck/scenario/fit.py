@@ -2,9 +2,9 @@
 
 The checks run when a scenario is loaded. They use only the solids that are present, and no compiled code. A misfit is
 an error if it makes every run meaningless: a payload starts inside another body; the telescope's tube overlaps the
-worksite; the end effector can never acquire or never release a bar; a payload does not fit a berth in which it starts
-or which the script uses. A payload that does not fit one of the other berths causes only a caution, which
-``aftdeck check`` prints. `simulation.survey` makes the checks that depend on the arm's joint angles.
+worksite; the end effector can never acquire a bar, or can never release it; a payload does not fit the berth in which
+it starts, or a berth that the script uses. A payload that does not fit one of the other berths causes only a caution,
+which ``aftdeck check`` prints. `simulation.survey` makes the checks that depend on the arm's joint angles.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Parts = dict[str, list[Array]]
 """Hexahedra (8, 3) [m], by the part to which they belong."""
 
 TOLERANCE = 1e-3
-"""Overlap up to which two solids count as touching [m]; assumed: more than the rounding of dimensions in files."""
+"""Greatest overlap of two solids that is not a misfit [m]; assumed: greater than the rounding of lengths in files."""
 _IDENTITY = Pose(np.zeros(3), np.eye(3))
 
 
@@ -93,8 +93,8 @@ def _berth_misfits(
 ) -> Iterator[Misfit]:
     """Yield the overlaps of a payload with its surroundings in each berth that can fix the payload.
 
-    If the end effector can hold the payload's bar (`graspable`), also yield the overlaps of the end effector with these
-    surroundings when it is at the bar of the payload in the berth.
+    If the end effector can hold the payload's bar (`graspable`), also place the end effector at the bar of the payload
+    in the berth, and yield the overlaps of the end effector with these surroundings.
     """
     hands_at_bar = hands(model, worksite, payload) if graspable else {}
     for seat in worksite.seats:
@@ -199,9 +199,9 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
 
 
 def parts_at(solids: Sequence[Solid], pose: Pose) -> Parts:
-    """Return the vertices of solids, grouped by part, in another frame.
+    """Return the vertices of solids, grouped by part, in another coordinate frame.
 
-    In the other frame, the solids' own frame has the pose `pose`.
+    `pose` is the pose of the solids' own coordinate frame in that other coordinate frame.
     """
     by_part: Parts = {}
     for solid in solids:

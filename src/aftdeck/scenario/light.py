@@ -54,9 +54,9 @@ class LightCondition(_Part, frozen=True):
 
     name: Name
     to_sun: Vec3
-    """Direction to the sun in the scene, of any length."""
+    """Vector towards the sun, of any length, in the scene coordinate frame."""
     nadir: Vec3
-    """Direction to the Earth's centre in the scene, of any length."""
+    """Vector towards the Earth's centre, of any length, in the scene coordinate frame."""
     sun: Glow
     earthshine: Glow
     sky: SkyGlow

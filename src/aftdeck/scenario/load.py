@@ -35,7 +35,7 @@ class About(NamedTuple):
 def about(name: str) -> About:
     """Return a built-in scenario's title, description and file.
 
-    The scenario is not built, which would take about a second.
+    The scenario is not built, because building takes about a second.
     """
     file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(file)

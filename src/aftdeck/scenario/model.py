@@ -46,7 +46,7 @@ class PhasePlan:
         joint: selected joint, 0 to 5.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
         joint_rate: theta_dot_C', which replaces the drive [rad/s]; None to use the drive.
-        joint_at: angle to which the joint moves [rad]; None to use the drive or the rate.
+        joint_at: angle to which the joint moves [rad]; None to use `drive` or `joint_rate`.
         target: final tip pose, or a relative target, whose pose is computed as the phase begins; None for no target.
         law: steering law of the automatic modes, one of the report's modes 1 to 3; None for no change.
         payload_axes: whether ORB LD rotates in payload axes; None for no change.
@@ -56,8 +56,8 @@ class PhasePlan:
         stand_at: length to which the telescope moves [m]; None for no change.
         orbiter: translation commands of the orbiter along its three axes, each in [-1, 1].
         limits: limits during the phase; None for the scenario's limits.
-        attaches: payload that is attached to the end effector from the beginning of the phase, as a number in
-            `Scenario.own_payloads`, counted from 1; 0 to attach no payload from then on; None for no change.
+        attaches: number, from 1, of the payload in `Scenario.own_payloads` that is attached to the end effector as the
+            phase begins; 0 to detach the payload; None for no change.
         until: event for which the phase waits; None if the phase ends as its mode determines.
         duration: duration of the phase, or in automatic modes the longest time allowed [s]; None for no limit.
     """
@@ -165,8 +165,8 @@ class Scenario:
         telemetry_delay: delay of the values, lamps and log that the station displays [s].
         camera_delay: delay of the station's pictures [s].
         start: initial state of the arm.
-        parts: initial states by part of the problem, with `start` for "full problem"; empty if the scenario describes
-            no part.
+        parts: initial state of each part of the problem that the scenario describes, and `start` for "full problem";
+            empty if the scenario describes no part.
         cargo: payloads of the worksite that are present.
         docking_axes: axes of payload and port that docking compares: all, or only y as in the report.
         free_contact: effect of a contact on a floating payload.
@@ -180,7 +180,7 @@ class Scenario:
         strict: whether the steering is as published, without the corrections.
         guarded: whether computed modes slow the arm before its stops and singularities.
         near: radius of the end sphere of the automatic modes [m].
-        near_turn: radius of the end sphere in rotation [rad].
+        near_turn: angle to the target's orientation up to which the tip counts as inside the end sphere [rad].
         fly_by: distance within which a fly-by point is passed [m].
         fly_by_turn: angle within which a fly-by point is passed [rad].
         law: steering law of the automatic modes at the start, one of the report's modes 1 to 3.

@@ -19,7 +19,9 @@ _LAWS: dict[int, LawChoice] = {number: law for law, number in AUTOMATIC_LAWS.ite
 
 @dataclass(frozen=True)
 class Chosen:
-    """A mode. If it is given by one of the report's numbers 1 to 8, also the switch settings that it determines.
+    """A mode, with the switch settings that its number determines.
+
+    The number is one of the report's numbers 1 to 8. A mode that is given by panel position determines no settings.
 
     Attributes:
         position: position of the MODE rotary.

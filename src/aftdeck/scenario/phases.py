@@ -112,7 +112,7 @@ def _three(given: Velocity | AngularVelocity | None) -> tuple[float, float, floa
 
 
 def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
-    """Return the selected joint, 0 to 5; 0 if none is selected."""
+    """Return the index of the selected joint, 0 to 5; also 0 if the phase selects no joint or an unknown one."""
     if phase.joint is None:
         return 0
     if phase.joint not in arm.joints:

@@ -89,7 +89,9 @@ def at_the_start(
     held: tuple[int, Pose] | None,
     where: Where,
 ) -> Pose | None:
-    """Return in L a tip pose that is given relative to an object at its start pose; None if the tip pose is wrong.
+    """Return in L a tip pose that is given relative to an object; None if the tip pose is wrong.
+
+    The object is at its start pose.
 
     Args:
         problems: collects the problems found.

@@ -28,7 +28,12 @@ class Problems:
             self._found.append(Problem(where, what))
 
     def sentences(self, file: str, text: str) -> list[str]:
-        """Return one sentence per problem, with its line in `text`; `file` is the file's name in the sentences."""
+        """Return one sentence per problem, with the number of the problem's line.
+
+        Args:
+            file: the file's name in the sentences.
+            text: content of the file, in which the lines are found.
+        """
         return sentences(self._found, file, text)
 
 

@@ -63,7 +63,7 @@ def at_seat(seat: Seat, cargo: Cargo, place: AtSeat) -> Pose:
 
 
 def in_frame(worksite: Worksite, cargo: tuple[Cargo, ...], name: str, pose: Pose) -> InFrame | None:
-    """Return the target for a pose in the axes of a body, a berth or a payload; None if no object has that name."""
+    """Return the target for a pose in the axes of the body, berth or payload `name`; None if none has this name."""
     carriers: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in worksite.bodies}
     carriers |= {payload.name: (payload.name, Pose(np.zeros(3), np.eye(3))) for payload in cargo}
     carriers |= {seat.name: (seat.frame, seat.pose) for seat in worksite.seats}

@@ -32,16 +32,17 @@ class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PoseSpec(_Part, frozen=True):
     """A pose of the tip, by joint angles or by position and orientation.
 
-    With `joints`, the pose is the tip's pose at these joint angles. Without `joints`, `position` is given in the
-    coordinate frame `frame`, and the orientation by `roll`, `pitch`, `yaw` or by a `matrix` whose columns are the axes
-    (the report's S1 = 0). In the orbiter frame and in L, the three angles are ENDORI's roll, elevation, azimuth of
-    frame 7. In the panel frame, they are the end effector's attitude, applied in the order pitch, yaw, roll. The panel
+    With `joints`, the pose is the tip's pose at these joint angles. Without `joints`, the pose has a `position` and an
+    orientation, both in the coordinate frame `frame`. The orientation is given by the angles `roll`, `pitch`, `yaw`, or
+    by a `matrix` whose columns are the rotated axes (the report's S1 = 0). In the orbiter frame and in L, the
+    orientation is that of frame 7, and the angles are ENDORI's roll, elevation, azimuth. In the panel frame, the
+    orientation is the end effector's attitude, and the angles are applied in the order pitch, yaw, roll. The panel
     frame has X = -Xo, Y = Yo, Z = -Zo.
 
     A phase's target, and the pose at which a run starts, may also be given relative to the present poses of objects:
 
-    - `cargo` names a payload. The end effector at the pose captures this payload.
-    - `seat` names a berth. With the end effector at the pose, the held payload is in this berth.
+    - `cargo` names a payload. At the pose, the end effector can capture this payload.
+    - `seat` names a berth. When the end effector is at the pose, the held payload is in this berth.
     - `above` is a distance. With `cargo`, it moves the pose back along the end effector's axis. With `seat`, it moves
       the pose up out of the bay, or out from the port.
     - `offset` displaces the pose along the axes of the payload (`cargo`) or of the berth (`seat`).
@@ -65,10 +66,10 @@ class PoseSpec(_Part, frozen=True):
 class GraspSpec(_Part, frozen=True):
     """A payload of the worksite that the end effector holds at the start, and the joint angles at its capture.
 
-    At the capture, the payload was at its own start pose. The joint angles at the capture are `joints`. Without
-    `joints`, they are angles that put the end effector at the distance `above` from the payload, as in `PoseSpec`. Of
-    several sets of such angles, the set nearest to `near` in `Initial` is used. `stand` is the length of the telescope
-    at the capture.
+    At the capture, the payload was at its own start pose. The joint angles at the capture are given either by `joints`,
+    or by the distance `above` of the end effector from the payload, as in `PoseSpec`. If several sets of joint angles
+    are possible, the set nearest to `near` in `Initial` is used. `stand` is the length of the telescope at the
+    capture.
     """
 
     cargo: Text
@@ -94,7 +95,7 @@ class Initial(_Part, frozen=True):
 
 
 class CargoSpec(_Part, frozen=True):
-    """A payload of the worksite that is present. `start` and `mass` replace the values in the worksite's file."""
+    """A payload of the worksite's file that is present in the run. `start` and `mass` replace that file's values."""
 
     name: Text
     start: StartFile | None = None
@@ -102,7 +103,7 @@ class CargoSpec(_Part, frozen=True):
 
 
 class InitialiseSpec(_Part, frozen=True):
-    """Initial states for the parts of the report's problem (its input 2)."""
+    """Initial states for the parts of the problem to which a run can be re-initialised (the report's input 2)."""
 
     acquisition: Initial | None = None
     extraction: Initial | None = None
@@ -124,8 +125,8 @@ class LightSpec(_Part, frozen=True):
     """Light at the worksite at the start: a condition by name, and the lamps that are lit.
 
     `condition` is `high sun` (the default), `low sun`, `night` or `terminator`, as defined in `scenario/light.toml`.
-    `lamps` names the switches that are on, by default all; the orbiter has `fwd floods`, `mid floods`, `aft floods`
-    and `end effector`.
+    `lamps` names the lamp switches that are on; without `lamps`, all are on. The orbiter has the switches `fwd floods`,
+    `mid floods` and `aft floods`; the Shuttle's arm has `end effector`.
     """
 
     condition: Text | None = None
@@ -133,11 +134,11 @@ class LightSpec(_Part, frozen=True):
 
 
 class PorOverride(_Part, frozen=True):
-    """Limits of the point of resolution that replace the arm's limits, for every payload.
+    """Limits of the point of resolution. For every payload, they replace the arm's limits.
 
-    The limits of acceleration are given in one of two forms. `reached_in` is the time from rest to the coarse limits,
-    for translation and rotation. `acceleration` and `angular_acceleration` are the report's limits for the changes of
-    V_L and omega_L.
+    The limits of acceleration are given in one of two forms: by `reached_in`, the time from rest to the coarse limits
+    of translation and rotation, or by `acceleration` and `angular_acceleration`, the report's limits V_L_dot and
+    omega_L_dot.
     """
 
     translation: Speed | None = None
@@ -173,9 +174,10 @@ class LimitsOverride(RatesOverride, frozen=True):
 class AttachedSpec(_Part, frozen=True):
     """A payload as the steering uses it.
 
-    `position` is r_87, the vector from the tip to the payload's centre, in payload axes. `roll`, `pitch`, `yaw`
-    (azimuth first, as ENDORI) or `matrix` rotate frame 7 into the payload's axes (T_78). `por` is the vector from
-    the payload's centre to its point of resolution, in payload axes.
+    `position` is r_87, the vector from the tip to the payload's centre, in payload axes. `roll`, `pitch`, `yaw` or a
+    `matrix` give the rotation from frame 7 to the payload's axes (T_78). The angles are ENDORI's roll, elevation,
+    azimuth; azimuth is applied first. `por` is the vector from the payload's centre to its point of resolution, in
+    payload axes.
     """
 
     mass: Mass
@@ -216,9 +218,9 @@ class Phase(_Part, frozen=True):
     the axes in which the sticks act. Instead of `drive`, SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value
     beyond the present limits is reduced to the limit, in the same direction.
 
-    `limits` are the limits during the phase (V_L, omega_L, their accelerations, theta_dot_L). With inputs from an
-    operator instead of the script, the scenario's limits apply. A `payload` is attached from the beginning of this
-    phase (PA, T_78, r_87) until a later phase gives another `payload` or `detached`.
+    `limits` are the limits during the phase (V_L, omega_L, V_L_dot, omega_L_dot, theta_dot_L). With inputs from an
+    operator instead of the script, the scenario's limits apply. A `payload` (PA, T_78, r_87) is attached from the
+    beginning of this phase until a later phase gives another `payload` or `detached`.
 
     In every mode a phase may set the `effector` switch, press `latch`, move the telescope to `stand_at`, translate the
     `orbiter`, and wait `until` an event has occurred. With `stand_at` or `until`, `duration` is the longest time

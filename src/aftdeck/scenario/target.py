@@ -52,10 +52,10 @@ class AtSeat(msgspec.Struct, frozen=True, tag=True):
 
 
 class InFrame(msgspec.Struct, frozen=True, tag=True):
-    """A target that is computed when its phase begins: a tip pose in the frame of a body, a berth or a payload."""
+    """A target that is computed when its phase begins: a tip pose relative to the orbiter, to space or to a payload."""
 
     frame: str
-    """``orbiter``, ``space``, or a payload's name."""
+    """Name of the coordinate frame in which the pose is given: ``orbiter``, ``space``, or a payload's name."""
     position: Vec3
     """Position [m]."""
     rotation: Rows

@@ -1,4 +1,4 @@
-"""Poses of all drawn bodies in the scene, from the frame of a step, in the order of `scene.bodies.bodies_of`."""
+"""Poses in the scene of all drawn bodies, computed from a `Frame`; in the order of `scene.bodies.bodies_of`."""
 
 from __future__ import annotations
 

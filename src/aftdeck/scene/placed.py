@@ -1,4 +1,4 @@
-"""Expansion of groups into single shapes, with one pose for each copy of a shape that is drawn."""
+"""Expansion of groups into single shapes; each drawn copy of a shape has its own pose."""
 
 from __future__ import annotations
 

@@ -17,7 +17,8 @@ _AXIS_ORDER: dict[Axis, tuple[tuple[int, int, int], bool]] = {
     "y": ((0, 2, 1), True),
     "z": ((0, 1, 2), False),
 }
-"""For each normal: the columns of (first, second, across) with x, y and z, and whether this order is a reflection."""
+"""For each normal, the columns that hold x, y and z, and whether this order is a reflection. The columns are the first
+and the second coordinate of the outline, and the coordinate across the plate."""
 
 
 def plate(shape: Plate) -> Mesh:

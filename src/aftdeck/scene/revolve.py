@@ -15,8 +15,9 @@ ON_AXIS = 1e-9
 FULL = math.tau - 1e-3
 """Least sweep that counts as a full turn [rad]."""
 _ORDER: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (2, 0, 1), "z": (1, 2, 0)}
-"""For each axis, the columns of (along the axis, first direction, second direction) that hold x, y and z. Angles run
-from the first direction to the second: from y to z about x, from z to x about y, from x to y about z."""
+"""For each axis, the columns that hold x, y and z. The columns are the coordinates along the axis, in the first
+direction and in the second direction. Angles run from the first direction to the second: from y to z about x, from z to
+x about y, from x to y about z."""
 
 
 def revolve(

@@ -33,7 +33,7 @@ def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
     """Return a shape's surface, closed except for a lamp's face.
 
     Args:
-        shape: shape to draw; `placed` applies its position and rotation.
+        shape: shape to draw. Its position and rotation are not applied here, but in `scene.placed`.
         sides: number of sides of a small round body, 8 or more. With more sides, the surface is closer to the shape.
     """
     match shape:

@@ -30,8 +30,8 @@ def initial_state(flight: Flight) -> State:
     """Return the state before the first step.
 
     Raises:
-        ScenarioError: with some initial conditions of the scenario, the arm holds a payload in a pose in which the end
-            effector could not have captured it.
+        ScenarioError: the scenario gives initial conditions with a held payload that the end effector could not have
+            captured in this pose.
     """
     scenario, problems = flight.scenario, []
     state = _state_at(flight, scenario.start)

@@ -49,7 +49,7 @@ class Cameras:
         self.first: Views = tuple(setting(camera) for camera in self._driven)
 
     def check(self, command: CameraDrive) -> None:
-        """Check that a camera's switches can produce a command.
+        """Check that a command names a camera with a drive and that its switches are within their range.
 
         Raises:
             InputError: the camera does not exist or has no drive, or a switch is outside [-1, 1] or not finite.

@@ -112,9 +112,10 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
 
 
 class Times(msgspec.Struct, frozen=True, gc=False):
-    """Times of JSC-12628's present phase, counted from its beginning.
+    """Times of the present phase (JSC-12628's term), counted from the beginning of the phase.
 
-    It begins with an automatic motion, a phase of the script, the selection of a panel position or a re-initialisation.
+    Such a phase begins with an automatic motion, a phase of the script, the selection of a panel position or a
+    re-initialisation.
     """
 
     tp_s: Annotated[float, field_meta("TP: time since the beginning of the phase", "s")] = 0.0

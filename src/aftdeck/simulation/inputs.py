@@ -47,7 +47,7 @@ class Inputs(msgspec.Struct, frozen=True):
     law: LawChoice | None = None
     """Switch that selects the steering law of OPR CMD and AUTO 1-4: 1 position, 2 closed loop, 3 open loop."""
     payload_axes: bool | None = None
-    """Switch beside ORB LD: True rotates about payload axes (mode 7), False about orbiter axes (mode 4)."""
+    """Switch beside ORB LD: True for rotation about payload axes (mode 7), False for orbiter axes (mode 4)."""
     rate_hold: bool = False
     """RATE HOLD pressed in this step: keep the present stick command, or cancel RATE HOLD if it is on."""
     position_hold: bool | None = None
@@ -75,7 +75,7 @@ class Inputs(msgspec.Struct, frozen=True):
     master: Six | None = None
     """Six joint angles of the master arm [rad], which the arm follows in MASTER; with None, no new angles are set."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
-    """Re-initialises the arm and the payloads in this step, to the start of the full problem or of one of its parts."""
+    """Re-initialisation of arm and payloads in this step, to the start of the full problem or of one of its parts."""
     camera: CameraDrive | None = None
     """Command of a camera's drive in this step; `simulation.camera_drives.Cameras.check` checks it."""
 
@@ -113,7 +113,7 @@ _STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope
 
 
 def _positions() -> dict[str, tuple[object, ...]]:
-    """Return the positions of each switch by field name, from the fields' types without `None`."""
+    """Return the positions of each switch, by field name: the values that the field's type allows, except `None`."""
     positions = {}
     for name, hint in get_type_hints(Inputs).items():
         kind, *none = get_args(hint) or (hint,)
@@ -165,7 +165,7 @@ def _check_target(arm: Arm, target: Target) -> None:
     distance = math.dist(tip.position, position)
     chord = math.dist(tip.rotation.ravel(), [x for row in rotation for x in row])  # detects non-rotations, too
     angle = 2.0 * math.asin(min(1.0, chord / math.sqrt(8.0)))
-    if not (distance <= AGREED and angle <= AGREED_TURN):  # rejects NaN from an overflow, too
+    if not (distance <= AGREED and angle <= AGREED_TURN):  # an overflow gives NaN, which is also rejected
         raise InputError(
             f"target: the joint angles put the tip {distance:.4g} m and {math.degrees(angle):.4g} deg from the pose, "
             f"at most {AGREED:g} m and {math.degrees(AGREED_TURN):g} deg are allowed"

@@ -1,4 +1,4 @@
-"""Log lines of a step, with the time at the end of the step."""
+"""Lines that a step adds to the log, with the time at the end of the step."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ class Panel(StatePart):
     """True if PROCEED was pressed, and the motion has not started. The motion starts if CMD CK is GOOD."""
     sequence: Sequence = "idle"
     motion_began: int = 0
-    """Tick from which TP counts: start of a motion or of a phase of the script, or entry of a mode."""
+    """Tick from which TP counts: the start of a motion, a mode or a phase of the script."""
     ending: Ending = ""
     """Result of an automatic motion that ended in this step; "" if none ended."""
     final_error: str = ""
@@ -79,7 +79,7 @@ class Panel(StatePart):
     camera: str = ""
     """Camera that was commanded last (RMS-VS: station point); "" if no camera has a drive."""
     advice: dict[str, int] = msgspec.field(default_factory=dict)
-    """Number of the stick direction that was displayed last, for each cause of an escape direction."""
+    """Stick direction, 0 to 11, that was displayed last for each cause of an escape direction."""
 
     @property
     def flown(self) -> int:
@@ -96,7 +96,7 @@ class Script(StatePart):
     phase: int = 0
     """Index of the present phase; after the end of the last phase, the number of phases."""
     began: int = -1
-    """Tick at which the phase began; -1 before that."""
+    """Tick at which the present phase began; -1 if it has not begun."""
     limits: int = -1
     """Index of the phase whose rate limits are in force; -1 if the scenario's rate limits are in force."""
     attached: int = 0
@@ -119,12 +119,12 @@ class State(StatePart):
         report: output of the steering laws in this step.
         observed: (21,) tip pose, twist and singularity distances of the arm, computed by `kinematics.observe`.
         carried: payload that the arm holds, and the steering's rules with this payload.
-        standing: cache of the arm at its present shoulder height.
+        standing: cache of the arm with its shoulder at the present height.
         tick: number of control steps done, the present one included.
         by_script: True if the script supplied the inputs of the last step.
         phase: name of the script's phase in the last step; "" with manual inputs.
         checking: CMD CK in progress; None if no check is in progress.
-        ways_out: escape directions from nearby singularities, passed joint limits and contacts.
+        ways_out: escape directions from nearby singularities, from exceeded joint limits and from contacts.
         events: log lines of the present step.
     """
 
@@ -162,19 +162,19 @@ class State(StatePart):
             setattr(self, name, getattr(other, name))
 
     def measure(self) -> None:
-        """Copy the plant's measured angles and rates to `steering`; steering, plans and checks start from them."""
+        """Copy the plant's measured angles and rates to `steering`. Steering laws, plans and checks start from them."""
         measured(self.plant.angles, self.plant.rates, self.shoulder_offset, self.steering)
 
     @property
     def rules(self) -> Array:
-        """Steering rules in force. While the arm comes to rest before a motion of mode 1, mode 2's rules apply."""
+        """Steering rules in force. While no automatic motion is in progress, law 2's rules replace those of law 1."""
         return self.rules_while(under_way=bool(self.command[MOTION_ACTIVE]))
 
     def rules_while(self, *, under_way: bool) -> Array:
         """Return the steering's rules.
 
         Args:
-            under_way: whether an automatic motion is in progress. In mode 1, mode 2's rules apply before the motion.
+            under_way: whether an automatic motion is in progress. If not, law 2's rules replace those of law 1.
         """
         panel, law = self.panel, self.panel.flown
         if law == AUTOMATIC_LAWS["position"] and not under_way:
@@ -183,7 +183,7 @@ class State(StatePart):
 
     @property
     def shoulder_offset(self) -> float:
-        """Height of the shoulder minus its height in the steering's rules [m]."""
+        """Height of the shoulder, minus the height that the steering's rules assume [m]."""
         return self.plant.stand.position - self.standing.height
 
     @property

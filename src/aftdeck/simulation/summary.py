@@ -1,4 +1,4 @@
-"""Summary of a run. Programs of users rely on its fields."""
+"""Summary of a run. Users' programs depend on its fields."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ class Tally:
         self._digest.update(seal)
 
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
-        """Return the summary of a run, from its scenario, seed, kind of end and last frame."""
+        """Return the summary of a run that ended for the reason `ended`, with `frame` as its last frame."""
         goal = frame.goal
         return Summary(
             scenario=scenario.name,

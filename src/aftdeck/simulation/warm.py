@@ -1,4 +1,4 @@
-"""Compilation of all laws before a run, because compilation during the run would delay steps by seconds."""
+"""Compilation of all laws before a run. Compilation during the run would delay steps by seconds."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 
 FAR = 1e3
-"""Twist with which the payload could reach every wall in the next step [m/s], [rad/s]."""
+"""Twist components [rad/s], [m/s] with which the payload could reach every wall in the next step."""
 
 
 def warm_up(scenario: Scenario) -> None:

@@ -134,7 +134,7 @@ def _move_prong(flight: Flight, state: State) -> None:
 
 
 def _closing_fraction(flight: Flight, state: State, distance: float) -> float:
-    """Return the fraction of a closing distance [m] after which the prong touches the held payload's bar; at most 1."""
+    """Return the fraction of `distance` [m] that the prong moves until it touches the held payload's bar; at most 1."""
     site, k = flight.site, state.worksite.held
     if site.bar is None or k is None or (which := site.bar.which[k]) is None:
         return 1.0

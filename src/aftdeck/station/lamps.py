@@ -48,7 +48,7 @@ def _clearance(_scenario: Scenario, frame: Frame) -> Lit | None:
 def _derigidize(_scenario: Scenario, frame: Frame) -> Lit | None:
     """Return the state of DERIGIDIZE, which is lit while the snares hold a payload that is not rigidized.
 
-    The level is info while the snares or the carriage move, and while the switch is at open. Otherwise it is caution.
+    While the snares or the carriage move, or the switch is set to open, the level is info; otherwise it is caution.
     """
     hand = frame.work.hand
     if not _held_loosely(frame.work):

@@ -1,7 +1,7 @@
-"""LATRAJ: line of sight and angle of sight from a pose to a target.
+"""LATRAJ: distance and direction (line of sight), angle and axis of rotation (angle of sight) from a pose to a target.
 
 JSC-12628, subroutine LATRAJ. The angle is computed by an arc tangent, which is accurate at small angles. Beyond 90 deg
-the axis is computed from the symmetric part of the rotation matrix, which is accurate up to and at 180 deg.
+the axis is computed from the symmetric part of the rotation matrix. This method is accurate even at 180 deg.
 """
 
 from __future__ import annotations

@@ -23,11 +23,11 @@ from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blo
 _ROUNDING_MARGIN = 1.0 + 1e-15
 """Factor that keeps the fastest joint's rate, after rounding, at or below its limit [1]."""
 _THREADED = 20_000
-"""Least number of arms, times the number of steps, for which a second thread saves more time than its start takes."""
+"""Least product of arms and steps for which a second thread saves more time than its start takes."""
 LINE = 64
 """Length of a cache line [bytes]."""
 _SHARES = 8
-"""Number of shares per thread into which the blocks are divided. A thread on a busy processor computes fewer
+"""Number of shares of the blocks, divided by the number of threads. A thread on a busy processor computes fewer
 shares."""
 _ROTATION_TOLERANCE = 1e-6
 """Maximum deviation of a target's rotation matrix from an orthonormal matrix [1]."""

@@ -74,10 +74,10 @@ def remaining_distance(t: Three, target: Floats) -> Three:
 
 @law
 def angles_after_step(pace: Floats, r: Rates, q: Floats) -> Six:
-    """Return the joint angles [rad] after one control period; RATLMT reduces the rates, which are gain times `r`.
+    """Return the joint angles [rad] after one control period at the demanded rates, reduced by RATLMT.
 
-    `r` holds the joint rates for a twist equal to the remaining error. The commanded twist is gain times this error.
-    The rate law is linear, and the commanded rates are therefore gain times `r`.
+    `r` holds the joint rates for a twist equal to the remaining error. The demanded twist is gain times this error. The
+    rate law is linear, and the demanded rates are therefore gain times `r`.
     """
     upper = max(abs(r.r1) * pace[PER_RATE], abs(r.r2) * pace[PER_RATE + 1], abs(r.r3) * pace[PER_RATE + 2])
     lower = max(abs(r.r4) * pace[PER_RATE + 3], abs(r.r5) * pace[PER_RATE + 4], abs(r.r6) * pace[PER_RATE + 5])
@@ -97,27 +97,27 @@ def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
 
 @law
 def _three(rows: Array, first: int, i: int) -> Three:
-    """Return arm `i`'s values in three rows, from row `first` on."""
+    """Read arm `i`'s values from three rows; the first of them is row `first`."""
     n = first * LANES + i
     return rows[n], rows[n + LANES], rows[n + 2 * LANES]
 
 
 @law
 def _put_three(rows: Array, first: int, i: int, values: Three) -> None:
-    """Write arm `i`'s values into three rows, from row `first` on."""
+    """Write arm `i`'s values into three rows; the first of them is row `first`."""
     n = first * LANES + i
     rows[n], rows[n + LANES], rows[n + 2 * LANES] = values
 
 
 @law
 def _six(rows: Array, first: int, i: int) -> Six:
-    """Return arm `i`'s values in six rows, from row `first` on."""
+    """Read arm `i`'s values from six rows; the first of them is row `first`."""
     return _three(rows, first, i) + _three(rows, first + 3, i)
 
 
 @law
 def _put_six(rows: Array, first: int, i: int, values: Six) -> None:
-    """Write arm `i`'s values into six rows, from row `first` on."""
+    """Write arm `i`'s values into six rows; the first of them is row `first`."""
     _put_three(rows, first, i, values[:3])
     _put_three(rows, first + 3, i, values[3:])
 
@@ -134,8 +134,8 @@ def _sines_of(work: Array, i: int) -> Sines:
 def _evaluate(arm: Floats, block: Array, work: Array) -> None:
     """Compute a block's remaining errors, and the values that the rate law needs, from the link angles in `work`.
 
-    `work` receives sines and cosines, and the reciprocal of each denominator. `law.sincos` is split into three loops,
-    each short enough for the processor to overlap several vectors of arms.
+    `work` receives sines and cosines, and the reciprocal of each denominator. `law.sincos` is split into three short
+    loops, in which the processor handles several vectors of arms at the same time.
     """
     for n in range(6 * LANES):
         work[n], work[n + QUARTERS * LANES] = reduced(work[n])
@@ -177,8 +177,8 @@ def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: i
 def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
     """Make the steps of `steer_blocks` for a kind of wrist that is a constant for the compiler.
 
-    A step makes several passes over a block, because in a short loop the processor overlaps more arms. The rows are in
-    one array, with constant distances, so that the compiler can see that they do not overlap.
+    A step makes several passes over a block, because in a short loop the processor handles more arms at the same time.
+    The rows are in one array, with constant distances, so that the compiler can see that they do not overlap.
     """
     for b in range(blocks.shape[0]):
         block = blocks[b]

@@ -15,9 +15,12 @@ DT = LINKS
 STRICT = DT + 1
 """1 if the steering laws run as published, without the corrections."""
 GUARDED = STRICT + 1
-"""1 if computed modes slow the arm before its stops and singularities; the source does not do this."""
+"""1 if computed modes slow the arm before its singularities and, unless AS_FLOWN is 1, before its stops.
+
+The source does not do this.
+"""
 AS_FLOWN = GUARDED + 1
-"""1 if a joint past its soft stop stops all joints in computed modes."""
+"""1 if in computed modes no joint moves while one joint is past its soft stop."""
 SPEED, TURN = AS_FLOWN + 1, AS_FLOWN + 2
 """V_L [m/s] and omega_L [rad/s]: maximum speed and angular rate of the point of resolution."""
 SPEED_UP, TURN_UP = TURN + 1, TURN + 2
@@ -85,9 +88,10 @@ POINT = 18
 CLOCK = 19
 """Phase time TP of modes 1 and 3 [s]."""
 CLOCK_RATE = 20
-"""Share of the last step's demand that was commanded, 0 to 1; in modes 2 to 7, 1 under `strict`.
+"""Share of the last step's demand that was commanded, 0 to 1.
 
-In modes 2 to 7, CLOCK advances by this share of the control period. For mode 1, see `position.clock_after`.
+In modes 2 to 7, CLOCK advances by this share of the control period; under `strict` the share is set to 1. For mode 1,
+see `position.clock_after`.
 """
 SHOULDER_OFFSET = 21
 """Measured height of the shoulder minus its height in `rules` (L1) [m]: the telescope's extension."""

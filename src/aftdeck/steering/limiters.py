@@ -36,8 +36,8 @@ from aftdeck.steering.layout import (
 CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
 """Limits that act on the joint rates; the index is the number in `report[CAUSE]`.
 
-Number 4 occurs only in mode 8 and DIRECT, in which the hard stops are in force. Number 6 means that some joint exceeds
-its acceleration limit, whatever factor reduces the motion; the arm then stays on its path.
+Number 4 occurs only in mode 8 and DIRECT, in which the hard stops are in force. Number 6 means that no factor of
+`one_factor` keeps all joints within their acceleration limits; the arm then stays on its path.
 """
 BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
@@ -74,10 +74,10 @@ class Ratio(NamedTuple):
 
 @law
 def braked(gap: float, deceleration: float, dt: float) -> float:
-    """Return the greatest rate that this deceleration reduces to zero within `gap`, in steps of `dt`; 0 if gap <= 0.
+    """Return the greatest rate that `deceleration` reduces to zero within `gap`, in steps of `dt`; 0 if gap <= 0.
 
-    Let n be the least sufficient number of steps. The rate falls by deceleration * dt from each step to the next and is
-    still above zero in step n. The n steps cover the gap exactly.
+    The motion takes n steps, which cover the gap exactly. The rate falls by deceleration * dt from each step to the
+    next. In step n the rate is above zero and at most deceleration * dt.
     """
     if gap <= 0.0:
         return 0.0

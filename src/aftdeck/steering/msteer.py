@@ -53,9 +53,10 @@ from aftdeck.steering.turn import from_hand
 from aftdeck.steering.views import put_rates, put_twist, rates_at, twist_at
 
 NEAR_FLOOR = 0.5 * NEAREST
-"""Least normalised distance from a singularity that the rate law uses if the rules are guarded.
+"""Floor of the rate law [1], a normalised distance from a singularity, in rules with GUARDED = 1.
 
-It has an effect only if an arm starts nearer to the singularity.
+RATLMT already stops an approach at twice this distance. The floor therefore acts only if an arm starts nearer to
+the singularity than the floor.
 """
 
 
@@ -133,7 +134,7 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
 def _position_factor(
     rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, demanded: Rates
 ) -> float:
-    """Return the share of mode 1's joint rates that is commanded; write into the report which limits act.
+    """Return the factor, 0 to 1, that reduces mode 1's joint rates; write into the report which limits act.
 
     Before the motion starts, and under `strict` (as in the source), only RATLMT acts. Otherwise the limits of the tip
     and of the joint accelerations also apply.
@@ -183,7 +184,7 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
     if cause != 0:
         report[CAUSE], report[LIMITING_JOINT] = cause, culprit
     if report[CAUSE] == BY_RATE and _below_limit(rules, rates, factor, int(report[LIMITING_JOINT])):
-        # the arm is still accelerating; the joint has not reached this limit yet
+        # the arm is still accelerating, and the joint is still below its rate limit
         report[CAUSE], report[LIMITING_JOINT] = 0.0, -1.0
     state[CLOCK_RATE] = 1.0 if rules[STRICT] != 0.0 else report[RATIO]
     state[CLOCK] += state[CLOCK_RATE] * rules[DT]
@@ -219,21 +220,22 @@ def _present_twist(
 
     The source computes this twist by ERATES from the measured joint rates at the new angles. Without `strict`, the
     result is the twist that the last step commanded, plus a correction: ERATES of the measured minus the commanded
-    joint rates. Even at constant joint rates, the twist changes during a step. With this result, AVCLMT does not count
-    this change as an acceleration. (x, y, z) is the vector from the tip to the point of resolution, in L.
+    joint rates. The twist changes during a step even if the joint rates are constant. With the corrected result,
+    AVCLMT does not count this change as an acceleration. (x, y, z) is the vector from the tip to the point of
+    resolution, in L.
     """
     actual, commanded = rates_at(state, MEASURED), rates_at(state, RATES)
     was = state[POINT] != 0.0
     if rules[STRICT] != 0.0:
         return _twist_of_point(erates(a, j, actual), x, y, z)
-    if was and not offset:  # TWIST is the twist of the payload's point, but now the tip is the point of resolution
+    if was and not offset:  # TWIST belongs to a point of the payload, but the point of resolution is now the tip
         return erates(a, j, actual)
     beside = Rates(
         actual.r1 - commanded.r1, actual.r2 - commanded.r2, actual.r3 - commanded.r3,
         actual.r4 - commanded.r4, actual.r5 - commanded.r5, actual.r6 - commanded.r6,
     )  # fmt: skip
     more = erates(a, j, beside)
-    if was:  # TWIST is already the twist of the payload's point
+    if was:  # TWIST already belongs to the payload's point of resolution
         more = _twist_of_point(more, x, y, z)
     t = twist_at(state, TWIST)
     last = Twist(t.wx + more.wx, t.wy + more.wy, t.wz + more.wz, t.vx + more.vx, t.vy + more.vy, t.vz + more.vz)
@@ -242,7 +244,7 @@ def _present_twist(
 
 @law
 def _twist_of_point(t: Twist, x: float, y: float, z: float) -> Twist:
-    """Return the twist of another point of the same body; (x, y, z) leads from the point of `t` to this point."""
+    """Return the twist of a second point of the body; (x, y, z) is the vector to it from the point of `t`."""
     return Twist(
         t.wx,
         t.wy,

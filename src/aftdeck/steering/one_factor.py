@@ -26,7 +26,7 @@ from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio
 ROUNDING = 1e-11
 """Share of a limit by which rounding may exceed the limit [1]."""
 NO_RATE = 1e-12
-"""Demanded joint rate [rad/s] up to which a joint counts as not moving; no factor then changes its acceleration."""
+"""Demanded joint rate [rad/s] up to which the demand counts as zero: no factor changes such a joint's acceleration."""
 SEARCHES = 60
 """Number of steps in the search for the factor of `_least_excess`; each step reduces the range to two thirds."""
 UNBOUNDED = 1e9
@@ -65,7 +65,7 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
         state: state with the measured joint rates.
         rates: joint rates of the motion at a factor of 1 [rad/s].
         twist: twist of the point of resolution at a factor of 1.
-        present: present twist of that point.
+        present: present twist of the point of resolution.
         limit: RATLMT's ratio of `rates`.
     """
     most, cause, culprit, por_cause = limit.ratio, limit.cause, limit.culprit, 0
@@ -73,7 +73,8 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
     low, high = max(joints.low, 0.0), min(joints.high, most)
     if low > high:
         if limit.cause != 0 and _excess(rules, state, rates, most)[0] <= _excess(rules, state, rates, 0.99 * most)[0]:
-            return Factor(most, cause, culprit, 0)  # a stop, a singularity or a rate limit requires this deceleration
+            # a stop, a singularity or a rate limit requires more than the maximum joint deceleration
+            return Factor(most, cause, culprit, 0)
         factor = _least_excess(rules, state, rates, most)
         excess, joint = _excess(rules, state, rates, factor)
         if excess > 1.0 + ROUNDING:
@@ -85,7 +86,7 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
     factor = max(min(high, por.high), low)
     if factor < high:
         cause, culprit, por_cause = 0, -1, por.cause
-        if factor > por.high:  # the joints cannot slow as quickly as the point's limit requires
+        if factor > por.high:  # the joints cannot slow down as quickly as the point's limit requires
             cause, culprit = BY_ACCELERATION, quickest
     return Factor(factor, cause, culprit, por_cause)
 
@@ -158,7 +159,7 @@ def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, ch
 
 @law
 def _excess(rules: Array, state: Array, rates: Rates, factor: float) -> tuple[float, int]:
-    """Return the greatest ratio of a joint acceleration to its limit [1] with this factor, and that joint."""
+    """Return, for a factor, the greatest ratio of a joint acceleration to its limit [1], and the joint concerned."""
     greatest, joint = 0.0, -1
     for i in range(6):
         share = abs(factor * rates[i] - state[MEASURED + i]) / (rules[MOST_UP + i] * rules[DT])

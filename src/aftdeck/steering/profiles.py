@@ -96,8 +96,8 @@ def _as_published(rules: Array, distance: float, angle: float) -> Profile:
 class OpenProfile(NamedTuple):
     """Maximum speed [m/s] and angular rate [rad/s], and times [s].
 
-    The times are the duration ETA of the phase, the duration ETAP that its rotation alone would have at the maximum
-    rate, and the acceleration times of translation and rotation.
+    `eta` is the duration ETA of the motion. `etap` is the duration ETAP that the rotation alone would have at the
+    maximum rate. `t_v1` and `t_w1` are the acceleration times of translation and rotation.
     """
 
     speed: float

@@ -12,9 +12,9 @@ from aftdeck.steering.limiters import braked
 
 @law
 def rate_towards(rules: Array, state: Array, goal: float, i: int) -> float:
-    """Return the greatest rate of joint i [rad/s] towards the angle `goal` [rad] with which the joint can stop there.
+    """Return the greatest rate [rad/s] towards the angle `goal` [rad] from which joint i can stop at `goal`.
 
-    The rate limit also applies.
+    The result is at most the joint's rate limit.
     """
     angle = goal - state[ANGLES + i]
     return math.copysign(min(braked(abs(angle), rules[RATE_UP + i], rules[DT]), rules[RATE + i]), angle)
@@ -30,7 +30,7 @@ def ramped(rules: Array, state: Array, report: Array, demanded: float, i: int, s
         report: receives cause and joint if a stop acts.
         demanded: the demanded rate [rad/s].
         i: the joint, 0 to 5.
-        stop: kind of the stops in `rules`, as an index in `limiters.CAUSES`.
+        stop: index in `limiters.CAUSES` that tells whether the stops in `rules` are soft or hard.
     """
     change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]
     rate = before + min(max(demanded - before, -change), change)

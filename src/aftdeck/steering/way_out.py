@@ -1,7 +1,8 @@
 """Escape direction: stick direction that leads out of a singularity or away from a stop.
 
-For each of the 12 directions of the six stick axes, these laws compute the joint rates after RMSRAT and RATLMT, and the
-speed at which these rates move the arm away. If no stick direction leads away, a motion of one joint in SINGLE does.
+For each of the 12 directions of the six stick axes, these laws compute the joint rates after RMSRAT and RATLMT. From
+these rates they compute the speed at which the arm leaves the singularity or the stop. If no stick direction leads
+away, the escape direction is a motion of one joint in SINGLE.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ def way_out(
             grows [1/s]. If `singularity` is -1, `joint` and `inward` apply instead.
         joint: joint at its limit; `speeds` are its rates [rad/s].
         inward: sign, +1 or -1, of the joint's rate that leads away from its limit.
-        speeds: (12,) output. With a positive value, the stick direction leads away.
+        speeds: (12,) output, one speed for each stick direction; positive if the direction leads away.
     """
     a = sines_of(rules, state)
     here = tip(rules, a)

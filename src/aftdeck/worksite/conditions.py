@@ -25,14 +25,14 @@ _INCHES_BELOW, _MILLIMETRES_BELOW = 2.0 * FOOT, 1.0
 """Lengths below which the smaller unit is used [m]."""
 _FIGURES, _MOST_FIGURES = 3, 9
 _LIKE = 0.02
-"""Share of the limit [1]. A failing value and its limit can have the same text if they differ by less than `_TINY` plus
-this share of the limit.
+"""Share of the limit [1]. If a failing value differs from its limit by less than this share plus `_TINY`, both can have
+the same text.
 
 The text of the value then has as many significant figures as are needed to distinguish it from the limit.
 """
 _TINY = 1e-4
 _MOST_DECIMALS = 3
-"""Number of decimals in the text of a number below `_SMALLEST`, if `_FIGURES` significant figures are requested."""
+"""Number of decimals in the text of a number below `_SMALLEST`, for the usual `_FIGURES` significant figures."""
 _ALLOWED = " allowed"
 """Last word of the text of an allowed range."""
 _SMALLEST, _GREATEST = 1e-3, 999.5

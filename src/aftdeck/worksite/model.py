@@ -1,8 +1,8 @@
 """Data model of the worksite: the bodies around the arm, their solids, the berths of payloads, and the cameras.
 
-Solids and berths are given in one of these coordinate frames: ``orbiter``, ``space``, or the own frame of a payload,
-which has the payload's name. ``orbiter`` is the scene's frame and is fixed to the orbiter. ``space`` coincides with
-``orbiter`` at the start, but does not move with the orbiter.
+Solids and berths are given in one of these coordinate frames: ``orbiter``, ``space``, or a payload's own frame. A
+payload's own frame has the payload's name. ``orbiter`` is the scene's frame and is fixed to the orbiter. ``space``
+coincides with ``orbiter`` at the start, but does not move with the orbiter.
 """
 
 from __future__ import annotations
@@ -151,8 +151,8 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     probe: Pose | None
     """Pose of the centre of the probe's forward face, with the payload's axes; None if there is no probe."""
     receptacle: Array | None
-    """(8, 3) vertices of the bar [m]; None if there is no bar. They have the numbers of the report's RECPT, whose
-    axes are x aft, y port and z down: face c is on top, faces b and e are the sides."""
+    """(8, 3) vertices of the bar [m]; None if there is no bar. The vertices are numbered as in the report's RECPT,
+    whose axes are x aft, y port and z down: face c is on top, faces b and e are the sides."""
     grapple: Pose | None
     """Pose of the end effector's own axes E, with the tip as their origin, when the grapple fixture is captured without
     misalignment; None if there is no grapple fixture."""
@@ -161,7 +161,7 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     the point of the keel pin."""
     trunnion_names: tuple[str, ...]
     """Names of these points. For two pairs: ``forward port``, ``forward starboard``, ``aft port``, ``aft starboard``,
-    ``keel``. For any other number of pairs, a number replaces forward and aft: ``2 port``."""
+    ``keel``. For any other number of pairs, the pairs are numbered: ``1 port``, ``1 starboard``."""
     start: Start
     limit_cycle: LimitCycle | None
 
@@ -222,7 +222,10 @@ class Essential(msgspec.Struct, frozen=True):
 
 
 class Bay(msgspec.Struct, frozen=True):
-    """The inside of the payload bay, in the frame ``orbiter``. A payload that is completely above it is extracted."""
+    """The inside of the payload bay, in the frame ``orbiter``.
+
+    A payload counts as extracted when none of its vertices is between the bay's walls and below the bay's top.
+    """
 
     low: Vec3
     """Least coordinates [m]."""

@@ -38,9 +38,9 @@ const GOOD = (70 * Math.PI) / 180;
 /**
  * Returns the best pair of cameras, or null if no two cameras see the same target.
  *
- * It takes the first set of `PURPOSES` that at least two cameras see, and compares all pairs of these cameras. The best
- * pair has the greatest angle between the lines of sight. All angles above `GOOD` count as equal. Among pairs with
- * equal angles, the greater `turned` of the two cameras decides: the pair with the smallest such value is best.
+ * The function takes the first set of `PURPOSES` that at least two cameras see, and compares all pairs of these
+ * cameras. The best pair has the greatest angle between the lines of sight. All angles above `GOOD` count as equal.
+ * If the angles are equal, the rating of a pair is the greater `turned` of its cameras. The smallest rating is best.
  *
  * @param at positions of the targets in the scene; null if there is no such target.
  */

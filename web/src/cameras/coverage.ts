@@ -5,7 +5,7 @@ import { stickToPicture } from '../panel/monitors/axes';
 import type { Scene } from '../scene';
 import { bestPair, type Pair, type Sighting, TARGETS, type Target } from './best-pair';
 
-/** Prefix of the arm's bodies; the body with the tip; the payload attached by the scenario. */
+/** Prefix of the names of the arm's bodies; names of the body with the tip and of the scenario's attached payload. */
 const [ARM, TIP, PAYLOAD] = ['arm.', 'arm.wrist_roll', 'payload'];
 
 type Places = Readonly<Record<Target, Vec3 | null>>;

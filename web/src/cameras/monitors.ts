@@ -24,7 +24,7 @@ export interface MonitorsListener {
 
 export class Monitors {
   readonly both: readonly [Monitor, Monitor];
-  /** Whether cameras have been chosen: by `begin`, the user, a recording or another page. */
+  /** Whether cameras have been chosen by `begin`, the user, a recording or another page. */
   chosen = false;
   private selected = 0;
   private slowly = false;

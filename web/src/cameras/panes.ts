@@ -8,7 +8,7 @@ import type { Picture } from '../panel/monitors/picture';
 import type { Rect } from '../scene/drawn';
 import type { Monitors } from './monitors';
 
-/** MON 1, MON 2, a tile and the plan are each drawn once in this many drawings of the page. */
+/** How often MON 1, MON 2, a tile and the plan are drawn: 3 means at every third drawing of the page. */
 export const PACES = { full: [1, 1, 3, 8], low: [1, 2, 6, 24] } as const;
 
 /** A picture on the canvas. */
@@ -58,9 +58,9 @@ export class Panes {
   }
 
   /**
-   * Returns the pictures to draw now, and whether all other pictures already show this frame.
+   * Returns the pictures to draw now (`due`). `complete`: all other pictures already show this frame.
    *
-   * @param state text that changes with everything on which the pictures depend, except exposures.
+   * @param state text that changes with the content of the pictures, but not with their exposures.
    * @param stops exposure of a camera.
    * @param count number of drawings of the page so far.
    * @param wiped whether the canvas was wiped; every picture is then due.

@@ -54,7 +54,7 @@ export class Pictures {
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
   private round: Target | null = null;
-  /** Called when the pictures drawn last are on the page; null after the call. */
+  /** Called when the pictures drawn last are on the page; null if they are there already. */
   private finish: (() => void) | null = null;
   private looking = 0;
 
@@ -120,7 +120,10 @@ export class Pictures {
     this.listener.opened?.(on);
   }
 
-  /** Rotates an engineering view [rad], or shifts it if `aside` or *Shift* is on; divides its distance by `nearer`. */
+  /**
+   * Rotates an engineering view [rad]; shifts it instead if `aside` is true or the button *Shift* is on. Divides the
+   * distance to the view's centre by `nearer`.
+   */
   orbit({ name }: Camera, right: number, upwards: number, nearer: number, aside = false): void {
     this.orbits += 1;
     this.scene.cameras.orbit(name, right, upwards, nearer, aside || this.monitors.slow);

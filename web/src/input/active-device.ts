@@ -1,4 +1,4 @@
-/** The device in use (the keyboard, or the device that was moved last), and which of its parts has which function. */
+/** The device in use (the keyboard, or the device that was moved last), and the names of its keys, buttons and axes. */
 
 import type { Device } from './device';
 import type { Keyboard } from './keyboard';
@@ -10,7 +10,7 @@ import { mappingOf } from './store';
 /** Least deflection of an axis that counts as moved. */
 const MOVED = 0.3;
 
-/** Names of the key, button or axis direction to which a function (`use`) is assigned; empty if there is none. */
+/** Name of the key, button or axis direction that has the function `use`; empty if none has it. */
 export interface Names {
   name(use: string): string;
   /** The abbreviated name. */
@@ -74,7 +74,7 @@ export class InHand implements Names {
   }
 }
 
-/** Returns the name of the part with this function, on the first of these kinds of device that has such a part. */
+/** Returns the name of the key, button or axis direction with this function, on the first of `kinds` that has one. */
 function called(
   kinds: readonly Kind[],
   use: string,

@@ -6,10 +6,10 @@ import { STILL, type Turning } from './camera-hand';
 /** Length of a drag for full rate [picture heights], and greatest length without effect [px]. */
 const TRAVEL = 0.35;
 const SLACK = 4;
-/** One notch of the wheel zooms for this time; several notches together zoom at most for `MOST_MS` [ms]. */
+/** Time for which one notch of the wheel zooms, and greatest time for several notches together [ms]. */
 const NOTCH_MS = 120;
 const MOST_MS = 480;
-/** Two fingers at twice or half their first distance zoom at full rate. */
+/** Two fingers zoom at full rate if their distance is twice or half their distance at the start. */
 const PINCH = Math.log(2);
 
 interface Finger {
@@ -71,7 +71,7 @@ export class CameraDrag {
   }
 }
 
-/** Returns the logarithm of a ratio: the present distance of two fingers over their first distance. */
+/** Returns the logarithm of a ratio: the present distance of two fingers over their distance at the start. */
 function pinched(a: Finger, b: Finger): number {
   const apart = (one: Place, two: Place) => Math.max(1, Math.hypot(one.x - two.x, one.y - two.y));
   return Math.log(apart(a.at, b.at) / apart(a.begun, b.begun));

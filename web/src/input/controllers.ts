@@ -94,7 +94,7 @@ export class Controllers {
     return this.paused ? ZERO : sum(keys, others);
   }
 
-  /** Centres all devices. A held key acts only when pressed again; other devices act after they have been at zero. */
+  /** Centres all devices. Then a key acts only when pressed again, and another device only after it was at zero. */
   release(): void {
     this.keyboard.release();
     this.pads.disarm();

@@ -64,7 +64,7 @@ const KEYBOARD = {
   ...Object.fromEntries(digits),
 };
 
-/** A pad's cross (D-pad), stick presses, View and Menu, in the browser's standard mapping. */
+/** Functions of a pad's cross (D-pad), pressed sticks, and buttons View and Menu, in the browser's standard mapping. */
 const PAD_CAMERAS = {
   b15: '+pan',
   b14: '-pan',

@@ -58,8 +58,8 @@ export class Device {
   /** Present reading; null if the device is not connected. */
   reading: Reading | null = null;
   /**
-   * Whether the device, which is not in use yet, reports a value that is not zero and does not change. The cause is an
-   * offset of its sensor, not a deflection.
+   * Whether the device is not in use yet and reports a constant value that is not zero. The cause of such a value is an
+   * offset of the device's sensor, not a deflection.
    */
   resting = false;
   /** Pressed buttons, each with the function that it had when it was pressed. */

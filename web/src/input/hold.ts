@@ -9,19 +9,22 @@ export class Hold {
     private readonly act: () => void,
   ) {}
 
-  /** Starts the time; called when the switch is pressed at `now` [ms]. */
+  /** Starts to count the time; called when the switch is pressed at `now` [ms]. */
   press(now: number): void {
     this.since ??= now;
   }
 
-  /** Called when the switch is released at `now` [ms]. Acts if the time is over and no call of `tick` has acted yet. */
+  /**
+   * Called when the switch is released at `now` [ms]. Acts if the switch was held long enough and no call of `tick` has
+   * acted yet.
+   */
   lift(now: number): void {
     this.tick(now);
     this.since = null;
     this.done = false;
   }
 
-  /** Returns the elapsed fraction of the time at `now` [ms]; acts once when it reaches 1. */
+  /** Returns the elapsed fraction of the set time at `now` [ms]; acts once when it reaches 1. */
   tick(now: number): number {
     if (this.since === null) return 0;
     const part = (now - this.since) / (1000 * this.seconds);

@@ -1,4 +1,4 @@
-/** Sends the keys pressed in a secondary window to its page, which handles them like keys pressed in the page. */
+/** Sends the keys pressed in a secondary window to the window's page, which handles them like its own keys. */
 
 import { isControl, isTyping } from './keyboard';
 import { mappingOf } from './store';

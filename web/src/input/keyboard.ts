@@ -52,7 +52,7 @@ export class Keyboard {
     return target.map((value) => clamp(value));
   }
 
-  /** Deflection `dt` [s] after the last call. */
+  /** Moves the deflections for `dt` [s] towards `target` and returns them. */
   step(dt: number): Deflection {
     const { target } = this;
     this.value = ZERO.map((_, axis) => ramp(this.value[axis] ?? 0, target[axis] ?? 0, dt));
@@ -128,7 +128,7 @@ function takesSpaces(target: EventTarget | null): boolean {
   return isTyping(target) && target.inputMode === 'text';
 }
 
-/** Returns whether the element in focus uses the key itself, as a slider or a list uses the arrow keys. */
+/** Returns whether the element in focus handles this key, as a slider or a list handles the arrow keys. */
 function isOwn({ code, target }: KeyboardEvent): boolean {
   const arrows = /^(Arrow|Page|Home|End)/.test(code);
   return (

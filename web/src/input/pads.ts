@@ -1,7 +1,7 @@
 /**
  * Gamepads and joysticks. A single device is both THC and RHC. Of two devices, the device that was moved first is the
- * THC, and the other is the RHC. A device that was never moved is neither in use nor reported, except a first device
- * with the standard mapping.
+ * THC, and the other is the RHC. A device is used and reported only after it was moved. Exception: if the first device
+ * has the standard mapping, it is used at once.
  */
 
 import { type Deflection, sum, ZERO } from './deflection';

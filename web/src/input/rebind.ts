@@ -116,7 +116,7 @@ function wholeAxes(mapping: Mapping, use: string): readonly string[] {
     .map(([source]) => source);
 }
 
-/** Returns whether two functions are equal. If `either` is true, both functions of one axis are equal. */
+/** Returns whether two functions are equal. With `either`, the two directions of one axis also count as equal. */
 function sameAxis(a: string, b: string, either: boolean): boolean {
   const [one, other] = [USES.get(a)?.does, USES.get(b)?.does];
   return a === b || (either && one?.kind === 'axis' && other?.kind === 'axis' && one.axis === other.axis);

@@ -1,8 +1,8 @@
 /**
- * A SpaceMouse, read by WebHID. Report 1 contains three translations or all six axes, report 2 three rotations, and
- * report 3 the buttons, one bit for each. An axis is a little-endian 16-bit number; full deflection is about 350.
- * Sources of these layouts: PySpaceMouse's table of devices, and spacenavd. A report of unknown length is reported to
- * the user and moves nothing.
+ * A SpaceMouse, read through WebHID. Report 1 contains three translations or all six axes, report 2 three rotations,
+ * and report 3 the buttons, one bit for each. An axis is a little-endian 16-bit number; full deflection is about 350.
+ * Sources of these layouts: PySpaceMouse's table of devices, and spacenavd. If a report has an unknown length, the page
+ * says so, and nothing moves.
  */
 
 import { clamp } from '../basics/clamp';
@@ -18,7 +18,7 @@ const AXES = 6;
 const MOST_BUTTONS = 32;
 /** A deflected cap sends reports continuously. After this time without a report, the SpaceMouse counts as lost [ms]. */
 const SILENCE_MS = 500;
-/** Greatest time that counts as silence between two readings [ms]: a busy page receives reports late. */
+/** Silence between two readings counts at most as this time [ms], because a busy page receives reports late. */
 const MOST_SILENCE_MS = 50;
 
 const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
@@ -93,7 +93,7 @@ export class SpaceMouse {
       },
     );
     hid()?.addEventListener('connect', () => void this.find((all) => all.getDevices()), { signal });
-    // If the user has allowed a device in an earlier visit, the page uses it without a new question.
+    // If the user has allowed a device in an earlier visit, the page uses it without asking again.
     void this.find((all) => all.getDevices());
   }
 

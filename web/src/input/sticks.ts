@@ -25,7 +25,7 @@ import {
 /** Greatest time between two messages while sticks are deflected or RATE HOLD is on [ms]; the station allows 0.5 s. */
 const REPEAT_MS = 100;
 
-/** The sticks at zero, without the camera. */
+/** Zero deflection of all stick axes; the axes of the camera are not included. */
 const REST: Deflection = ZERO.slice(0, PAN);
 
 export class Sticks {
@@ -73,8 +73,8 @@ export class Sticks {
   }
 
   /**
-   * `inputAt`: time of a key's press or release [ms]; null if no key event caused the call. A change of another device
-   * then has the time `now`.
+   * `inputAt`: time of a key's press or release [ms]; null if no key event caused the call. If it is null, a change of
+   * a device other than the keyboard has the time `now`.
    */
   private read(now: number, inputAt: number | null): void {
     const dt = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
@@ -91,7 +91,9 @@ export class Sticks {
     if (changed && from !== null) this.latency.sent(seq, from);
   }
 
-  /** Centres the sticks at once. A key then acts only when pressed again, another device only after it was at zero. */
+  /**
+   * Centres the sticks at once. Then a key acts only when pressed again, and another device only after it was at zero.
+   */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;

@@ -17,7 +17,7 @@ export interface Age {
   readonly set: number;
 }
 
-/** Returns whether data is stale, which the page must show. */
+/** Returns whether displayed data is stale. The page must mark stale data. */
 export function isStale({ s, set }: Age): boolean {
   return s > set + STALE_S;
 }

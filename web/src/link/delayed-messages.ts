@@ -77,7 +77,7 @@ export class Arrivals {
     };
   }
 
-  /** Adds lines of the log. Each line is due when the displayed frame reaches its time; without a delay, at once. */
+  /** Adds log lines. A line is due when the displayed frame reaches the line's time; without a delay, at once. */
   addEvents(events: readonly LogEvent[]): void {
     this.log.push(...events);
   }

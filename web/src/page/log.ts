@@ -1,4 +1,4 @@
-/** The page's log: lines of the station, each shown when the numbers reach its time, and lines of the page itself. */
+/** The page's log: the page's own lines, and the station's lines. These are shown when the numbers reach their time. */
 
 import type { Arrivals } from '../link/delayed-messages';
 import type { Level, Event as LogEvent } from '../link/protocol';

@@ -1,4 +1,4 @@
-/** Effects of keys, buttons and lamps on the station and on the page. The sticks are not among them. */
+/** Effects of keys, buttons and lamps on the station and on the page. The effects of the sticks are not included. */
 
 import type { Action } from '../input/keymap';
 import type { Command } from '../link/socket';

@@ -12,7 +12,7 @@ import { place } from './placement';
 import type { Drawing } from './quality';
 import { Readouts } from './readouts';
 
-/** The bars move once in this number of pictures. */
+/** Number of pictures for each movement of the bars, by quality of the drawing. */
 const BAR_PACE = { full: 1, low: 2 } as const;
 
 export class Station {
@@ -53,7 +53,7 @@ export class Station {
     return this.parts.latency.percentile95(performance.now());
   }
 
-  /** Stores a newer frame. Numbers and pictures show it when it is due. */
+  /** Stores a newer frame. Numbers and pictures show the frame after their set delays. */
   setFrame(frame: Frame): void {
     const now = performance.now();
     const { arrivals, latency, log, operator } = this.parts;

@@ -39,7 +39,10 @@ export class WindowLink {
     });
   }
 
-  /** Sends cameras, separating plane and units to the windows, and whether the page handles keys pressed in them. */
+  /**
+   * Tells the windows which cameras the monitors show, whether the separating plane is visible, the units, and whether
+   * keys pressed in the windows act on the page.
+   */
   update(): void {
     const { showsPlane: plane } = this.pictures;
     const { shown: monitors } = this.pictures.monitors;
@@ -47,7 +50,7 @@ export class WindowLink {
     this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys });
   }
 
-  /** Tells the windows that the page closes. */
+  /** Tells the windows that the page is closing. */
   gone(): void {
     this.windows.say({ kind: 'gone' });
   }

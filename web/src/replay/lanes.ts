@@ -4,7 +4,7 @@ import type { Lane, Event as LogEvent, Stretch } from '../link/protocol';
 import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';
 import { lengthOf, partOf, type Span } from './span';
 
-/** A shorter stretch has no visible name [fraction of the axis]. */
+/** A stretch shorter than this has no visible name [fraction of the axis]. */
 const ROOM = 0.035;
 
 /**
@@ -16,7 +16,7 @@ const GAP_OF_STRETCH = 0.15;
 
 export interface Row {
   readonly element: HTMLElement;
-  /** Draws the playhead at that time [s]. */
+  /** Draws the playhead at the time `position` [s]. */
   at(position: number): void;
 }
 

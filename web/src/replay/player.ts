@@ -74,7 +74,7 @@ export class Player {
     this.fetch();
   }
 
-  /** Steps forwards or back by frames, and pauses. */
+  /** Pauses, and moves the playhead by a number of frames, forwards or back. */
   step(frames: number): void {
     const { period_s, stride } = this.extent;
     this.pause();
@@ -89,7 +89,7 @@ export class Player {
     this.speed = SPEEDS.findLast((speed) => speed < this.speed) ?? this.speed;
   }
 
-  /** Advances the playhead by `dt` [s of the clock] times the speed. It waits for frames that are not loaded. */
+  /** Advances the playhead by `dt` [s of the clock] times the speed, or waits if the frame there is not loaded. */
   advance(dt: number): void {
     if (this.playing && this.moment) {
       this.seek(this.position + dt * this.speed);

@@ -21,7 +21,7 @@ export function replayRail(index: PlaybackIndex, flying: string | null, changeUn
   const units = button({ title: 'Change the units of the read-outs' }, [], changeUnits);
   const fact = (name: string, value: string | HTMLElement, title = '') =>
     el('span', { class: 'fact', title }, `${name} `, typeof value === 'string' ? el('b', {}, value) : value);
-  /** Makes an element for a fact with a long text. If there is no room, it is cut; the tooltip has the whole text. */
+  /** Makes an element for a fact with a long text. If the text does not fit, it is cut; the tooltip has all of it. */
   const words = (name: string, text: string) =>
     text === '' ? [] : [el('span', { class: 'fact words', title: text }, `${name} `, el('b', {}, text))];
   const note = (text: string, title: string, kind = 'note') => el('span', { class: kind, title }, text);

@@ -23,16 +23,16 @@ import { ReplayWindows } from './windows';
 
 /** Time between two updates of the numbers [ms]. */
 const VALUES_MS = 100;
-/** Greatest time by which the playhead advances between two pictures, also after a longer pause of the browser [s]. */
+/** Greatest time by which the playhead advances between two pictures, even if the browser paused for longer [s]. */
 const LONGEST_STEP_S = 0.25;
 /** Time for which the page displays that a window was blocked [ms]. */
 const BLOCKED_MS = 8000;
 
 export class Replay {
   private drawn = 0;
-  /** The frame that both the pictures and the read-outs display. */
+  /** The latest frame that both the pictures and the read-outs have displayed. */
   private shown: Frame | null = null;
-  /** The frame that the read-outs display. */
+  /** The latest frame that the read-outs have displayed. */
   private figures: Frame | null = null;
   private readonly units: ShownUnits;
   private before = performance.now();

@@ -1,4 +1,4 @@
-/** A secondary window of a replay: a monitor, all cameras or the strips, at the playhead of its page. */
+/** A secondary window of a replay: a monitor, all cameras or the strips, at the playhead of the replay's page. */
 
 import type { Frame, PlaybackIndex } from '../link/protocol';
 import { publish } from '../page/hook';
@@ -14,7 +14,7 @@ import { minutes } from './quantity';
 import type { Source } from './source';
 import { STEP } from './span';
 
-/** Keys that zoom the time axis. They act in the window of the strips, not in its page. */
+/** Keys that zoom the time axis. They act in the window of the strips, not in the replay's page. */
 const ZOOMS: Readonly<Record<string, 1 | -1>> = { Equal: 1, NumpadAdd: 1, Minus: -1, NumpadSubtract: -1 };
 
 /** Fills a secondary window with one view of a recording. */

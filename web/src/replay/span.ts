@@ -11,8 +11,8 @@ export const LEAST_S = 2;
 /** Factor by which one step of zoom changes the length of the span. */
 export const STEP = 2;
 /**
- * When the span moves to a playhead outside it: distance of the playhead from the nearer end of the new span, as a
- * fraction of its length.
+ * The span moves when the playhead leaves it. This is then the distance of the playhead from the nearer end of the new
+ * span, as a fraction of the length of the span.
  */
 const AHEAD = 0.1;
 

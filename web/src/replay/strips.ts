@@ -14,11 +14,11 @@ const HALF_TAG = '0.6rem';
 
 export interface StripRow {
   readonly element: HTMLElement;
-  /** Draws the playhead at that time [s], and the values of the curves; `word` is written after the last value. */
+  /** Draws the playhead at the time `position` [s], and the curves' values; `word` is written after the last value. */
   at(position: number, values: readonly (number | null)[], word: string, units: Units): void;
 }
 
-/** Returns a curve as an SVG path: x is time [s], y is `height` of the value. Missing values are gaps. */
+/** Returns a curve as an SVG path: x is time [s], y is `height(value)`. Missing values are gaps. */
 export function path({ times_s, values }: Curve, height: (value: number) => number): string {
   let pen = 'M';
   let text = '';

@@ -40,7 +40,7 @@ export class Timeline {
       this.firsts.set(name, first);
       first += curves.length;
     }
-    // For a live run, the duration is infinite. `renew` then sets the span before anything is visible.
+    // For a live run, the duration is infinite, and `renew` sets the span before anything is visible.
     this.span = { from: 0, to: Number.isFinite(this.duration) ? this.duration : 1 };
     this.slider = el(
       'div',

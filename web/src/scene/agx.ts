@@ -17,7 +17,7 @@ export function agx(light: number): number {
   );
 }
 
-/** Exposed light for each value of a displayed byte: the least light that is displayed with at least this value. */
+/** For each byte, 0 to 255: least product of light and exposure that is displayed as this byte or a greater one. */
 export const LIGHT_OF: readonly number[] = (() => {
   const found: number[] = [];
   let [low, high] = [0, 0];

@@ -44,7 +44,7 @@ export class Blob {
   private readonly ends: Vector2[];
   private readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
-  /** Two directions normal to the sun's rays; shadows are computed in their plane. */
+  /** Two directions normal to the sun's rays; shadows are computed in the plane of these directions. */
   private readonly across = new Vector3();
   private readonly up = new Vector3();
 

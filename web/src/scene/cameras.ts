@@ -95,7 +95,7 @@ export class Cameras {
     this.driven = [...this.mounted.values()].filter(({ camera }) => camera.drive !== null);
   }
 
-  /** Sets the drives of all cameras with drives, in order: pan, tilt, horizontal field of view [rad]. */
+  /** Sets the drives of each camera that has any, in the cameras' order: pan, tilt, horizontal field of view [rad]. */
   put(views: readonly Vec3[]): void {
     this.driven.forEach((mounted, i) => {
       const view = views[i];
@@ -108,7 +108,7 @@ export class Cameras {
     return this.one(name).setting;
   }
 
-  /** Sets the centre of the engineering views, in the scene; null for their initial centre. */
+  /** Sets the centre of the engineering views, and puts it into the middle of the pictures; null: initial centre. */
   turnTo(at: Vec3 | null): void {
     for (const [name, orbit] of this.orbits) {
       const one = this.one(name);
@@ -117,7 +117,7 @@ export class Cameras {
     }
   }
 
-  /** Moves the centre of the engineering views, in the scene. */
+  /** Moves the centre of the engineering views to a position in the scene. */
   follow(at: Vec3): void {
     for (const [name, orbit] of this.orbits) {
       const one = this.one(name);
@@ -126,7 +126,7 @@ export class Cameras {
     }
   }
 
-  /** Rotates an engineering view [rad], or shifts it if `aside`; divides its distance by `nearer`. */
+  /** Rotates an engineering view [rad], or shifts it if `aside`; divides the distance from the centre by `nearer`. */
   orbit(name: string, right: number, upwards: number, nearer: number, aside: boolean): void {
     const orbit = this.orbits.get(name);
     if (!orbit) return;

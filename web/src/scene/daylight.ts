@@ -7,7 +7,7 @@ export interface Daylight {
   readonly name: string;
   readonly toSun: Vector3;
   readonly nadir: Vector3;
-  /** Colour times strength [lx], on the scale of the lamps in files, where full sunlight is 4.1 lx. */
+  /** Colour times strength [lx], on the scale of the lamps' intensities in files: full sunlight is 4.1 lx. */
   readonly sun: Color;
   readonly earthshine: Color;
   /** Light from the half sphere above the orbiter (`above`), and from the half sphere below the orbiter (`below`). */

@@ -1,4 +1,4 @@
-/** Drawing profile, and the pictures to draw with their positions. */
+/** Drawing profile, and the pictures to draw, each with its position. */
 
 /** `full` needs a graphics card; `low` is fast even if the processor computes the pictures. */
 export type Quality = 'full' | 'low';

@@ -20,7 +20,7 @@ const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
 export const LIMB = Math.asin(EARTH / ORBIT);
-/** Brightness of the night side, as a fraction of full daylight: much brighter than by moonlight, to show the limb. */
+/** Brightness of the night side, as a fraction of full daylight: much more than in moonlight, to show the limb. */
 const NIGHT = '0.004';
 const UP = new Vector3(0, 0, 1);
 

@@ -49,7 +49,7 @@ export class Exposure {
     this.atOnce = true;
   }
 
-  /** Changes the exposure up to `time` [s]; `base`: exposure when the light condition begins; `locked`: fixed value. */
+  /** Advances the exposure to `time` [s]; `base`: exposure when the light condition begins; `locked`: fixed value. */
   follow(time: number, base: number, locked: number | null): void {
     const step = time - this.at;
     this.at = time;

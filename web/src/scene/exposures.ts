@@ -13,7 +13,7 @@ import { Meter } from './meter';
 const METERED_MS = { full: 300, low: 1500 } as const;
 /** Steps of exposure per stop; a smaller change is invisible. */
 const STEPS = 50;
-/** Product of light and exposure, for each value of a byte that the low profile displays. */
+/** For each byte, 0 to 255: product of light and exposure that the low profile displays as this byte. */
 const ROOTS: readonly number[] = Array.from({ length: 256 }, (_, byte) => (byte / 255) ** 2);
 
 /** Exposures of all cameras, each metered from the camera's own pictures. */
@@ -45,7 +45,7 @@ export class Exposures {
     for (const { exposure } of this.cameras.values()) exposure.renew();
   }
 
-  /** Changes all exposures up to the run's time `time` [s]; `base`: exposure when the light condition begins. */
+  /** Advances all exposures to the run's time `time` [s]; `base`: exposure when the light condition begins. */
   follow(time: number, base: number, locked: Lighting['locked']): void {
     const seen = this.meter.collect();
     if (seen) this.cameras.get(seen.camera)?.exposure.meter(metered(seen.lights));

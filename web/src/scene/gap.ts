@@ -58,7 +58,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(abs(side) < core ? colour : vec3(0.0), 1.0);
   }`;
 
-/** The line of minimum clearance where no body hides it, and on demand the separating plane. */
+/** The line of minimum clearance, drawn where no body hides it, and on demand the separating plane. */
 export class Gap {
   private readonly line = new Mesh(quad(), strokeMaterial());
   private readonly plane = new Object3D();

@@ -87,7 +87,7 @@ export class LambertLight {
   private readonly count = { value: 0 };
   /** Position of each lit lamp, and the reciprocal of its squared reach. */
   private readonly places: readonly Vector4[];
-  /** Beam direction of each lit lamp, and how fast its light changes with the cosine of the angle; 0 for a flood. */
+  /** Beam direction of each lit lamp, and slope of its light over the cosine of the angle to the beam; 0: no beam. */
   private readonly beams: readonly Vector4[];
   private readonly glows: readonly Color[];
   private lamps: readonly Lamp[] = [];

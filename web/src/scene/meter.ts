@@ -17,20 +17,20 @@ interface Look {
 
 export interface Seen {
   readonly camera: string;
-  /** Light at samples of the picture, each in its strongest colour (red, green, blue), so that none is overexposed. */
+  /** Light of the strongest colour (red, green or blue) at each sample, so that no colour is overexposed. */
   readonly lights: readonly number[];
 }
 
 /**
- * Measures the light in a few rows of a drawn picture. It requests the rows at once, and collects them at a later
- * picture, when they are available.
+ * Measures the light in a few rows of a drawn picture. `ask` requests the rows; `collect`, called later, returns their
+ * light when the rows are available.
  */
 export class Meter {
   private readonly gl: WebGL2RenderingContext;
   private buffer: WebGLBuffer | null = null;
   private look: Look | null = null;
 
-  /** `lightOf`: product of light and exposure, for each value of a byte in a picture. */
+  /** `lightOf`: for each byte, 0 to 255, the product of light and exposure that a picture displays as this byte. */
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly lightOf: readonly number[],

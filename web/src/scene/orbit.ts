@@ -31,13 +31,13 @@ export class Orbit {
     this.rise = Math.asin(-look.z);
   }
 
-  /** Rotates to the right and upwards [rad]. */
+  /** Rotates the camera around the centre, to the right and upwards [rad]. */
   turn(right: number, upwards: number): void {
     this.heading += right;
     this.rise = clamp(this.rise + upwards, -STEEPEST, STEEPEST);
   }
 
-  /** Sets the centre, in the scene, and puts it into the middle of the picture; null for the initial centre. */
+  /** Sets the centre to a position in the scene, and puts it into the middle of the picture; null: initial centre. */
   turnTo(at: Vec3 | null, toBody: Matrix4): void {
     this.shifted.set(0, 0, 0);
     this.middle.copy(this.place);
@@ -50,8 +50,8 @@ export class Orbit {
   }
 
   /**
-   * Shifts the view to the right and upwards, so that the centre follows the pointer. Takes the angles of `turn` [rad];
-   * π shifts the view by the width of the picture.
+   * Shifts the view to the right and upwards, so that the centre follows the pointer. `right` and `upwards` are
+   * angles, as in `turn` [rad]: π shifts the view by the width of the picture.
    */
   shift(right: number, upwards: number): void {
     const [x, y, z] = this.view.boresight;

@@ -9,7 +9,7 @@ import {
 } from 'three';
 import { present } from '../basics/assert';
 
-/** Number of cloud repeats from the nadir to the limb. */
+/** How often the texture of the clouds repeats from the nadir to the limb. */
 const REPEATS = 2.4;
 
 /** Angles from the limb [rad] and colours of the cap's rings, from the nadir outwards. The last ring is black. */

@@ -6,7 +6,7 @@ const X = new Vector3(1, 0, 0);
 const Y = new Vector3(0, 1, 0);
 const Z = new Vector3(0, 0, 1);
 
-/** Axes of an outline's two coordinates and of its thickness, by the plate's normal. */
+/** For each normal of a plate: the two axes of the outline's coordinates, and the axis of the thickness. */
 const TURN = {
   x: new Matrix4().makeBasis(Y, Z, X),
   y: new Matrix4().makeBasis(X, Z, Y.clone().negate()),

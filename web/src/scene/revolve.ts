@@ -27,8 +27,8 @@ export function revolve(
 }
 
 /**
- * Return a point or direction in the body's x, y, z. It is given by its components along the axis, away from the axis
- * and round the axis, at the position `angle` about the axis [rad].
+ * Return a point or direction in the body's x, y, z. `along`, `away` and `round` are its components along the axis,
+ * away from the axis and round the axis. The directions of the last two are those at `angle` about the axis [rad].
  */
 function around(axis: Axis, angle: number, along: number, away: number, round: number): Vector3 {
   const p = away * Math.cos(angle) - round * Math.sin(angle);

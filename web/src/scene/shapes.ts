@@ -18,7 +18,10 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** In the low profile, a full turn below this radius [m] has this number of sides; `MOST` sides for larger radii. */
+/**
+ * Pairs of a radius [m] and a number of sides. In the low profile, a circle has the sides of the first pair with a
+ * larger radius than its own, or `MOST` sides if there is none.
+ */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],

@@ -32,7 +32,7 @@ export class Sight {
     );
   }
 
-  /** Returns the bodies at sample points of the picture, also near bodies that are only partly in the picture. */
+  /** Returns the bodies at sample points of the picture. A near body need not be entirely in the picture. */
   ahead(camera: Camera): ReadonlySet<string> {
     const seen = this.cameras.at(camera.name, ASPECT);
     const found = new Set<string>();

@@ -51,7 +51,7 @@ export class Television {
     depthWrite: false,
     blending: NoBlending,
   });
-  /** Textures by size, because pictures of different sizes, such as halves and whole monitors, are drawn in turn. */
+  /** One texture for each size: pictures of different sizes, such as halves and whole monitors, are drawn in turn. */
   private readonly textures = new Map<string, FramebufferTexture>();
   private readonly corner = new Vector2();
 
@@ -63,7 +63,7 @@ export class Television {
     this.stage.add(mesh);
   }
 
-  /** Changes the picture just drawn at a part of the canvas; `canvas`: height of the canvas [CSS px]. */
+  /** Converts the picture that was just drawn in a rectangle of the canvas; `canvas`: the canvas's height [CSS px]. */
   show({ left, top, width, height }: Rect, canvas: number): void {
     const { renderer, corner } = this;
     const { picture, seed } = this.material.uniforms;

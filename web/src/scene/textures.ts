@@ -56,7 +56,10 @@ const grey = (level: number, alpha = 1) => {
   return `rgba(${value}, ${value}, ${value}, ${alpha})`;
 };
 
-/** Paint faint stains of all sizes, across the edges too, so that repeats join without a seam. */
+/**
+ * Paint faint stains of all sizes. A stain that crosses an edge continues at the opposite edge, so that repeats join
+ * without a seam.
+ */
 function stain(pen: CanvasRenderingContext2D, size: number, random: () => number, count: number): void {
   for (let i = 0; i < count; i++) {
     pen.fillStyle = grey(random() < 0.5 ? 0 : 1, 0.05 * random());
@@ -90,7 +93,7 @@ function stitched(
   }
 }
 
-/** Paint the wrapping of a boom: a seam with a row of ties at each quarter, and one seam along the boom. */
+/** Paint the wrapping of a boom: four seams round the boom, each with a row of ties, and one seam along the boom. */
 function wrapped(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
   pen.fillStyle = grey(0.97);
   pen.fillRect(0, 0, size, size);

@@ -141,7 +141,10 @@ export class Tutorial {
   }
 }
 
-/** Returns the closing title and text; `flown`: time at which the payload was free [s], null if it is not free. */
+/**
+ * Returns the closing title and text; `flown`: time at which all steps were complete and the payload was free [s];
+ * null if this is not so yet.
+ */
 export function farewell(flown: number | null): readonly [title: string, words: string] {
   if (flown === null)
     return [

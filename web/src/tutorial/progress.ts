@@ -9,11 +9,17 @@ export interface Progress {
   /** Position of the tip at the start of this step; null if not known yet. */
   readonly from: Vec3 | null;
   readonly looked: boolean;
-  /** Whether the user went back to this step. If its condition holds already, the step ends only when it holds anew. */
+  /**
+   * Whether the user went back to this step. If the step's condition holds already, the step ends only after the
+   * condition has become false and then true again.
+   */
   readonly again: boolean;
   /** Steps that were skipped and that were not completed later. */
   readonly skipped: ReadonlySet<number>;
-  /** Height of the payload when it was last in its berth; if it never was, its first height [m]; null if not known. */
+  /**
+   * Height of the payload when it was last in its berth [m]. If it was never there, height in the first frame. Null
+   * before the first frame.
+   */
   readonly seat: number | null;
   /** Time at which all steps were complete and the payload was free [s]; null before this time. */
   readonly flown: number | null;

@@ -36,7 +36,7 @@ export type Cap = readonly [use: string, does: string];
 export const MOVED = 0.3;
 /** Least height above its berth for which the payload counts as lifted [m]. */
 export const LIFTED = 1;
-/** Distance from the axis up to which the end effector counts as aligned in its step [fraction of the limit]. */
+/** Greatest `pin off axis` with which the end effector counts as aligned, as a fraction of that condition's limit. */
 export const MIDDLE = 0.5;
 
 /** Key caps of the THC, in the order of their positions on the keyboard. */

@@ -1,4 +1,4 @@
-/** A secondary window with the last minutes of a live run as lanes and strips; the present is at the right. */
+/** A secondary window with the last minutes of a live run as lanes and strips; the present time is at the right. */
 
 import { DelayLine, isStale } from '../link/delay-line';
 import type { Frame, Event as LogEvent, Recent, Welcome } from '../link/protocol';

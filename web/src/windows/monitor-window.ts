@@ -33,7 +33,7 @@ export class Display {
   private readonly line: DelayLine;
   private valuesAt = 0;
   private request = 0;
-  /** True while the page or the first drawing changes the cameras. Such changes are not sent to the page. */
+  /** True while the window draws or applies the page's state. Changes of cameras at such times are not sent back. */
   private hearing = false;
   private units: UnitName;
   private readonly pictures: Pictures;

@@ -12,7 +12,7 @@ export interface PageState {
   readonly monitors: readonly (readonly string[])[];
   readonly plane: boolean;
   readonly units: UnitName;
-  /** Whether keys pressed in the windows act on the page: true if it is in control or plays back a recording. */
+  /** Whether keys pressed in the windows act on the page: true if the page is in control, or plays back a recording. */
   readonly takesKeys: boolean;
 }
 
@@ -76,7 +76,7 @@ export function tornHere(search: string): Torn | null {
   return VIEWS.find(([name]) => name === asked)?.[1] ?? null;
 }
 
-/** Name of a secondary window's page, from its address; null if the user opened the address. */
+/** Name of a secondary window's page, from its address; null if the address names no page. */
 export function tornOff(search: string): string | null {
   return new URLSearchParams(search).get(OF);
 }

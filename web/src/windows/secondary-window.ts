@@ -94,7 +94,7 @@ export class Tether {
     this.windows?.say(message);
   }
 
-  /** Shows the time, and either `lost` if it is not empty (the content is out of date) or the page's state. */
+  /** Shows the time and the page's state. If the content is out of date, shows the text `lost` instead of the state. */
   show(time: string, lost = ''): void {
     setText(this.time, time);
     const { keys, alone } = this.words;

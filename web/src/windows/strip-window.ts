@@ -51,7 +51,7 @@ export class StripWindow {
     return this.choice.chosen;
   }
 
-  /** Writes the time of the values and a text after it. `wider`: whether more time can be shown; `closer`: less. */
+  /** Writes the time of the values, then `about`. `wider`, `closer`: whether the axis can show more or less time. */
   show(time: string, about: string, wider: boolean, closer: boolean): void {
     setText(this.time, time);
     setText(this.about, about);

@@ -5,10 +5,13 @@ import { fixed } from './format';
 import type { Units } from './units';
 
 const DEGREE = 180 / Math.PI;
-/** Significant figures of a number. If a violated limit and the value would have the same text, more are written. */
+/**
+ * Significant figures of each number. If the value and a limit that it violates would have the same text, all numbers
+ * get more figures, up to `MOST_FIGURES`.
+ */
 const FIGURES = 3;
 const MOST_FIGURES = 9;
-/** Greatest number of decimals with `FIGURES` figures; each further figure allows one more decimal. */
+/** Greatest number of decimals of a number with `FIGURES` figures. Each further figure allows one more decimal. */
 const DECIMALS = 3;
 
 /** Returns the text of a condition in these units, such as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */

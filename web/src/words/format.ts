@@ -48,7 +48,7 @@ export function clock(seconds: number): string {
   return `${pad(Math.floor(minutes / 60), 2)}:${pad(minutes % 60, 2)}:${pad(whole % 60, 2)}`;
 }
 
-/** Returns the number in a keyed-in text, with a true minus sign or a hyphen; null if the text is not a number. */
+/** Returns the number in a keyed-in text; null if there is none. The minus sign may be `−` or a hyphen. */
 export function parseNumber(text: string): number | null {
   const plain = text.trim().replace('−', '-');
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;

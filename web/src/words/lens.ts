@@ -3,7 +3,10 @@
 import type { Camera, Travel, Vec3 } from '../link/protocol';
 import { degrees } from './format';
 
-/** An angle this close to the end of its travel [rad] counts as at its stop. Rounding errors in messages are less. */
+/**
+ * An angle this close to the end of its travel [rad] counts as at its stop. Rounding errors in messages are smaller
+ * than this.
+ */
 const AT_STOP = 2e-6;
 
 /** `PAN −8.6  TILT +6.8` over `ZOOM 22 %  FOV 62.0°`; a value at its stop is marked. */

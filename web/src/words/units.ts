@@ -44,7 +44,7 @@ export function unitsOf(name: UnitName): Units {
   return name === 'SI' ? SI : FEET_INCHES;
 }
 
-/** The units that a page shows; its user switches between SI and feet and inches. */
+/** Units that a page shows. The user can switch them: SI units, or feet and inches. */
 export class ShownUnits {
   constructor(public name: UnitName) {}
 

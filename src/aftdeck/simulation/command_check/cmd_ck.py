@@ -119,7 +119,7 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
 def _verdict(checking: Checking) -> Check:
     """Return the verdict from the results of all rehearsed ways.
 
-    GOOD if a motion by the selected steering law succeeded; the verdict is for the quickest of these motions. Else
+    GOOD if one or more motions by the selected steering law succeeded; the verdict describes the quickest of them. Else
     FAIL, with the reason why the first motion failed. If a motion in mode 1 (by joints) succeeded, the text of FAIL
     names this motion.
     """

@@ -46,7 +46,7 @@ class Berth:
 
     @property
     def latches_automatically(self) -> bool:
-        """Whether the berth is a docking port, which fixes the payload without a command once the conditions hold."""
+        """Whether the berth is a docking port: it fixes a payload without a command if the docking conditions hold."""
         return self.port is not None
 
     @property

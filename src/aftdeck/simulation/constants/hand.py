@@ -62,7 +62,7 @@ class Snares:
 
 
 def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
-    """Return the constants of capture by a prong; None if the arm has no prong or the worksite no rules for a prong.
+    """Return the constants of capture by a prong; None if the arm has no prong, or the worksite has no rules for it.
 
     Args:
         model: the arm.

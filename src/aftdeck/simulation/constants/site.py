@@ -26,10 +26,11 @@ from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.watch.pairs import among, part_pairs
 
 ORBITER = 0
-"""Row of the frame ``orbiter``, the scene's frame. The next rows are the arm's frames, ``space``, and the payloads."""
+"""Row of the frame ``orbiter``, the scene's frame. The next rows are the arm's frames, ``space``, and the
+payloads' frames."""
 SHORT = 1.0
-"""Length below which a link between two joints counts as short [m]. The parts at its two ends are longer than the link
-(assumed). `_stationary_parts` uses the same length."""
+"""Length below which a link between two joints counts as short [m]. The parts at the two ends of a short link are
+longer than the link (assumed). `_stationary_parts` uses the same length."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,13 +86,13 @@ class Site:
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         berths: for each payload, the constants of the berths that accept the payload.
         berth_rows: for each payload, (n,) rows of the frames to which its berths are fixed.
-        berth_places: for each payload, (n, 12) its poses in its berths, in the frames of `berth_rows`.
+        berth_places: for each payload, (n, 12) poses of the payload in its berths, in the frames of `berth_rows`.
         starts: for each payload, (12,) its pose in the scene at the start.
         slides: for each payload, (g,) 1 for its pairs with parts of the orbiter. A held payload may slide along
             these parts.
         bodies: for each payload, indices of its solids in the layout.
-        bay: least and greatest coordinates (2, 3) of the inside of the bay, in the scene, without a lower limit in z
-            [m]; None if there is no bay.
+        bay: (2, 3) least and greatest coordinates of the inside of the bay, in the scene [m]. The least z is -inf,
+            because z has no lower limit. None if there is no bay.
     """
 
     worksite: Worksite
@@ -138,7 +139,7 @@ class Site:
 
         Args:
             sliding: index of the payload that slides along walls; None if no payload slides.
-            permitted: (g,) 1 for pairs whose relation permits the contact.
+            permitted: (g,) result of `relations.permitted`: 1 for pairs whose contact the task permits.
         """
         return permitted if sliding is None else permitted | self.slides[sliding]
 
@@ -151,7 +152,7 @@ class Site:
         return next(seat for seat in self.worksite.seats if seat.name == name)
 
     def berth(self, k: int, name: str) -> Berth | None:
-        """Return the constants of payload k in the berth with this name; None if it does not accept the payload."""
+        """Return the constants of payload k in the berth with this name; None if the berth does not accept it."""
         return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
 
     def in_space(self, name: str) -> bool:
@@ -159,7 +160,7 @@ class Site:
         return self.seat(name).frame == "space"
 
     def is_passive_berth(self, name: str) -> bool:
-        """Return whether this berth fixes a payload at release by the end effector, and frees it at capture."""
+        """Return whether this berth fixes a payload upon release by the end effector, and frees it upon capture."""
         return any(berth.is_passive for own in self.berths for berth in own if berth.seat.name == name)
 
 
@@ -318,5 +319,5 @@ def scene_in_l(scenario: Scenario) -> Array:
 
 
 def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
-    """Return the worksite's parts in the frame to which a berth is fixed."""
+    """Return the worksite's parts that are fixed to the same frame as a berth."""
     return {solid.part for solid in worksite.solids if solid.frame == seat.frame}

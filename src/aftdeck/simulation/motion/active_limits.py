@@ -51,7 +51,7 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
 
 
 def _of_joints(flight: Flight, cause: int, culprit: int) -> list[Limit]:
-    """Return the limit that acted on the joint rates; an empty list if `cause` is 0."""
+    """Return a list with the limit that acted on the joint rates; an empty list if `cause` is 0."""
     if cause == 0:
         return []
     if CAUSES[cause] == "singularity":

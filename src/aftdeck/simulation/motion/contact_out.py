@@ -20,9 +20,9 @@ from aftdeck.worksite.watch.contact_motion import leads_out, ways_out
 SEARCH_EVERY = 10
 """Number of control steps from one search to the next."""
 CONTACT = "contact"
-"""Cause of these escape directions, in `WayOut.cause`."""
+"""Value of `WayOut.cause` for an escape direction from contacts."""
 SLOWLY = 0.02
-"""Fraction of the full rates [1], for the evaluation of motions; about the rates of an arm that starts from rest."""
+"""Fraction of the full rates at which motions are evaluated [1]. An arm that starts from rest has about these rates."""
 
 
 class _Motion(NamedTuple):

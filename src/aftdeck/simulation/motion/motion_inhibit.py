@@ -92,8 +92,8 @@ def sliding_payload(state: State) -> int | None:
 def _stop_arm(flight: Flight, state: State) -> float:
     """Stop the arm, and return 0.0, the drive that stops the telescope.
 
-    The steering of the next step starts from rest. Except under `strict`, the clock of modes 1 and 3 is set back by its
-    advance in this step.
+    The steering of the next step starts from rest. Except under `strict`, the clock of modes 1 and 3 is set back
+    by `CLOCK_RATE` control periods, which is about its advance in this step.
     """
     steering = state.steering
     steering[RATES : RATES + 6] = 0.0

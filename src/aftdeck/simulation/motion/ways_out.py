@@ -16,9 +16,9 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 
 LEAST = 1e-3
-"""Least rate of an escape direction by a stick.
+"""Least rate at which a stick direction must lead away to count as an escape direction.
 
-It is the growth of the distance from a singularity [1/s], or the rate of a joint away from its limit [rad/s].
+The rate is the growth of the distance from a singularity [1/s], or the rate of a joint away from its limit [rad/s].
 """
 NEARLY = 0.6
 """Fraction of the greatest rate [1]. The previous escape direction is kept if its rate is at least this fraction."""

@@ -1,4 +1,4 @@
-"""Log lines about the arm after a step: joints that pass a limit, singularities that are near, and small clearances."""
+"""Lines of the log about the arm after a step: joints that pass a limit, nearby singularities, and small clearances."""
 
 from __future__ import annotations
 

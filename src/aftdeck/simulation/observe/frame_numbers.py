@@ -38,7 +38,7 @@ Moving = tuple[Vec3, Rows, Vec3]
 """Position, rotation (rows) and velocity of a body."""
 
 Carried = tuple[tuple[Vec3, Rows], Vec3, Vec3]
-"""Pose of a payload, position of the point of resolution, and its velocity."""
+"""Pose of a payload; position and velocity of the point of resolution."""
 
 
 @law

@@ -97,7 +97,7 @@ def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[
         return position, twist, None
     pose, resolution, velocity = carried_numbers(state.observed, held)
     payload = Placed(*pose)
-    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # as published, every mode moves the tip
+    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # as published, the POR is always the tip
         return position, twist, payload
     return resolution, (*twist[:3], *velocity), payload
 
@@ -105,8 +105,8 @@ def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[
 def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:
     """Return TP, ETA and ETAP.
 
-    The laws report the remaining time at the beginning of the step, so ETA and ETAP are computed from the TP at the
-    beginning.
+    The laws report the remaining time at the beginning of the step. ETA and ETAP are therefore computed from TP at that
+    time.
     """
     panel, period = state.panel, flight.scenario.control_period
     steered = (state.tick - 1 - panel.motion_began) * period

@@ -40,8 +40,8 @@ DRIVE_AXIS = 6
 _ORB_UNL = 4.0
 """Steering law that brings the arm to rest with the sticks centred."""
 _STILL = 1e-6
-"""Greatest twist with which the arm counts as at rest [m/s], [rad/s], and greatest joint motion that is ignored
-[rad]."""
+"""Twist up to which the arm counts as at rest [m/s], [rad/s], and joint motion up to which the pose counts as
+unchanged [rad]."""
 _LONGEST_STOP = 60.0
 """Greatest duration of the computed deceleration [s]."""
 
@@ -57,7 +57,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     held: bool
     """Whether the prediction uses the present stick command.
 
-    False under BRAKES or SAFING, and if the sticks are centred. In the last case, the prediction may assume full
+    False under BRAKES or SAFING, and if the sticks are centred. With centred sticks, the prediction may assume full
     deflection of one axis (`last`).
     """
     moves: bool
@@ -73,7 +73,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     contact_s: float | None
     """Time of the first contact, rounded up to a multiple of `seconds` / 10 [s]; None if no contact is found."""
     stopping: float
-    """Distance that the tip moves until it is at rest, if the sticks are centred now [m]."""
+    """Distance between the tip's positions now and at rest, if the sticks are centred now [m]."""
     joint: int
     """Joint nearest to a reach limit at that time, 0 to 5."""
     room: float
@@ -87,7 +87,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         flight: constants of the run.
         state: the state after a step; not changed.
         seconds: prediction time, `LEAST_S` to `MOST_S` [s].
-        last: axis, and its sign, to deflect fully if the sticks are centred; None deflects no axis.
+        last: if the sticks are centred, axis to deflect fully, and sign of the deflection; None deflects no axis.
 
     Raises:
         InputError: `seconds` is outside its range, or `last` is not an axis with a sign.
@@ -153,7 +153,7 @@ def _copies(state: State) -> tuple[Array, Array]:
 
 
 def _initial_command(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
-    """Return command and initial steering state of the prediction, and whether it uses the present stick command."""
+    """Return the prediction's command and initial steering state, and whether it uses the present stick command."""
     command, steering = _copies(state)
     held = bool(command[STICKS : STICKS + 6].any() or command[DRIVE])
     if joint_lock_reason(state.panel):
@@ -170,7 +170,7 @@ def _initial_command(state: State, last: Axis | None) -> tuple[Array, Array, boo
 
 
 def _stopping(state: State) -> float:
-    """Return the distance between the tip and the point at which it comes to rest without a command [m]."""
+    """Return the distance between the tip's positions now and at rest, if the sticks are centred now [m]."""
     (command, steering), report = _copies(state), np.zeros(REPORT)
     command[STICKS : STICKS + 6] = 0.0
     command[DRIVE] = command[MOTION_ACTIVE] = 0.0

@@ -1,4 +1,4 @@
-"""Final error of an automatic motion. The motion and CMD CK decide by the same rule whether the target is reached."""
+"""Final error of an automatic motion. For the motion and CMD CK, one rule decides whether the target is reached."""
 
 from __future__ import annotations
 

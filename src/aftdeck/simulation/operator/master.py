@@ -18,7 +18,7 @@ AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", 
 
 
 def axes_of(model: ArmModel) -> tuple[int, ...]:
-    """Return, for each joint of the master arm, the index in `AXES` of its stick axis."""
+    """Return the index in `AXES` of the stick axis that moves each joint of the master arm."""
     return tuple(AXES.index(axis) for axis in model.equipment.master)
 
 

@@ -22,9 +22,9 @@ from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Vec3
 
 AT_LENGTH = 1e-9
-"""Greatest difference between telescope length and `stand_at` with which the length counts as reached [m]."""
+"""Tolerance within which the telescope's length counts as equal to `stand_at` [m]."""
 AT_ANGLE = 1e-9
-"""Greatest difference between joint angle and `joint_at` with which the angle counts as reached [rad]."""
+"""Tolerance within which a joint angle counts as equal to `joint_at` [rad]."""
 
 
 def play(flight: Flight, state: State) -> Inputs:
@@ -219,7 +219,7 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
 
 
 def _conditions_hold(state: State, phase: PhasePlan) -> bool:
-    """Return whether the event that ends a phase has occurred, and the telescope has the length that ends the phase.
+    """Return whether a phase's end conditions hold: its event has occurred, and the telescope has reached `stand_at`.
 
     A condition that the phase does not have is ignored.
     """
@@ -228,7 +228,7 @@ def _conditions_hold(state: State, phase: PhasePlan) -> bool:
 
 
 def _awaited(phase: PhasePlan) -> str:
-    """Return a text with the event and the length of the telescope for which a phase waits."""
+    """Return the conditions for which a phase waits, as text: its event, and its length of the telescope."""
     stand = f"telescope at {phase.stand_at:g} m" if phase.stand_at is not None else ""
     return " and ".join(part for part in (phase.until or "", stand) if part)
 

@@ -2,7 +2,7 @@
 
 At a pause point, the arm stops until PROCEED. In mode 2 the arm does not stop at a fly-by point: inside the sphere
 about the point, it continues to the next point. In modes 1 and 3 the arm comes to rest at a fly-by point, and continues
-at once. A motion that is at a standstill for too long is abandoned.
+at once. If the arm is at a standstill for too long, the motion is abandoned.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def begin(flight: Flight, state: State, target: Target, joints: Six | None = Non
 
     Args:
         flight: constants of the run.
-        state: state whose command receives OPERIN's values.
+        state: state of the run; OPERIN's values are written to its `command`.
         target: final pose of the tip.
         joints: mode 1's final joint angles [rad]; if None, `ways.final_angles` computes them.
 
@@ -63,7 +63,7 @@ def begin(flight: Flight, state: State, target: Target, joints: Six | None = Non
 
 
 def finish(flight: Flight, state: State) -> None:
-    """End an automatic motion that reached its target in the last step, or has been at a standstill for too long."""
+    """End the automatic motion if it reached its target in the last step, or if the arm stood still for too long."""
     panel = state.panel
     panel.ending, panel.final_error = "", ""
     if panel.sequence != "in progress":

@@ -1,4 +1,4 @@
-"""Ways to a target, from which CMD CK chooses.
+"""Ways to a target; CMD CK chooses one of them.
 
 A way is one possible motion: either a straight line (modes 2 and 3), or a joint motion (mode 1) to one of the sets of
 joint angles that put the tip at the target (RMANGS's branches).
@@ -23,7 +23,7 @@ from aftdeck.steering.layout import RATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
 
 ROUNDING = 1e-9
-"""Greatest distance of a solution past a soft stop that counts as a rounding error [rad]."""
+"""Greatest angle past a soft stop that counts as a rounding error of a solution [rad]."""
 
 
 def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:

@@ -39,7 +39,7 @@ class Tried(msgspec.Struct, frozen=True):
     seconds: float
     """Duration of the motion, or time at which it fails [s]."""
     text: str
-    """Reason of the failure, final error of the motion, or berth that fixes the payload."""
+    """Reason for the failure, final error of the motion, or berth that fixes the payload."""
     near: str
     """Text about a singularity if the motion passes near one; else empty."""
 
@@ -49,7 +49,8 @@ class Rehearsed(Cache):
 
     Attributes:
         start: state from which the rehearsed motion starts.
-        motion: the rehearsal; None until its first step, and again after the state was copied or restored.
+        motion: the rehearsal; None until the first step of a way is rehearsed, and again after the state was copied or
+            restored.
     """
 
     def __init__(self) -> None:

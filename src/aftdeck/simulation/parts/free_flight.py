@@ -55,8 +55,8 @@ def floating(
         pose: (12,) pose at the beginning, without the rotation by `angles`, in the frame fixed in space that coincided
             with L at the start of the run.
         velocity: (3,) velocity of the centre, in L's axes [m/s].
-        rates: (3,) angular velocity in the body's axes [rad/s]. With attitude control, only its signs are used: they
-            are the initial directions of the limit cycle.
+        rates: (3,) angular velocity in the body's axes [rad/s]. With attitude control, only the signs of `rates` are
+            used: they are the initial directions of the limit cycle.
         control: the body's attitude control; None if the body has none.
         angles: (3,) angles within the deadband at the beginning [rad]; None for the middle of the deadband.
     """

@@ -25,7 +25,7 @@ Halt = Literal["", "seat", "contact", "switch"]
 
 
 class PayloadState(StatePart):
-    """State of a payload, which is held by the end effector, fixed to a berth, both, or floating.
+    """State of a payload. The payload is held by the end effector, fixed to a berth, both, or floating.
 
     A pose is a row of twelve numbers.
     """
@@ -39,13 +39,16 @@ class PayloadState(StatePart):
     steered: list[float] | None = None
     """Pose of the payload that the steering uses, in the frame of the last joint; None if the payload is not held.
 
-    This pose is set to `grasp` at three moments: at the capture, at the end of the carriage's motion that draws the
-    payload in, and when a berth releases the payload.
+    This pose is set to `grasp` when the payload is captured, when the carriage has drawn it in fully, and when a berth
+    releases it.
     """
     fixture_at_capture: list[float] | None = None
-    """Pose in E from which the carriage draws the fixture in: at capture, or when a berth released the payload."""
+    """Pose of the fixture in E from which the carriage draws it in.
+
+    This pose is set when the payload is captured, and when a berth releases it.
+    """
     drawn_at_capture: float = 0.0
-    """Value of `Snare.drawn` at the time of `fixture_at_capture` [1]."""
+    """Value of `Snare.drawn` at the time when `fixture_at_capture` was set [1]."""
     seat: str = ""
     """Name of the berth that fixes the payload; "" if no berth does."""
     latches: Latches = Latches()
@@ -56,7 +59,7 @@ class PayloadState(StatePart):
     released_from: str = ""
     """Berth that has just released the payload; "" once the payload has left this berth.
 
-    A port docks the payload again only after it has left the port, or on LATCH.
+    A port docks the payload again only after the payload has left the port, or on LATCH.
     """
     unlatch_asked_at: int = 0
     """Number of the control step of the last unconfirmed UNLATCH; 0 if there is none."""
@@ -86,7 +89,7 @@ class WorksiteState(StatePart):
         aligned_with: index of the payload with which the end effector is aligned for capture; None if there is none.
         orbiter: (3,) distance that the orbiter has moved forward, starboard and down [m].
         orbiter_velocity: (3,) velocity of the orbiter along the same axes [m/s].
-        prong: prong of the concept arm's end effector; its position is the coordinate y2 of the inner face.
+        prong: prong of the concept arm's end effector; its position is the coordinate y2 of the prong's inner face.
         snare: state of the Shuttle's end effector.
         switch: position of the end effector switch.
         effector_mode: position of the switch END EFFECTOR MODE.
@@ -162,9 +165,10 @@ class WorksiteState(StatePart):
         self.logged_contacts = tuple(group for group in self.logged_contacts if self.watch.active[group])
 
     def select_monitored(self, site: Site) -> None:
-        """Mark all pairs as monitored, except pairs of a held payload and the end effector.
+        """Mark all pairs as monitored, with two exceptions.
 
-        Pairs of a fixed payload and the parts in its berth's frame are excepted too.
+        The exceptions are pairs of a held payload with the end effector, and pairs of a fixed payload with the parts in
+        its berth's frame.
         """
         active = self.watch.active
         active[:] = 1
@@ -195,7 +199,7 @@ class WorksiteState(StatePart):
 
 
 def new_worksite_state(site: Site, prong: Travel) -> WorksiteState:
-    """Return a worksite state without start positions, with an open prong."""
+    """Return a worksite state with an open prong; `simulation.begin` then sets the start positions."""
     groups, cargo = len(site.layout.groups), len(site.cargo)
     return WorksiteState(
         frames=np.zeros((len(site.layout.frames), POSE)),

@@ -1,10 +1,10 @@
 """Pairs that count for CLEARANCE: all monitored pairs, except pairs that are in essential contact or about to be.
 
 Without this exception, every capture, docking and berthing would raise an alarm. If the end effector is aligned with a
-payload, the pairs of these two do not count. If a probe is aligned with a port, or trunnions with their guides, these
-pairs do not count either. They are aligned if a straight motion over the remaining distance would bring them into a
-permitted contact (`payloads.relations`). Excepted pairs are still monitored for contacts, and a pair whose contact
-inhibits the arm counts.
+payload, the pairs of these two do not count. The same holds for a probe that is aligned with a port, and for trunnions
+that are aligned with their guides. A probe or trunnions are aligned if a straight motion over the remaining distance
+would bring them into a permitted contact (`payloads.relations`). Excepted pairs are still monitored for contacts, and a
+pair whose contact inhibits the arm counts.
 """
 
 from __future__ import annotations
@@ -111,13 +111,13 @@ def count_far_pairs(
 ) -> bool:
     """Mark the pairs of the task that count for CLEARANCE, except pairs whose alignment has to be tested first.
 
-    A pair in contact counts if the contact is not permitted. A pair that is apart counts if its relation has no
-    alignment, or if the parts are too far apart to be aligned. A pair that is too far apart to have the minimum
+    A pair in contact counts if the contact is not permitted. A pair without contact counts if alignment does not apply
+    to its relation, or if its parts are too far apart to be aligned. A pair that is too far apart to have the minimum
     clearance is marked without a test.
 
     Args:
         groups: (m,) indices of the pairs of the task.
-        aligns: (m,) 1 for the pairs whose relation has an alignment; these relations are docking and guides.
+        aligns: (m,) 1 for the pairs with the relation docking or guides; alignment applies only to these two relations.
         active: (g,) 1 for pairs that are monitored.
         found: (g, 15) measurements, rows as in `worksite.watch.found`.
         bound: (g,) lower bound of each pair's clearance [m].
@@ -160,16 +160,17 @@ def _count_unaligned(site: Site, watch: ClearanceMonitor, frames: Array, nearest
 
 
 def _inhibited(contacts: Contacts, among: Mask) -> bool:
-    """Return whether a contact of one of the pairs `among` (g,) inhibits the arm."""
+    """Return whether any of the pairs `among` (g,) has a contact that inhibits the arm."""
     return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
 
 
 def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
     """Return whether two parts would touch in a permitted relative position after a straight approach.
 
-    `reported` is True if the pair with the last minimum clearance has the same payload and relation. To be aligned, the
-    parts must then be inside the tolerances by at least the permitted depth; this margin keeps the lamp from
-    flickering. Only the relations docking and guides are tested here; the end effector is tested in `alarm_pairs`.
+    `reported` is True if the pair with the last minimum clearance has the payload and the relation of `meeting`. If so,
+    the parts count as aligned only if they are inside the tolerances by at least the permitted depth. This margin keeps
+    the lamp from flickering. Only the relations docking and guides are tested here; the end effector is tested in
+    `alarm_pairs`.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if reported else 0.0

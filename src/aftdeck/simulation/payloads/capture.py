@@ -102,8 +102,8 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     """Draw the grapple pin towards its final pose; return False if this motion would make or deepen a contact.
 
     The payload moves in the next step. A payload that is fixed to a berth does not move (assumed; a real arm would
-    yield). If the carriage travels while the payload is fixed, the payload does not make up this motion later; it
-    therefore does not jump when the berth releases it.
+    yield). Travel of the carriage while the payload is fixed has no effect on the payload, even after the berth
+    releases it; the payload therefore does not jump.
     """
     site, worksite = flight.site, state.worksite
     payload = worksite.cargo[k]
@@ -125,7 +125,7 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
 
 
 def _attach(flight: Flight, state: State, k: int) -> None:
-    """Attach a captured payload to the arm, which ends task phase 1.
+    """Attach a captured payload to the arm. The capture ends task phase 1.
 
     A passive berth frees the payload; any other berth still fixes the payload.
     """

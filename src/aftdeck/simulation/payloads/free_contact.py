@@ -117,7 +117,7 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Cle
 def _velocity(flight: Flight, state: State, frame: str) -> Array:
     """Return the velocity in space (3,) of the frame that a body touched, in L's axes [m/s].
 
-    Parts of the arm count as moving with the orbiter, because the arm does not carry a body that it stops.
+    Parts of the arm count as moving with the orbiter, because a body that the arm stops does not move with the arm.
     """
     site, worksite = flight.site, state.worksite
     for k, payload in enumerate(site.cargo):

@@ -39,7 +39,8 @@ def attach(flight: Flight, state: State, k: int) -> None:
 def reset_grasp(flight: Flight, state: State, k: int) -> None:
     """Set the pose of a held payload, in its grasp and in the steering, to the present pose.
 
-    If the carriage draws the payload in, the motion starts from this pose and reduces the misalignment to zero.
+    If the carriage draws the payload in, the payload moves from this pose. The carriage's full travel reduces the
+    misalignment to zero; a part of this travel reduces it in proportion.
     """
     payload = state.worksite.cargo[k]
     payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()
@@ -155,8 +156,8 @@ def empty_grasp(flight: Flight, state: State, k: int) -> None:
 def start_free_flight(flight: Flight, state: State, k: int, from_space: bool) -> None:
     """Start the free flight of a released payload, with its present motion and its attitude control.
 
-    If the payload was fixed in space (`from_space`), its velocity is zero. If it was held, it has the velocity of the
-    end effector, which includes the orbiter's velocity.
+    If the payload was fixed in space (`from_space`), its velocity is zero. Otherwise, it keeps its velocity, which
+    includes the orbiter's velocity.
     """
     site, worksite = flight.site, state.worksite
     row = site.cargo_row(k)

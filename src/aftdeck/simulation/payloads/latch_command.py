@@ -14,7 +14,7 @@ from aftdeck.worksite.watch.contact_update import nearest_place
 Pressed = Literal["latch", "unlatch"]
 
 NEAR = 3.0
-"""Greatest distance from its pose in a berth at which a payload is said to be at the berth [m]."""
+"""Greatest distance between a payload and its final pose in a berth at which the payload counts as at the berth [m]."""
 CONFIRM = 10.0
 """Time within which a second UNLATCH confirms the first [s]; assumed."""
 

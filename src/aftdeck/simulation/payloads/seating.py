@@ -49,7 +49,10 @@ def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
 
 
 def _nearest_seat_text(flight: Flight, state: State) -> str:
-    """Return the reason for rejecting LATCH: the payload that is nearest to its pose in a berth, and its distance."""
+    """Return the reason for rejecting LATCH, as text.
+
+    The text names the unfixed payload that is nearest to its pose in a berth, and its distance from this pose.
+    """
     site, units = flight.site, flight.scenario.arm.model.units
     distances = [
         (math.hypot(*_offset(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
@@ -177,7 +180,7 @@ def _update_fixed(flight: Flight, state: State, k: int, pressed: Pressed | None)
 
 
 def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -> None:
-    """Fix a payload to a berth at its present pose, from which latches draw it in."""
+    """Fix a payload to a berth in the payload's present pose; latches then draw it in from this pose."""
     worksite = state.worksite
     payload = worksite.cargo[k]
     off = _offset(flight, state, k, berth).tolist()

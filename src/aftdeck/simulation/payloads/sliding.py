@@ -22,7 +22,7 @@ OUT = 0.01
 INTO = 1e-7
 """Greatest allowed increase of a payload's penetration depth in a wall in one step [m].
 
-A greater increase shows that `touches` did not find some contact.
+A greater increase shows that `touches` has missed a contact.
 """
 
 
@@ -59,7 +59,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
 
 
 def _telescope_fraction(found: Array, speed: float) -> float:
-    """Return the fraction, 0 to 1, of the telescope's speed along axis 3 [m/s] at which no contact (k, 7) deepens."""
+    """Return the fraction, 0 to 1, of the speed along axis 3 [m/s] at which no contact in `found` (k, 7) deepens."""
     into, allowed = -speed * found[:, OUTWARD + 2], np.maximum(-found[:, LEAST], 0.0)
     too_fast = into > allowed
     return float((allowed[too_fast] / into[too_fast]).min(initial=1.0))

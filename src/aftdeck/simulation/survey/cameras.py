@@ -26,7 +26,7 @@ from aftdeck.worksite.file.check import depth_in
 ArmPose = tuple[Array, float, float]
 """Joint angles [rad], length of the telescope and position of the prong [m]."""
 _SMALL_ROTATION = 0.1
-"""Rotation of the first joint [rad]; it shows in which direction this joint moves the elbow."""
+"""Test rotation of the first joint [rad], to find the direction in which this joint moves the elbow."""
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
@@ -55,8 +55,8 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
 def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
     """Yield the worksite's cameras that are inside a part of the arm, in poses for which a run would log no contact.
 
-    In such a pose, no monitored pair overlaps. The arm therefore does not overlap the camera's housing either. The
-    camera's body stays at its start pose.
+    In such a pose, no monitored pair overlaps, and so the arm does not overlap the camera's housing. The body that
+    carries the camera stays at its start pose.
     """
     model = scenario.arm.model
     stands = {body.name: body.pose for body in scenario.worksite.bodies}
@@ -73,11 +73,11 @@ def _around_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Probl
 
 
 def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -> list[ArmPose]:
-    """Return the poses `samples` with the first joint turned so that the booms are in one plane with a point.
+    """Return the poses `samples` with the first joint turned so that the plane of the booms contains a point.
 
     The points (3,), in L, are used in turn: the first pose is turned to the first point, the second pose to the second
     point, and so on. Poses whose first joint would be outside its soft stops are omitted. A boom contains a given point
-    in one of 10 000 random poses. It contains the point in one of 50 of the returned poses.
+    in 1 of 10 000 random poses, but in 1 of 50 returned poses.
     """
     if not points:
         return []
@@ -91,7 +91,7 @@ def _aimed_at(scenario: Scenario, samples: list[ArmPose], points: list[Array]) -
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
     for k, (angles, stand, prong) in enumerate(samples):
-        # every second round through the points adds pi: some arms lean back over their shoulder to reach a point
+        # every second pass through the points adds pi: some arms reach a point by leaning back over their shoulder
         turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
         heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
         if low <= heading <= high:
@@ -148,7 +148,7 @@ def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]
 
 
 def _inside_parts(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
-    """Yield a problem for each camera and each of the parts that contains it, in the payload's axes."""
+    """Yield a problem for each camera and each part that contains it. `around` is in the payload's axes."""
     for camera in cameras:
         for part, depth in _inside(np.array(camera.position), around):
             yield _problem(scenario, camera, part, depth, how)

@@ -29,7 +29,7 @@ def survey(scenario: Scenario) -> list[Problem]:
 
     - detrimental contacts at the starts of the scenario;
     - payloads and targets out of reach (`survey.reach`);
-    - overlaps of two arm parts that are not a monitored pair, with the joints at combinations of their hard stops;
+    - overlaps of two arm parts at combinations of the joints' hard stops, if the two are not a monitored pair;
     - cameras inside parts (`survey.cameras`).
 
     Raises:

@@ -46,7 +46,7 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
-    """Yield the targets of the script whose poses are known without a run.
+    """Yield each target of the script if its pose is known without a run.
 
     All poses are unknown after the orbiter has moved. A pose relative to a payload is also unknown in two cases: the
     payload moves in free flight, or an earlier phase moved it to a berth and ended with an event such as docking.
@@ -108,5 +108,5 @@ def _at(scenario: Scenario, stand: float) -> Arm:
 
 
 def _scene(scenario: Scenario) -> Pose:
-    """Return the pose of the scene's frame in L."""
+    """Return the pose of the scene frame in L."""
     return scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)

@@ -62,7 +62,7 @@ class Displays:
         lighting: Lighting | None = None,
         flown_seq: int = -1,
     ) -> Frame:
-        """Return a frame as a message to a page; if `lighting` is None, it has the scenario's lighting."""
+        """Return a frame as a message to a page. If `lighting` is None, the message has the scenario's lighting."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))

@@ -16,7 +16,7 @@ from aftdeck.tuples import Six, Vec3
 def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:
     """Return the payload table, one row for each PL ID.
 
-    PL ID 0 means "no payload". The payloads that the scenario attaches follow, then the worksite's payloads.
+    PL ID 0 means "no payload". The next IDs are the payloads that the scenario attaches, then the worksite's payloads.
     """
     own = [("payload" if k == 1 else f"payload {k}", load.mass) for k, load in enumerate(scenario.own_payloads, 1)]
     loads = (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))

@@ -1,4 +1,4 @@
-"""Messages for lanes and strips, of a whole recording or of the last minutes of a live run."""
+"""Structs for lanes and strips. They cover a whole recording, or the last minutes of a live run."""
 
 from __future__ import annotations
 

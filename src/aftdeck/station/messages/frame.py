@@ -54,13 +54,13 @@ class Ahead(msgspec.Struct, frozen=True):
     seconds: float
     """Time span of the look-ahead [s]."""
     held: bool
-    """True if computed with the present stick command.
+    """True if the look-ahead was computed with the present stick command.
 
     False under BRAKES or SAFING, and if the sticks are centred. In the last case, the look-ahead may assume full
     deflection of the axis that was deflected last.
     """
     moves: bool
-    """True if the arm has moved at the end of the time span."""
+    """True if the arm's pose at the end of the time span differs from the present pose."""
     clearance: float | None
     """Minimum clearance at the end of the time span [m]; null if no pair then counts for CLEARANCE."""
     a: str
@@ -82,7 +82,7 @@ class Display(msgspec.Struct, frozen=True):
     """Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame."""
 
     stick_seq: int
-    """`seq` of the last `Sticks` received before this step; the page computes its latency with it."""
+    """`seq` of the last `Sticks` received before this step; the page computes the latency from this number."""
     flown_seq: int
     """`seq` of the `Sticks` that acted in this step, after the command delay; -1 if no page's `Sticks` acted."""
     recording_s: float | None

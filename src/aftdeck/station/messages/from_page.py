@@ -45,7 +45,7 @@ class Sticks(WireMessage, frozen=True, tag="sticks"):
     """
 
     seq: Seq
-    """Sequence number; the server rejects a message whose number is not greater than that of the message before."""
+    """Sequence number. The server rejects a message if its number is not greater than the previous message's number."""
     translation: Vec3
     """THC: +X, +Y, +Z of the present control frame."""
     rotation: Vec3
@@ -154,7 +154,7 @@ class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
 
 
 class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
-    """Become a page that can take control, because the page is now wide enough.
+    """Allow this page to take control: it has become wide enough.
 
     If no page is in control, this page takes control; otherwise it observes.
     """

@@ -44,7 +44,10 @@ class NamedPage(msgspec.Struct, frozen=True):
 
 
 class Role(WireMessage, frozen=True, tag="role"):
-    """Role of this page, and the page in control. The server sends it on connection and whenever it changes."""
+    """Role of this page, and the page in control.
+
+    The server sends this message on connection, and whenever its content changes.
+    """
 
     flying: bool
     watchers: int
@@ -62,7 +65,7 @@ class Role(WireMessage, frozen=True, tag="role"):
 
 
 class Events(WireMessage, frozen=True, tag="events"):
-    """New log lines, oldest first. The server sends every line."""
+    """New log lines, oldest first. The server may skip frames, but never a log line."""
 
     events: tuple[Event, ...]
 

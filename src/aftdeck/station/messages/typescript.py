@@ -1,8 +1,8 @@
 """TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/link/protocol.ts``.
 
 Every struct becomes an interface. Every alias (tuple, literal or union) in a module of `NAMED` becomes a type of the
-same name. The docstrings of structs and fields become comments. No field is optional, because the encoder writes
-default values too.
+same name. The docstrings of structs become comments; so do the descriptions or docstrings of fields. No field is
+optional, because the encoder writes default values too.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class _Writer:
         return "\n".join(parts)
 
     def name(self, hint: object) -> str:
-        """Convert a type hint to TypeScript: to the name of its alias, if an alias exists."""
+        """Convert a type hint to TypeScript; if the hint has an alias, the result is the name of the alias."""
         alias = self.aliases.get(hint)
         return self.structure(hint) if alias is None else alias
 
@@ -98,7 +98,7 @@ class _Writer:
             if hint not in self.interfaces:
                 if any(known.__name__ == hint.__name__ for known in self.interfaces):
                     raise TypeError(f"two structs have the name {hint.__name__}; rename one")
-                self.interfaces[hint] = ""  # sets the struct's place in the file, and stops a recursion
+                self.interfaces[hint] = ""  # this entry fixes the struct's position, and ends a recursion
                 self.interfaces[hint] = self.interface(hint)
             return hint.__name__
         if is_object(hint):

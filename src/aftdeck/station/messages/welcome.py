@@ -45,7 +45,7 @@ class ModeInfo(msgspec.Struct, frozen=True):
     enabled: bool
     """False only for a mode of AUTO 1-4 without stored points in this scenario.
 
-    True does not imply a captured payload, which a mode that moves a payload also needs.
+    A mode that moves a payload also needs a captured payload; this value does not include that condition.
     """
     axes: str
     """Axes along which the sticks act: ``orbiter axes``."""
@@ -112,8 +112,9 @@ class PayloadInfo(msgspec.Struct, frozen=True):
     rotation: tuple[float, float]
     """Angular rate limit of the point of resolution, coarse and vernier [rad/s]."""
     coarse: Six
-    """`coarse` and `vernier`: joint rate limits in SINGLE, DIRECT and MASTER at this rate setting [rad/s]."""
+    """Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting coarse [rad/s]."""
     vernier: Six
+    """Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting vernier [rad/s]."""
 
 
 class StoredPoint(msgspec.Struct, frozen=True):
@@ -169,7 +170,7 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     """Payload table by PL ID, from 0."""
     sequences: tuple[StoredSequence, ...]
     singular: float
-    """Normalised distance from a singularity below which the page shows a caution."""
+    """Normalised distance from a singularity; the page shows a caution below this value."""
     phases: tuple[str, ...] = ()
     """Names of the script's phases in order, as in `Frame.phase`.
 

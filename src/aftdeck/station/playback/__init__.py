@@ -1,1 +1,1 @@
-"""Recordings as the page plays them."""
+"""Data of a recording for its playback in the page; strips and lanes also for a live run."""

@@ -9,7 +9,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Cargo
 
 _OFFSETS = ("pin off axis", "palm along bar")
-"""Conditions that measure the end effector's offset: from the grapple pin (snares), from the bar's middle (prong)."""
+"""Conditions that measure the end effector's offset from the grapple pin (snares) or from the bar's middle (prong)."""
 
 
 class CaptureMisalignment(NamedTuple):

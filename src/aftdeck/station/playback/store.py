@@ -49,7 +49,7 @@ class PlaybackStore:
         """Read a recording to its end, or to the point where it was cut short.
 
         Raises:
-            RecordingError: the file is not a recording, is damaged, has no step, or its frames cannot be stored.
+            RecordingError: the file is not a recording, is damaged or has no step; or its frames cannot be stored.
         """
         recording = Recording(path)
         scenario = scenario_of(recording.opening)
@@ -97,7 +97,7 @@ class PlaybackStore:
         return replace(self._index, verdict=verdict, stride=stride)
 
     def block(self, number: int) -> Block:
-        """Return the moments of a block, one for each step. May be called from any thread.
+        """Return each step of a block as a `Moment`. May be called from any thread.
 
         Raises:
             IndexError: the block does not exist.
@@ -105,7 +105,7 @@ class PlaybackStore:
         return tuple([self._moment(record) for record in self._unpack(number)])
 
     def moments(self, stride: int) -> Iterator[Moment]:
-        """Yield every `stride`-th moment of the run, beginning with the first."""
+        """Yield every `stride`-th step of the run as a `Moment`, beginning with the first."""
         for number in range(self.blocks):
             for record in self._unpack(number):
                 if (record.tick - 1) % stride == 0:

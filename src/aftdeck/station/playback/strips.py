@@ -1,4 +1,4 @@
-"""Strips of a playback or a live run: quantities over the run, thinned for drawing so that no peak is lost."""
+"""Strips of a playback or a live run. For a playback the curves are thinned for drawing, and keep every peak."""
 
 from __future__ import annotations
 
@@ -147,8 +147,8 @@ def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> St
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the indices of the values to draw.
 
-    Selected values: the first and the last; the two at each edge of a gap (NaN); the least and the greatest of each
-    part (`BUCKETS`). A selected value is omitted if it equals the selected values before and after it.
+    Selected values: the first and the last; the two values next to each edge of a gap (NaN); the least and the greatest
+    value of each part (`BUCKETS`). A selected value is omitted if it equals the selected values before and after it.
 
     Args:
         values: one value for each step, not empty; NaN where there is no value.
@@ -174,7 +174,7 @@ def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
 
 
 def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
-    """Return the largest |rate| / limit of all joints, and the index of that joint; index -1 if no joint moves."""
+    """Return the largest ratio |rate| / limit, and the index of its joint; the index is -1 if no joint moves."""
     parts = [abs(rate) / limit for rate, limit in zip(rates, limits, strict=True)]
     worst = max(parts)
     return worst, parts.index(worst) if worst > 0 else -1

@@ -70,7 +70,7 @@ class ControlRoles(Generic[P]):
         return self._names.get(page, "")
 
     def named(self) -> list[tuple[int, str]]:
-        """Return the number and the name of each page with a name; add the page's number if a name is not unique."""
+        """Return the number and the name of each named page; append the number to a name that is not unique."""
         names = {self._numbers[page]: name for page, name in self._names.items() if name}
         while equal := {name for name, pages in Counter(names.values()).items() if pages > 1}:
             names = {number: f"{name} {number}" if name in equal else name for number, name in names.items()}

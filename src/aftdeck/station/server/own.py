@@ -1,4 +1,4 @@
-"""Access control of a station: it answers only requests of its own pages."""
+"""Access control of a station: rejection of requests from other sites' pages."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class OwnOriginOnly:
         self._app, self._hosts = app, hosts
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass on requests from this station's own pages, and reject all others."""
+        """Pass on a request, or reject it if it comes from another site's page or has a foreign host name."""
         if scope["type"] not in ("http", "websocket") or self._own(scope):
             await self._app(scope, receive, send)
         elif scope["type"] == "websocket":

@@ -20,7 +20,7 @@ HELLO_WITHIN = 5.0
 MAX_PAGES = 32
 """Maximum number of pages connected at the same time."""
 TOO_MANY_PAGES = f"{MAX_PAGES} pages are connected, which is the maximum"
-"""Reason for closing the connection of a page beyond `MAX_PAGES`."""
+"""Reason for closing the connection of a new page while `MAX_PAGES` pages are connected."""
 NOT_IN_CONTROL = "this page observes; only the page in control can send commands"
 """Reason for rejecting a command of an observer or of a secondary window."""
 MAX_REJECTIONS = 20

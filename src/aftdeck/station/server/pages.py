@@ -78,7 +78,7 @@ class Pages:
         self.change = asyncio.create_task(self._change(number, page))
 
     async def _change(self, number: int, page: Connected) -> None:
-        """Replace the present session by a session of another scenario; after an error, keep the present one."""
+        """Replace the present session by a session of another scenario; after an error, keep the present session."""
         before, choice = self.driver, self.choice
         try:
             self.driver = Driver(await _make_in_daemon_thread(lambda: before.session.another(choice.load(number))))
@@ -124,7 +124,7 @@ class Pages:
             self.session.set_unattended(cause if self.roles.operator is None else f"{cause}, another flies")
 
     def reseat(self, page: Connected, *, seated: bool) -> None:
-        """Give a page a control role if it is wide enough (`seated`); otherwise remove its control role."""
+        """Give a page a control role if `seated` is true (the page is wide enough); otherwise remove this role."""
         if seated is not page.shows:
             return  # nothing changes
         self.leave(page, "page narrow")
@@ -158,7 +158,7 @@ class Pages:
         self.wake()
 
     def ask(self, page: Connected) -> None:
-        """Request control for a page; when the request expires, wake all senders.
+        """Request control for a page; when the request expires, wake the sender task of every page.
 
         Raises:
             CommandError: the page is in control already, or the request of another page is pending.

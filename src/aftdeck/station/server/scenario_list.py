@@ -8,7 +8,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.station.messages import to_page
 
 FIRST = ("tutorial", "first-flight")
-"""Scenarios for newcomers, listed first; all other scenarios follow in alphabetical order."""
+"""Built-in scenarios for newcomers, listed first; the other built-in scenarios follow in alphabetical order."""
 
 
 class ScenarioList:

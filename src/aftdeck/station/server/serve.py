@@ -43,7 +43,7 @@ def serve(
 ) -> None:
     """Serve a scenario until interrupted; print the page's address first.
 
-    The page is served at once. A thread loads the scenario and the laws meanwhile; the page shows its progress.
+    The page is served at once. Meanwhile a thread loads the scenario and the laws, and the page shows the progress.
 
     Args:
         load: returns the scenario to run.
@@ -106,7 +106,7 @@ def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | No
     """Open a browser at the address `opened`, if it is not None, and run a server until interrupted."""
     if opened is not None:
         webbrowser.open(opened)
-    with contextlib.suppress(KeyboardInterrupt):  # uvicorn raises it again after an orderly shutdown on Ctrl+C
+    with contextlib.suppress(KeyboardInterrupt):  # after Ctrl+C, uvicorn shuts down, then raises this again
         server.run(sockets=[listener])
 
 
@@ -136,7 +136,7 @@ def listen(host: str, port: int) -> socket.socket:
         family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     except (OSError, UnicodeError) as error:
         raise StationError(f"the host {host!r} is not known: {error}") from None
-    # With an explicit protocol: asyncio disables Nagle's delay only on a socket whose protocol is TCP, not 0.
+    # The protocol is passed because asyncio disables Nagle's algorithm only if it is TCP; the default is 0.
     listener = socket.socket(family, kind, protocol)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

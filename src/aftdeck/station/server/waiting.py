@@ -1,4 +1,4 @@
-"""Pages that wait for a station's first session: they receive lines of progress, or the error that prevents it."""
+"""Pages that wait for a station's first session: they receive lines of progress, or the reason for a failure."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Waiting:
 
     @property
     def phase(self) -> str:
-        """Phase of the station: ``preparing``, ``failed``, or the phase of its driver."""
+        """Phase of the station: ``preparing``, ``failed``, or the phase of the session's driver."""
         if self.pages:
             return self.pages.driver.phase.value
         return "failed" if self._preparation.error else "preparing"
@@ -48,7 +48,7 @@ class Waiting:
             self._changed()
 
     def _changed(self) -> None:
-        """Start the session if it exists, and wake the waiting pages; report a failure of the preparation."""
+        """Start the session if it exists, and wake the waiting pages. Call `failed` if the preparation has failed."""
         loop, session = asyncio.get_running_loop(), self._preparation.session
         if session is not None and self.pages is None:
 
@@ -76,7 +76,7 @@ class Waiting:
         self._number += 1
         try:
             while self.pages is None:
-                fresh = self._fresh  # read before the text, so that no later change is missed
+                fresh = self._fresh  # get the event before the text, so that no later change is missed
                 if self._preparation.error is not None:
                     await goodbye(socket, self._preparation.failure)
                     return None

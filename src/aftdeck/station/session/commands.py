@@ -51,7 +51,7 @@ def check_sticks(sticks: from_page.Sticks) -> None:
 
 
 def check_camera(message: from_page.DriveCamera, welcome: Welcome) -> None:
-    """Raise `CommandError` if the camera does not exist or has no drive, or a switch is not between -1 and 1."""
+    """Raise `CommandError` if the camera does not exist or has no drive, or if pan, tilt or zoom is not in [-1, 1]."""
     driven = [camera.name for camera in welcome.cameras if camera.drive is not None]
     if message.camera not in driven:
         names = ", ".join(driven) or "none"
@@ -97,7 +97,7 @@ def inputs_of(sticks: from_page.Sticks, message: from_page.FromPage | None, arm:
     Args:
         sticks: deflections from the page in control.
         message: checked command of the page for this step; None if no command waits.
-        arm: the arm, which converts a keyed-in target from panel components to frame 7 in L.
+        arm: the arm; it converts a keyed-in target from panel components to the pose of frame 7 in L.
     """
     inputs = Inputs(
         translation=sticks.translation,

@@ -10,7 +10,7 @@ from enum import Enum
 from aftdeck.station.session.session import Session
 
 MAX_CATCH_UP = 0.25
-"""Largest delay that the driver catches up [s]; after a larger delay, the following steps are due later."""
+"""Largest delay for which the driver makes up [s]; a larger delay postpones all following steps."""
 MAX_JOIN = 5.0
 """Longest wait for the end of the thread [s]."""
 

@@ -1,4 +1,4 @@
-"""Log of a session. One thread adds events, other threads read them."""
+"""Log of a session. One thread adds events; other threads read them."""
 
 from __future__ import annotations
 
@@ -21,6 +21,6 @@ class Log:
             self._events.extend(events)
 
     def since(self, index: int) -> tuple[Event, ...]:
-        """Return the events from an index on."""
+        """Return all events whose index is at least `index`."""
         with self._lock:
             return tuple(self._events[index:])

@@ -16,8 +16,8 @@ from aftdeck.station.messages import from_page
 from aftdeck.station.session.commands import travel
 
 LOST = 2.0
-"""Longest time without a message after which deflected sticks act at once [s]; after a longer time, they must first be
-centred."""
+"""Longest pause between messages after which deflected sticks act at once [s]. After a longer pause, the operator must
+first centre the sticks."""
 SILENCE = 0.5
 """If no message arrives for this time [s], sticks and camera switches are centred."""
 MAX_WAITING = 32
@@ -38,8 +38,8 @@ class Taken(NamedTuple):
         cause: one of `unattended.CAUSES` if the controls have become unattended; else empty.
         handed_over: text for the log if another page takes control; else empty.
         controllers: devices that move the sticks.
-        delayed: sequence numbers of the sticks that do not act yet because of the command delay, oldest first; one for
-            each step of the delay.
+        delayed: queue of sequence numbers, oldest first: one for each step of the command delay. They belong to stick
+            messages that do not act yet.
     """
 
     sticks: from_page.Sticks
@@ -53,7 +53,7 @@ class Taken(NamedTuple):
     def flown(self) -> int:
         """Add the sequence number of `sticks` to the delay queue; remove and return the queue's oldest number.
 
-        The returned number belongs to the sticks that act in this step; -1 if no page sent these sticks.
+        The returned number belongs to the stick message that acts in this step. It is -1 if no message acts.
         """
         self.delayed.append(self.sticks.seq)
         return self.delayed.popleft()
@@ -82,16 +82,18 @@ class PageInputs:
         self._empty_delay()
 
     def _empty_delay(self) -> None:
-        """Empty the queue of delayed sequence numbers: a run begins, or the next page starts its own numbers."""
+        """Set all delayed sequence numbers to -1: a run begins, or the next page starts its own numbers."""
         self._delayed = deque([-1] * self._delay)
 
     def steer(self, sticks: from_page.Sticks, now: float) -> None:
         """Set the stick deflections, received at the time `now` [s].
 
-        If no message was received for longer than `LOST`, deflected sticks act again only after they have been centred.
+        If `take` has centred the sticks in a pause between messages, and the pause was longer than `LOST`, deflected
+        sticks act again only after the operator has centred them.
 
         Raises:
-            CommandError: a stick is deflected after this time. Further messages do not raise the error again.
+            CommandError: a stick is deflected in the first message after such a pause. Further messages do not raise
+                the error again.
         """
         if self._zeroed and now - self._heard > LOST:
             self._lost = "not reported"

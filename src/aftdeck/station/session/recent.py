@@ -58,7 +58,7 @@ class RecentRun:
         latency_ms: float | None,
         monitors: Sequence[tuple[str, ...]],
     ) -> None:
-        """Add the next frame: its lit lamps, the latency that the page measured, and the cameras on the monitors."""
+        """Add the next frame and its lit lamps, and the reported latency and cameras on the monitors."""
         with self._lock:
             self._lanes.shown((*monitors, (), ())[:2])
             self._lanes.add(frame, lamps)

@@ -48,7 +48,7 @@ from aftdeck.station.session.unattended import safe_inputs
 LOOK_EVERY = 10
 """Steps from one look-ahead to the next."""
 LOOK_S = 5.0
-"""Time span of the look-ahead until a page sets another time span [s]."""
+"""Time span of the look-ahead at the start of a session [s]; a page can set another one."""
 MOVED = 1e-3
 """Stick deflection above which the operator takes control from the demonstration's script."""
 
@@ -94,7 +94,7 @@ class Session:
         self._displays = Displays(scenario)
         self.welcome = welcome_of(scenario, demo=demo)
         warm_up(scenario)
-        self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles the laws of the conversion
+        self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles the laws of `station.conversion`
         self._recorder = SessionRecorder(record, Index(), live, trial)
         self.log = Log()
         self.newest = b""

@@ -36,8 +36,8 @@ from aftdeck.steering.profiles import vclose
 from aftdeck.steering.views import twist_at
 
 SLOW = 1.5
-"""Greatest speed and angular rate at which the arm counts as at rest inside the end sphere [1]. The unit is the speed
-or rate that the maximum acceleration adds in one control period."""
+"""Greatest speed and angular rate at which the arm counts as at rest inside the end sphere, divided by the change that
+the maximum acceleration makes in one control period [1]."""
 
 
 @law

@@ -3,8 +3,8 @@
 Inputs: the master arm's six angles, from sliders or a device, at any time. When the mode is selected, the master arm is
 set to the arm's angles.
 Limits: each joint's coarse or vernier rate (lower with a payload), reached by a ramp; soft stops. If the master angle
-is beyond a soft stop, the joint moves up to the stop. A joint that is past its stop can only move back. Singularities
-and the limits of the tip do not act, because the mode demands no twist of the tip.
+is beyond a soft stop, the joint comes to rest at the stop. A joint that is past its stop can only move back.
+Singularities and the limits of the tip do not act, because the mode demands no twist of the tip.
 Ends: when the operator leaves the mode. Each joint comes to rest at its master angle without passing it.
 Source: Remote Manipulator Simulation, final report: the slave follows the six angles of a master arm. The rates and
 the smooth arrival are ours.

@@ -3,9 +3,9 @@
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
 Limits: that rate, with a ramp; hard stops, before which the joint slows to rest. Soft stops do not act, because on the
 Shuttle this mode cradles and uncradles the arm, and moves a joint back from its soft stop.
-Holds: every other joint at theta_0, its angle when the mode was selected. If another joint was selected in its place
-since then, theta_0 is its angle at that time. A joint that was still moving when theta_0 was stored, or that is
-disturbed, returns to theta_0.
+Holds: every other joint at theta_0, its angle when the mode was selected. When the operator selects another joint,
+the present angle of the previous joint becomes its theta_0. A joint that was still moving when theta_0 was stored, or
+that is disturbed, returns to theta_0.
 Ends: when the operator leaves the mode, or at the time or joint angle that ends a scripted phase.
 Source: JSC-12628, introduction (mode 8); section 3, subroutine OPERIN.
 """

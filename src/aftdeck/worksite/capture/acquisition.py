@@ -45,7 +45,7 @@ and positive if it is at face e."""
 PITCH, ROLL, YAW = 9, 10, 11
 """Angles by which the end effector may turn about Y2, Z2 and X2 through the centre of face d [rad].
 
-A negative angle means that the end effector has to turn by this angle until the first three conditions hold.
+A negative angle means that at least one of the first three conditions fails. Its magnitude is the turn needed.
 """
 FOUND = 12
 """Length of the array of results."""
@@ -70,7 +70,8 @@ class Tolerances(msgspec.Struct, frozen=True):
     """REAR: least distance of the palm's centre from the bar's rear end, inwards along the bar [m]; report: 0.5 ft
     [S]."""
     fingers_within: float
-    """Distance of palm and bar beyond which the fingers are not tested and cannot acquire [m]; report: 8 ft [S]."""
+    """Distance between palm and bar beyond which the fingers are not tested and the bar is not acquired [m]; report:
+    8 ft [S]."""
 
     def packed(self) -> Array:
         """Return the tolerances as an array (5,) for the law."""

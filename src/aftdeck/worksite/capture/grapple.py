@@ -19,8 +19,8 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
     nearest: float
     """Least position of the fixture along the axis [m]: 0 in the rigid position, positive outwards."""
     farthest: float
-    """Greatest position of the fixture along the axis, measured as `nearest` [m]; the cylinder's depth is about
-    4 in [R]."""
+    """Greatest position of the fixture along the axis [m], with the same zero as `nearest`; the cylinder of allowed
+    positions is about 4 in deep [R]."""
     pitch: float
     """Greatest rotation about axis 2, in either direction [rad]. SSV has 10 deg for all three axes [S]; other sources
     have 15 deg for pitch and yaw [R]."""

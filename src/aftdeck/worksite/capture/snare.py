@@ -25,7 +25,7 @@ Mode = Literal["AUTO", "OFF", "MAN"]
 Part = Literal["ring", "carriage", "tension"]
 
 _NO_TRAVEL = 1e-9
-"""Greatest remaining travel of a part that counts as zero [1]. Such a remainder is due to rounding."""
+"""Remaining travel of a part up to which the part counts as arrived [1]. Such a remainder is due to rounding."""
 
 
 class SnareTimes(msgspec.Struct, frozen=True):
@@ -181,7 +181,7 @@ def _stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
 
 
 def _without_ended_motion(snare: Snare, mode: Mode) -> Snare:
-    """Return the state, with `motion` empty if OFF or MAN prevents the motion, or if it has ended in MAN."""
+    """Return the state, with `motion` empty if the mode prevents the motion, or if the motion has ended in MAN."""
     ends = mode == "OFF" or (
         mode == "MAN"
         and (snare.ring == 1.0 if snare.motion == "capture" else not _extended(snare) or snare.ring == 0.0)
@@ -195,7 +195,7 @@ def _extended(snare: Snare) -> bool:
 
 
 def _next(snare: Snare, parts: tuple[Part, ...], target: float) -> tuple[Part, float] | None:
-    """Return the first of the parts that has not reached the target, with the target; None if all have."""
+    """Return the first part that is not at the target, and the target; None if all parts are at the target."""
     return next(((part, target) for part in parts if getattr(snare, part) != target), None)
 
 

@@ -164,7 +164,7 @@ def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
 
 
 def _half(shape: Shape) -> Vec3 | None:
-    """Return half the size of the box that encloses a shape; None for a group, which only marks other shapes.
+    """Return half the size of the box that encloses a shape; None for a group, which draws marks and does not collide.
 
     Raises:
         InputError: a target cannot have a shape of this kind, or the shape is rotated, tapered or not along x.

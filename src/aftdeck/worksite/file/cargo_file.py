@@ -78,8 +78,8 @@ class GrappleFile(Placed, frozen=True, kw_only=True):
     depth: Length
     """Depth of the fixture's base."""
     shapes: tuple[Shape, ...] = ()
-    """Shapes that draw the fixture, in the fixture's axes. Boxes, cylinders, rings and spheres beside the x axis form
-    the target and collide. Groups draw marks on these shapes and do not collide."""
+    """Shapes that draw the fixture, in the fixture's axes. Boxes, cylinders, rings and spheres whose positions are not
+    on the x axis form the target and collide. Groups only draw marks on the target and do not collide."""
 
     def __post_init__(self) -> None:
         """Reject sizes that are not above zero (ValueError)."""
@@ -92,7 +92,7 @@ class TrunnionsFile(Table, frozen=True, kw_only=True):
     x: tuple[Length, ...]
     """Position of each pair of pins along the payload."""
     y: Length
-    """Distance from the plane y = 0, on either side, to the points at which the latches hold the pins."""
+    """|y| of the points at which the latches hold the pairs of pins."""
     z: Length
     """z of these points."""
     keel: tuple[Length, Length]

@@ -21,8 +21,8 @@ ARM = "arm."
 because the arm is known only in a scenario."""
 FRAMES = ("orbiter", "space")
 _WALL = 0.05
-"""Greatest allowed distance of a wall's solids from the end of the bay's inside [m]. It is not zero, because the
-hexahedra that cover a tube's wall extend beyond the wall."""
+"""Greatest allowed distance between the surface of a wall's solids and the end of the bay's inside [m]. It is not zero,
+because the hexahedra that cover a tube's wall extend into the tube."""
 _HAIR = 1e-6
 """Allowance for rounding in the comparison of a solid's distance with the distance of its bounding box [m]."""
 
@@ -110,9 +110,9 @@ def blind_cameras(
 ) -> Iterator[Problem]:
     """Yield a problem for each camera that is inside a solid, or nearer to a solid than `clearance` [m].
 
-    `cameras` is keyed by the index in the file. A camera on a body is checked against the solids of all bodies, at
-    their poses at the start. A camera on a payload is checked against the payload's own solids. The camera's own
-    housing, the part ``camera A`` of camera A, is left out. The function does not check cameras on the arm, eyes
+    The keys of `cameras` are indices in the file. A camera on a body is checked against the solids of all bodies, at
+    their poses at the start. A camera on a payload is checked against the payload's own solids. A camera is not checked
+    against its own housing (for camera A, the part ``camera A``). The function does not check cameras on the arm, eyes
     behind windows, or solids that come near a camera during a run.
     """
     still = {body.name: body.pose for body in bodies}
@@ -132,7 +132,7 @@ def blind_cameras(
 
 
 def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
-    """Return the solids whose bounding boxes along the axes are at most `reach` + `_HAIR` [m] from a point."""
+    """Return the solids whose axis-aligned bounding boxes are at most `reach` + `_HAIR` [m] from a point."""
     if not solids:
         return []
     vertices = np.array([solid.vertices for solid in solids])
@@ -142,7 +142,7 @@ def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
 
 
 def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
-    """Yield a problem for each side of the bay's inside, except the top, at which there is no wall of the orbiter."""
+    """Yield a problem for each side of the bay's inside that has no wall of the orbiter. The top is not checked."""
     bodies = [pack(solid.vertices) for solid in solids if solid.frame == "orbiter"]
     low, high = np.array(bay.low), np.array(bay.high)
     across = np.linspace(low + (high - low) / 10.0, high - (high - low) / 10.0, 5)

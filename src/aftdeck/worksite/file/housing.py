@@ -28,7 +28,7 @@ class Housed(NamedTuple):
 
 
 def housed(cameras: Sequence[Camera], file: WorksiteFile, body: str) -> Housed:
-    """Return the housings of the cameras that are mounted on a body and whose drive has a housing."""
+    """Return the housings of the cameras on a body. A camera has a housing if the file gives one for its drive."""
     housings = {housing.drive: housing for housing in file.housing}
     drives = {camera.name: camera.drive for camera in file.camera}
     found = Housed([], {})

@@ -57,7 +57,7 @@ def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str
 
 
 def dimensions_of(name_or_path: str | Path, over: Mapping[str, float | str]) -> dict[str, str | float]:
-    """Return a worksite's dimensions, computed with the values in `over` in place of the values in the worksite's file.
+    """Return a worksite's dimensions, computed after the values in `over` have replaced those in the worksite's file.
 
     Invalid dimensions are left out.
 
@@ -217,10 +217,10 @@ def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
 
 
 def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
-    """Return the parts for which a name in the file stands.
+    """Return the parts that a name in the file denotes.
 
-    The name of a fitting stands for that fitting of every payload. The name of a mirrored solid stands for its port and
-    starboard parts. Any other name stands for one part.
+    The name of a fitting denotes this fitting of every payload. The name of a mirrored solid denotes its port and
+    starboard parts. Any other name denotes one part.
     """
     if name in FITTINGS:
         return tuple(part for part in parts if part.endswith(f" {name}"))

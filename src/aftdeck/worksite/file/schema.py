@@ -25,7 +25,7 @@ FITTING_OF: dict[Relation, str] = {
     "guides": "trunnions",
     "capture": "grapple fixture",
 }
-"""For each `Relation`, the payload's fitting to which the conditions apply."""
+"""For each `Relation`, the payload's fitting to which this relation applies."""
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
@@ -46,8 +46,9 @@ class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
     title: Text
     body: Text
     latch: Literal["auto", "command"]
-    """When a bay berth fixes a payload that meets the conditions. ``auto``: when the end effector releases the payload.
-    ``command``: on a command. A port fixes a payload as soon as the conditions hold, without a command."""
+    """Event at which a bay berth fixes a payload that meets the conditions. ``auto``: the end effector releases the
+    payload. ``command``: a command is given. A port fixes a payload as soon as the conditions hold, without a
+    command."""
     time: Time = Time(0.0)
     """Time that the latches take to close or to release."""
     distance: Length
@@ -114,12 +115,12 @@ class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
     rear: Length
     """Least distance of the palm's centre from the bar's aft end, inwards along the bar (REAR)."""
     fingers_within: Length
-    """Greatest distance between palm and bar at which conditions 2 and 3 (bar beside the fingers) are tested. They fail
-    at a greater distance."""
+    """Greatest distance between palm and bar at which conditions 2 and 3 (bar beside the fingers) are tested. At a
+    greater distance, both conditions fail."""
     source: Text
 
     def __post_init__(self) -> None:
-        """Reject spacing, window and finger distance that are not above zero (ValueError)."""
+        """Reject a `prong_spacing`, `window` or `fingers_within` that is not above zero (ValueError)."""
         positive(prong_spacing=self.prong_spacing, window=self.window, fingers_within=self.fingers_within)
 
 
@@ -129,9 +130,9 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
     radial: Length
     """Greatest distance of the fixture from the end effector's axis."""
     nearest: Length
-    """Least position of the fixture along the end effector's axis: 0 when rigid, positive outwards."""
+    """Least coordinate of the fixture along the end effector's axis: 0 in the rigid position, positive outwards."""
     farthest: Length
-    """Greatest position of the fixture along the end effector's axis, with the same origin and sign as `nearest`."""
+    """Greatest coordinate of the fixture along the end effector's axis, with the same origin and sign as `nearest`."""
     pitch: Angle
     """Greatest pitch of the fixture in either direction."""
     yaw: Angle
@@ -165,8 +166,8 @@ class EssentialFile(Table, frozen=True, kw_only=True):
     ``guides``: the trunnion is in its V-guide. ``capture``: the pin is in the capture envelope, or farther out than the
     envelope's outer end."""
     depth: Length
-    """Greatest penetration depth at which the contact is essential. Where the conditions bound a part's position by
-    planes, the part may be up to this depth beyond them."""
+    """Greatest penetration depth at which the contact is essential. If a condition bounds a part's position by
+    planes, the part may be up to this depth beyond the planes."""
     source: Text
 
     def __post_init__(self) -> None:
@@ -193,7 +194,10 @@ class _Inside(Table, frozen=True, kw_only=True):
 
 
 class BayFile(_Inside, frozen=True, kw_only=True):
-    """The inside of the payload bay. A payload counts as extracted when no vertex of it is inside."""
+    """The inside of the payload bay.
+
+    A payload counts as extracted when none of its vertices is between the bay's walls and below the bay's top.
+    """
 
 
 class TranslationFile(Table, frozen=True, kw_only=True):

@@ -11,7 +11,7 @@ Corner = tuple[Length, Length]
 
 
 class _SolidFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
-    """An entry for one convex hexahedron, or several, with which a body collides."""
+    """An entry for one or more convex hexahedra, with which a body collides."""
 
     part: Text
     """Name of the part, for the operator; several solids may share a part."""
@@ -25,7 +25,7 @@ class _SolidFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class BlockFile(_SolidFile, frozen=True, kw_only=True, tag="block"):
-    """A box given by its ranges. `y_end` and `z_end` taper it: they replace `y` and `z` at the end of greatest x."""
+    """A box given by its ranges. `y_end` and `z_end` taper it: they replace `y` and `z` at the end with greater x."""
 
     x: Range
     y: Range
@@ -43,7 +43,7 @@ class BoxFile(_SolidFile, frozen=True, kw_only=True, tag="box"):
 class PlateFile(_SolidFile, frozen=True, kw_only=True, tag="plate"):
     """A plate.
 
-    Its outline has four corners and is in the middle of the thickness. The fields are those of `shapes.Plate`.
+    Its outline has four corners and is midway between the two surfaces. The fields are those of `shapes.Plate`.
     """
 
     normal: Axis
@@ -58,7 +58,7 @@ class HexahedronFile(_SolidFile, frozen=True, kw_only=True, tag="hexahedron"):
 
 
 class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
-    """The wall of a tube, covered from outside by hexahedra.
+    """The wall of a tube, covered by hexahedra.
 
     The fields are the arguments of `bodies.cover.tube_wall`.
     """

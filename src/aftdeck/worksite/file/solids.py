@@ -28,10 +28,10 @@ from aftdeck.worksite.file.solid_file import (
 CORNERS = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(8)], dtype=np.float64)
 """(8, 3) vertices of the unit cube, numbered as those of a hexahedron."""
 _REFLECTED = np.array([v ^ 4 for v in range(8)])
-"""Table of vertex numbers: vertex v of a body's reflection in y = 0 is the image of vertex _REFLECTED[v] of the
-body."""
+"""(8,) indices of vertices. If a hexahedron is reflected in y = 0, vertex v of the result is the image of the original
+vertex _REFLECTED[v]."""
 _ACROSS = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}
-"""For each possible axis of a plate's normal: the indices at which x, y and z are in (first, second, across)."""
+"""For each possible axis of a plate's normal: the indices of x, y and z in the tuple (first, second, across)."""
 
 
 def solids_of(file: SolidFile) -> dict[str, Array]:
@@ -64,7 +64,7 @@ def checked(bodies: Array, part: str) -> Array:
 def moved(bodies: Array, pose: Pose) -> Array:
     """Convert hexahedra (n, 8, 3) [m] from their own frame to another frame.
 
-    In the other frame, their own frame has the pose `pose`.
+    `pose` is the pose of the hexahedra's own frame in the other frame.
     """
     return np.asarray(bodies @ pose.rotation.T + pose.position)
 

@@ -1,9 +1,10 @@
 """Berthing: trunnions in their V-guides and on their seats, and retention of a payload without latches.
 
-A guide is a V that opens upwards from the trunnion's seat, in the plane perpendicular to the trunnion. In one
-direction, the guide centres the trunnion and admits offsets up to the V's half width at the trunnion's height. A
-payload is ready to latch when every trunnion is on its seat, the payload has its stowed attitude, and both switches of
-every latch show ready-for-latch. Source: SSV (guides, tolerance, the dual switches of DISP 97).
+A guide is a V that opens upwards from the trunnion's seat, in the plane perpendicular to the trunnion. The guide
+centres the trunnion in the direction `Guide.along`. In this direction, it admits offsets up to the V's half width at
+the trunnion's height, minus the trunnion's radius. A payload is ready to latch when every trunnion is on its seat, the
+payload has its stowed attitude, and both switches of every latch show ready-for-latch. Source: SSV (guides, tolerance,
+the dual switches of DISP 97).
 
 Not modelled: the force of a guide on a trunnion. The two switches of a latch differ only if one of them has failed.
 """
@@ -26,7 +27,7 @@ from aftdeck.tuples import Vec3
 from aftdeck.worksite.conditions import Condition, within
 
 SWITCHES = ("A", "B")
-"""Names of the two switches of each latch that show ready-for-latch."""
+"""Names of the two ready-for-latch switches of each latch."""
 _SQUARE = 1e-9
 """Tolerance in the check that a guide's directions are perpendicular unit vectors [1]."""
 
@@ -46,7 +47,7 @@ class Guide(msgspec.Struct, frozen=True):
     half_angle: float
     """Angle between `up` and each side of the V [rad]; assumed, because no figure is published."""
     height: float
-    """Height of the guide's top above the seat [m]; SSV has models of 22 inches and 24 inches [S]."""
+    """Height of the guide's top above the seat [m]; SSV gives guides of 22 inches and of 24 inches [S]."""
     throat: float
     """Half the width of the V at the height of the seat, minus the trunnion's radius [m]; assumed."""
     play: float
@@ -54,7 +55,7 @@ class Guide(msgspec.Struct, frozen=True):
 
 
 class SeatTolerances(msgspec.Struct, frozen=True):
-    """Greatest deviations from the stowed pose. Within them, a payload is ready to latch, or is retained."""
+    """Greatest deviations from the stowed pose at which a payload is ready to latch, or stays in its berth."""
 
     distance: float
     """Distance of each trunnion, or of the payload's centre, from its stowed position [m]; SSV has 0.05 m [I]."""
@@ -111,7 +112,7 @@ def prepare(guides: Sequence[Guide]) -> Guides:
 
 
 def _templates(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]:
-    """Return the text templates for a trunnion's position in the guide of that name; see `Guides.says`."""
+    """Return the text templates for a trunnion's position in the guide `name`; see `Guides.says`."""
     trunnion = f"{name} trunnion"
     aside = f"{trunnion} {{}} from its guide's middle"
     askew = f"{trunnion} {{}} from its guide, along the trunnion"

@@ -31,7 +31,7 @@ INSIDE = 1
 DISTANCE = 2
 """Distance from the centre of the probe's face to the port's centre [m]."""
 TURNED = 3
-"""First of three angles [rad]. They are between the x axes of payload and port, the y axes, and the z axes."""
+"""First of three angles between payload and port [rad]: between their x axes, their y axes and their z axes."""
 FOUND = 6
 """Length of the array of results."""
 
@@ -136,7 +136,7 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
 
 @law
 def _below(plane: Array, p: Vector) -> float:
-    """Return the distance of a point inside a plane of the envelope [m]; negative outside."""
+    """Return the distance of a point from a plane of the envelope [m]: positive inside, negative outside."""
     inside: float = plane[3] - plane[0] * p.x - plane[1] * p.y - plane[2] * p.z
     return inside
 

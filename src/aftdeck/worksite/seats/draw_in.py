@@ -1,6 +1,6 @@
-"""Drawing in: a misalignment that decreases to zero while a mechanism pulls a body into its seated pose.
+"""Drawing in: the decrease of a misalignment to zero while a mechanism pulls a body into its seated pose.
 
-Both the end effector's carriage and a retention latch draw a body in. Not modelled: forces, and parts that yield.
+Both the end effector's carriage and a retention latch draw a body in. Not modelled: forces, and deformation.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def remaining(whole: Array, fraction: float, out: Array) -> None:
         out: (12,) output: the remaining misalignment, as a pose.
     """
     r = whole[3:]
-    # quaternion (w, x, y, z), not normalised; for accuracy, computed by the formula of its largest component
+    # quaternion (w, x, y, z), not normalised; the formula for its largest component is the most accurate one
     w, x, y, z = 1.0 + r[0] + r[4] + r[8], r[7] - r[5], r[2] - r[6], r[3] - r[1]
     if 1.0 + r[0] - r[4] - r[8] > w and r[0] >= r[4] and r[0] >= r[8]:
         w, x, y, z = r[7] - r[5], 1.0 + r[0] - r[4] - r[8], r[3] + r[1], r[2] + r[6]

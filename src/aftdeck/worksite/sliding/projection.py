@@ -2,8 +2,9 @@
 
 Remote Manipulator Simulation, final report, section VII.4: during extraction, the payload has to slide up or down while
 it touches a side wall. The points of contact keep their velocity along the wall and lose the velocity into the wall.
-If a velocity of the tip exists with which the commanded rotation penetrates no wall, the rotation does not change. If
-no such velocity exists, the rotation is set to zero. If no velocity is possible without rotation, the arm stops.
+With a given rotation, a velocity of the tip is possible if no point of contact then moves into a wall. If a velocity is
+possible with the commanded rotation, the rotation does not change. Otherwise, the rotation is set to zero. If no
+velocity is possible with zero rotation either, the arm stops.
 """
 
 from __future__ import annotations
@@ -92,10 +93,11 @@ def _add(walls: Array, least: Array, count: int, normal: Vector, speed: float) -
 
 @law
 def _kept_off(walls: Array, least: Array, demanded: Vector) -> Velocity:
-    """Return the velocity nearest to the demanded one among those that leave every wall at its least speed or faster.
+    """Return the possible velocity of the tip that is nearest to the demanded velocity.
 
-    At the solution, the number of walls that the tip leaves at exactly their least speeds is 0, 1, 2 or 3. The function
-    tries all these cases, and checks each candidate against every wall.
+    A velocity is possible if its component along each wall's normal is at least the wall's least speed. At the
+    solution, this component equals the least speed for 0, 1, 2 or 3 walls. The function tries all these cases, and
+    checks each candidate against every wall.
     """
     best = _judged(walls, least, Velocity(demanded, np.inf), demanded, demanded)
     if best.off == 0.0:
@@ -128,7 +130,7 @@ def _kept_off(walls: Array, least: Array, demanded: Vector) -> Velocity:
 def _judged(walls: Array, least: Array, best: Velocity, demanded: Vector, v: Vector) -> Velocity:
     """Return the better of two velocities: `v` if it is possible and nearer to the demanded velocity, else `best`.
 
-    A velocity is possible if it leaves every wall fast enough.
+    A velocity is possible if its component along each wall's normal is at least the wall's least speed minus `SLACK`.
     """
     d = minus(v, demanded)
     off = sqrt(dot(d, d))

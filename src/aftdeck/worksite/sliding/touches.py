@@ -34,7 +34,8 @@ def touching(
 
     The sliding part and one of its walls form a group. The touches of the group are the point of the sliding part that
     is closest to the wall, and every vertex of the sliding part that is within reach of a face of the wall. When a
-    whole side touches a wall, all its corners are therefore touches, and no rotation can move a corner into the wall.
+    whole side touches a wall, each corner of the side is a touch. No rotation can therefore move a corner into the
+    wall.
 
     Args:
         frame: (n,) as `Layout.frame`.

@@ -33,7 +33,8 @@ LEAST_REACH = 1e-6
 SIZE = 30.0
 """Upper bound of the distance of a payload's points from the point of resolution [m]."""
 PASSES = 5
-"""Greatest number of passes. Each pass divides the error due to the curvature of a step by a thousand."""
+"""Greatest number of passes of the correction for the curvature of a step. Each pass divides the error by a
+thousand."""
 EXACT = 2e-9
 """Greatest accepted speed into a wall [m/s]. In a step of 0.02 s, this speed moves a point by 4e-11 m. Two parts count
 as in contact up to a clearance of 1e-9 m."""

@@ -1,4 +1,4 @@
-"""Test for solids inside the payload bay."""
+"""Check whether solids are inside the payload bay."""
 
 from __future__ import annotations
 

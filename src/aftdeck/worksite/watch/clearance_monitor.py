@@ -66,7 +66,7 @@ def place_moved(layout: PackedLayout, frames: Array, at: Array, placed: Array) -
     Args:
         layout: the solids, in their own frames.
         frames: (F, 12) present poses of the frames, in L.
-        at: (F, 12) poses of the frames at which the solids were placed; updated.
+        at: (F, 12) poses of the frames when the solids were last placed; updated.
         placed: (n, 52) the solids in L; updated.
     """
     solids, frame = layout.solids, layout.frame
@@ -91,7 +91,7 @@ def travelled(frames: Array, at: Array, reach: Array, travel: Array) -> None:
 
     Args:
         frames: (F, 12) present poses of the frames, in L.
-        at: (F, 12) poses of the frames at which the solids were placed, in L; NaN if the solids were never placed.
+        at: (F, 12) poses of the frames when the solids were last placed, in L; NaN if the solids were never placed.
         reach: (F,) upper bound of the distance of a frame's solids from the frame's origin [m].
         travel: (F,) output: upper bounds of the displacements [m]; NaN for a frame whose solids were never placed.
     """
@@ -197,13 +197,15 @@ def measure_groups(
     period: float,
     within: float,
 ) -> None:
-    """Measure the active groups nearer than `within`, and always the nearest active group with a 1 in `counts`.
+    """Measure the active groups with clearances below `within`.
+
+    The nearest active group with a 1 in `counts` is always measured.
 
     Args:
         layout: the solids and the groups.
         own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
-        counts: (g,) 1 for groups of which the nearest is measured even if it is not nearer than `within`.
+        counts: (g,) 1 for groups that count: the nearest of them is measured even if it is not nearer than `within`.
         before: (F, 12) poses of the frames one step before, in L.
         now: (F, 12) present poses of the frames, in L.
         period: time between `before` and `now` [s].
@@ -317,7 +319,7 @@ class ClearanceMonitor(Cache):
     Attributes:
         layout: the solids and the groups.
         active: (g,) 1 for groups that are measured; the caller sets it.
-        counts: (g,) 1 for groups of which the next measurement finds the nearest; the caller sets it.
+        counts: (g,) 1 for groups that count in the search for the nearest group; the caller sets it.
         found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
         likely: (g,) nearest pair of each group at its last measurement.
         memory: (m, 17) remembered data of each pair of solids.

@@ -12,8 +12,8 @@ these conditions hold:
 An arm at depth `d` in one contact therefore slides at most `d / RELIEF` along the other body before it is free. Between
 two walls, or at a body of several solids, there may be no step that relieves the contacts. Therefore a step is also
 allowed if it deepens no contact by more than `ASIDE` times the distance that the touching points slide, and if its
-continuation leads out of the contacts (`leads_out`). The arm then slides at most `d / ESCAPE`. These conditions do not
-apply to a held payload in modes 1 to 7, which may slide along walls (`worksite.sliding`).
+continuation leads out of the contacts (`leads_out`). The arm then slides at most `d / ESCAPE`. In modes 1 to 7, a
+held payload may slide along walls (`worksite.sliding`). The conditions then do not apply to its contacts with walls.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_trial import DEEPEST, GAINED, LESSENED, MADE, SLID, STEP, WORST, trials_of
 
 DEEPER = 1e-12
-"""Decrease of a clearance in a step that is too small to count as a change [m]: the accuracy of clearances."""
+"""Greatest decrease of a clearance that still counts as no change [m]: the accuracy of clearances."""
 BESIDES = 1e-3
 """Greatest decrease of any contact's clearance in a step, as a share of the clearance that the step gains [1]
 (assumed).
@@ -120,7 +120,7 @@ def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
 
 
 def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return how much clearance one step of each of several motions gains in the present contacts.
+    """Return for each of several motions the clearance that one step gains in the present contacts.
 
     Args:
         watch: the monitor, updated for the present frames.
@@ -139,7 +139,8 @@ def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array
 def _relief(trials: Array) -> Array:
     """Return the clearance (k,) that each predicted step gains [m], from the rows of `trials` (k, 7).
 
-    For a step that does not relieve the contacts, return 0 or the greatest decrease of a clearance (negative).
+    If a step decreases a clearance too much, its value is the greatest decrease (negative). If a step only gains too
+    little clearance, its value is 0.
     """
     worst, gained = trials[:, WORST], trials[:, GAINED]
     slides = gained < np.maximum(RELIEF * trials[:, SLID], LEAST_RELIEF)

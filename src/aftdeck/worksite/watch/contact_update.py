@@ -113,7 +113,7 @@ def update_contacts(
 
 @law
 def nearest_place(frames: Array, row: int, rows: Indices, places: Array, within: float) -> int:
-    """Return the index of the pose whose origin is nearest to the origin of a frame; -1 if none is within `within` [m].
+    """Return the index of the pose whose position is nearest to a frame's origin; -1 if none is nearer than `within`.
 
     Args:
         frames: (F, 12) poses of the frames, in L.

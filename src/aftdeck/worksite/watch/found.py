@@ -9,10 +9,11 @@ SPEED = 1
 POINT_A, POINT_B = 2, 5
 """Closest point of the first part, and of the second part [m]."""
 NORMAL, DISTANCE = 8, 11
-"""Plane halfway between the closest points: its unit normal from first to second part [1], and its distance [m].
+"""Plane halfway between the closest points: its unit normal from first to second part [1], and its distance from L's
+origin [m].
 
-If the solids are apart, all eight vertices of each solid are on its own side of the plane. If the solids are in
-contact, the normal is the direction of the shortest move that separates them, and the plane does not separate them.
+If the solids are apart, the plane separates all eight vertices of one solid from those of the other. If the solids are
+in contact, the normal is the direction of the shortest move that separates them, and the plane does not separate them.
 """
 FEATURE_A, FEATURE_B = 12, 13
 """Feature of the first part, and of the second part, that penetrates, touches or is closest; `aftdeck.bodies.pair`."""

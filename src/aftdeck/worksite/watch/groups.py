@@ -26,7 +26,8 @@ PartPair = tuple[str, str]
 POSE = 12
 """Number of values in a frame's pose: its origin [m], then its rotation row by row."""
 CENTRE, RADIUS = BODY, BODY + 3
-"""Indices of a packed solid's bounding sphere, which follows the packed body: centre and radius [m]."""
+"""Indices in the row of a packed solid, after the packed body: centre (its first value) and radius of the bounding
+sphere [m]."""
 SOLID = BODY + 4
 """Number of values in the row of a packed solid."""
 _ROOM = 1e-9
@@ -34,7 +35,7 @@ _ROOM = 1e-9
 
 
 class PackedLayout(NamedTuple):
-    """Arrays of a `Layout` that the laws read; they have the names of the layout's fields."""
+    """The fields of a `Layout` that the laws read, under the same names."""
 
     solids: Array
     frame: Indices
@@ -59,13 +60,13 @@ class Layout(msgspec.Struct, frozen=True, eq=False, dict=True):
     groups: Indices
     """(g, 2) the two parts of each group."""
     pairs: Indices
-    """(m, 2) the two solids of each pair; the pairs of a group are together, in the order of the groups."""
+    """(m, 2) the two solids of each pair; the pairs are sorted by group."""
     begins: Indices
     """(g + 1,) index of each group's first pair; the last entry is m."""
     between_frames: Indices
     """(g, 2) the frames of the two parts of each group."""
     reach: Array
-    """(F,) upper bound of the distance of a frame's solids from the frame's origin [m]."""
+    """(F,) upper bound of the distance from a frame's origin to any point of the frame's solids [m]."""
 
     @cached_property
     def packed(self) -> PackedLayout:

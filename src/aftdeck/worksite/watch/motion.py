@@ -38,7 +38,8 @@ def motion(before: Array, now: Array, period: float) -> Motion:
     if still:
         return Motion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     r, q = now[3:], before[3:]
-    # axis times sine of the angle, from the antisymmetric part of the rotation R Qᵀ; its trace gives the cosine below
+    # R Qᵀ is the rotation in this step. Its antisymmetric part gives the axis times the sine of the angle; its trace
+    # gives the cosine below.
     axis = Vector(
         0.5 * (_dot(r, q, 6, 3) - _dot(r, q, 3, 6)),
         0.5 * (_dot(r, q, 0, 6) - _dot(r, q, 6, 0)),
@@ -48,8 +49,9 @@ def motion(before: Array, now: Array, period: float) -> Motion:
     angle = atan2(sine, 0.5 * (_dot(r, q, 0, 0) + _dot(r, q, 3, 3) + _dot(r, q, 6, 6) - 1.0))
     turn = times(angle / sine if sine > 0.0 else 1.0, axis)
     d = minus(vector_at(now, 0), vector_at(before, 0))
-    # The displacement d is a chord of the screw motion. The velocity at its end, times the period, is
-    # V^-1 d + turn x d. V is the matrix of the exponential map that converts a constant velocity to a displacement.
+    # The displacement d is a chord of the screw motion. The velocity at the end of the step is
+    # (V^-1 d + turn x d) / period. V is the matrix in the exponential map; it converts a constant velocity to a
+    # displacement.
     u = cross(turn, d)
     w = cross(turn, u)
     square = angle * angle

@@ -21,8 +21,8 @@ def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[Pa
     """Return all pairs of parts that can touch, among the parts of the arm, of the payloads and of the bodies.
 
     Two parts in one frame are not a pair. Two parts of the arm in successive frames of the chain are not a pair either,
-    because a joint connects them; frames without solids are skipped in the chain. With `apart`, the
-    caller has to exclude each pair of a stationary part of the arm and a part of the structure that carries the arm.
+    because a joint connects them; frames without solids are skipped in the chain. A stationary part of the arm cannot
+    move relative to the structure that carries the arm: the caller has to list these pairs in `apart`.
 
     Args:
         solids: all solids of the run.
@@ -69,7 +69,7 @@ def counting(
         layout: the layout with the groups.
         holder: the parts of the arm that hold a payload.
         held: the parts of the held payload.
-        seated: for each part of a payload that is in a berth and not held, the parts of the berth's body.
+        seated: the parts of each payload that is in a berth and not held; for each part, the parts of the berth's body.
     """
     active = np.ones(len(layout.groups), np.uint8)
     active &= 1 - layout.between(holder, held)

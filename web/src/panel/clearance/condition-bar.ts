@@ -22,7 +22,7 @@ export class ConditionBars {
     return Math.min(1, Math.max(0, 0.5 - 0.5 * this.margin(condition)));
   }
 
-  /** Returns the margin as a fraction of the greatest bound; −1 (does not hold) if the value cannot be measured. */
+  /** Returns the margin as a fraction of the greatest bound; −1 (condition fails) if the value cannot be measured. */
   private margin({ name, unit, margin }: Condition): number {
     if (!Number.isFinite(margin)) return -1;
     return margin / (this.bounds.get(name) || SCALES[unit] || 1);

@@ -13,7 +13,10 @@ import { wayToFixture } from './way-to-fixture';
 
 /** Number of cells. */
 const MOST = 6;
-/** Abbreviations in the cells, as on the Shuttle's panels. They leave room for words that distinguish conditions. */
+/**
+ * Abbreviations in the cells, as on the Shuttle's panels. They leave room for the words by which the names of the
+ * conditions differ.
+ */
 const SHORT = { forward: 'fwd', starboard: 'stbd', 'trunnion in guide': 'in guide' } as const;
 /** Length of a bar; its limit is in the middle. */
 const LENGTH = 100;

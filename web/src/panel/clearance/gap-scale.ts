@@ -1,4 +1,4 @@
-/** Position of a clearance on the gauge's scale, and the time until it is zero. */
+/** Position of a clearance on the gauge's scale, and the time until the clearance is zero. */
 
 /** The gauge's ends [m]; the scale is logarithmic because the last centimetres matter most. */
 export const NEAREST = 0.05;
@@ -9,7 +9,10 @@ export function placeOf(clearance: number): number {
   return Math.min(1, Math.log(clearance / NEAREST) / Math.log(FARTHEST / NEAREST));
 }
 
-/** Returns the time to contact at the present speed [s]; null if the clearance grows, or if it is over ten minutes. */
+/**
+ * Returns the time to contact at the present closing speed [s]. Null if there is contact, if the closing speed is below
+ * `STEADY`, or if the time is ten minutes or more.
+ */
 export function contactIn(clearance: number, closing: number): number | null {
   if (clearance <= 0 || closing < STEADY) return null;
   const seconds = clearance / closing;

@@ -7,7 +7,7 @@ import { el, setAttribute, setText, svg } from '../parts/dom';
 import { FARTHEST } from './gap-scale';
 import { SPAN_S, type Trend } from './trend';
 
-/** Ranges of the linear scale [m]. The first one is used if all values of the last minute are within it. */
+/** Ranges of the linear scale [m]. The smaller range is used if it contains all values of the last minute. */
 const RANGES = [1, FARTHEST] as const;
 
 export interface LastMinute {

@@ -3,7 +3,7 @@
 /** Length of the curve, and least time between two of its points [s]. */
 export const SPAN_S = 60;
 const SPACING_S = 0.25;
-/** A step of time greater than this is a jump, caused by a restart or by a replay's playhead [s]. */
+/** Greatest step of time [s]. A longer step is a jump, caused by a restart or by a replay's playhead. */
 const LEAP_S = 5;
 
 interface Sample {

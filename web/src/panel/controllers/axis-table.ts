@@ -1,4 +1,4 @@
-/** Table of all axes: values before and after deadband and expo, and the assigned keys, or buttons and axes. */
+/** Table of all axes: values before and after deadband and expo, and the assigned keys, buttons or axes. */
 
 import { AXES, type Deflection, ZERO } from '../../input/deflection';
 import { type Device, deflection } from '../../input/device';

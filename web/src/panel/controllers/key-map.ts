@@ -1,4 +1,4 @@
-/** The key map over the monitors, for the present mappings. A key cap in it lights while its key is pressed. */
+/** The key map: shows the present mappings over the monitors. A key cap lights while its key is pressed. */
 
 import { keyOf, learnLayout, nameOfSource } from '../../input/layout';
 import { type Kind, sourcesOf } from '../../input/mapping';
@@ -28,7 +28,7 @@ const RIGHT: readonly Cap[] = [
 
 type Row = readonly [uses: readonly string[], does: string, pad?: 'no pad'];
 
-/** Functions of the arm and the cameras, and their effects. */
+/** Rows for the arm and the cameras: functions, and their effects. */
 const FLYING: readonly Row[] = [
   [['stop'], 'stop: centre the sticks, stop a sequence'],
   [['brakes'], 'brakes on; held 0.5 s: off'],
@@ -46,7 +46,7 @@ const FLYING: readonly Row[] = [
   [['light', 'lock exposure'], 'sun and lamps; lock the exposure'],
 ];
 
-/** Returns the functions of this arm's end effector, of the worksite and of the panel, and their effects. */
+/** Returns the rows for this arm's end effector, the worksite and the panel: functions, and their effects. */
 export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): readonly Row[] {
   const prong: readonly Row[] = [
     [['close'], 'held 0.3 s: the prong closes'],
@@ -182,7 +182,7 @@ function sources(kind: Kind, use: string): readonly string[] {
   return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
 }
 
-/** Joins names. A common beginning of the names is written once: `Menu + Cross ↓ ↑`. */
+/** Joins names. Words with which all names begin are written once: `Menu + Cross ↓ ↑`. */
 export function together(names: readonly string[]): string {
   const [first = '', ...others] = names;
   if (others.length === 0) return first;

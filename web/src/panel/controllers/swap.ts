@@ -1,4 +1,4 @@
-/** Question whether two devices are assigned correctly to THC and RHC. */
+/** Asks the user whether two devices are assigned correctly to THC and RHC. */
 
 import type { Pads } from '../../input/pads';
 import { button, el, setText } from '../parts/dom';

@@ -47,7 +47,10 @@ export function touchView(sticks: TouchSticks): TouchView {
   };
 }
 
-/** Makes a stick or slider. `across`, `down`: axes of its two directions; null if it cannot move in this direction. */
+/**
+ * Makes a stick or slider. `across`: axis that a horizontal drag moves; `down`: axis that a vertical drag moves. Null
+ * if a drag in this direction moves no axis.
+ */
 function knob(sticks: TouchSticks, across: number | null, down: number | null, shape: string): Knob {
   const cap = el('i');
   const element = el('div', { class: `knob ${shape}` }, cap);

@@ -1,4 +1,4 @@
-/** BRAKES, SAFING and POSITION HOLD, and above them the device or the operator that moves the sticks. */
+/** BRAKES, SAFING and POSITION HOLD, and above them the name of the device or operator that moves the sticks. */
 
 import type { GripAction } from '../../input/keymap';
 import { keyOf } from '../../input/layout';
@@ -11,7 +11,7 @@ const OFF_S = 0.5;
 
 export interface BrakesSafing {
   readonly element: HTMLElement;
-  /** The key or button of the brakes was pressed or released. */
+  /** Called when the key or button of the brakes is pressed or released. */
   grip(action: GripAction): void;
   /** Switches SAFING on, or cancels it. */
   safe(): void;

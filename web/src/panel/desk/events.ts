@@ -14,7 +14,7 @@ const KEPT = 200;
 export class EventsGroup {
   readonly element: HTMLElement;
   private readonly list = el('ol', { class: 'log' });
-  /** All entries in full. The open list lies over read-outs, but over no keys. */
+  /** All entries in full. The open list covers read-outs, but no keys. */
   private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events in full', tabindex: '0' });
   private readonly more: HTMLButtonElement;
   private readonly all: HTMLButtonElement;

@@ -1,7 +1,7 @@
 /**
  * Stick displays, a square for the THC and a circle for the RHC. A mark shows the deflection that the displayed frame
- * used. Under RATE HOLD, this mark shows the present deflection. A second mark then shows the deflection that
- * corresponds to the rates that RATE HOLD keeps.
+ * used. Under RATE HOLD, a second mark shows this deflection, which corresponds to the kept rates. On the operator's
+ * page, the first mark then shows the present deflection.
  */
 
 import type { ControllersShown } from '../../input/controllers';
@@ -87,7 +87,10 @@ export function triple(letters: readonly [string, string, string]): {
   };
 }
 
-/** Writes after the group's title who moves the sticks: the script, a hand of the user, or the operator. */
+/**
+ * Writes who moves the sticks after the group's title: the script; on the operator's page `hand`, such as `left hand`;
+ * on an observer's page the operator's name.
+ */
 export function setHand(
   section: HTMLElement,
   hand: string,

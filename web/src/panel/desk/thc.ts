@@ -134,7 +134,7 @@ const OPPOSITES: Readonly<Record<string, string>> = {
   right: 'left',
 };
 
-/** Returns the opposite direction: `−X aft` for `+X fwd`; only the axis if the word has no opposite. */
+/** Returns the opposite direction: `−X aft` for `+X fwd`. If the word has no opposite, returns only the axis. */
 export function opposite(name: string): string {
   const [axis = '', word = ''] = name.replace('+', '−').split(' ');
   const other = OPPOSITES[word];

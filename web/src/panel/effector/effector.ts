@@ -11,7 +11,7 @@ import { seat } from './seat';
 import { snares } from './snares';
 
 export interface EffectorGroup extends Part {
-  /** A key or button of the end effector or of the latches was pressed or released. */
+  /** Called when a key or button of the end effector or of the latches is pressed or released. */
   grip(action: GripAction): void;
 }
 

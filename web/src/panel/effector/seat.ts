@@ -10,7 +10,7 @@ const LATCH_S = 1;
 
 export interface Seat {
   readonly element: HTMLElement;
-  /** Returns the button that the key presses now: latch, or unlatch if a payload is latched. */
+  /** Returns the button on which the latch key acts now: unlatch if `seatNow` returns a berth, else latch. */
   keyed(): HoldButton;
   /** Called when the key is released: releases both buttons, because `keyed` may have changed since the press. */
   lift(at: number): void;

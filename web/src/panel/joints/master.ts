@@ -27,7 +27,10 @@ export function masterGroup(desk: Desk): MasterGroup {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
-  /** Returns the master's angles: in MASTER the last angles of this page or of the station, else the arm's angles. */
+  /**
+   * Returns the master's angles. For `OWN_MS` after a change on this page, these are the page's angles; otherwise the
+   * station's angles in MASTER, and the arm's angles in other modes.
+   */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;

@@ -64,8 +64,8 @@ export function axesOverlay(): AxesOverlay {
 }
 
 /**
- * Returns the angle between the directions in the picture and those of the sticks [rad]. It is zero if +X points into
- * the picture, +Y to the right and +Z down.
+ * Returns the angle between the picture's directions and the sticks' directions [rad]. The angle is zero if +X points
+ * into the picture, +Y to the right and +Z down.
  */
 export function stickToPicture([x, y, z]: readonly [Vec3, Vec3, Vec3]): number {
   const trace = -x[2] + y[0] - z[1];

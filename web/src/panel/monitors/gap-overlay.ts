@@ -20,7 +20,7 @@ export interface Touch {
 }
 
 export interface GapOverlay {
-  /** Elements over the picture, in this order. */
+  /** Elements over the picture, in drawing order: lines and marks, then the label. */
   readonly elements: readonly [SVGSVGElement, HTMLElement];
   /** Draws line and contacts, at picture rate; `line` is null if the picture does not show the clearance. */
   show(line: GapLine | null, touches: readonly Touch[], picture: Size): void;
@@ -54,8 +54,8 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
   const label = el('p', { class: 'gap-label' });
   const element = svg('svg', { class: 'gaps', 'aria-hidden': 'true' }, gap, ...marks);
   /**
-   * Sizes of the label by number of characters, which is sufficient because all digits are equally wide. The sizes are
-   * stored because each measurement forces a layout.
+   * Sizes of the label, by number of characters: texts of equal length have the same size because all digits are
+   * equally wide. The sizes are stored because each measurement forces a layout.
    */
   const sizes = new Map<number, Size>();
   let room = 0;

@@ -1,4 +1,4 @@
-/** Position of a label beside a line in a picture. All lengths in px from the picture's top left. */
+/** Position of a label beside a line in a picture. Lengths are in px; positions start at the picture's top left. */
 
 export interface Point {
   readonly x: number;
@@ -79,8 +79,8 @@ export function labelPlace(
 }
 
 /**
- * Returns two distances from the middle of a line, horizontal and vertical, at which the nearer edge of a label is
- * clear of the line.
+ * Returns the horizontal and the vertical distance from the middle of a line to the nearer edge of a label. At either
+ * distance, the label is clear of the line.
  */
 function reachOf(a: Point, b: Point, label: Size): Point {
   const [wide, high] = [Math.abs(a.x - b.x), Math.abs(a.y - b.y)];
@@ -106,7 +106,7 @@ function overlap(a: Box, b: Box): boolean {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/** Returns the nearest position in the picture. */
+/** Returns the position nearest to (x, y) at which the label is inside the picture. */
 function into({ x, y }: Point, label: Size, picture: Size): Point {
   const within = (value: number, most: number) => Math.max(MARGIN, Math.min(most - MARGIN, value));
   return { x: within(x, picture.width - label.width), y: within(y, picture.height - label.height) };

@@ -18,7 +18,7 @@ export interface Tile {
 
 export interface MatrixListener {
   chosen(camera: Camera): void;
-  /** Opens all cameras in a secondary window. Undefined if this page is itself in one. */
+  /** Opens all cameras in a secondary window. Undefined if these cameras are already in one. */
   tearOff?: () => void;
 }
 

@@ -14,7 +14,7 @@ export interface MonitorListener {
   slow(): void;
   /** Called when the user requests the next centre of the engineering views. */
   round(): void;
-  /** Opens the monitor in a secondary window. Undefined if this page is itself in one. */
+  /** Opens the monitor in a secondary window. Undefined if this monitor is already in one. */
   tearOff?: () => void;
   orbited(camera: Camera, right: number, upwards: number, nearer: number, aside: boolean): void;
   /** Whether this page can turn cameras. */

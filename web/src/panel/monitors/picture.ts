@@ -35,7 +35,7 @@ export interface PictureListener {
   readonly turns: boolean;
 }
 
-/** Selector of the touch sticks, which are over the lower corners of the pictures. */
+/** CSS selector of the touch sticks, which are over the lower corners of the pictures. */
 const TOUCH = 'div.touch';
 
 export class Picture {
@@ -129,7 +129,7 @@ export class Picture {
     this.gap.setText(text, seen);
   }
 
-  /** Writes the picture's time code and its age, which is null in a replay. */
+  /** Writes the picture's time code and age; `age` is null in a replay. */
   setTime(frame: Frame, age: Age | null): void {
     const stale = age !== null && isStale(age);
     setText(this.time, timeCode(frame.time_s));
@@ -153,7 +153,10 @@ export class Picture {
     return boxes;
   }
 
-  /** Boxes of the texts on a page where MON 2 is in a corner of MON 1. A picture of MON 1 also has the box of MON 2. */
+  /**
+   * Boxes of this picture's texts if the page shows MON 2 in a corner of MON 1. For a picture of MON 1, MON 2 is one
+   * more box.
+   */
   private narrowCorners(picture: Size): readonly Box[] {
     const own = cornersOf(picture);
     if (this.element.closest('.monitor + .monitor')) return own;
@@ -231,7 +234,7 @@ export class Picture {
   }
 }
 
-/** Returns the effect of a drag and of the wheel on a camera: both turn and zoom it, they only zoom it, or none. */
+/** Returns what drags, pinches and the wheel do to a camera: they turn and zoom it, they only zoom it, or nothing. */
 function drives({ drive }: Camera): keyof typeof HINTS {
   if (!drive) return 'none';
   return drive.pan || drive.tilt ? 'turns' : 'zooms';

@@ -25,7 +25,7 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return node;
 }
 
-/** Makes a push button. After a click by pointer it loses the focus, so that keys control the arm again. */
+/** Makes a push button. After a click by pointer, the button loses the focus, so that keys control the arm again. */
 export function button(attributes: Attributes, children: Child[], pressed: () => void): HTMLButtonElement {
   const node = el('button', { type: 'button', ...attributes }, ...children);
   node.addEventListener('click', (event) => {
@@ -69,7 +69,7 @@ export function setClass(node: Element, name: string, on: boolean): void {
   if (node.classList.contains(name) !== on) node.classList.toggle(name, on);
 }
 
-/** Shows whether a switch is set. A set switch is white with black text. */
+/** Shows whether a switch is set. A switch that is set is white with black text. */
 export function setPressed(node: Element, on: boolean): void {
   setAttribute(node, 'aria-pressed', String(on));
 }

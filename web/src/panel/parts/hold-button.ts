@@ -1,4 +1,4 @@
-/** A button that acts after it was held for a set time, by pointer, by Enter, or by its assigned key. */
+/** A button that acts after it has been held for a set time, by pointer, by Enter, or by its assigned key. */
 
 import { Hold } from '../../input/hold';
 import type { Grip } from '../../input/keymap';

@@ -2,7 +2,7 @@
 
 import type { SpineLamp } from '../spine/lamps';
 
-/** A station that sends no message for this time is silent [s]. */
+/** A station that sends no frame for this time counts as silent [s]. */
 const SILENT_S = 0.5;
 
 /** Commands may normally take this much longer than their set delay: some control periods and the transmission [s]. */
@@ -30,7 +30,10 @@ export interface Delay {
  */
 export type Delays = Readonly<Record<Name, Delay>>;
 
-/** Returns the delays for the rail: as set, and also as measured if that differs. No text if there is no delay. */
+/**
+ * Returns the delays for the rail: as set, and also as measured if the measured delay differs. The text is empty if
+ * there is no delay.
+ */
 export function delayWords(delays: Delays): { readonly label: string; readonly text: string } {
   const listed = NAMES.filter((name) => delays[name].set > 0 || differs(name, delays[name]));
   const [only] = listed;

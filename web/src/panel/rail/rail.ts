@@ -15,7 +15,7 @@ import { recordings } from './recordings';
 import type { ScenarioChoice } from './scenarios';
 import { sound } from './sound';
 
-/** Greatest latency from stick to picture without a caution [ms]. */
+/** A greater latency from stick to picture is shown as a caution [ms]. */
 const SLOW_MS = 100;
 
 export interface RailListener {
@@ -25,7 +25,7 @@ export interface RailListener {
   controllers(): void;
 }
 
-/** Parts of the page with a button in the rail. */
+/** Parts of the page that have a button in the rail. */
 export interface RailParts {
   readonly tones: Tones;
   readonly light: LightControl;

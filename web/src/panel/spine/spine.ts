@@ -5,7 +5,7 @@ import type { Alarm } from '../../page/tones';
 import { button, el, setAttribute, setClass, setText } from '../parts/dom';
 import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
 
-/** Order of the levels: an acknowledged lamp sounds again when its level rises. */
+/** Order of the levels. An acknowledged lamp sounds again when its level rises. */
 const RANK = { info: 0, caution: 1, warning: 2 } as const;
 
 export interface SpineListener {
@@ -44,7 +44,7 @@ export class Spine {
     this.show([]);
   }
 
-  /** Lights exactly these lamps; a lamp test lights all lamps without an alarm. */
+  /** Lights exactly these lamps. `test`: also lights all other lamps, but raises no alarm for them. */
   show(lamps: readonly SpineLamp[], test = false): void {
     const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
     for (const [name, lamp] of now) {

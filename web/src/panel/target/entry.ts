@@ -11,9 +11,9 @@ const DEGREE = Math.PI / 180;
 
 export interface Entry {
   readonly element: HTMLElement;
-  /** Whether a typed value is not keyed in yet. */
+  /** Whether the fields contain typed or copied values that are not keyed in yet. */
   edited(): boolean;
-  /** Whether nothing was typed or keyed in; the fields then show the tip's present pose. */
+  /** Whether the fields follow the tip's present pose, because no value was typed, copied or keyed in. */
   follows(): boolean;
   /** Sends the fields as the target; returns false if a field does not contain a number. */
   keyIn(): boolean;

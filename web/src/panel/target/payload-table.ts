@@ -74,7 +74,7 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
   };
 }
 
-/** Returns the vector from the tip to the payload's point of resolution, known only while it is captured. */
+/** Returns the text of the vector from the tip to the payload's POR, which is known only for a captured payload. */
 function offsetWords({ id }: PayloadInfo, { payload_id, por_offset }: Display, length: Unit): string {
   if (id === 0) return 'at the tip';
   if (id !== payload_id) return 'set by capture';

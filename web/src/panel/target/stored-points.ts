@@ -117,7 +117,7 @@ export function startPoint(
   return point > points ? 1 : point; // a complete sequence begins again at its first point
 }
 
-/** Returns the index (from 0) of the point in the first row. Point number `next` (from 1) is then visible. */
+/** Returns the index (from 0) of the point in the first row, so that point number `next` (from 1) is visible. */
 export function firstShown(next: number, points: number): number {
   return Math.max(0, Math.min(next - 2, points - ROWS));
 }

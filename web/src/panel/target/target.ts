@@ -10,7 +10,7 @@ import { entry } from './entry';
 import { route } from './route';
 
 export interface TargetGroup extends Part {
-  /** Keys in the typed values if there are any, then sends PROCEED. */
+  /** Sends PROCEED. If there are typed values, keys them in first, and sends nothing if one of them is invalid. */
   proceed(): void;
 }
 
