@@ -191,7 +191,10 @@ export interface Group {
   readonly count: number;
   /** Translation from one copy to the next, along the group's own axes [m]. */
   readonly step: Vec3;
-  /** Roll, pitch, yaw as in `rotation`, about the group's own axes [rad]; copy i (from 0) rotates by i times these. */
+  /**
+   * Roll, pitch, yaw about the group's own axes, as in `rotation` [rad]. For copy i, counted from 0, each angle is
+   * multiplied by i.
+   */
   readonly turn: Vec3;
   /** Whether all copies are also drawn mirrored across the plane y = 0 of the frame in which the group is listed. */
   readonly mirror: boolean;
@@ -206,7 +209,7 @@ export interface Group {
  */
 export interface Sticks {
   readonly type: 'sticks';
-  /** Sequence number; the server rejects a message whose number is not greater than that of the message before. */
+  /** Sequence number. The server rejects a message if its number is not greater than the previous message's number. */
   readonly seq: number;
   /** THC: +X, +Y, +Z of the present control frame. */
   readonly translation: Vec3;
@@ -385,7 +388,7 @@ export interface LeaveSeat {
 }
 
 /**
- * Become a page that can take control, because the page is now wide enough.
+ * Allow this page to take control: it has become wide enough.
  *
  * If no page is in control, this page takes control; otherwise it observes.
  */
@@ -545,7 +548,7 @@ export interface Welcome {
   /** Payload table by PL ID, from 0. */
   readonly payloads: readonly PayloadInfo[];
   readonly sequences: readonly StoredSequence[];
-  /** Normalised distance from a singularity below which the page shows a caution. */
+  /** Normalised distance from a singularity; the page shows a caution below this value. */
   readonly singular: number;
   /**
    * Names of the script's phases in order, as in `Frame.phase`.
@@ -585,7 +588,7 @@ export interface ModeInfo {
   /**
    * False only for a mode of AUTO 1-4 without stored points in this scenario.
    *
-   * True does not imply a captured payload, which a mode that moves a payload also needs.
+   * A mode that moves a payload also needs a captured payload; this value does not include that condition.
    */
   readonly enabled: boolean;
   /** Axes along which the sticks act: `orbiter axes`. */
@@ -626,7 +629,7 @@ export interface Camera {
   readonly pane: Pane | null;
 }
 
-/** Pan and tilt unit with its lens. An axis that is None does not move: it has the camera's initial setting. */
+/** Pan and tilt unit with its lens. If `pan`, `tilt` or `zoom` is None, it stays at the camera's initial setting. */
 export interface Drive {
   /** Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`. */
   readonly zero: Vec3;
@@ -703,9 +706,9 @@ export interface SeatInfo {
 /** Directions to the sun and the Earth, and the light from them. */
 export interface LightCondition {
   readonly name: string;
-  /** Direction to the sun in the scene, of any length. */
+  /** Vector towards the sun, of any length, in the scene coordinate frame. */
   readonly to_sun: Vec3;
-  /** Direction to the Earth's centre in the scene, of any length. */
+  /** Vector towards the Earth's centre, of any length, in the scene coordinate frame. */
   readonly nadir: Vec3;
   readonly sun: Glow;
   readonly earthshine: Glow;
@@ -741,8 +744,9 @@ export interface PayloadInfo {
   readonly translation: Vec2;
   /** Angular rate limit of the point of resolution, coarse and vernier [rad/s]. */
   readonly rotation: Vec2;
-  /** `coarse` and `vernier`: joint rate limits in SINGLE, DIRECT and MASTER at this rate setting [rad/s]. */
+  /** Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting coarse [rad/s]. */
   readonly coarse: Six;
+  /** Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting vernier [rad/s]. */
   readonly vernier: Six;
 }
 
@@ -787,7 +791,11 @@ export interface ScenarioInfo {
   readonly given: boolean;
 }
 
-/** Role of this page, and the page in control. The server sends it on connection and whenever it changes. */
+/**
+ * Role of this page, and the page in control.
+ *
+ * The server sends this message on connection, and whenever its content changes.
+ */
 export interface Role {
   readonly type: 'role';
   readonly flying: boolean;
@@ -969,9 +977,10 @@ export interface Goal {
 }
 
 /**
- * Times of JSC-12628's present phase, counted from its beginning.
+ * Times of the present phase (JSC-12628's term), counted from the beginning of the phase.
  *
- * It begins with an automatic motion, a phase of the script, the selection of a panel position or a re-initialisation.
+ * Such a phase begins with an automatic motion, a phase of the script, the selection of a panel position or a
+ * re-initialisation.
  */
 export interface Times {
   /** TP: time since the beginning of the phase [s] */
@@ -1118,7 +1127,7 @@ export interface Event {
 
 /** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */
 export interface Display {
-  /** `seq` of the last `Sticks` received before this step; the page computes its latency with it. */
+  /** `seq` of the last `Sticks` received before this step; the page computes the latency from this number. */
   readonly stick_seq: number;
   /** `seq` of the `Sticks` that acted in this step, after the command delay; -1 if no page's `Sticks` acted. */
   readonly flown_seq: number;
@@ -1207,13 +1216,13 @@ export interface Ahead {
   /** Time span of the look-ahead [s]. */
   readonly seconds: number;
   /**
-   * True if computed with the present stick command.
+   * True if the look-ahead was computed with the present stick command.
    *
    * False under BRAKES or SAFING, and if the sticks are centred. In the last case, the look-ahead may assume full
    * deflection of the axis that was deflected last.
    */
   readonly held: boolean;
-  /** True if the arm has moved at the end of the time span. */
+  /** True if the arm's pose at the end of the time span differs from the present pose. */
   readonly moves: boolean;
   /** Minimum clearance at the end of the time span [m]; null if no pair then counts for CLEARANCE. */
   readonly clearance: number | null;
@@ -1232,7 +1241,7 @@ export interface Ahead {
   readonly poses: readonly number[];
 }
 
-/** New log lines, oldest first. The server sends every line. */
+/** New log lines, oldest first. The server may skip frames, but never a log line. */
 export interface Events {
   readonly type: 'events';
   readonly events: readonly Event[];
