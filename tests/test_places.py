@@ -1,4 +1,7 @@
-"""Locations in error messages: an index counts all items of the list in the file; the line is the item's line."""
+"""Locations in error messages: the index and the line of an item.
+
+The index is the item's position among all items of its list in the file; the line is the line of the item.
+"""
 
 from __future__ import annotations
 

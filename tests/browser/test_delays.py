@@ -68,7 +68,7 @@ def page(open_page: OpenPage) -> Flight:
 
 
 def ages(page: Flight, count: int = 20) -> list[dict[str, float]]:
-    """Return `count` ages, measured at least one picture apart."""
+    """Measure `AGES` `count` times, with at least one new picture between two measurements."""
     found = []
     for _ in range(count):
         found.append(page.script(AGES))

@@ -28,7 +28,7 @@ LATCHES_MS = 120_000
 """Longest wait for the latches [ms], which take 30 s."""
 MOST_TRIES = 20
 MIDDLE = 1.5 * INCH
-"""Distance from the axis of the pin below which the test ends the alignment [m]; the tutorial allows 2 inches."""
+"""The test ends the alignment when the pin is off axis by less than this distance [m]; the tutorial allows 2 inches."""
 
 CLASHES = """() => {
     const box = (node) => node.getBoundingClientRect();

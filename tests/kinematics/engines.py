@@ -60,7 +60,7 @@ def in_mujoco(chain: Chain) -> Solver:
 
 
 def in_pinocchio(chain: Chain) -> Solver:
-    """Build the chain from Pinocchio revolute joints about free axes."""
+    """Build the chain from Pinocchio revolute joints, each about an axis of any direction."""
     model, joint, before = pinocchio.Model(), 0, np.zeros(3)
     for k in range(6):
         placement = pinocchio.SE3(np.eye(3), chain.centres[k] - before)

@@ -1,4 +1,4 @@
-"""Header of a recording: it suffices to re-simulate a run, even after the scenario's files are deleted."""
+"""Header of a recording: a run can be re-simulated from it, even after the scenario's files are deleted."""
 
 from __future__ import annotations
 

@@ -44,10 +44,10 @@ def steps_of(made: aftdeck.Scenario, count: int) -> list[tuple[Inputs, Frame]]:
 
 
 def record_long_run(path: Path, made: aftdeck.Scenario, seconds: float, patch: pytest.MonkeyPatch) -> dict[float, int]:
-    """Record a long run with chunks as in real time; return the memory [bytes] by simulated time [s].
+    """Record a long run; return the memory in use [bytes] at each of several simulated times [s].
 
     One minute is simulated, and its steps are recorded repeatedly. The recorder's clock advances one control period at
-    each check of the queue.
+    each check of the queue, so that a chunk of the file has as many steps as in real time.
     """
     period = made.control_period
     flown = steps_of(made, round(60.0 / period))

@@ -53,7 +53,7 @@ def test_inhibited_arm_does_not_slide_along_a_contact(push: Vec3) -> None:
 
 
 def test_contact_of_prong_alone_inhibits_the_arm() -> None:
-    """Previously the contact did not inhibit the arm in task phase 1, and the prong penetrated it by 3.7 inches."""
+    """Previously contact did not inhibit the arm in task phase 1: the prong penetrated the payload by 3.7 inches."""
     sim = aftdeck.Simulation(scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0)))
     frame = sim.step(Inputs(effector="close"))
     while not frame.work.finger_inhibit:

@@ -1,4 +1,4 @@
-"""TABLE I in both directions: channels written by runs in MASTER give the same frames, bit for bit.
+"""Channels of TABLE I: a run in MASTER writes them, and a run from them has the same frames, bit for bit.
 
 For more and longer runs: ``AFTDECK_CHANNEL_FLIGHTS=20 AFTDECK_CHANNEL_STEPS=5000 pytest tests/simulation/
 test_report_channels.py -k from_written_channels``.

@@ -54,7 +54,10 @@ def kind(state: State) -> tuple[object, ...]:
 
 
 def altered(value: Any) -> Iterator[tuple[str, Any]]:
-    """Yield pairs: the path of an item, and a copy of the value that differs only in this item, by the least step."""
+    """For each item in `value`, yield its path, and a copy of `value` in which only this item is changed.
+
+    A number is changed by the least possible amount.
+    """
     match value:
         case bool():
             yield "", not value

@@ -60,8 +60,8 @@ def until(condition: Callable[[], bool], what: str) -> None:
 def in_time(begun: float, steps: int) -> bool:
     """Return whether `steps` control steps since the time `begun` [s] have taken no longer than expected.
 
-    A busy machine delays some series of steps; a fault delays every series. A test therefore repeats the series with
-    `until`, until one series is in time.
+    A busy machine delays some series of steps; a fault delays every series. A test therefore repeats the series (see
+    `until`) and passes when one series is not delayed.
     """
     return time.monotonic() - begun < steps * scenario().control_period + LATE_S
 

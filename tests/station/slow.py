@@ -1,4 +1,4 @@
-"""Slow preparation of a station; it waits for the test."""
+"""Preparation of a station's session that continues only when the test allows it."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ def page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def parts(text: str) -> tuple[PlaybackIndex, Block]:
-    """Return the index and the moments that the text of an HTML file contains."""
+    """Return the contents of an HTML file: its index, and its `Moment`s as one block."""
     packed = re.findall(r'<script type="text/plain" id="recording-(?:index|\d+)">([^<]+)</script>', text)
     plain = [gzip.decompress(base64.b64decode(part)) for part in packed]
     blocks = [msgspec.json.decode(part, type=Block) for part in plain[1:]]

@@ -33,7 +33,10 @@ def sticks(seq: int, forward: float) -> from_page.Sticks:
     st.integers(0, 5),
 )
 def test_deflected_sticks_act_only_while_messages_arrive(events: list[tuple[float, float, bool]], delay: int) -> None:
-    """Without a message for `SILENCE`, no deflection acts; after `LOST`, none acts before the sticks are centred."""
+    """No deflection acts if no message has arrived for longer than the time `SILENCE`.
+
+    After a pause longer than the time `LOST`, no deflection acts until the sticks have been centred.
+    """
     inputs, now, last_message, centred_since_loss = PageInputs(delay), 10.0, -math.inf, True
     zeroed = False
     for seq, (pause, forward, sends) in enumerate(events):

@@ -1,4 +1,4 @@
-"""Results of the clearance monitor, against each pair of solids computed separately."""
+"""The clearance monitor's results, compared with a separate computation for each pair of solids."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 The docstring of each function states the greatest distance by which its hexahedra extend beyond the body. The body's
 clearance is understated by at most that distance. The clearance of several hexahedra is the least of their
 clearances. If the clearance is negative, its magnitude is the length of the shortest move out of one hexahedron. That
-move can be shorter than the shortest move out of all hexahedra.
+move can be shorter than the shortest move that leads out of every hexahedron.
 """
 
 from __future__ import annotations

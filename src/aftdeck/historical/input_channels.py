@@ -58,7 +58,7 @@ class OperatorInputs(NamedTuple):
         telescope: channel 9: 1 longer, -1 shorter, 0 stop.
         camera: channel 10: pan or tilt of the camera.
         zoom: channel 11: 1 in, -1 out, 0 none.
-        station: channel 12: camera station A to H; the other stations have no level.
+        station: channel 12: camera station, A to H; no voltage level stands for any of the other stations.
         prong: channel 13: 1 close, -1 open, 0 stop.
     """
 

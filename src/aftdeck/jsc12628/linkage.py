@@ -116,7 +116,7 @@ def erates(arm: Arm, theta: ArrayLike, theta_dot: ArrayLike, units: Units = "m")
         arm: as for `lnkage`.
         theta: (6,) joint angles [rad].
         theta_dot: (6,) joint rates [rad/s].
-        units: unit of length of `V`.
+        units: the unit of length in which `V` is returned.
     """
     length, links = metres(units), arm.model.links
     a = sines(links, *array(theta, (6,), "theta").tolist())
@@ -133,7 +133,7 @@ def rmsrat(arm: Arm, theta: ArrayLike, omega_C: ArrayLike, V_C: ArrayLike, units
         theta: (6,) joint angles [rad].
         omega_C: (3,) commanded angular velocity [rad/s].
         V_C: (3,) commanded velocity.
-        units: unit of length of `V_C`.
+        units: the unit of length in which `V_C` is given.
 
     Returns:
         (6,) joint rates theta_dot_C [rad/s].

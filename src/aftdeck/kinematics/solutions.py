@@ -15,7 +15,8 @@ from aftdeck.law import law, nearest
 ROTATION_TOLERANCE = 1e-6
 """Greatest allowed deviation of the pose's rotation from an orthonormal matrix [1]."""
 SAME = 1e-9
-"""Tolerance of an angle at its limits, and greatest difference between the angles of two equal solutions [rad]."""
+"""Tolerance of an angle at its limits, and greatest difference of the angles of two solutions that count as
+equal [rad]."""
 EPSILON = 1e-9
 """Distance [m] or cosine [1] below which a pose counts as singular."""
 FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = range(8)

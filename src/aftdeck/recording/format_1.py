@@ -144,7 +144,7 @@ def inputs(old: Plain) -> Plain:
 
 
 def _position(text: str, stick: str) -> str:
-    """Return the MODE position in the text of an escape direction; empty if the text has none."""
+    """Return the position of the MODE rotary that the text of an escape direction names; empty if it names none."""
     if stick == "joint":
         return text.split(" ", maxsplit=1)[0]
     return "ORB UNL" if text.startswith("ORB UNL, ") else ""

@@ -137,7 +137,8 @@ class Index:
         """Delete the entries' files, and remove the entries from the list.
 
         Raises:
-            RecordingError: a file cannot be deleted or is being recorded; the entries before its entry are deleted.
+            RecordingError: a file cannot be deleted or is being recorded; the entries before it in `entries` have then
+                already been deleted.
         """
         for entry in entries:
             if entry.state == "here" and entry.ended == "recording":

@@ -74,7 +74,7 @@ def _schema(kind: Any) -> dict[str, Any]:
 
 
 def rotation(field: FieldInfo) -> str:
-    """Return the form in which a recording contains a field's rotation."""
+    """Return how a recording represents a rotation in this field."""
     return "quaternion w, x, y, z" if field.rounded else "matrix row by row"
 
 

@@ -41,12 +41,12 @@ class PhasePlan:
         rate: rate setting, coarse or vernier.
         translation: THC deflections, each in [-1, 1].
         rotation: RHC deflections (roll, pitch, yaw), each in [-1, 1].
-        velocity: V_C', which replaces the THC [m/s]; None to use the THC.
-        angular_velocity: omega_C', which replaces the RHC [rad/s]; None to use the RHC.
+        velocity: V_C', which replaces the THC [m/s]; if None, the THC is used.
+        angular_velocity: omega_C', which replaces the RHC [rad/s]; if None, the RHC is used.
         joint: selected joint, 0 to 5.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
-        joint_rate: theta_dot_C', which replaces the drive [rad/s]; None to use the drive.
-        joint_at: angle to which the joint moves [rad]; None to use `drive` or `joint_rate`.
+        joint_rate: theta_dot_C', which replaces the drive [rad/s]; if None, `drive` is used.
+        joint_at: angle to which the joint moves [rad]; if None, `drive` or `joint_rate` is used.
         target: final tip pose, or a relative target, whose pose is computed as the phase begins; None for no target.
         law: steering law of the automatic modes, one of the report's modes 1 to 3; None for no change.
         payload_axes: whether ORB LD rotates in payload axes; None for no change.

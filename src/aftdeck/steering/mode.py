@@ -10,7 +10,7 @@ from aftdeck.steering.layout import DIRECT_LAW, MASTER_LAW, NO_LAW
 Kind = Literal["automatic", "manual", "single", "test", "master"]
 LawChoice = Literal["position", "closed loop", "open loop"]
 AUTOMATIC_LAWS: dict[LawChoice, int] = {"position": 1, "closed loop": 2, "open loop": 3}
-"""The report's modes 1 to 3; the keys are the values of the switch beside OPR CMD and AUTO 1-4."""
+"""The report's mode for each position of the switch that selects the steering law of OPR CMD and AUTO 1-4."""
 
 
 @dataclass(frozen=True)

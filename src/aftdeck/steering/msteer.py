@@ -244,7 +244,7 @@ def _present_twist(
 
 @law
 def _twist_of_point(t: Twist, x: float, y: float, z: float) -> Twist:
-    """Return the twist of a second point of the body; (x, y, z) is the vector to it from the point of `t`."""
+    """Return the twist of a second point of a body; (x, y, z) is the vector from the point with twist `t` to it."""
     return Twist(
         t.wx,
         t.wy,

@@ -61,7 +61,7 @@ export class Panes {
    * Returns the pictures to draw now (`due`). `complete`: all other pictures already show this frame.
    *
    * @param state text that changes with the content of the pictures, but not with their exposures.
-   * @param stops exposure of a camera.
+   * @param stops function that returns the exposure of a camera's picture.
    * @param count number of drawings of the page so far.
    * @param wiped whether the canvas was wiped; every picture is then due.
    */

@@ -44,7 +44,7 @@ export class Arrivals {
     return this.lines[shows].line.at(now);
   }
 
-  /** The frame that numbers, lamps and log display now; null before the first one. */
+  /** The frame now displayed by the numbers, the lamps and the log; null before the first frame. */
   get telemetry(): Frame | null {
     return this.at('telemetry', performance.now())?.frame ?? null;
   }

@@ -39,7 +39,7 @@ export class Latency {
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
 
-  /** Records that a frame arrived at `now` [ms]; `flownSeq`: number of the sticks message that the frame used. */
+  /** Records that a frame arrived at `now` [ms]; `flownSeq`: `seq` of the sticks message that the frame used. */
   answered(flownSeq: number, now: number): void {
     for (const { seq, at } of this.unanswered) {
       if (seq <= flownSeq) this.answers.add(now - at, now);

@@ -1,4 +1,7 @@
-/** The page's log: the page's own lines, and the station's lines. These are shown when the numbers reach their time. */
+/**
+ * The page's log: the page's own lines, and the station's lines. If telemetry is delayed, a line of the station is
+ * shown when the displayed numbers have reached the line's time.
+ */
 
 import type { Arrivals } from '../link/delayed-messages';
 import type { Level, Event as LogEvent } from '../link/protocol';

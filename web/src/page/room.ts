@@ -3,7 +3,7 @@
 export const ROOM = {
   /** MON 2 is in a corner of MON 1, and the desk has more rows. */
   inset: '(width < 1100px)',
-  /** The desk's two tables have a separate row. */
+  /** The desk's two tables are side by side in a row that contains nothing else. */
   upright: '(width < 956px)',
   /** The page can only observe. */
   watching: '(width < 720px)',

@@ -42,7 +42,10 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * at;
   }`;
 
-/** Makes faces opaque if they are seen from the side. These faces show the outline of tubes, which have few edges. */
+/**
+ * Makes a face the more opaque, the more it is seen from the side. This shows the outline of a tube, because few of its
+ * edges are drawn.
+ */
 const fragmentShader = /* glsl */ `
   varying vec3 ray, n;
   uniform vec3 colour;

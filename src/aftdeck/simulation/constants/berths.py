@@ -93,8 +93,8 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
 def _guide(seat: Seat, name: str, point: Array) -> Guide:
     """Return the V-guide of a trunnion.
 
-    The V of the keel trunnion centres the payload across the bay. The Vs of the other trunnions centre it along the
-    bay.
+    The V-guide of the keel trunnion centres the payload across the bay. That of each other trunnion centres it along
+    the bay.
     """
     guides = seat.guides
     assert guides is not None, "the berth has guides"

@@ -74,7 +74,8 @@ class Site:
         of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
         held: for each payload, (g,) 1 for its pairs with the end effector. These pairs are not monitored while the end
             effector holds the payload.
-        seated: for each payload and berth, (g,) 1 for pairs that are not monitored while the payload is in the berth.
+        seated: for each payload and berth, an array (g,): 1 for pairs that are not monitored while the payload is in
+            the berth.
         scene: (12,) pose of the scene's frame in L.
         hand: (12,) pose of the tip in the frame of the last joint.
         effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.

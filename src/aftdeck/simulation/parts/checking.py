@@ -69,7 +69,7 @@ class Checking(StatePart):
         target: target of the motion that is checked.
         start: encoded state from which the motion is rehearsed; None until the arm is at rest.
         ways: ways that have not been rehearsed fully; the first is in progress.
-        tried: results of the ways that have been rehearsed.
+        tried: results of the rehearsals that have ended, one for each way.
         steps: number of steps rehearsed so far for the first of `ways`.
         rehearsal: cache of the rehearsal of the first of `ways`.
     """

@@ -74,7 +74,7 @@ class RecentRun:
         """Return the data that a page has not received yet, and the mark for the next call.
 
         Args:
-            sent: mark that the last call returned; None: the page has received nothing.
+            sent: the mark returned by the last call; None: the page has received nothing.
 
         Returns:
             Message and new mark; None if there is no new sample.

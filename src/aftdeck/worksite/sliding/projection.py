@@ -20,9 +20,9 @@ from aftdeck.kinematics.jacobian import Twist
 from aftdeck.law import law
 
 POINT, OUTWARD, LEAST = 0, 3, 6
-"""Indices in the row of a touch: the point [m]; the wall's unit normal towards the sliding body [1]; the least speed of
-the point along the normal [m/s]. A least speed of 0 keeps the point out of the wall. A negative least speed lets the
-point approach the wall. A positive least speed moves the point out of the wall."""
+"""Indices in the row of a touch: the point [m]; the wall's unit normal towards the sliding body [1]; the least speed,
+a lower limit of the component of the point's velocity along this normal [m/s]. If it is 0, the point stays out of the
+wall. If it is negative, the point may approach the wall. If it is positive, the point moves out of the wall."""
 TOUCH = 7
 """Length of the row of a touch."""
 SLACK = 1e-9

@@ -71,7 +71,7 @@ def predict_contacts(
         layout: the solids and the groups.
         own: arrays of the monitor before the motion. `at` and `placed` have to be copies, because they are changed to
             the values after the motion. `memory` is updated, which does not affect the result.
-        counts: (g,) 1 for groups whose contacts count; they have to be active.
+        counts: (g,) 1 for groups whose contacts count; these groups have to be active.
         harmful: (g,) 1 for each of these groups whose contact is detrimental: the motion has to relieve the contact.
         after: (F, 12) poses of the frames after the motion, in L.
     """

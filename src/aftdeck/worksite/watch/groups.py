@@ -26,8 +26,8 @@ PartPair = tuple[str, str]
 POSE = 12
 """Number of values in a frame's pose: its origin [m], then its rotation row by row."""
 CENTRE, RADIUS = BODY, BODY + 3
-"""Indices in the row of a packed solid, after the packed body: centre (its first value) and radius of the bounding
-sphere [m]."""
+"""Indices in the row of a packed solid: first value of the centre, and radius, of the bounding sphere [m]. They follow
+the packed body, with which the row begins."""
 SOLID = BODY + 4
 """Number of values in the row of a packed solid."""
 _ROOM = 1e-9

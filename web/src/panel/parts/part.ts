@@ -6,7 +6,7 @@ import type { Frame, Welcome } from '../../link/protocol';
 import type { Command } from '../../link/socket';
 import type { Units } from '../../words/units';
 
-/** Data that a part draws. */
+/** Data from which a part of the page is drawn. */
 export interface View {
   readonly frame: Frame;
   readonly units: Units;

@@ -1,4 +1,4 @@
-/** Key for the light on the worksite, and its list: sun and Earth, lamps, exposure lock, and early television. */
+/** Key that opens the list “Light”, and this list: sun and Earth, lamps, exposure lock, and early television. */
 
 import { keyOf } from '../../input/layout';
 import type { Camera, Frame, Lighting } from '../../link/protocol';
