@@ -111,7 +111,7 @@ def test_target_shape_without_a_cover_is_rejected(orbiter: Worksite, tmp_path: P
     assert orbiter.text.count(ring) == 1
     file = tmp_path / "turned.toml"
     file.write_text(orbiter.text.replace(ring, f'{ring}, axis = "y"'), encoding="utf-8")
-    with pytest.raises(ScenarioError, match="cargo payload: grapple: a ring "):
+    with pytest.raises(ScenarioError, match="cargo payload: grapple: this ring "):
         load_worksite(file)
 
 
