@@ -41,6 +41,10 @@ class Pose(NamedTuple):
     rotation: Array
 
 
+IDENTITY = Pose(np.zeros(3), np.eye(3))
+"""Pose of a frame in itself."""
+
+
 class Mount(NamedTuple):
     """Position and orientation of an arm's base frame L on the orbiter.
 

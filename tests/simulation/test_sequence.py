@@ -38,7 +38,7 @@ def auto_1(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> a
 def until(sim: aftdeck.Simulation, sequence: str, first: aftdeck.Inputs, seconds: float = 120.0) -> list[Frame]:
     """Return the frames up to the next frame in which the sequence has this state.
 
-    After PROCEED, the search begins only when the motion has begun, or when its check has failed.
+    After PROCEED, the search begins only when the motion has started, or when its check has failed.
     """
     frames = [sim.step(first)]
     while first.proceed and frames[-1].sequence in {"checking", "ready"}:

@@ -57,13 +57,13 @@ def until(condition: Callable[[], bool], what: str) -> None:
         time.sleep(0.002)
 
 
-def in_time(begun: float, steps: int) -> bool:
-    """Return whether `steps` control steps since the time `begun` [s] have taken no longer than expected.
+def in_time(start: float, steps: int) -> bool:
+    """Return whether `steps` control steps since the time `start` [s] have taken no longer than expected.
 
     A busy machine delays some series of steps; a fault delays every series. A test therefore repeats the series (see
     `until`) and passes when one series is not delayed.
     """
-    return time.monotonic() - begun < steps * scenario().control_period + LATE_S
+    return time.monotonic() - start < steps * scenario().control_period + LATE_S
 
 
 class Page:
@@ -106,11 +106,11 @@ class Page:
 
     def is_answered(self, steps: int) -> bool:
         """Answer the frames of `steps` control steps with stick messages; return whether the frames arrive in time."""
-        first, begun = self.flown(self.push()), time.monotonic()
+        first, start = self.flown(self.push()), time.monotonic()
         last = first
         while last.tick < first.tick + steps:
             last = self.flown(self.push())
-        return in_time(begun, steps)
+        return in_time(start, steps)
 
     def rejection(self) -> str:
         return self.wait_for(to_page.Refused).text
@@ -181,11 +181,11 @@ class Station(Server):
 
         def frames_arrive(steps: int = 6) -> bool:
             with self.page() as page:
-                first, begun = page.wait_for(Frame), time.monotonic()
+                first, start = page.wait_for(Frame), time.monotonic()
                 last = page.wait_for(Frame, lambda frame: frame.tick >= first.tick + steps)
                 if at_start:
                     assert last.angles == tuple(scenario().initial_angles.tolist())
-                return in_time(begun, steps)
+                return in_time(start, steps)
 
         until(frames_arrive, "frames at the control period")
 

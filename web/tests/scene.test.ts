@@ -7,6 +7,7 @@ import { LambertLight } from '../src/scene/lambert';
 import { Materials } from '../src/scene/materials';
 import { surfaceOf } from '../src/scene/shapes';
 import { Surface } from '../src/scene/surface';
+import { bay } from './camera-values';
 
 const placed = { position: [0, 0, 0], rotation: [0, 0, 0] } as const;
 const solid = { ...placed, material: 'metal' } as const;
@@ -143,16 +144,13 @@ test('a rotation is roll, then pitch, then yaw about fixed axes', () => {
 });
 
 const camera: Camera = {
+  ...bay,
   name: 'X',
-  title: 'Test',
   body: 'thing',
   position: [0, 0, 1],
   boresight: [2, 0, 0],
-  up: [0, 0, 1],
   field_of_view: Math.PI / 2,
   drive: null,
-  kind: 'camera',
-  pane: null,
 };
 
 function cameraAt(pose: readonly number[]): Cameras {

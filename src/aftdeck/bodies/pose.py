@@ -8,6 +8,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.vector import Vector
 from aftdeck.frames import Pose
 from aftdeck.law import law
+from aftdeck.tuples import Rows, Vec3
 
 POSE = 12
 """Length of a row."""
@@ -30,6 +31,18 @@ def inverse(row: Array) -> Array:
 def pose_of(row: Array) -> Pose:
     """Return a row as a pose."""
     return Pose(row[:3].copy(), row[3:].reshape(3, 3).copy())
+
+
+@law
+def vec3(values: Array, at: int) -> Vec3:
+    """Return three values of an array, from index `at` on, as Python floats, also if the laws are not compiled."""
+    return float(values[at]), float(values[at + 1]), float(values[at + 2])
+
+
+@law
+def rows(values: Array, at: int) -> Rows:
+    """Return nine values of an array, from index `at` on, as the rows of a matrix."""
+    return vec3(values, at), vec3(values, at + 3), vec3(values, at + 6)
 
 
 @law

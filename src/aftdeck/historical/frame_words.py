@@ -270,6 +270,11 @@ def _bit(bit: int) -> int:
     return 1 << (BITS - 1 - bit)
 
 
+def direction_of(number: float) -> Direction:
+    """Return the sign of a number: 1, 0 or -1."""
+    return 1 if number > 0.0 else -1 if number < 0.0 else 0
+
+
 def _direction(moves: bool, forwards: bool) -> Direction:
     if not moves:
         return 0

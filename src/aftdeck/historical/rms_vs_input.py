@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple, cast
 
 from aftdeck.errors import InputError
-from aftdeck.historical.frame_words import Direction
+from aftdeck.historical.frame_words import Direction, direction_of
 from aftdeck.historical.input_channels import FULL_SCALE, STATION, CameraMotion, OperatorInputs, Start, Station
 from aftdeck.scenario.model import Part
 from aftdeck.simulation.camera_drives import CameraDrive
@@ -75,9 +75,9 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
         initialise=flown.initialise is not None,
         start=start,
         angles=cast("tuple[float, float, float, float, float, float]", tuple(clamped)),
-        telescope=_level(flown.telescope),
+        telescope=direction_of(flown.telescope),
         camera=motion,
-        zoom=_level(camera.zoom),
+        zoom=direction_of(camera.zoom),
         station=cast("Station", state.panel.camera) if state.panel.camera in STATION else NOT_CONNECTED,
         prong=_PRONG_DIRECTIONS[state.worksite.switch],
     )
@@ -145,8 +145,3 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
     }
     momentary = [name for name in _MOMENTARY if getattr(flown, name) != getattr(_NEUTRAL, name)]
     return list(dict.fromkeys([*(name for name, acts in lasting.items() if acts), *momentary]))
-
-
-def _level(switch: float) -> Direction:
-    """Return the position of a three-position switch for a deflection in [-1, 1]: the deflection's sign."""
-    return 1 if switch > 0.0 else -1 if switch < 0.0 else 0

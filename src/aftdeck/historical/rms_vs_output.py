@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple, cast
 from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Setting
 from aftdeck.bodies.hexahedron import NX, NY, NZ, D
-from aftdeck.historical.frame_words import STATIONS, ControlWord, Direction, FrameBlock, WordPlane
+from aftdeck.historical.frame_words import STATIONS, ControlWord, FrameBlock, WordPlane, direction_of
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import HEXES
 from aftdeck.simulation.observe.look_work import all_near
@@ -68,7 +68,7 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
     if initialised:  # a change of position by initialisation is not a motion
         before = now
     station = state.panel.camera or NO_CODE
-    pan, tilt, zoom = (_direction(step) for step in _turned(flight, state, before))
+    pan, tilt, zoom = (direction_of(step) for step in _turned(flight, state, before))
     if pan * tilt < 0:
         unsaid.append("tilt")  # TABLE II has one sign bit for pan and tilt
         tilt = 0
@@ -78,11 +78,11 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
         mode=cast("Literal[1, 2, 3, 4]", worksite.task),
         station=station if station in STATIONS else NO_CODE,
         initialise=initialised,
-        telescope=_direction(now.stand - before.stand),
+        telescope=direction_of(now.stand - before.stand),
         pan=pan,
         tilt=tilt,
         zoom=zoom,
-        prong=_direction(now.prong - before.prong),
+        prong=direction_of(now.prong - before.prong),
         finger_inhibited=worksite.contacts.inhibit.finger,
         arm_inhibited=worksite.contacts.inhibit.arm,
     )
@@ -98,7 +98,7 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
 def planes_of(flight: Flight, state: State) -> Planes:
     """Return D1 to D3 in R. A plane is None if there is no bar, or if hexahedron and bar collide."""
     bar, held = flight.site.bar, state.worksite.held
-    if bar is not None and held is not None and (solids := bar.which[held]) is not None:
+    if bar is not None and held is not None and (solids := bar.solids(held)) is not None:
         d1, d2, d3 = (
             _face(state.worksite.watch.placed[solid], face) for solid, face in zip(solids, INNER, strict=False)
         )
@@ -125,7 +125,3 @@ def _turned(flight: Flight, state: State, before: Places) -> tuple[float, float,
         return 0.0, 0.0, 0.0
     now, was = (views[names.index(name)] for views in (state.views, before.views))
     return now.pan - was.pan, now.tilt - was.tilt, was.zoom - now.zoom
-
-
-def _direction(change: float) -> Direction:
-    return 1 if change > 0.0 else -1 if change < 0.0 else 0

@@ -9,7 +9,7 @@ import numpy as np
 from foxglove import messages as fox
 
 from aftdeck.arrays import Array
-from aftdeck.frames import Pose, quaternion
+from aftdeck.frames import IDENTITY, Pose, quaternion
 from aftdeck.scene.colours import material_of, rgb
 from aftdeck.scene.mesh import Mesh, joined, moved
 from aftdeck.scene.placed import placed
@@ -77,7 +77,7 @@ def _cylinder(shape: Cylinder, pose: Pose, colour: fox.Color) -> fox.CylinderPri
 def _triangles(surface: Mesh, colour: fox.Color) -> fox.TriangleListPrimitive:
     corners = (np.round(surface.vertices / GRAIN) * GRAIN).tolist()
     return fox.TriangleListPrimitive(
-        pose=_pose(Pose(np.zeros(3), np.eye(3))),
+        pose=_pose(IDENTITY),
         points=[fox.Point3(x=x, y=y, z=z) for x, y, z in corners],
         color=colour,
         indices=surface.faces.ravel().tolist(),

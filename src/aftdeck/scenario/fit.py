@@ -21,7 +21,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.overlap import deepest
 from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
-from aftdeck.frames import Pose
+from aftdeck.frames import IDENTITY, Pose
 from aftdeck.kinematics.linkage import L5
 from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
 from aftdeck.scenario.target import AtCargo
@@ -34,7 +34,6 @@ Parts = dict[str, list[Array]]
 
 TOLERANCE = 1e-3
 """Greatest overlap of two solids that is not a misfit [m]; assumed: greater than the rounding of lengths in files."""
-_IDENTITY = Pose(np.zeros(3), np.eye(3))
 
 
 class Misfit(NamedTuple):
@@ -62,7 +61,7 @@ def misfits(
         held: indices of the payloads that the end effector holds in every initial state; the start poses of these
             payloads are not used.
     """
-    around = parts_at(worksite.solids, _IDENTITY)
+    around = parts_at(worksite.solids, IDENTITY)
     yield from _telescope_misfits(model, worksite, around)
     for k, payload in enumerate(cargo):
         where: Where = ("cargo", k)
@@ -170,7 +169,7 @@ def _hand_overlaps(model: ArmModel, worksite: Worksite, payload: Cargo) -> Itera
     acquired.
     """
     bar = part_of(payload.name, "receptacle")
-    own = {part: bodies for part, bodies in parts_at(payload.solids, _IDENTITY).items() if part != bar}
+    own = {part: bodies for part, bodies in parts_at(payload.solids, IDENTITY).items() if part != bar}
     for prong_state, solids in hands(model, worksite, payload).items():
         for overlap in _overlaps(solids, own, model.units):
             yield f"the end effector, {prong_state}, at the bar of {payload.name}: {overlap}"

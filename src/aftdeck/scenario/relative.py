@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.frames import SCENE_FROM_PANEL_AXES, Mount, Pose, rotation_x
+from aftdeck.frames import IDENTITY, SCENE_FROM_PANEL_AXES, Mount, Pose, rotation_x
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 from aftdeck.worksite.model import Cargo, Seat, Worksite
 
@@ -65,7 +65,7 @@ def at_seat(seat: Seat, cargo: Cargo, place: AtSeat) -> Pose:
 def in_frame(worksite: Worksite, cargo: tuple[Cargo, ...], name: str, pose: Pose) -> InFrame | None:
     """Return the target for a pose in the axes of the body, berth or payload `name`; None if none has this name."""
     carriers: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in worksite.bodies}
-    carriers |= {payload.name: (payload.name, Pose(np.zeros(3), np.eye(3))) for payload in cargo}
+    carriers |= {payload.name: (payload.name, IDENTITY) for payload in cargo}
     carriers |= {seat.name: (seat.frame, seat.pose) for seat in worksite.seats}
     if name not in carriers:
         return None

@@ -6,18 +6,17 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from aftdeck.frames import Pose, endori
+from aftdeck.frames import IDENTITY, Pose, endori
 from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere
 from aftdeck.tuples import Vec3
 
 Leaf = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light
 """A shape that is not a group."""
 
-_IDENTITY = Pose(np.zeros(3), np.eye(3))
 _MIRROR = Pose(np.zeros(3), np.diag([1.0, -1.0, 1.0]))
 
 
-def placed(shapes: Iterable[Shape], frame: Pose = _IDENTITY) -> Iterator[tuple[Leaf, Pose]]:
+def placed(shapes: Iterable[Shape], frame: Pose = IDENTITY) -> Iterator[tuple[Leaf, Pose]]:
     """Yield all single shapes, including those in groups, each with its pose.
 
     The shapes are given in a frame that has the pose `frame`. If a shape is a mirrored copy, the matrix of its pose

@@ -96,7 +96,7 @@ class Script(StatePart):
     phase: int = 0
     """Index of the present phase; after the end of the last phase, the number of phases."""
     began: int = -1
-    """Tick at which the present phase began; -1 if it has not begun."""
+    """Tick at which the present phase began; -1 before it begins."""
     limits: int = -1
     """Index of the phase whose rate limits are in force; -1 if the scenario's rate limits are in force."""
     attached: int = 0

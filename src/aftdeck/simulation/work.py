@@ -18,7 +18,7 @@ from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.seating import seat
 from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State
-from aftdeck.worksite.capture.acquisition import FOUND, PRONG, acquire
+from aftdeck.worksite.capture.acquisition import PRONG
 from aftdeck.worksite.free_flight import translate
 from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worst_new_contact
 from aftdeck.worksite.watch.contact_update import update_contacts
@@ -136,10 +136,8 @@ def _move_prong(flight: Flight, state: State) -> None:
 def _closing_fraction(flight: Flight, state: State, distance: float) -> float:
     """Return the fraction of `distance` [m] that the prong moves until it touches the held payload's bar; at most 1."""
     site, k = flight.site, state.worksite.held
-    if site.bar is None or k is None or (which := site.bar.which[k]) is None:
+    if site.bar is None or k is None or (found := site.bar.measured(state.worksite.watch.placed, k)) is None:
         return 1.0
-    found = np.empty(FOUND)
-    acquire(state.worksite.watch.placed, which, site.bar.packed, found)
     clearance = max(float(found[PRONG]), 0.0)
     return 1.0 if distance <= clearance else clearance / distance
 

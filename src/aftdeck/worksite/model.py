@@ -207,6 +207,8 @@ class SnareCapture(msgspec.Struct, frozen=True):
 Relation = Literal["acquisition", "docking", "guides", "capture"]
 """Name of a relation: a relative position of two parts in which their contact is essential. The four relations are
 those at the bar, the port, the V-guides and the grapple fixture."""
+ALIGNED: frozenset[Relation] = frozenset({"docking", "guides"})
+"""Relations to which alignment applies: their parts are aligned before they touch."""
 
 
 class Essential(msgspec.Struct, frozen=True):

@@ -1258,7 +1258,7 @@ export interface Recent {
   readonly strips: readonly Strip[];
   readonly samples: readonly Sample[];
   /**
-   * All lanes of the last minutes, if an interval of any lane has begun since the last message.
+   * All lanes of the last minutes, if an interval of any lane has started since the last message.
    *
    * Otherwise empty: the last interval of each lane then continues.
    */

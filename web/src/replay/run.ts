@@ -1,8 +1,8 @@
 /** Values that summarise the run, and its log up to the playhead, at the right of the monitors. */
 
 import type { PlaybackIndex } from '../link/protocol';
+import { hintLine, logLine } from '../panel/desk/events';
 import { button, el, group, setClass, setText } from '../panel/parts/dom';
-import { clock } from '../words/format';
 import type { Units } from '../words/units';
 import { figure } from './quantity';
 
@@ -55,17 +55,6 @@ export class RunColumn {
     this.shown = asked;
     const lines = this.index.events.slice(Math.max(0, past - room), past).reverse();
     const hints = HINTS.slice(0, Math.max(0, room - lines.length));
-    this.log.replaceChildren(
-      ...lines.map(({ time_s, kind, level, text }) =>
-        el(
-          'li',
-          { class: level, 'data-kind': kind },
-          el('time', {}, clock(time_s)),
-          el('i', { class: 'sign', 'aria-label': level }),
-          el('span', { title: text }, text),
-        ),
-      ),
-      ...hints.map((text) => el('li', { class: 'hint' }, el('span', { title: text }, text))),
-    );
+    this.log.replaceChildren(...lines.map(logLine), ...hints.map(hintLine));
   }
 }

@@ -92,7 +92,7 @@ def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
 
 
 def _start(flight: Flight, checking: Checking) -> State | None:
-    """Return the state from which the motion is rehearsed; None before the rehearsal has begun."""
+    """Return the state from which the motion is rehearsed; None before the rehearsal starts."""
     cache = checking.rehearsal
     if cache.start is None and checking.start is not None:
         cache.start = resume(flight, checking.start)

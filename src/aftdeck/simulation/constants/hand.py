@@ -10,7 +10,7 @@ import numpy as np
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import row_of
-from aftdeck.worksite.capture.acquisition import Tolerances
+from aftdeck.worksite.capture.acquisition import FOUND, Tolerances, acquire
 from aftdeck.worksite.capture.grapple import CaptureEnvelope
 from aftdeck.worksite.capture.snare import SnareTimes
 from aftdeck.worksite.file.cargo import part_of
@@ -27,17 +27,28 @@ class Bar:
     Attributes:
         tolerances: tolerances of acquisition.
         packed: (5,) `tolerances` as an array for the law.
-        which: for each payload, (4,) indices of four solids in the layout: HEX 1, HEX 2, HEX 3 and the payload's bar;
-            None if the payload has no bar.
-        bars: (c, 4) the indices in `which` as one array, with one row per payload; -1 for a payload without a bar.
+        bars: (c, 4) for each payload, the indices of four solids in the layout: HEX 1, HEX 2, HEX 3 and the payload's
+            bar; -1 for a payload without a bar.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
 
     tolerances: Tolerances
     packed: Array
-    which: tuple[Indices | None, ...]
     bars: Indices
     fixed_finger: float
+
+    def solids(self, k: int) -> Indices | None:
+        """Return row k of `bars`; None if the payload has no bar."""
+        solids: Indices = self.bars[k]
+        return None if solids[0] < 0 else solids
+
+    def measured(self, placed: Array, k: int) -> Array | None:
+        """Return the measures (12,) of `acquire` for payload k, with all solids at `placed`; None without a bar."""
+        if (solids := self.solids(k)) is None:
+            return None
+        found = np.empty(FOUND)
+        acquire(placed, solids, self.packed, found)
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,15 +86,11 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
         return None
     spacing = rule.prong_spacing + prong.fixed_finger
     tolerances = Tolerances(spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
-    which = tuple(
-        None
-        if payload.receptacle is None
-        else np.array([parts.index(name) for name in (*HEXES, part_of(payload.name, "receptacle"))], dtype=np.int64)
-        for payload in cargo
-    )
-    none = np.full(len(HEXES) + 1, -1)
-    bars = np.array([none if solids is None else solids for solids in which], dtype=np.int64).reshape(-1, len(none))
-    return Bar(tolerances, tolerances.packed(), which, bars, prong.fixed_finger)
+    bars = np.full((len(cargo), len(HEXES) + 1), -1, dtype=np.int64)
+    for row, payload in zip(bars, cargo, strict=True):
+        if payload.receptacle is not None:
+            row[:] = [parts.index(name) for name in (*HEXES, part_of(payload.name, "receptacle"))]
+    return Bar(tolerances, tolerances.packed(), bars, prong.fixed_finger)
 
 
 def snares_of(worksite: Worksite, cargo: tuple[Cargo, ...]) -> Snares | None:

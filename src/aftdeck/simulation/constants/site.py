@@ -21,7 +21,7 @@ from aftdeck.scenario.payload import PART
 from aftdeck.simulation.constants.berths import Berth, berth_of
 from aftdeck.simulation.constants.hand import Bar, Snares, bar_of, snares_of
 from aftdeck.worksite.file.cargo import part_of
-from aftdeck.worksite.model import Cargo, Relation, Seat, Worksite
+from aftdeck.worksite.model import ALIGNED, Cargo, Relation, Seat, Worksite
 from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.watch.pairs import among, part_pairs
 
@@ -207,7 +207,7 @@ def site_of(scenario: Scenario) -> Site:
         essential=essential,
         meetings=meetings,
         meeting_groups=np.array([meeting.group for meeting in meetings], dtype=np.int64),
-        meeting_aligns=np.array([meeting.relation in ("docking", "guides") for meeting in meetings], dtype=np.uint8),
+        meeting_aligns=np.array([meeting.relation in ALIGNED for meeting in meetings], dtype=np.uint8),
         by_arm=by_arm,
         by_prong=layout.carried([PRONG]) if PRONG in arm.names else np.zeros_like(by_arm),
         of_cargo=of_cargo,

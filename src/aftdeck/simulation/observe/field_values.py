@@ -1,7 +1,7 @@
 """Arguments of the call `Frame(...)` in `look.py`, generated from the declarations of the frame's fields.
 
 ``python -m aftdeck.simulation.observe.field_values`` writes the arguments into `look.py`. With ``--check`` the program
-reports a difference and writes nothing. The arguments are positional, because 48 keywords cost 2 us in each call.
+reports a difference and writes nothing. The arguments are positional, because keywords would cost 2 us in each call.
 """
 
 from __future__ import annotations

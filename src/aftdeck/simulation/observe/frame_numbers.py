@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import rows, vec3
 from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
 from aftdeck.law import law
 from aftdeck.steering.layout import (
@@ -39,18 +40,6 @@ Moving = tuple[Vec3, Rows, Vec3]
 
 Carried = tuple[tuple[Vec3, Rows], Vec3, Vec3]
 """Pose of a payload; position and velocity of the point of resolution."""
-
-
-@law
-def vec3(values: Array, at: int) -> Vec3:
-    """Return three values of an array, from index `at` on."""
-    return values[at], values[at + 1], values[at + 2]
-
-
-@law
-def rows(values: Array, at: int) -> Rows:
-    """Return nine values of an array, from index `at` on, as the rows of a matrix."""
-    return vec3(values, at), vec3(values, at + 3), vec3(values, at + 6)
 
 
 @law

@@ -36,6 +36,9 @@ WIDER, WIDEST = 2.0, 2.4
 """Factors on the capture envelope's radius and angles [1] (assumed). Alignment begins inside the envelope widened by
 the first factor, and ends outside the envelope widened by the second."""
 
+UNDECIDED = 2
+"""Mark of a pair that counts unless its parts are aligned."""
+
 
 def count(flight: Flight, state: State) -> None:
     """Update the pairs that count for the minimum clearance of the next step, after all motion of this step."""
@@ -79,12 +82,12 @@ def alarm_pairs(
     site = flight.site
     counts = site.detrimental.copy()
     if site.meetings:
-        near = count_far_pairs(
+        undecided = mark_task_pairs(
             site.meeting_groups, site.meeting_aligns, watch.active, watch.found, watch.bound, permitted, nearest, NEAR,
             travel, counts,
         )  # fmt: skip
-        if near:
-            _count_unaligned(site, watch, frames, nearest, counts)
+        if undecided:
+            _decide(site, frames, nearest, counts)
     k = None
     if held is None and site.bar is not None:
         enclosed = enclosed_bar(watch.placed, site.bar.bars, site.bar.packed, NEAR)
@@ -97,7 +100,7 @@ def alarm_pairs(
 
 
 @law
-def count_far_pairs(
+def mark_task_pairs(
     groups: Indices,
     aligns: Mask,
     active: Mask,
@@ -109,7 +112,7 @@ def count_far_pairs(
     travel: float,
     counts: Mask,
 ) -> bool:
-    """Mark the pairs of the task that count for CLEARANCE, except pairs whose alignment has to be tested first.
+    """Mark the pairs of the task that count for CLEARANCE, and as `UNDECIDED` those whose alignment has to be tested.
 
     A pair in contact counts if the contact is not permitted. A pair without contact counts if alignment does not apply
     to its relation, or if its parts are too far apart to be aligned. A pair that is too far apart to have the minimum
@@ -125,10 +128,10 @@ def count_far_pairs(
         nearest: the pair with the minimum clearance before this step; -1 if there was none.
         farthest: distance beyond which two parts do not count as aligned [m].
         travel: greatest distance by which two parts can approach before the next minimum is found [m].
-        counts: (g,) on entry, 1 for the pairs that do not belong to the task; on return, also 1 for the marked pairs.
+        counts: (g,) on entry, 1 for the pairs that do not belong to the task; on return, also the marks.
 
     Returns:
-        Whether there are pairs whose alignment has to be tested (`_count_unaligned`).
+        Whether a pair is marked as `UNDECIDED`.
     """
     if nearest >= 0 and counts[nearest] != 0:  # a pair beyond the new `farthest` cannot have the minimum clearance
         farthest = min(farthest, found[nearest, CLEARANCE] + travel)
@@ -142,21 +145,21 @@ def count_far_pairs(
         elif aligns[m] == 0 or bound[g] >= farthest:
             counts[g] = 1
         else:
-            undecided = True
+            counts[g], undecided = UNDECIDED, True
     return undecided
 
 
-def _count_unaligned(site: Site, watch: ClearanceMonitor, frames: Array, nearest: int, counts: Mask) -> None:
-    """Test the alignment of the pairs that `count_far_pairs` left undecided; mark those that are not aligned."""
+def _decide(site: Site, frames: Array, nearest: int, counts: Mask) -> None:
+    """Replace each mark `UNDECIDED`: 0 for a pair whose parts are aligned, 1 for any other pair."""
     known: dict[tuple[int, Relation], bool] = {}
     for meeting in site.meetings:
-        g, key = meeting.group, (meeting.cargo, meeting.relation)
-        if counts[g] or not watch.active[g] or watch.found[g, CLEARANCE] <= CONTACT:
+        if counts[meeting.group] != UNDECIDED:
             continue
+        key = meeting.cargo, meeting.relation
         if key not in known:
             reported = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == key)
             known[key] = _is_aligned(site, frames, meeting, reported=reported)
-        counts[g] = not known[key]
+        counts[meeting.group] = not known[key]
 
 
 def _inhibited(contacts: Contacts, among: Mask) -> bool:
@@ -181,8 +184,8 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
         case "guides":
             guided = (berth for berth in site.berths[k] if berth.guides is not None)
             return any(_over_guides(site, frames, k, berth, depth, inside) for berth in guided)
-        case other:
-            raise AssertionError(f"the relation {other!r} has no alignment")
+        case "acquisition" | "capture":
+            raise AssertionError(f"alignment does not apply to the relation {meeting.relation!r}")
 
 
 def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:

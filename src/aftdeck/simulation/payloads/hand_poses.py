@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, relative
+from aftdeck.bodies.pose import POSE, compose, relative, rows, vec3
 from aftdeck.law import law
 from aftdeck.tuples import Rows, Vec3
 
@@ -44,16 +44,8 @@ def fixture_in_effector(frames: Array, last_joint: int, effector: Array, row: in
         row: row of the payload's frame.
         fixture: (12,) pose of the fixture in the payload.
     """
-    outer, inner, p = np.empty(POSE), np.empty(POSE), np.empty(POSE)
+    outer, inner, pose = np.empty(POSE), np.empty(POSE), np.empty(POSE)
     compose(frames[last_joint], effector, outer)
     compose(frames[row], fixture, inner)
-    relative(outer, inner, p)
-    # without the compiler, array elements are NumPy numbers, but the state may contain only Python numbers
-    return (
-        (float(p[0]), float(p[1]), float(p[2])),
-        (
-            (float(p[3]), float(p[4]), float(p[5])),
-            (float(p[6]), float(p[7]), float(p[8])),
-            (float(p[9]), float(p[10]), float(p[11])),
-        ),
-    )
+    relative(outer, inner, pose)
+    return vec3(pose, 0), rows(pose, 3)

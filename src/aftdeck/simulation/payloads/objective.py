@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Bar
 from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand, nearest_fixture
 from aftdeck.simulation.payloads.latch_command import nearest_berth
 from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.simulation.state import State
-from aftdeck.worksite.capture.acquisition import AWAY, FOUND, acquire, acquisition
+from aftdeck.worksite.capture.acquisition import AWAY, acquisition
 from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.report import Objective
@@ -39,9 +37,7 @@ def present_objective(flight: Flight, state: State) -> Pursued:
 def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
     """Return the conditions of capture for the present pose of payload k; () if this end effector cannot capture it."""
     site = flight.site
-    if site.bar is not None and (which := site.bar.which[k]) is not None:
-        found = np.empty(FOUND)
-        acquire(state.worksite.watch.placed, which, site.bar.packed, found)
+    if site.bar is not None and (found := site.bar.measured(state.worksite.watch.placed, k)) is not None:
         return acquisition(found, site.bar.tolerances)
     if site.snares is not None and (fixture := fixture_in_hand(site, state.worksite.frames, k)) is not None:
         return in_envelope(fixture, site.snares.envelope)
@@ -54,12 +50,10 @@ def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursued:
     The result is None and () if no bar is within `NEAR`.
     """
     best: Pursued = (None, ())
-    least, found = NEAR, np.empty(FOUND)
-    for cargo, which in zip(flight.site.cargo, bar.which, strict=True):
-        if which is None:
-            continue
-        acquire(state.worksite.watch.placed, which, bar.packed, found)
-        if found[AWAY] < least:
+    least = NEAR
+    for k, cargo in enumerate(flight.site.cargo):
+        found = bar.measured(state.worksite.watch.placed, k)
+        if found is not None and found[AWAY] < least:
             least = float(found[AWAY])
             conditions = acquisition(found, bar.tolerances)
             best = Objective("acquire", f"acquire {cargo.title}"), conditions

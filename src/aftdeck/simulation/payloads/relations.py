@@ -21,7 +21,7 @@ from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.site import Meeting, Site
 from aftdeck.simulation.payloads.grasp import fixture_in_hand
 from aftdeck.simulation.payloads.seating import approached
-from aftdeck.worksite.capture.acquisition import FIXED, FOUND, PALM, PRONG, acquire
+from aftdeck.worksite.capture.acquisition import FIXED, PALM, PRONG
 from aftdeck.worksite.seats.berthing import inside, places
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -66,10 +66,8 @@ def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meetin
 
 def _about_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
     """Return whether the bar is in front of the palm and between the fingers: conditions 1 to 3 of acquisition."""
-    if site.bar is None or (which := site.bar.which[k]) is None:
+    if site.bar is None or (found := site.bar.measured(placed, k)) is None:
         return False
-    found = np.empty(FOUND)
-    acquire(placed, which, site.bar.packed, found)
     return bool(min(found[PALM], found[FIXED], found[PRONG]) >= -depth)
 
 

@@ -104,7 +104,7 @@ class Recent(WireMessage, frozen=True, tag="recent"):
     """
     samples: tuple[Sample, ...]
     lanes: tuple[Lane, ...]
-    """All lanes of the last minutes, if an interval of any lane has begun since the last message.
+    """All lanes of the last minutes, if an interval of any lane has started since the last message.
 
     Otherwise empty: the last interval of each lane then continues.
     """

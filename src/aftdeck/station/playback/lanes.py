@@ -17,7 +17,7 @@ class Lanes:
     """Phase, mode, monitors, alarms and limits of a run, collected frame by frame.
 
     Attributes:
-        begun: number of intervals that have begun, in all lanes together.
+        starts: number of intervals that have started, in all lanes together.
     """
 
     def __init__(self, period_s: float) -> None:
@@ -29,7 +29,7 @@ class Lanes:
             "Alarms": [],
             "Limits": [],
         }
-        self._ticks = self.begun = 0
+        self._ticks = self.starts = 0
         self._shown: tuple[tuple[str, ...], ...] = ((), ())
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
@@ -52,7 +52,7 @@ class Lanes:
         stretches = self._lanes[lane]
         if not stretches or stretches[-1][1:] != (label, level):
             stretches.append((self._ticks, label, level))
-            self.begun += 1
+            self.starts += 1
 
     def forget(self, before: int) -> None:
         """Delete the intervals that ended before the step with the number `before`."""

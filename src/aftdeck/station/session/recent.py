@@ -29,12 +29,12 @@ class Mark(NamedTuple):
     Attributes:
         run: the run.
         samples: number of samples of the run before the mark.
-        begun: number of lane intervals that began before the mark.
+        starts: number of lane intervals that started before the mark.
     """
 
     run: RecentRun
     samples: int
-    begun: int
+    starts: int
 
 
 class RecentRun:
@@ -86,7 +86,7 @@ class RecentRun:
                 return None
             new = min(self._count - known, len(self._samples))
             samples = tuple(islice(self._samples, len(self._samples) - new, None))
-            changed = sent is None or begins or sent.begun != self._lanes.begun
+            changed = sent is None or begins or sent.starts != self._lanes.starts
             lanes = self._lanes.lanes() if changed else ()
-            mark = Mark(self, self._count, self._lanes.begun)
+            mark = Mark(self, self._count, self._lanes.starts)
             return to_page.Recent(self._strips if begins else (), samples, lanes), mark

@@ -76,7 +76,7 @@ export class EventsGroup {
     this.all.hidden = keptTo === null;
     const under = keptTo ? [`No older lines about ${keptTo.name}.`] : this.hints;
     const events = this.events.filter((event) => this.shows(event));
-    const entries = (count = KEPT) => [...events.slice(0, count).map(entry), ...under.map(hint)];
+    const entries = (count = KEPT) => [...events.slice(0, count).map(logLine), ...under.map(hintLine)];
     const lines = entries(LINES).slice(0, LINES);
     // The newest caution or warning, or else the newest line, may take more than one line.
     const important = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
@@ -92,7 +92,8 @@ export class EventsGroup {
   }
 }
 
-function entry({ time_s, kind, level, text }: LogEvent): HTMLElement {
+/** Returns a line of a log. */
+export function logLine({ time_s, kind, level, text }: LogEvent): HTMLElement {
   return el(
     'li',
     { class: level, 'data-kind': kind },
@@ -102,6 +103,7 @@ function entry({ time_s, kind, level, text }: LogEvent): HTMLElement {
   );
 }
 
-function hint(text: string): HTMLElement {
+/** Returns a hint below the lines of a log. */
+export function hintLine(text: string): HTMLElement {
   return el('li', { class: 'hint' }, el('span', { title: text }, text));
 }
