@@ -20,6 +20,8 @@ LAYERS = (
         "errors",
         "files",
         "law",
+        "elementary",
+        "matrices",
         "lines",
         "units",
         "frames",

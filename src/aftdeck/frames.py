@@ -18,6 +18,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import atan2, sincos
+from aftdeck.matrices import length, product
 from aftdeck.tuples import Rows
 from aftdeck.units import INCH
 
@@ -62,8 +64,8 @@ class Mount(NamedTuple):
         """Convert a pose from L to another coordinate frame."""
         if frame == "L":
             return pose
-        rotation = self.rotation @ pose.rotation
-        position = pose.position @ self.rotation.T + self.origin
+        rotation = product(self.rotation, pose.rotation)
+        position = product(pose.position, self.rotation.T) + self.origin
         return Pose(position if frame == "panel" else position - self.orbiter_origin, rotation)
 
     def from_(self, frame: FrameName, pose: Pose) -> Pose:
@@ -71,24 +73,24 @@ class Mount(NamedTuple):
         if frame == "L":
             return pose
         position = pose.position if frame == "panel" else pose.position + self.orbiter_origin
-        return Pose((position - self.origin) @ self.rotation, self.rotation.T @ pose.rotation)
+        return Pose(product(position - self.origin, self.rotation), product(self.rotation.T, pose.rotation))
 
 
 def rotation_x(angle: float) -> Array:
     """Return the (3, 3) active rotation about axis 1 by angle [rad]: the report's T1(angle) transposed."""
-    c, s = math.cos(angle), math.sin(angle)
+    s, c = sincos(angle)
     return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
 
 
 def rotation_y(angle: float) -> Array:
     """Return the (3, 3) active rotation about axis 2 by angle [rad]: the report's T2(angle) transposed."""
-    c, s = math.cos(angle), math.sin(angle)
+    s, c = sincos(angle)
     return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def rotation_z(angle: float) -> Array:
     """Return the (3, 3) active rotation about axis 3 by angle [rad]: the report's T3(angle) transposed."""
-    c, s = math.cos(angle), math.sin(angle)
+    s, c = sincos(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
@@ -99,7 +101,7 @@ def endori(roll: float, elevation: float, azimuth: float) -> Array:
         (3, 3) the rotated frame's axes as columns: azimuth about 3, then elevation about the new 2, then
         roll about the new 1.
     """
-    return rotation_z(azimuth) @ rotation_y(elevation) @ rotation_x(roll)
+    return product(product(rotation_z(azimuth), rotation_y(elevation)), rotation_x(roll))
 
 
 def oriend(rotation: Array) -> tuple[float, float, float]:
@@ -113,16 +115,16 @@ def oriend(rotation: Array) -> tuple[float, float, float]:
 def oriend_rows(rows: Rows) -> tuple[float, float, float]:
     """Return the angles of `oriend` for an orientation that is given as the rows of its rotation matrix."""
     (a, b, _), (d, e, _), (g, h, i) = rows
-    cosine = math.hypot(a, d)
-    elevation = math.atan2(-g, cosine)
+    cosine = math.sqrt(a * a + d * d)
+    elevation = atan2(-g, cosine)
     if cosine < _GIMBAL:
-        return 0.0, elevation, math.atan2(-b, e)
-    return math.atan2(h, i), elevation, math.atan2(d, a)
+        return 0.0, elevation, atan2(-b, e)
+    return atan2(h, i), elevation, atan2(d, a)
 
 
 def panel_rotation(pitch: float, yaw: float, roll: float) -> Array:
     """Return the orientation for a panel attitude [rad]: pitch about 2, yaw about the new 3, roll about the new 1."""
-    return rotation_y(pitch) @ rotation_z(yaw) @ rotation_x(roll)
+    return product(product(rotation_y(pitch), rotation_z(yaw)), rotation_x(roll))
 
 
 def panel_attitude(rotation: Array) -> tuple[float, float, float]:
@@ -131,13 +133,13 @@ def panel_attitude(rotation: Array) -> tuple[float, float, float]:
     At yaw +-90 deg only pitch +- roll is determined; roll is then set to 0 (the display's known singularity).
     """
     sine = rotation[1, 0]
-    cosine = math.hypot(rotation[0, 0], rotation[2, 0])
-    yaw = math.atan2(sine, cosine)
+    cosine = math.sqrt(rotation[0, 0] * rotation[0, 0] + rotation[2, 0] * rotation[2, 0])
+    yaw = atan2(sine, cosine)
     if cosine < _GIMBAL:
-        pitch, roll = math.atan2(rotation[0, 2], rotation[2, 2]), 0.0
+        pitch, roll = atan2(rotation[0, 2], rotation[2, 2]), 0.0
     else:
-        pitch = math.atan2(-rotation[2, 0], rotation[0, 0])
-        roll = math.atan2(-rotation[1, 2], rotation[1, 1])
+        pitch = atan2(-rotation[2, 0], rotation[0, 0])
+        roll = atan2(-rotation[1, 2], rotation[1, 1])
     return _turn(pitch), _turn(yaw), _turn(roll)
 
 
@@ -152,7 +154,7 @@ def angle_between(rows: Rows, other: Rows) -> float:
     y = a * v + b * w + c * o - g * p - h * q - i * r
     z = d * p + e * q + f * r - a * s - b * t - c * u
     trace = a * p + b * q + c * r + d * s + e * t + f * u + g * v + h * w + i * o
-    return math.atan2(0.5 * math.sqrt(x * x + y * y + z * z), 0.5 * (trace - 1.0))
+    return atan2(0.5 * math.sqrt(x * x + y * y + z * z), 0.5 * (trace - 1.0))
 
 
 def quaternion(rotation: Array) -> tuple[float, float, float, float]:
@@ -175,7 +177,7 @@ def quaternion(rotation: Array) -> tuple[float, float, float, float]:
 
 def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
     """Return the rotation matrix, as rows, of a quaternion (w, x, y, z). The quaternion need not be normalised."""
-    size = math.sqrt(sum(part * part for part in quaternion))
+    size = length(quaternion)
     w, x, y, z = (part / size for part in quaternion)
     return (
         (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),

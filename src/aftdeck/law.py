@@ -1,10 +1,15 @@
-"""Decorator of the compiled laws, and the sine and cosine that the laws share.
+"""Decorator of the compiled laws.
 
 A *law* is a function that computes with one float at a time, and has few branches. The same source code is
 compiled by Numba (with a cache on disk), inlined in compiled loops over many arms, and run as plain Python under
 ``NUMBA_DISABLE_JIT=1``. Numba is imported at the first call of any law, because importing Numba takes longer than
 loading an arm. Loading an arm calls no law. In compiled code, division by zero gives infinity, as in hardware; a law
 whose divisor could be zero avoids that division.
+
+A law gives the same result, to the last bit, on every processor and as plain Python. For this purpose the compiler may
+neither reorder sums nor fuse a product and a sum (`fastmath` is off), and a law calls no function of the C library,
+because libraries differ: `elementary.py` has the functions that laws need. `tests/test_machine_code.py` searches the
+machine code of all laws for such calls and instructions.
 
 Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
 changed in one file, the cached code of its callers would still contain the old version. The laws' cache is therefore
@@ -19,6 +24,7 @@ import functools
 import hashlib
 import importlib
 import os
+import re
 import shutil
 import sys
 import threading
@@ -36,16 +42,10 @@ _loading = threading.RLock()
 _waiting: list[_Declared] | None = []
 """Laws that are declared but not yet loaded; None after `load`."""
 
+_DECLARED = re.compile(rb"^@(elementary_)?law$", re.MULTILINE)
+"""Decorator of a law, in a source file."""
 _KEPT = 30 * 86_400.0
 """Time after which unused machine code of another version of the laws is deleted [s]."""
-
-_TWO_BY_PI = 0.6366197723675814
-_ROUNDER = 6755399441055744.0
-"""1.5 * 2**52. Near this value, every float is a whole number; near twice this value, every float is even."""
-_HALF_PI_1 = 1.5707963267923333
-"""First 36 bits of pi/2. Its products with whole numbers up to 2**17 are exact."""
-_HALF_PI_2 = 2.563344151594519e-12
-"""Remainder of pi/2 after `_HALF_PI_1`."""
 
 
 class _Declared:
@@ -55,17 +55,19 @@ class _Declared:
     be called, but more slowly.
     """
 
-    def __init__(self, function: Callable[..., Any], fused: bool) -> None:
+    def __init__(self, function: Callable[..., Any], interpreted: bool) -> None:
         functools.update_wrapper(self, function)
-        self._fused = fused
+        self._interpreted = interpreted
 
     @functools.cached_property
     def compiled(self) -> Callable[..., Any]:
         """Law as a function that Numba compiles at its first call."""
-        return _compiled(self.__wrapped__, fused=self._fused)  # type: ignore[attr-defined]
+        return _compiled(self.__wrapped__)  # type: ignore[attr-defined]
 
     def __call__(self, *given: Any) -> Any:
-        """Load all laws, then call this one."""
+        """Call an interpreted law as plain Python; for any other law, load all laws first."""
+        if self._interpreted and _waiting is not None:
+            return self.__wrapped__(*given)  # type: ignore[attr-defined]
         load()
         return self.compiled(*given)
 
@@ -83,24 +85,22 @@ def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     A law that another law calls is inlined (`forceinline`), because loops with function calls do not vectorise. A law
     releases Python's global lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
     """
-    return _declared(function, fused=False)
+    return _declared(function, interpreted=False)
 
 
-def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Declare a law with fused multiply-add, if the processor has it: a sum with a product is rounded only once.
+def elementary_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Declare a law that Python may call before Numba is loaded: until then it runs as plain Python.
 
-    Use this decorator only if each sum contains one product at most, or is exact. In a sum of two products, the
-    compiler chooses which product to fuse, and its choice varies. The result for one arm alone would then differ in
-    its last digits from the result for the same arm in a batch.
+    Files are read without Numba, and need sines and arc tangents. Both ways give the same result, to the last bit.
     """
-    return _declared(function, fused=True)
+    return _declared(function, interpreted=True)
 
 
-def _declared(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
+def _declared(function: Callable[_P, _R], *, interpreted: bool) -> Callable[_P, _R]:
     with _loading:
         if _waiting is None:
-            return _compiled(function, fused=fused)
-        _waiting.append(_Declared(function, fused))
+            return _compiled(function)
+        _waiting.append(_Declared(function, interpreted))
         return cast("Callable[_P, _R]", _waiting[-1])
 
 
@@ -123,13 +123,13 @@ def load() -> None:
         _waiting = None
 
 
-def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
+def _compiled(function: Callable[_P, _R]) -> Callable[_P, _R]:
     import numba  # noqa: PLC0415  (takes 0.6 s; only calling a law needs it)
 
     config: Any = numba.config
     options: dict[str, Any] = {
         "error_model": "numpy",
-        "fastmath": {"contract"} if fused else False,
+        "fastmath": False,
         "forceinline": True,
         "nogil": True,
         "no_cfunc_wrapper": True,
@@ -156,7 +156,8 @@ def state_of_the_laws() -> str:
     """Return a 16-digit digest of this file and of the sources of every subpackage that contains a law."""
     digest, home = hashlib.sha256(), Path(__file__).parent
     sources = {path: path.read_bytes() for path in sorted(home.rglob("*.py"))}
-    packages = {path.relative_to(home).parts[0] for path, text in sources.items() if b"@law" in text}
+    packages = {path.relative_to(home).parts[0] for path, text in sources.items() if _DECLARED.search(text)}
+    packages.add(Path(__file__).name)
     for path, text in sources.items():
         if path.relative_to(home).parts[0] in packages:
             digest.update(text)
@@ -179,80 +180,3 @@ def _cache() -> str:
             if time.time() - other.stat().st_mtime > _KEPT:
                 shutil.rmtree(other, ignore_errors=True)
     return str(folder)
-
-
-@_fused_law
-def nearest(value: float) -> float:
-    """Return the nearest whole number, for |value| < 2**51, without a library call or a branch.
-
-    If two whole numbers are equally near, the even one is returned.
-    """
-    return (value + _ROUNDER) - _ROUNDER
-
-
-@_fused_law
-def _oddness(value: float) -> float:
-    """Return the sine of a whole number of quarter turns: 0, 1 or -1, without a branch.
-
-    The result is the value minus the nearest even number; of two equally near numbers, the multiple of 4 is used.
-    """
-    return value - ((value + 2.0 * _ROUNDER) - 2.0 * _ROUNDER)
-
-
-@_fused_law
-def reduced(angle: float) -> tuple[float, float]:
-    """Subtract the nearest whole number of quarter turns from an angle [rad]; return the rest [rad] and that number.
-
-    Method of Cody and Waite: pi/2 is subtracted in two parts.
-    """
-    quarters = nearest(angle * _TWO_BY_PI)
-    return (angle - quarters * _HALF_PI_1) - quarters * _HALF_PI_2, quarters
-
-
-@_fused_law
-def sincos_near_zero(x: float) -> tuple[float, float]:
-    """Return sine and cosine of an angle [rad] of at most an eighth of a turn.
-
-    The polynomials are the minimax polynomials of the standard C library. Their terms are grouped in pairs, which the
-    processor can compute at the same time.
-    """
-    z = x * x
-    w = z * z
-    s = x + (x * z) * (
-        (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03)
-        + w
-        * (
-            (-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06)
-            + w * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)
-        )
-    )
-    c = (1.0 - 0.5 * z) + w * (
-        (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03)
-        + w
-        * (
-            (2.48015872894767294178e-05 + z * -2.75573143513906633035e-07)
-            + w * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)
-        )
-    )
-    return s, c
-
-
-@_fused_law
-def turned_on(s: float, c: float, quarters: float) -> tuple[float, float]:
-    """Return sine and cosine of an angle plus whole quarter turns, from the angle's sine `s` and cosine `c`.
-
-    Both sums are exact, because each has a term that is 0.
-    """
-    sq, cq = _oddness(quarters), _oddness(quarters + 1.0)
-    return s * cq + c * sq, c * cq - s * sq
-
-
-@_fused_law
-def sincos(angle: float) -> tuple[float, float]:
-    """Return sine and cosine of an angle [rad] without a branch or a library call, so that loops vectorise.
-
-    Error below 2e-16 for |angle| < 1e5.
-    """
-    x, quarters = reduced(angle)
-    s, c = sincos_near_zero(x)
-    return turned_on(s, c, quarters)

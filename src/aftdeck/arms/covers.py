@@ -10,6 +10,7 @@ from aftdeck.bodies.cover import prism
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.errors import InputError
 from aftdeck.frames import endori
+from aftdeck.matrices import product
 
 
 def hexahedra(cover: Cover, part: str) -> Array:
@@ -24,7 +25,7 @@ def hexahedra(cover: Cover, part: str) -> Array:
         found = prism(cover.radius, cover.length, axis=cover.axis, sides=cover.sides)
     for vertices in found:
         hexahedron(vertices, part)
-    return np.asarray(found @ endori(*cover.rotation).T + cover.position)
+    return np.asarray(product(found, endori(*cover.rotation).T) + cover.position)
 
 
 def cover_problem(cover: Cover, part: str) -> str:

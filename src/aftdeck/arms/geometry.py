@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
 from aftdeck.arrays import Array
+from aftdeck.elementary import atan2
+from aftdeck.matrices import length
 
 Axes = tuple[int, int, int, int, int, int]
 Names = tuple[str, str, str, str, str, str, str]
@@ -68,8 +69,8 @@ def _of_yaw_arm(file: YawArmFile) -> Linkage:
     g = file.geometry
     height, wrist = g.shoulder_yaw_to_pitch.value, g.wrist_pitch_to_yaw.value
     (along2, drop2), (along3, drop3) = g.upper_arm.value, g.lower_arm.value
-    upper, lower = math.hypot(along2, drop2), math.hypot(along3, drop3)
-    lift2, lift3 = -math.atan2(drop2, along2), -math.atan2(drop3, along3)
+    upper, lower = length((along2, drop2)), length((along3, drop3))
+    lift2, lift3 = -atan2(drop2, along2), -atan2(drop3, along3)
     return Linkage(
         frozen([height, upper, lower, wrist, g.wrist_yaw_to_tip.value, lift2, lift3, 1.0]),
         _steps(height, (along2, drop2), (along3, drop3), wrist),

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
+from decimal import Context, Decimal
 from pathlib import Path
 from typing import Literal, NamedTuple, cast
 
@@ -18,6 +18,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import ArmError, InputError, ScenarioError
 from aftdeck.files import Text, parse, read, sentences
 from aftdeck.frames import Mount, rotation_x
+from aftdeck.matrices import product
 
 HERE = Path(__file__).parent
 
@@ -136,7 +137,7 @@ class ArmModel:
         elif low.mass == 0.0:
             share = payload_mass / high.mass
         else:
-            share = math.log(payload_mass / low.mass) / math.log(high.mass / low.mass)
+            share = _log(payload_mass / low.mass) / _log(high.mass / low.mass)
 
         def between(a: float, b: float) -> float:
             return float(b if share == 1.0 else a + share * (b - a))
@@ -178,10 +179,15 @@ def load_model(name_or_path: str | Path) -> ArmModel:
     return _model(file, source.text, read(path.parent / file.shapes) if file.shapes else None)
 
 
+def _log(ratio: float) -> float:
+    """Return the natural logarithm, which `decimal` rounds correctly on every machine."""
+    return float(Context(prec=30).ln(Decimal(ratio)))
+
+
 def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
     mount = Mount(
         _panel(file.mount.origin.value),
-        frozen(np.diag([-1.0, -1.0, 1.0]) @ rotation_x(file.mount.lean.value)),
+        frozen(product(np.diag([-1.0, -1.0, 1.0]), rotation_x(file.mount.lean.value))),
         _panel(file.mount.orbiter_origin.value),
     )
     return ArmModel(

@@ -7,11 +7,13 @@ Z, which points down, and positive pitch raises the boresight.
 
 from __future__ import annotations
 
-from math import atan2, cos, hypot, pi, sin
+from math import pi
 from typing import Literal, NamedTuple, get_args
 
 import msgspec
 
+from aftdeck.elementary import atan2, sincos
+from aftdeck.matrices import length
 from aftdeck.tuples import Vec3
 
 Kind = Literal["camera", "window", "engineering"]
@@ -149,7 +151,7 @@ class View(NamedTuple):
 def setting(camera: Camera) -> Setting:
     """Return the initial setting of the drives; pan in (-pi, pi], tilt in [-pi/2, pi/2]."""
     x, y, z = (_dot(camera.boresight, axis) for axis in _axes(camera))
-    return Setting(atan2(y, x), atan2(z, hypot(x, y)), camera.field_of_view)
+    return Setting(atan2(y, x), atan2(z, length((x, y))), camera.field_of_view)
 
 
 def view(camera: Camera, at: Setting) -> View:
@@ -158,7 +160,7 @@ def view(camera: Camera, at: Setting) -> View:
     If the tilt is beyond 90 deg, the camera looks backwards, and the picture is upside down.
     """
     ahead, right, up = _axes(camera)
-    (cp, sp), (ct, st) = ((cos(angle), sin(angle)) for angle in (at.pan, at.tilt))
+    (sp, cp), (st, ct) = sincos(at.pan), sincos(at.tilt)
     level = _sum((cp, ahead), (sp, right))
     boresight = _sum((ct, level), (st, up))
     lens = 0.0 if camera.drive is None else camera.drive.lens
@@ -168,7 +170,7 @@ def view(camera: Camera, at: Setting) -> View:
 
 def along(a: Vec3, b: Vec3) -> bool:
     """Return whether two directions are parallel or opposite, or one of them has zero length."""
-    return not hypot(*_cross(a, b)) > 1e-9 * hypot(*a) * hypot(*b)
+    return not length(_cross(a, b)) > 1e-9 * length(a) * length(b)
 
 
 def square(direction: Vec3, up: Vec3) -> Vec3:
@@ -196,10 +198,12 @@ def _dot(a: Vec3, b: Vec3) -> float:
 
 
 def _unit(a: Vec3) -> Vec3:
-    size = hypot(*a)
+    size = length(a)
     return a[0] / size, a[1] / size, a[2] / size
 
 
 def _sum(*terms: tuple[float, Vec3]) -> Vec3:
-    x, y, z = (sum(factor * vector[k] for factor, vector in terms) for k in range(3))
+    x, y, z = 0.0, 0.0, 0.0
+    for factor, vector in terms:
+        x, y, z = x + factor * vector[0], y + factor * vector[1], z + factor * vector[2]
     return x, y, z

@@ -8,12 +8,13 @@ move can be shorter than the shortest move that leads out of every hexahedron.
 
 from __future__ import annotations
 
-from math import cos, inf, pi, sin, tau
+from math import inf, pi, tau
 from typing import Literal
 
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
 
 Axis = Literal["x", "y", "z"]
@@ -77,8 +78,9 @@ def tube_wall(
         for v in range(8):
             away = start + 2.0 * half * (k if v & 4 else k + 1)
             outer = end if v & 2 else radius
-            r = outer / cos(half) if v & 1 else outer - thickness
-            walls[k, v] = length * (0.5 if v & 2 else -0.5), r * cos(away), r * sin(away)
+            r = outer / sincos(half)[1] if v & 1 else outer - thickness
+            s, c = sincos(away)
+            walls[k, v] = length * (0.5 if v & 2 else -0.5), r * c, r * s
     return _along(walls, axis)
 
 
@@ -122,8 +124,9 @@ def prism(
     for k in range(len(slices)):
         for v in range(8):
             away = half * (2 * (k if v & 4 else k + 1) + 1) * (1.0 if v & 1 else -1.0)
-            r = (end if v & 2 else radius) / cos(half)
-            slices[k, v] = length * (0.5 if v & 2 else -0.5), r * cos(turn + away), r * sin(turn + away)
+            r = (end if v & 2 else radius) / sincos(half)[1]
+            s, c = sincos(turn + away)
+            slices[k, v] = length * (0.5 if v & 2 else -0.5), r * c, r * s
     return _along(slices, axis)
 
 

@@ -18,6 +18,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.vector import Vector
 from aftdeck.law import law
+from aftdeck.matrices import dots, lengths
 
 VERTICES, SIDES = 8, 6
 X, Y, Z = 0, 8, 16
@@ -67,10 +68,10 @@ def pack(vertices: Array) -> Array:
     """
     p, q, r, s = vertices[CORNERS].transpose(1, 0, 2)
     normals = np.cross(s - p, r - q)
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    normals /= lengths(normals)[:, None]
     # without these signs, the normals of faces b, c and f would point inwards
     normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]
-    distances = np.einsum("fvk,fk->fv", vertices[CORNERS], normals).max(axis=1)
+    distances = dots(vertices[CORNERS], normals[:, None]).max(axis=1)
     return np.concatenate([vertices.T.ravel(), normals.T.ravel(), distances])
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
 from aftdeck.jsc12628.quantities import UNTURNED, Units, array, limited_rules, metres, positive
@@ -141,7 +142,7 @@ def operin(
     rules[RATE_UP : RATE_UP + 6] = rules[RATE : RATE + 6] * (rules[SPEED_UP] / rules[SPEED])
     rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = -_NO_STOP, _NO_STOP
     rules[MOUNT : MOUNT + 9] = arm.model.mount.rotation.T.ravel()
-    rules[HAND_COSINE], rules[HAND_SINE] = math.cos(arm.model.end_effector_roll), math.sin(arm.model.end_effector_roll)
+    rules[HAND_SINE], rules[HAND_COSINE] = sincos(arm.model.end_effector_roll)
     rules[HELD : HELD + 9] = array(T_78, (3, 3), "T_78").ravel()
     command[LAW] = mode
     state[ANGLES : ANGLES + 6] = command[KEPT : KEPT + 6] = array(theta_0, (6,), "theta_0")

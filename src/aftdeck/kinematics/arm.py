@@ -22,6 +22,7 @@ from aftdeck.kinematics.linkage import L2, L3, L4, forward_many
 from aftdeck.kinematics.rates import rates_many
 from aftdeck.kinematics.singular import NAMES, Singularities, distances_many
 from aftdeck.kinematics.solutions import FOUND, ROTATION_TOLERANCE, Solved, solve
+from aftdeck.matrices import product
 from aftdeck.units import INCH
 
 _FLOAT = np.dtype(np.float64)
@@ -211,7 +212,7 @@ class Arm:
 
     def end_effector(self, rotation: Array) -> Array:
         """Return the end effector's axes E (..., 3, 3) from the axes of frame 7: R_E = R_7 Rx(end_effector_roll)."""
-        return rotation @ rotation_x(self.model.end_effector_roll)
+        return product(rotation, rotation_x(self.model.end_effector_roll))
 
     def panel(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return the panel's read-out of a pose in L: X, Y, Z [in] and the end effector's pitch, yaw, roll [deg]."""
@@ -222,7 +223,7 @@ class Arm:
     def from_panel(self, position: ArrayLike, attitude: ArrayLike) -> Pose:
         """Return the tip pose in L from panel components: X, Y, Z [m] and the end effector's pitch, yaw, roll [rad]."""
         pitch, yaw, roll = _floats(attitude, "an attitude")
-        rotation = panel_rotation(pitch, yaw, roll) @ rotation_x(-self.model.end_effector_roll)
+        rotation = product(panel_rotation(pitch, yaw, roll), rotation_x(-self.model.end_effector_roll))
         return self.model.mount.from_("panel", Pose(_floats(position, "a position"), rotation))
 
     def orbiter(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:

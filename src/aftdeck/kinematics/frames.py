@@ -9,8 +9,9 @@ import numpy as np
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.kinematics.linkage import Three
-from aftdeck.law import law, sincos
+from aftdeck.law import law
 
 POSE = 12
 """Number of values in a frame's row: position [m], then the rotation matrix row by row. The matrix's columns are the

@@ -12,8 +12,9 @@ from __future__ import annotations
 import math
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import acos, atan2, nearest, sincos
 from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L1, L2, L3, L4, L5, LOWER, UPPER, WRIST
-from aftdeck.law import law, nearest
+from aftdeck.law import law
 
 BRANCHES = 8
 
@@ -48,7 +49,7 @@ def _triangle(upper: float, lower: float, out: float, up: float) -> tuple[float,
         beyond = math.sqrt(square) - abs(upper - lower)
     ck = min(max(ck, -1.0), 1.0)
     along, across = upper + lower * ck, lower * math.sqrt(1.0 - ck * ck)
-    return math.atan2(up, out), math.atan2(across, along), math.acos(ck), beyond
+    return atan2(up, out), atan2(across, along), acos(ck), beyond
 
 
 @law
@@ -78,7 +79,7 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
     row = 0
     for side in (1.0, -1.0):
         # theta1, or theta1 + pi
-        q1 = math.atan2(side * r2, side * r1)
+        q1 = atan2(side * r2, side * r1)
         c1 = side * r1 / off_axis if off_axis > 0.0 else side
         s1 = side * r2 / off_axis if off_axis > 0.0 else 0.0
         out, up = r1 * c1 + r2 * s1, -r3
@@ -94,9 +95,9 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
         cosine = math.sqrt(b22 * b22 + b23 * b23)
         for sign in (1.0, -1.0):
             # theta5, or pi - theta5; beta is the slope of the link after wrist pitch: the sum of the three pitch angles
-            q5 = math.atan2(b21, sign * cosine)
-            q6 = math.atan2(-sign * b23, sign * b22)
-            beta = math.atan2(-sign * b31, sign * b11)
+            q5 = atan2(b21, sign * cosine)
+            q6 = atan2(-sign * b23, sign * b22)
+            beta = atan2(-sign * b31, sign * b11)
             flat = math.sqrt(b11 * b11 + b31 * b31)
             cb = sign * b11 / flat if flat > 0.0 else 1.0
             sb = -sign * b31 / flat if flat > 0.0 else 0.0
@@ -141,7 +142,7 @@ def _heading_rows(
         elbow = 2.0 * other - 1.0
         q2 = slope - elbow * lift - arm[UPPER]
         q3 = elbow * bend + arm[UPPER] - arm[LOWER]
-        s, c = math.sin(q2 + q3 + arm[LOWER]), math.cos(q2 + q3 + arm[LOWER])
+        s, c = sincos(q2 + q3 + arm[LOWER])
         d11, d12, d13 = c * b11 - s * pose[9], c * b12 - s * pose[10], c * b13 - s * pose[11]
         d31 = s * b11 + c * pose[9]
         cosine = math.sqrt(d11 * d11 + b21 * b21)
@@ -150,11 +151,11 @@ def _heading_rows(
             # theta5, or pi - theta5; the roll is computed from the pitch axis, so that roll and heading agree even
             # where the heading is ill-defined
             sign = 1.0 - 2.0 * turned
-            q4 = math.atan2(sign * b21, sign * d11)
-            sh, ch = math.sin(q4), math.cos(q4)
+            q4 = atan2(sign * b21, sign * d11)
+            sh, ch = sincos(q4)
             row = first + 2 * turned + other
             excess[row] = beyond
             angles[row, 0], angles[row, 1], angles[row, 2] = q1, _within_pi(q2), _within_pi(q3)
-            angles[row, 3], angles[row, 4] = q4, math.atan2(-d31, sign * cosine)
-            angles[row, 5] = math.atan2(sh * d13 - ch * b23, ch * b22 - sh * d12)
+            angles[row, 3], angles[row, 4] = q4, atan2(-d31, sign * cosine)
+            angles[row, 5] = atan2(sh * d13 - ch * b23, ch * b22 - sh * d12)
     return greatest

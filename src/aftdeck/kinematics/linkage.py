@@ -16,8 +16,9 @@ from __future__ import annotations
 from typing import NamedTuple, TypeAlias
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.kinematics.finite import finite
-from aftdeck.law import law, sincos
+from aftdeck.law import law
 
 Floats: TypeAlias = Array | tuple[float, ...]
 """Floats as the argument of a law, such as the constants of an arm: an array; in loops over many arms, a tuple."""

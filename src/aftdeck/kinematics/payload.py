@@ -12,6 +12,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.frames import Pose
+from aftdeck.matrices import product
 from aftdeck.shapes import Shape
 
 PACKED = 15
@@ -45,9 +46,9 @@ class Payload:
 
     def pose(self, tip: Pose) -> Pose:
         """Return the payload's centre and axes (T_B8 = T_B7 T_78, r_7B = r_6B + T_B8 r_87) for tip poses (...)."""
-        rotation = tip.rotation @ self.rotation
-        return Pose(tip.position + rotation @ self.centre, rotation)
+        rotation = product(tip.rotation, self.rotation)
+        return Pose(tip.position + product(rotation, self.centre), rotation)
 
     def resolution(self, tip: Pose) -> Array:
         """Return the payload's point of resolution (..., 3) [m] for tip poses (...)."""
-        return np.asarray(tip.position + tip.rotation @ (self.rotation @ (self.centre + self.por)))
+        return np.asarray(tip.position + product(tip.rotation, product(self.rotation, self.centre + self.por)))

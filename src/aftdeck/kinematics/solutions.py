@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import ceiling, nearest, sincos
 from aftdeck.kinematics.finite import finite
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
-from aftdeck.law import law, nearest
+from aftdeck.law import law
 
 ROTATION_TOLERANCE = 1e-6
 """Greatest allowed deviation of the pose's rotation from an orthonormal matrix [1]."""
@@ -87,10 +88,11 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
             least_excess, nearest_row, culprit = excess_of_row, row, joint
         if limited and excess_of_row > SAME:
             continue
-        smallest = min(smallest, abs(math.cos(branches[row, 4])))
+        smallest = min(smallest, abs(sincos(branches[row, 4])[1]))
         distance = 0.0
         for k in range(6):
-            distance += (branches[row, k] - near[k]) ** 2
+            away = branches[row, k] - near[k]
+            distance += away * away
         # insertion sort: rows at equal distances keep their order
         slot = count
         while slot > 0 and kept_distances[slot - 1] > distance:
@@ -145,8 +147,8 @@ def _choose_revolutions(angles: Array, hard: Array, near: Array, turned: bool, l
             angle = angle + math.tau * nearest((near[k] - angle) / math.tau)
         if limited:
             low, high = hard[k, 0], hard[k, 1]
-            angle = angle - math.tau * max(math.ceil((angle - high - SAME) / math.tau), 0.0)
-            angle = angle + math.tau * max(math.ceil((low - SAME - angle) / math.tau), 0.0)
+            angle = angle - math.tau * max(ceiling((angle - high - SAME) / math.tau), 0.0)
+            angle = angle + math.tau * max(ceiling((low - SAME - angle) / math.tau), 0.0)
             # if no revolution is inside, use the nearer one: the first above the limits, or the first below them
             below = angle - math.tau
             if angle > high + SAME and low - below < angle - high:

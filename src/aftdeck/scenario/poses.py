@@ -11,6 +11,7 @@ from aftdeck.arms.geometry import frozen
 from aftdeck.files import Where
 from aftdeck.frames import FrameName, Pose, endori, panel_rotation, rotation_x
 from aftdeck.kinematics.arm import Arm
+from aftdeck.matrices import product
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import PoseSpec, Row, SixAngles
 from aftdeck.scenario.target import Target, target_at
@@ -92,7 +93,7 @@ def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pos
         return None
     rotation = pose.rotation
     if frame == "panel":
-        rotation = rotation @ rotation_x(-arm.model.end_effector_roll)
+        rotation = product(rotation, rotation_x(-arm.model.end_effector_roll))
     return arm.model.mount.from_(frame, Pose(pose.position, rotation))
 
 

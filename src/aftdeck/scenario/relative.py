@@ -9,6 +9,7 @@ import numpy as np
 
 from aftdeck.arms.load import ArmModel
 from aftdeck.frames import IDENTITY, SCENE_FROM_PANEL_AXES, Mount, Pose, rotation_x
+from aftdeck.matrices import product
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 from aftdeck.worksite.model import Cargo, Seat, Worksite
 
@@ -19,18 +20,18 @@ port."""
 
 def scene_in_l(mount: Mount, origin: tuple[float, float, float]) -> Pose:
     """Return the pose in L of a scene whose origin has the given structural coordinates [m]."""
-    turn = mount.rotation.T @ SCENE_FROM_PANEL_AXES
-    return Pose(turn @ np.array(origin) - mount.rotation.T @ mount.origin, turn)
+    turn = product(mount.rotation.T, SCENE_FROM_PANEL_AXES)
+    return Pose(product(turn, np.array(origin)) - product(mount.rotation.T, mount.origin), turn)
 
 
 def composed(outer: Pose, inner: Pose) -> Pose:
     """Return the composed pose: `outer` is the pose of the frame in which `inner` is given."""
-    return Pose(outer.position + outer.rotation @ inner.position, outer.rotation @ inner.rotation)
+    return Pose(outer.position + product(outer.rotation, inner.position), product(outer.rotation, inner.rotation))
 
 
 def inverted(pose: Pose) -> Pose:
     """Return the inverse pose: if `pose` is the pose of frame a in frame b, return the pose of frame b in frame a."""
-    return Pose(-(pose.rotation.T @ pose.position), pose.rotation.T)
+    return Pose(-product(pose.rotation.T, pose.position), pose.rotation.T)
 
 
 def takes(model: ArmModel, cargo: Cargo) -> bool:
@@ -44,7 +45,8 @@ def takes(model: ArmModel, cargo: Cargo) -> bool:
 def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
     """Return the tip's pose in a payload's axes: the capture pose, displaced by `above` and `offset` of `place`."""
     if cargo.grapple is not None:
-        capture_pose = Pose(cargo.grapple.position, cargo.grapple.rotation @ rotation_x(-model.end_effector_roll))
+        rotation = product(cargo.grapple.rotation, rotation_x(-model.end_effector_roll))
+        capture_pose = Pose(cargo.grapple.position, rotation)
     else:
         assert cargo.receptacle is not None, "the caller has checked that the payload has a fixture or a bar"
         low, high = cargo.receptacle.min(axis=0), cargo.receptacle.max(axis=0)
@@ -59,7 +61,7 @@ def at_seat(seat: Seat, cargo: Cargo, place: AtSeat) -> Pose:
     """Return a payload's pose in `seat.frame`: the seated pose, displaced by `above` and `offset` of `place`."""
     seated, turn = seat.seated(cargo.probe), seat.pose.rotation
     out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
-    return Pose(seated.position + place.above * out + turn @ np.array(place.offset), seated.rotation)
+    return Pose(seated.position + place.above * out + product(turn, np.array(place.offset)), seated.rotation)
 
 
 def in_frame(worksite: Worksite, cargo: tuple[Cargo, ...], name: str, pose: Pose) -> InFrame | None:

@@ -7,6 +7,7 @@ import numpy as np
 from aftdeck.bodies.pose import HERE, POSE, compose
 from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import OBSERVED, observe
+from aftdeck.matrices import product
 from aftdeck.scenario.model import Part, Start
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_at, frames_with_prong_at
@@ -94,7 +95,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
             worksite.cargo[k].seat, worksite.cargo[k].latches = payload.start.seat, Latches(1.0, 1.0)
             worksite.cargo[k].offset_at_fixing = worksite.cargo[k].offset_in_seat = list(HERE)
         else:
-            velocity = site.scene[3:].reshape(3, 3) @ payload.start.velocity
+            velocity = product(site.scene[3:].reshape(3, 3), payload.start.velocity)
             control = payload.limit_cycle
             rates, angles = (payload.start.rates, None) if control is None else (control.rate, control.start)
             worksite.floating[k] = floating(pose, velocity, rates, control, angles)

@@ -10,6 +10,7 @@ import math
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import atan2
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
 
@@ -45,7 +46,7 @@ def latraj(tip: Tip, target: Array) -> Aim:
     sx, sy, sz = 0.5 * (b32 - b23), 0.5 * (b13 - b31), 0.5 * (b21 - b12)
     sine = math.sqrt(sx * sx + sy * sy + sz * sz)
     cosine = 0.5 * (b11 + b22 + b33 - 1.0)
-    angle = math.atan2(sine, cosine)
+    angle = atan2(sine, cosine)
     if cosine >= 0.0:
         turn = 1.0 / sine if sine > 0.0 else 0.0
         ax, ay, az = turn * sx, turn * sy, turn * sz

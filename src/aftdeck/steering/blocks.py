@@ -10,6 +10,7 @@ Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 from __future__ import annotations
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import reduced, sincos_near_zero, turned_on
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import (
     HEADING_PITCH_ROLL,
@@ -24,7 +25,7 @@ from aftdeck.kinematics.linkage import (
     sines,
 )
 from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
-from aftdeck.law import law, reduced, sincos_near_zero, turned_on
+from aftdeck.law import law
 from aftdeck.steering.msteer import NEAR_FLOOR
 from aftdeck.tuples import Six
 
@@ -134,7 +135,7 @@ def _sines_of(work: Array, i: int) -> Sines:
 def _evaluate(arm: Floats, block: Array, work: Array) -> None:
     """Compute a block's remaining errors, and the values that the rate law needs, from the link angles in `work`.
 
-    `work` receives sines and cosines, and the reciprocal of each denominator. `law.sincos` is split into three short
+    `work` receives sines and cosines, and the reciprocal of each denominator. `sincos` is split into three short
     loops, in which the processor handles several vectors of arms at the same time.
     """
     for n in range(6 * LANES):

@@ -12,6 +12,7 @@ import math
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import ceiling
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import L2, L3, L4, Sines
 from aftdeck.kinematics.singular import distances
@@ -82,7 +83,7 @@ def braked(gap: float, deceleration: float, dt: float) -> float:
     if gap <= 0.0:
         return 0.0
     change = deceleration * dt
-    n = max(math.ceil(math.sqrt(0.25 + 2.0 * gap / (change * dt)) - 0.5), 1.0)
+    n = max(ceiling(math.sqrt(0.25 + 2.0 * gap / (change * dt)) - 0.5), 1.0)
     return gap / (n * dt) + 0.5 * (n - 1.0) * change
 
 

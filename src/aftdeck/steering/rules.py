@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 import numpy as np
 
 from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.kinematics.payload import Payload
+from aftdeck.matrices import product
 from aftdeck.steering.layout import (
     AS_FLOWN,
     DT,
@@ -68,7 +69,7 @@ def rules_of(
     shared[SPEED_UP], shared[TURN_UP] = por.acceleration, por.angular_acceleration
     shared[MOST_UP : MOST_UP + 6] = arm.rates.acceleration
     shared[MOUNT : MOUNT + 9] = arm.mount.rotation.T.ravel()
-    shared[HAND_COSINE], shared[HAND_SINE] = math.cos(arm.end_effector_roll), math.sin(arm.end_effector_roll)
+    shared[HAND_SINE], shared[HAND_COSINE] = sincos(arm.end_effector_roll)
     shared[NEAR], shared[NEAR_TURN] = near, near_turn
     shared[HELD : HELD + 9] = np.eye(3).ravel() if payload is None else payload.rotation.ravel()
     share = min(por.translation[0] / arm.por_limits(0.0).translation[0], 1.0)
@@ -87,7 +88,7 @@ def rules_of(
                 stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
                 rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = stops[:, 0], stops[:, 1]
                 if mode.loaded and payload is not None and not strict:
-                    rules[OFFSET : OFFSET + 3] = payload.rotation @ (payload.centre + payload.por)
+                    rules[OFFSET : OFFSET + 3] = product(payload.rotation, payload.centre + payload.por)
                 rules.setflags(write=False)
                 result[mode.position, rate, law] = rules
     return result

@@ -17,8 +17,9 @@ import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
-from aftdeck.law import law, sincos
+from aftdeck.law import law
 from aftdeck.tuples import Vec3
 
 _SMALL = 1e-4

@@ -16,6 +16,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, endori
+from aftdeck.matrices import product
 from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 
@@ -103,8 +104,8 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
         """
         if self.kind == "retention" or probe is None:
             return self.pose
-        rotation = self.pose.rotation @ probe.rotation.T
-        return Pose(self.pose.position - rotation @ probe.position, rotation)
+        rotation = product(self.pose.rotation, probe.rotation.T)
+        return Pose(self.pose.position - product(rotation, probe.position), rotation)
 
 
 class Start(msgspec.Struct, frozen=True, eq=False):

@@ -9,6 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import row_of
+from aftdeck.matrices import product
 from aftdeck.worksite.file.cargo import part_of
 from aftdeck.worksite.model import Cargo, Seat
 from aftdeck.worksite.seats.berthing import Guide, Guides, SeatTolerances, prepare
@@ -75,7 +76,7 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
     tip = np.zeros(3) if cargo.probe is None else cargo.probe.position
     guides = None
     if seat.guides is not None:
-        seats = place.position + cargo.trunnions @ place.rotation.T
+        seats = place.position + product(cargo.trunnions, place.rotation.T)
         guides = prepare([_guide(seat, name, point) for name, point in zip(cargo.trunnion_names, seats, strict=True)])
     return Berth(
         seat,

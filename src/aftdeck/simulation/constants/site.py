@@ -15,6 +15,7 @@ from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, rotation_x
 from aftdeck.kinematics.frames import Frames, frames_of
 from aftdeck.kinematics.linkage import L5
+from aftdeck.matrices import lengths, product
 from aftdeck.scenario import relative
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
@@ -255,7 +256,7 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
     solids = np.flatnonzero(layout.frame == layout.frames.index(payload.name))
     part = part_of(payload.name, "trunnions")
     own = [solid for solid, made in zip(solids.tolist(), payload.solids, strict=True) if made.part == part]
-    distances = np.linalg.norm(layout.solids[own, None, CENTRE : CENTRE + 3] - payload.trunnions, axis=2)
+    distances = lengths(layout.solids[own, None, CENTRE : CENTRE + 3] - payload.trunnions)
     return dict(zip(own, distances.argmin(axis=1).tolist(), strict=True))
 
 
@@ -266,7 +267,7 @@ def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
         return ()
     tip = np.array([model.links[L5], 0.0, 0.0])
     return tuple(
-        Solid(PART, model.linkage.frames[-1], (vertices + payload.centre) @ payload.rotation.T + tip)
+        Solid(PART, model.linkage.frames[-1], product(vertices + payload.centre, payload.rotation.T) + tip)
         for vertices in payload.solids
     )
 
@@ -286,7 +287,7 @@ def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
             reach.setdefault(solid.part, 0.0)
         elif solid.frame in model.linkage.frames:
             joint = places[max(model.linkage.frames.index(solid.frame) - 1, 0)]
-            farthest = float(np.linalg.norm(joint) + np.linalg.norm(solid.vertices, axis=1).max())
+            farthest = float(lengths(joint) + lengths(solid.vertices).max())
             reach[solid.part] = max(reach.get(solid.part, 0.0), farthest)
     return {part for part, farthest in reach.items() if farthest < SHORT}
 
@@ -296,7 +297,7 @@ def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
 
     The two parts of such a pair are at the two ends of a short link or of a ball wrist.
     """
-    links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
+    links, names, ball = lengths(model.linkage.steps), model.linkage.frames, _ball(model)
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
     if ball:
         before = names[names.index(ball[0]) - 1]
@@ -310,7 +311,7 @@ def _ball(model: ArmModel) -> tuple[str, ...]:
     Parts in the wrist's inner frames only rotate about that point. The end effector is at a distance from the
     point, and the joint limits keep it in front of the boom. It therefore touches neither the boom nor these parts.
     """
-    *_, second, third = np.linalg.norm(model.linkage.steps, axis=1)
+    *_, second, third = lengths(model.linkage.steps)
     return model.linkage.frames[-3:] if second == third == 0.0 else ()
 
 

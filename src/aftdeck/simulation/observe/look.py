@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from aftdeck.frames import angle_between
+from aftdeck.matrices import distance
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Placed, Times
 from aftdeck.simulation.motion.active_limits import active_limits
@@ -128,7 +127,7 @@ def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> 
     return Goal(
         target.position,
         target.rotation,
-        math.dist(target.position, position),
+        distance(target.position, position),
         angle_between(target.rotation, orientation),
         remaining if state.panel.sequence == "in progress" else 0.0,
     )

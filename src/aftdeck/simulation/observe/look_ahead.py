@@ -6,7 +6,6 @@ do not stop the copy, but the first contact is reported.
 
 from __future__ import annotations
 
-import math
 from typing import Literal, cast
 
 import msgspec
@@ -14,6 +13,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
+from aftdeck.matrices import lengths
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_at
 from aftdeck.simulation.motion.standstill import joint_lock_reason
@@ -182,7 +182,7 @@ def _stopping(state: State) -> float:
         command[MOTION_ACTIVE] = 0.0
         elapsed += 0.5
     here, there = (state.arm.forward(angles).position for angles in (state.plant.angles, steering[ANGLES : ANGLES + 6]))
-    return math.dist(here, there)
+    return float(lengths(here - there))
 
 
 def _room(flight: Flight, angles: Six) -> tuple[int, float]:

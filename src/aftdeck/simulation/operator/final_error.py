@@ -7,6 +7,7 @@ import math
 from aftdeck.arrays import Array
 from aftdeck.frames import angle_between
 from aftdeck.kinematics.arm import Arm
+from aftdeck.matrices import distance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 
@@ -30,10 +31,10 @@ def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) ->
         target: final pose of the motion.
     """
     tip = arm.forward(angles)
-    distance = math.dist(tip.position, target.position)
+    away = distance(tip.position.tolist(), target.position)
     angle = angle_between(tip.rotation.tolist(), target.rotation)
-    if distance <= max(REACHED, flight.scenario.near) and angle <= max(REACHED_TURN, flight.scenario.near_turn):
+    if away <= max(REACHED, flight.scenario.near) and angle <= max(REACHED_TURN, flight.scenario.near_turn):
         return ""
-    length = f"{distance:.2f} m" if distance >= 1.0 else f"{distance * 1e3:.{0 if distance >= _FINE else 1}f} mm"
+    length = f"{away:.2f} m" if away >= 1.0 else f"{away * 1e3:.{0 if away >= _FINE else 1}f} mm"
     degrees = math.degrees(angle)
     return f"{length}, {degrees:.1f}°" if degrees >= 1.0 else f"{length}, {degrees:.2f}°"

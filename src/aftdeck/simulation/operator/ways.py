@@ -13,6 +13,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.errors import UnreachableError
 from aftdeck.kinematics.singular import NAMES
+from aftdeck.matrices import distance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import AGREED
@@ -70,7 +71,7 @@ def _given(state: State, target: Target) -> Array | None:
     if target.joints is None:
         return None
     angles = np.array(target.joints)
-    return angles if math.dist(state.arm.forward(angles).position, target.position) <= AGREED else None
+    return angles if distance(state.arm.forward(angles).position.tolist(), target.position) <= AGREED else None
 
 
 def _branches(flight: Flight, state: State, target: Target) -> list[Array]:

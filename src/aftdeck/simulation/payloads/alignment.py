@@ -9,7 +9,7 @@ pair whose contact inhibits the arm counts.
 
 from __future__ import annotations
 
-from math import hypot, inf
+from math import inf
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.frames import oriend_rows
 from aftdeck.law import law
+from aftdeck.matrices import length, product
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Snares
@@ -195,7 +196,8 @@ def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, 
     if found[BEFORE] < -depth or found[DISTANCE] > NEAR:
         return False
     assert berth.port is not None
-    inward = frames[berth.row, 3:].reshape(3, 3) @ berth.port[3:].reshape(3, 3) @ berth.seat.envelope[0, :3]
+    outer, port = frames[berth.row, 3:].reshape(3, 3), berth.port[3:].reshape(3, 3)
+    inward = product(product(outer, port), berth.seat.envelope[0, :3])
     there = frames.copy()
     there[row, :3] += found[BEFORE] * inward
     found = approached(berth, there, row)
@@ -219,7 +221,7 @@ def _before_snares(site: Site, snares: Snares, frames: Array, before: int | None
             continue
         (out, y, z), rows = fixture
         wide = WIDEST if k == before else WIDER
-        if hypot(y, z) > wide * envelope.radial or abs(out) > NEAR:
+        if length((y, z)) > wide * envelope.radial or abs(out) > NEAR:
             continue
         roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
         if roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw:

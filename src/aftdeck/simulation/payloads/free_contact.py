@@ -12,6 +12,7 @@ import numpy as np
 
 from aftdeck.arrays import Array, Mask
 from aftdeck.law import law
+from aftdeck.matrices import dots, product
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_with_prong_at
 from aftdeck.simulation.log import log
@@ -127,7 +128,7 @@ def _velocity(flight: Flight, state: State, frame: str) -> Array:
             return floating.motion[3:].copy()
         if worksite.cargo[k].seat and site.in_space(worksite.cargo[k].seat):
             return np.zeros(3)
-    return np.zeros(3) if frame == "space" else site.axes @ worksite.orbiter_velocity
+    return np.zeros(3) if frame == "space" else product(site.axes, worksite.orbiter_velocity)
 
 
 def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Array) -> Array:
@@ -142,5 +143,5 @@ def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Arra
 
 def _closing(floating: Floating, other_velocity: Array, lever: Array, normal: Array) -> tuple[float, float]:
     """Return two terms of the closing speed at the contact: from the relative velocity, and from the rotation [m/s]."""
-    turn = floating.pose[3:].reshape(3, 3) @ floating.motion[:3]
-    return float((floating.motion[3:] - other_velocity) @ normal), float(np.cross(turn, lever) @ normal)
+    turn = product(floating.pose[3:].reshape(3, 3), floating.motion[:3])
+    return float(dots(floating.motion[3:] - other_velocity, normal)), float(dots(np.cross(turn, lever), normal))

@@ -5,7 +5,6 @@ This module begins a grasp at capture and ends it at release. After release, the
 
 from __future__ import annotations
 
-import math
 from itertools import chain
 
 import numpy as np
@@ -13,6 +12,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, relative
 from aftdeck.kinematics.payload import PACKED, Payload
+from aftdeck.matrices import length, product
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import log
@@ -95,7 +95,7 @@ def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
     inside = np.empty(POSE)
     relative(flight.site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
-    return Payload(flight.site.cargo[k].mass, rotation, rotation.T @ inside[:3], np.zeros(3))
+    return Payload(flight.site.cargo[k].mass, rotation, product(rotation.T, inside[:3]), np.zeros(3))
 
 
 def pose_in_hand(flight: Flight, state: State, k: int) -> Array:
@@ -130,7 +130,7 @@ def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple
     best, least = None, within
     for k in range(len(flight.site.cargo)):
         fixture = fixture_in_hand(flight.site, state.worksite.frames, k)
-        if fixture is not None and (away := math.hypot(*fixture[0])) < least:
+        if fixture is not None and (away := length(fixture[0])) < least:
             best, least = (k, fixture), away
     return best
 
@@ -164,8 +164,8 @@ def start_free_flight(flight: Flight, state: State, k: int, from_space: bool) ->
     now = motion(worksite.before[row], worksite.frames[row], flight.scenario.control_period)
     pose = worksite.frames[row].copy()
     pose[:3] += site.scene[:3] - worksite.frames[site.space_row, :3]
-    turn = pose[3:].reshape(3, 3).T @ np.array([now.wx, now.wy, now.wz])
-    velocity = np.array([now.vx, now.vy, now.vz]) + site.axes @ worksite.orbiter_velocity
+    turn = product(pose[3:].reshape(3, 3).T, np.array([now.wx, now.wy, now.wz]))
+    velocity = np.array([now.vx, now.vy, now.vz]) + product(site.axes, worksite.orbiter_velocity)
     if from_space:
         velocity[:] = 0.0
     worksite.floating[k] = floating(pose, velocity, turn, site.cargo[k].limit_cycle)

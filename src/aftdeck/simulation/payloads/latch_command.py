@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Literal
 
+from aftdeck.matrices import distance
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.log import log
@@ -46,7 +47,7 @@ def addressed(flight: Flight, state: State, pressed: Pressed | None) -> int | No
             fits = not site.is_passive_berth(payload.seat) and (pressed == "unlatch" or not _latched(flight, state, k))
         else:
             fits = pressed == "latch" and nearest_berth(flight, state, k) is not None
-        candidates.append((not fits, math.dist(hand.tolist(), worksite.frames[site.cargo_row(k), :3].tolist()), k))
+        candidates.append((not fits, distance(hand.tolist(), worksite.frames[site.cargo_row(k), :3].tolist()), k))
     return min(candidates)[2] if candidates else None
 
 

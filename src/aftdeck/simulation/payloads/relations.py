@@ -8,8 +8,6 @@ contact is detrimental.
 
 from __future__ import annotations
 
-from math import hypot
-
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
@@ -17,6 +15,7 @@ from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.bodies.pose import POSE, pose_of, relative
 from aftdeck.bodies.repeated_test import measure
 from aftdeck.frames import oriend_rows
+from aftdeck.matrices import length
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.site import Meeting, Site
 from aftdeck.simulation.payloads.grasp import fixture_in_hand
@@ -111,7 +110,7 @@ def _in_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
     envelope, ((out, y, z), rows) = site.snares.envelope, fixture
     roll, pitch, yaw = (abs(angle) for angle in oriend_rows(rows))
     return bool(
-        hypot(y, z) <= envelope.radial
+        length((y, z)) <= envelope.radial
         and out >= envelope.nearest - depth
         and roll <= envelope.roll
         and pitch <= envelope.pitch

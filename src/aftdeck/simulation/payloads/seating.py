@@ -7,13 +7,13 @@ releases the payload.
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, pose_of, relative
+from aftdeck.matrices import length
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.log import log, log_rejection
@@ -55,7 +55,7 @@ def _nearest_seat_text(flight: Flight, state: State) -> str:
     """
     site, units = flight.site, flight.scenario.arm.model.units
     distances = [
-        (math.hypot(*_offset(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
+        (length(_offset(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
         for k, own in enumerate(site.berths)
         for berth in own
         if not state.worksite.cargo[k].seat

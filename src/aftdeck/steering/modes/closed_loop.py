@@ -58,8 +58,8 @@ def note_arrival(rules: Array, state: Array, report: Array) -> None:
     Under `strict` the motion ends when the remaining time is 0.
     """
     t = twist_at(state, TWIST)
-    w = math.sqrt(t.wx**2 + t.wy**2 + t.wz**2)
-    v = math.sqrt(t.vx**2 + t.vy**2 + t.vz**2)
+    w = math.sqrt(t.wx * t.wx + t.wy * t.wy + t.wz * t.wz)
+    v = math.sqrt(t.vx * t.vx + t.vy * t.vy + t.vz * t.vz)
     near = report[DISTANCE] <= rules[NEAR] and report[ANGLE] <= rules[NEAR_TURN]
     if rules[STRICT] != 0.0:  # in the source, the phase ends when VCLOSE's remaining time is 0
         report[ARRIVED] = 1.0 if report[REMAINING] == 0.0 else 0.0

@@ -13,7 +13,7 @@ pitch is much smaller than the other angles.
 
 from __future__ import annotations
 
-from math import atan, inf, sqrt
+from math import inf, sqrt
 from typing import Literal, NamedTuple
 
 import msgspec
@@ -23,6 +23,7 @@ from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.hexahedron import CORNERS, VERTICES, D, X, Y, Z, face_normal, vertex
 from aftdeck.bodies.planes import least, lesser
 from aftdeck.bodies.vector import Vector, cross, dot, minus, times
+from aftdeck.elementary import atan2
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, within
 
@@ -169,9 +170,9 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
     found[SIDE] = dot(z2, axis)
     roll = lesser(_turn(bar, palm, _D, centre, z2), _turn(bar, fixed, _B, centre, z2))
     yaw = lesser(_turn(bar, fixed, _B, centre, x2), _turn(bar, prong, _E, centre, x2))
-    found[PITCH] = 2.0 * atan(_turn(bar, palm, _D, centre, y2))
-    found[ROLL] = 2.0 * atan(lesser(roll, _turn(bar, prong, _E, centre, z2)))
-    found[YAW] = 2.0 * atan(yaw)
+    found[PITCH] = 2.0 * atan2(_turn(bar, palm, _D, centre, y2), 1.0)
+    found[ROLL] = 2.0 * atan2(lesser(roll, _turn(bar, prong, _E, centre, z2)), 1.0)
+    found[YAW] = 2.0 * atan2(yaw, 1.0)
     return bool(
         found[AWAY] <= rules[FINGERS_WITHIN]
         and found[PALM] >= 0.0

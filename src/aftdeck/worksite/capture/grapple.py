@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import hypot, inf
+from math import inf
 
 import msgspec
 
 from aftdeck.frames import oriend_rows
+from aftdeck.matrices import length
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.worksite.conditions import Condition, within
 
@@ -40,7 +41,7 @@ def in_envelope(fixture: tuple[Vec3, Rows], envelope: CaptureEnvelope) -> tuple[
     """
     (out, y, z), rows = fixture
     roll, pitch, yaw = oriend_rows(rows)
-    radial = hypot(y, z)
+    radial = length((y, z))
     return (
         within("pin off axis", radial, -inf, envelope.radial, "m", _RADIAL_SAYS),
         within("pin depth", out, envelope.nearest, envelope.farthest, "m", _DEPTH_SAYS),

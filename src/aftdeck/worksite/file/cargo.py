@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from math import cos, pi, sin
+from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from aftdeck.arms.geometry import frozen
 from aftdeck.arrays import Array
 from aftdeck.bodies.cover import prism
+from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere
@@ -104,7 +105,7 @@ def _across_flats(across: float, sides: int) -> float:
 
     `across` is the distance between opposite corners.
     """
-    return across / 2.0 * cos(pi / sides)
+    return across / 2.0 * sincos(pi / sides)[1]
 
 
 def _apothem(file: CargoFile) -> float:
@@ -127,8 +128,9 @@ def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
 
     The top of a prism is its upper side. The top of a cylinder is assumed to be as wide as the cylinder.
     """
-    wide = file.body.across * sin(pi / file.body.sides) if isinstance(file.body, PrismBody) else 2.0 * file.body.radius
-    for axis, middle, size, room in (("x", bar.at[0], bar.length, file.body.length), ("y", bar.at[1], bar.width, wide)):
+    body = file.body
+    wide = body.across * sincos(pi / body.sides)[0] if isinstance(body, PrismBody) else 2.0 * body.radius
+    for axis, middle, size, room in (("x", bar.at[0], bar.length, body.length), ("y", bar.at[1], bar.width, wide)):
         beyond = abs(middle) + 0.5 * size - 0.5 * room
         if beyond > _ROUNDING:
             raise ValueError(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -10,6 +9,8 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
+from aftdeck.elementary import asin, atan2
+from aftdeck.matrices import length
 from aftdeck.shapes import Group, Shape
 from aftdeck.worksite.file.schema import HousingFile, WorksiteFile
 from aftdeck.worksite.file.solids import CORNERS
@@ -45,9 +46,9 @@ def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
     This point is `drive.lens` [m] behind the lens.
     """
     lens = camera.drive.lens if camera.drive is not None else 0.0
-    ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
+    ahead = np.array(camera.boresight) / length(camera.boresight)
     x, y, z = (np.array(camera.position) - lens * ahead).tolist()
-    turn = (0.0, -math.asin(float(ahead[2])), math.atan2(float(ahead[1]), float(ahead[0])))
+    turn = (0.0, -asin(float(ahead[2])), atan2(float(ahead[1]), float(ahead[0])))
     found.shapes.append(Group(position=(x, y, z), rotation=turn, shapes=housing.turned))
     found.shapes.append(Group(position=(x, y, z), shapes=housing.upright))
     low, high = (np.array([span[k] for span in (housing.x, housing.y, housing.z)], dtype=np.float64) for k in (0, 1))

@@ -11,6 +11,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import NX, D, pack
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, endori
+from aftdeck.matrices import product
 from aftdeck.shapes import Cylinder, Shape
 from aftdeck.worksite.file.schema import PortFile, SeatFile
 from aftdeck.worksite.model import Body, Guides, Seat
@@ -33,8 +34,8 @@ def seat_of(file: SeatFile, body: Body, solids: Sequence[Solid]) -> Seat:
         ValueError: a port is not on a face of its body's solids.
     """
     fixed, own = body.pose, endori(*file.rotation)
-    position = fixed.rotation @ np.array(file.position, dtype=np.float64) + fixed.position
-    pose = Pose(frozen(position), frozen(fixed.rotation @ own))
+    position = product(fixed.rotation, np.array(file.position, dtype=np.float64)) + fixed.position
+    pose = Pose(frozen(position), frozen(product(fixed.rotation, own)))
     guides = None if isinstance(file, PortFile) else file.guides
     return Seat(
         name=file.name,
@@ -71,11 +72,11 @@ def _envelope(port: Pose, solids: Sequence[Solid]) -> Array:
     for solid in solids:
         body = pack(solid.vertices)
         normals, distances = body[NX:D].reshape(3, 6).T, body[D:]
-        heights = normals @ port.position - distances
+        heights = product(normals, port.position) - distances
         face = int(heights.argmax())
         if abs(heights[face]) <= ON_FACE:
             order = [face, *(f for f in range(6) if f not in (face, 5 - face))]
-            planes = np.column_stack([normals @ port.rotation, -heights])[order]
+            planes = np.column_stack([product(normals, port.rotation), -heights])[order]
             planes[0] *= -1.0
             return frozen(planes)
     raise ValueError("a port's centre has to be on a face of a solid of its body; this one is not")

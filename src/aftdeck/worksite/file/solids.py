@@ -13,6 +13,7 @@ from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
+from aftdeck.matrices import product
 from aftdeck.shapes import Hexahedron, Material, Shape
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.solid_file import (
@@ -66,7 +67,7 @@ def moved(bodies: Array, pose: Pose) -> Array:
 
     `pose` is the pose of the hexahedra's own frame in the other frame.
     """
-    return np.asarray(bodies @ pose.rotation.T + pose.position)
+    return np.asarray(product(bodies, pose.rotation.T) + pose.position)
 
 
 def as_solids(part: str, frame: str, bodies: Iterable[Array]) -> tuple[Solid, ...]:

@@ -11,7 +11,6 @@ Not modelled: the force of a guide on a trunnion. The two switches of a latch di
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence, Set
 from math import inf
 from typing import NamedTuple
@@ -20,9 +19,11 @@ import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, angle_between
 from aftdeck.law import law
+from aftdeck.matrices import dots, length, lengths, product
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.conditions import Condition, within
 
@@ -105,7 +106,7 @@ def prepare(guides: Sequence[Guide]) -> Guides:
                 f"guide {guide.name!r}: up {guide.up} and along {guide.along} have to be perpendicular unit vectors"
             )
     seats = np.array([guide.seat for guide in guides]).reshape(-1, 3)
-    opening = np.tan([guide.half_angle for guide in guides])
+    opening = np.array([s / c for s, c in (sincos(guide.half_angle) for guide in guides)])
     throat, height, play = np.array([(guide.throat, guide.height, guide.play) for guide in guides]).reshape(-1, 3).T
     says = tuple(_templates(guide.name) for guide in guides)
     return Guides(tuple(guides), seats, axes, opening, throat, height, play, says)
@@ -126,7 +127,7 @@ def places(trunnions: Array, payload: Pose) -> Array:
         trunnions: (n, 3) centres in the payload's frame [m].
         payload: pose of the payload.
     """
-    return np.asarray(payload.position + trunnions @ payload.rotation.T)
+    return np.asarray(payload.position + product(trunnions, payload.rotation.T))
 
 
 def inside(trunnions: Array, guides: Guides) -> Array:
@@ -199,7 +200,7 @@ def over(
 
 def _local(trunnions: Array, guides: Guides) -> Array:
     """Return the trunnions' offsets (3, n) from their seats in the guides' axes: along, across, up [m]."""
-    return np.asarray((guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].T)
+    return dots(guides.axes, (trunnions - guides.seats)[:, None]).T
 
 
 def in_guides(trunnions: Array, guides: Guides) -> tuple[Condition, ...]:
@@ -245,7 +246,7 @@ def ready_to_latch(
         tolerances: tolerances of the berth.
         failed: names of failed switches, for example ``forward port B``.
     """
-    off = [math.hypot(x, y, z) for x, y, z in (trunnions - guides.seats).tolist()]
+    off = lengths(trunnions - guides.seats).tolist()
     found = []
     for guide, distance in zip(guides.guides, off, strict=True):
         name, says = f"{guide.name} latch ready", f"{guide.name} trunnion {{}} from its seat"
@@ -266,7 +267,7 @@ def switches(
 
     The arguments are those of `ready_to_latch`.
     """
-    off = np.linalg.norm(trunnions - guides.seats, axis=1).tolist()
+    off = lengths(trunnions - guides.seats).tolist()
     return tuple(
         (
             distance <= tolerances.distance and f"{guide.name} {SWITCHES[0]}" not in failed,
@@ -283,7 +284,7 @@ def retained(payload: Pose, tolerances: SeatTolerances) -> tuple[Condition, ...]
         payload: the offset of the payload's centre and its rotation, as a pose relative to its seated pose.
         tolerances: tolerances of the berth.
     """
-    distance = math.hypot(*payload.position.tolist())
+    distance = length(payload.position.tolist())
     return (
         within("payload stowed", distance, -inf, tolerances.distance, "m", _PLACE_SAYS),
         _turn(payload, tolerances),

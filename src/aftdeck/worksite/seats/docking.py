@@ -11,7 +11,7 @@ about y is allowed. By default, all three axes are compared here.
 
 from __future__ import annotations
 
-from math import atan2, cos, inf, sin, sqrt, tau
+from math import inf, sqrt, tau
 from typing import Literal
 
 import msgspec
@@ -20,8 +20,10 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, moved, relative
 from aftdeck.bodies.vector import Vector, dot, vector_at
+from aftdeck.elementary import atan2, sincos
 from aftdeck.errors import InputError
 from aftdeck.law import law
+from aftdeck.matrices import product
 from aftdeck.worksite.conditions import Condition, within
 
 BEFORE = 0
@@ -90,18 +92,18 @@ def envelope(
             "vectors"
         )
     port = apothem * out + offset[0] * across + offset[1] * up
-    turn = tau / sides
+    s, c = sincos(tau / sides)
     planes = np.empty((5, 4))
-    planes[0] = *-out, port @ out - apothem
+    planes[0] = *-out, float(product(port, out)) - apothem
     for k, (normal, distance) in enumerate(
         (
-            (cos(turn) * out - sin(turn) * across, apothem),
-            (cos(turn) * out + sin(turn) * across, apothem),
+            (c * out - s * across, apothem),
+            (c * out + s * across, apothem),
             (-up, 0.5 * length),
             (up, 0.5 * length),
         )
     ):
-        planes[k + 1] = *normal, distance - normal @ port
+        planes[k + 1] = *normal, distance - float(product(normal, port))
     return planes
 
 
@@ -129,9 +131,15 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
     centre = moved(pose, vector_at(face, 0))
     found[DISTANCE] = sqrt(dot(centre, centre))
     turn = pose[3:].reshape(3, 3)  # columns: the payload's axes in the port's frame
-    found[TURNED] = atan2(sqrt(turn[1, 0] ** 2 + turn[2, 0] ** 2), turn[0, 0])
-    found[TURNED + 1] = atan2(sqrt(turn[0, 1] ** 2 + turn[2, 1] ** 2), turn[1, 1])
-    found[TURNED + 2] = atan2(sqrt(turn[0, 2] ** 2 + turn[1, 2] ** 2), turn[2, 2])
+    found[TURNED] = _angle(turn[1, 0], turn[2, 0], turn[0, 0])
+    found[TURNED + 1] = _angle(turn[0, 1], turn[2, 1], turn[1, 1])
+    found[TURNED + 2] = _angle(turn[0, 2], turn[1, 2], turn[2, 2])
+
+
+@law
+def _angle(a: float, b: float, along: float) -> float:
+    """Return the angle [rad] between an axis and a unit vector, whose components are `along` it and a, b across it."""
+    return atan2(sqrt(a * a + b * b), along)
 
 
 @law

@@ -5,9 +5,10 @@ Both the end effector's carriage and a retention latch draw a body in. Not model
 
 from __future__ import annotations
 
-from math import atan2, cos, sin, sqrt
+from math import sqrt
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import atan2, sincos
 from aftdeck.law import law
 
 
@@ -34,8 +35,9 @@ def remaining(whole: Array, fraction: float, out: Array) -> None:
         w, x, y, z = r[3] - r[1], r[2] + r[6], r[5] + r[7], 1.0 - r[0] - r[4] + r[8]
     size = sqrt(x * x + y * y + z * z)
     half = fraction * (atan2(size, w) if w >= 0.0 else -atan2(size, -w))
-    per = sin(half) / size if size > 0.0 else 0.0
-    w, x, y, z = cos(half), per * x, per * y, per * z
+    s, c = sincos(half)
+    per = s / size if size > 0.0 else 0.0
+    w, x, y, z = c, per * x, per * y, per * z
     for k in range(3):
         out[k] = fraction * whole[k]
     out[3], out[4], out[5] = 1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)

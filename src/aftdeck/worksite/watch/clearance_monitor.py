@@ -98,9 +98,11 @@ def travelled(frames: Array, at: Array, reach: Array, travel: Array) -> None:
     for f in range(len(frames)):
         origin, rotation = 0.0, 0.0
         for k in range(3):
-            origin += (frames[f, k] - at[f, k]) ** 2
+            away = frames[f, k] - at[f, k]
+            origin += away * away
         for k in range(3, POSE):
-            rotation += (frames[f, k] - at[f, k]) ** 2
+            away = frames[f, k] - at[f, k]
+            rotation += away * away
         # the spectral norm of a difference of two rotations is its Frobenius norm divided by the square root of 2
         travel[f] = sqrt(origin) + sqrt(0.5 * rotation) * reach[f]
 

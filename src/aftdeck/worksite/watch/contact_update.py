@@ -128,7 +128,8 @@ def nearest_place(frames: Array, row: int, rows: Indices, places: Array, within:
         for i in range(3):
             b = frames[rows[p]]
             along = b[3 + 3 * i] * places[p, 0] + b[4 + 3 * i] * places[p, 1] + b[5 + 3 * i] * places[p, 2]
-            square += (frames[row, i] - b[i] - along) ** 2
+            away = frames[row, i] - b[i] - along
+            square += away * away
         if square < least:
             best, least = p, square
     return best

@@ -20,6 +20,7 @@ from aftdeck.bodies.hexahedron import BODY, unpack
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
+from aftdeck.matrices import lengths
 
 PartPair = tuple[str, str]
 
@@ -145,7 +146,7 @@ def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iter
     indices = _fixed([(parts.index(a), parts.index(b)) for a, b in groups]).reshape(-1, 2)
     packed, frame_of = _packed(solids), _fixed([frames.index(solid.frame) for solid in solids])
     reach = np.zeros(len(frames))
-    np.maximum.at(reach, frame_of, np.linalg.norm(packed[:, CENTRE : CENTRE + 3], axis=1) + packed[:, RADIUS])
+    np.maximum.at(reach, frame_of, lengths(packed[:, CENTRE : CENTRE + 3]) + packed[:, RADIUS])
     reach.flags.writeable = False
     return Layout(
         frames,
@@ -181,7 +182,7 @@ def _packed(solids: Sequence[Solid]) -> Array:
         points = unpack(row[:BODY])
         middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
         row[CENTRE:RADIUS] = middle
-        row[RADIUS] = np.linalg.norm(points - middle, axis=1).max() + _ROOM
+        row[RADIUS] = lengths(points - middle).max() + _ROOM
     packed.flags.writeable = False
     return packed
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import atan2, sqrt, tan
+from math import sqrt
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.vector import Vector, cross, dot, minus, times, vector_at
+from aftdeck.elementary import atan2, sincos
 from aftdeck.law import law
 from aftdeck.worksite.watch.groups import POSE
 
@@ -55,7 +56,8 @@ def motion(before: Array, now: Array, period: float) -> Motion:
     u = cross(turn, d)
     w = cross(turn, u)
     square = angle * angle
-    share = (1.0 - 0.5 * angle / tan(0.5 * angle)) / square if angle > _SMALL else 1.0 / 12.0 + square / 720.0
+    s, c = sincos(0.5 * angle)
+    share = (1.0 - 0.5 * angle * c / s) / square if angle > _SMALL else 1.0 / 12.0 + square / 720.0
     per = 1.0 / period
     return Motion(
         turn.x * per,
