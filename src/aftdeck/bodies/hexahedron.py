@@ -43,9 +43,9 @@ EDGES = tuple(
 """The twelve edges, each by its two vertices."""
 
 # The same tables for the laws, with vertices, edges and faces numbered from zero.
-CORNERS = np.array([[v - 1 for v in face] for face in FACES.values()])
+CORNERS = np.array([[v - 1 for v in face] for face in FACES.values()], dtype=np.int64)
 """(6, 4) vertices of each face."""
-ENDS = np.array([[p - 1, q - 1] for p, q in EDGES])
+ENDS = np.array([[p - 1, q - 1] for p, q in EDGES], dtype=np.int64)
 """(12, 2) ends of each edge."""
 _CUBE = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(VERTICES)]) - 0.5
 _OUTWARD = _CUBE[CORNERS].sum(axis=1)
@@ -54,10 +54,10 @@ _OUTWARD = _CUBE[CORNERS].sum(axis=1)
 def _beside(p: int, q: int) -> tuple[int, int]:
     """Return the two faces of an edge, in the order of BESIDE."""
     f, g = (k for k, face in enumerate(FACES.values()) if {p, q} <= set(face))
-    return (f, g) if np.cross(_OUTWARD[f], _OUTWARD[g]) @ (_CUBE[q - 1] - _CUBE[p - 1]) > 0.0 else (g, f)
+    return (f, g) if dots(np.cross(_OUTWARD[f], _OUTWARD[g]), _CUBE[q - 1] - _CUBE[p - 1]) > 0.0 else (g, f)
 
 
-BESIDE = np.array([_beside(p, q) for p, q in EDGES])
+BESIDE = np.array([_beside(p, q) for p, q in EDGES], dtype=np.int64)
 """(12, 2) faces of each edge. In this order, the cross product of the two normals points along the edge."""
 
 

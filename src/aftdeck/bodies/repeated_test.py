@@ -33,8 +33,8 @@ from aftdeck.bodies.planes import lowest, sides
 from aftdeck.bodies.vector import ZERO, dot, minus, moved_along, opposite, plus, put_vector, times, vector_at
 from aftdeck.law import law
 
-EDGE_BITS = (1 << ENDS).sum(axis=1)
-FACE_BITS = (1 << CORNERS).sum(axis=1)
+EDGE_BITS = (1 << ENDS).sum(axis=1, dtype=np.int64)
+FACE_BITS = (1 << CORNERS).sum(axis=1, dtype=np.int64)
 """Feature values of the edges (12,) and of the faces (6,), as stored in a packed pair."""
 ASIDE = 1e-9
 """Gap [m] to which overlapping bodies are moved apart before the search for their closest points. With a greater gap,

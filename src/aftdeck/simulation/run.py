@@ -105,7 +105,7 @@ class Simulation:
         self._given = inputs
         self._stepped, self._frame, self._seal = True, None, b""
         angles = state.plant.angles.tolist()
-        if not math.isfinite(sum(angles)):
+        if not all(map(math.isfinite, angles)):
             time = state.tick * self.scenario.control_period
             raise SimulationError(f"the arm's state is no longer finite at {time:g} s: {angles}")
 

@@ -231,7 +231,7 @@ def site_of(scenario: Scenario) -> Site:
         berth_places=tuple(np.array([berth.place for berth in own]).reshape(-1, POSE) for own in berths),
         starts=tuple(row_of(payload.start.pose) for payload in cargo),
         slides=tuple(layout.between(own_parts, walls) for own_parts in parts),
-        bodies=tuple(np.flatnonzero(layout.frame == frames.index(payload.name)) for payload in cargo),
+        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)).astype(np.int64) for one in cargo),
         bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
     )
 

@@ -101,7 +101,7 @@ def prepare(guides: Sequence[Guide]) -> Guides:
         along, up = np.array(guide.along), np.array(guide.up)
         across = np.cross(up, along)
         axes[k] = along, across, up
-        if not np.allclose(axes[k] @ axes[k].T, np.eye(3), rtol=0.0, atol=_SQUARE):
+        if not np.allclose(product(axes[k], axes[k].T), np.eye(3), rtol=0.0, atol=_SQUARE):
             raise InputError(
                 f"guide {guide.name!r}: up {guide.up} and along {guide.along} have to be perpendicular unit vectors"
             )

@@ -23,7 +23,7 @@ from aftdeck.bodies.vector import Vector, dot, vector_at
 from aftdeck.elementary import atan2, sincos
 from aftdeck.errors import InputError
 from aftdeck.law import law
-from aftdeck.matrices import product
+from aftdeck.matrices import dots, product
 from aftdeck.worksite.conditions import Condition, within
 
 BEFORE = 0
@@ -86,7 +86,8 @@ def envelope(
         raise InputError(f"the prism has {sides} sides; an even number, {FEWEST_SIDES} or more, is allowed")
     out, up = np.array(outward, dtype=np.float64), np.array(axis, dtype=np.float64)
     across = np.cross(up, out)
-    if not np.allclose([out @ out, up @ up, across @ across], 1.0, rtol=0.0, atol=_SQUARE):
+    axes = np.array([out, up, across])
+    if not np.allclose(dots(axes, axes), 1.0, rtol=0.0, atol=_SQUARE):
         raise InputError(
             f"the port faces along {outward} and its prism extends along {axis}; these have to be perpendicular unit "
             "vectors"
