@@ -7,9 +7,9 @@ loading an arm. Loading an arm calls no law. In compiled code, division by zero 
 whose divisor could be zero avoids that division.
 
 A law gives the same result, to the last bit, on every processor and as plain Python. For this purpose the compiler may
-neither reorder sums nor fuse a product and a sum (`fastmath` is off), and a law calls no function of the C library,
-because libraries differ: `elementary.py` has the functions that laws need. `tests/test_machine_code.py` searches the
-machine code of all laws for such calls and instructions.
+neither reorder sums nor fuse a product and a sum (only `fused` allows that), and a law calls no function of the C
+library, because libraries differ: `elementary.py` has the functions that laws need. `tests/test_machine_code.py`
+searches the machine code of all laws for such calls and instructions.
 
 Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
 changed in one file, the cached code of its callers would still contain the old version. The laws' cache is therefore
@@ -23,6 +23,7 @@ import contextlib
 import functools
 import hashlib
 import importlib
+import inspect
 import os
 import re
 import shutil
@@ -55,14 +56,14 @@ class _Declared:
     be called, but more slowly.
     """
 
-    def __init__(self, function: Callable[..., Any], interpreted: bool) -> None:
+    def __init__(self, function: Callable[..., Any], interpreted: bool, fused: bool) -> None:
         functools.update_wrapper(self, function)
-        self._interpreted = interpreted
+        self._interpreted, self._fused = interpreted, fused
 
     @functools.cached_property
     def compiled(self) -> Callable[..., Any]:
         """Law as a function that Numba compiles at its first call."""
-        return _compiled(self.__wrapped__)  # type: ignore[attr-defined]
+        return _compiled(self.__wrapped__, fused=self._fused)  # type: ignore[attr-defined]
 
     def __call__(self, *given: Any) -> Any:
         """Call an interpreted law as plain Python; for any other law, load all laws first."""
@@ -85,7 +86,7 @@ def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     A law that another law calls is inlined (`forceinline`), because loops with function calls do not vectorise. A law
     releases Python's global lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
     """
-    return _declared(function, interpreted=False)
+    return _declared(function)
 
 
 def elementary_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
@@ -96,11 +97,19 @@ def elementary_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     return _declared(function, interpreted=True)
 
 
-def _declared(function: Callable[_P, _R], *, interpreted: bool) -> Callable[_P, _R]:
+def fused(exact: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Return another version of a law, with fused products and sums if the processor has them.
+
+    This version is faster, but its last digits depend on the processor and on the compiler. No frame may depend on it.
+    """
+    return _declared(inspect.unwrap(exact), fused=True)
+
+
+def _declared(function: Callable[_P, _R], *, interpreted: bool = False, fused: bool = False) -> Callable[_P, _R]:
     with _loading:
         if _waiting is None:
-            return _compiled(function)
-        _waiting.append(_Declared(function, interpreted))
+            return _compiled(function, fused=fused)
+        _waiting.append(_Declared(function, interpreted, fused))
         return cast("Callable[_P, _R]", _waiting[-1])
 
 
@@ -123,13 +132,13 @@ def load() -> None:
         _waiting = None
 
 
-def _compiled(function: Callable[_P, _R]) -> Callable[_P, _R]:
+def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
     import numba  # noqa: PLC0415  (takes 0.6 s; only calling a law needs it)
 
     config: Any = numba.config
     options: dict[str, Any] = {
         "error_model": "numpy",
-        "fastmath": False,
+        "fastmath": {"contract"} if fused else False,
         "forceinline": True,
         "nogil": True,
         "no_cfunc_wrapper": True,
@@ -138,7 +147,8 @@ def _compiled(function: Callable[_P, _R]) -> Callable[_P, _R]:
     config.CACHE_DIR = _cache()
     compiled: Callable[_P, _R]
     try:
-        compiled = numba.njit(cache=True, **options)(function)
+        # Numba's cache does not distinguish the two versions of a law
+        compiled = numba.njit(cache=not fused, **options)(function)
     except RuntimeError:  # no folder is writable: compile for this process only
         compiled = numba.njit(**options)(function)
     finally:

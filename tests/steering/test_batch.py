@@ -204,3 +204,11 @@ def test_invalid_batch_arguments_are_rejected(arm: aftdeck.Arm, change: dict[str
     given: dict[str, object] = {"angles": np.zeros((2, 6)), "targets": HERE, "steps": 1, "period": 0.02, "gain": 1.0}
     with pytest.raises(InputError, match=re.escape(message)):
         steer_batch(arm, **(given | change))  # type: ignore[arg-type]
+
+
+def test_fast_batch_differs_from_the_exact_one_by_rounding_only(arm: aftdeck.Arm) -> None:
+    start, targets = random_batch(arm, 84, 2 * LANES, 0.1)
+    exact, fast = (
+        steer_batch(arm, start, targets, steps=20, period=PERIOD, gain=GAIN, fast=fast).angles for fast in (False, True)
+    )
+    assert np.allclose(exact, fast, rtol=0.0, atol=1e-12)

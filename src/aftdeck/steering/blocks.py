@@ -3,12 +3,13 @@
 A step computes the tip pose (LNKAGE), the remaining error to the target, the joint rates for a twist proportional to
 this error (RMSRAT), their reduction to the rate limits (RATLMT), and the joint angles after one control period. A block
 holds `LANES` arms. Each row of a block holds one value of every arm, so that one instruction of the processor handles
-several arms. A computation of one arm alone gives the same result, bit for bit.
+several arms. A computation of one arm alone gives the same result, bit for bit, except with `fast`.
 Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 """
 
 from __future__ import annotations
 
+from aftdeck import elementary
 from aftdeck.arrays import Array
 from aftdeck.elementary import reduced, sincos_near_zero, turned_on
 from aftdeck.kinematics.jacobian import Rates, Twist
@@ -25,7 +26,7 @@ from aftdeck.kinematics.linkage import (
     sines,
 )
 from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
-from aftdeck.law import law
+from aftdeck.law import fused, law
 from aftdeck.steering.msteer import NEAR_FLOOR
 from aftdeck.tuples import Six
 
@@ -131,12 +132,16 @@ def _sines_of(work: Array, i: int) -> Sines:
     return Sines(s1, c1, s2, c2, s23, c23, sw, cw, s5, c5, s6, c6)
 
 
-@law
-def _evaluate(arm: Floats, block: Array, work: Array) -> None:
-    """Compute a block's remaining errors, and the values that the rate law needs, from the link angles in `work`.
+_fused_reduced, _fused_sincos_near_zero = fused(elementary.reduced), fused(elementary.sincos_near_zero)
+_fused_turned_on = fused(elementary.turned_on)
 
-    `work` receives sines and cosines, and the reciprocal of each denominator. `sincos` is split into three short
-    loops, in which the processor handles several vectors of arms at the same time.
+
+@law
+def _sines(work: Array) -> None:
+    """Replace the link angles in `work` by their sines and cosines.
+
+    `elementary.sincos` is split into three short loops, in which the processor handles several vectors of arms at the
+    same time.
     """
     for n in range(6 * LANES):
         work[n], work[n + QUARTERS * LANES] = reduced(work[n])
@@ -144,6 +149,29 @@ def _evaluate(arm: Floats, block: Array, work: Array) -> None:
         work[n], work[n + 6 * LANES] = sincos_near_zero(work[n])
     for n in range(6 * LANES):
         work[n], work[n + 6 * LANES] = turned_on(work[n], work[n + 6 * LANES], work[n + QUARTERS * LANES])
+
+
+@law
+def _fused_sines(work: Array) -> None:
+    """Do the same as `_sines` with fused products and sums."""
+    for n in range(6 * LANES):
+        work[n], work[n + QUARTERS * LANES] = _fused_reduced(work[n])
+    for n in range(6 * LANES):
+        work[n], work[n + 6 * LANES] = _fused_sincos_near_zero(work[n])
+    for n in range(6 * LANES):
+        work[n], work[n + 6 * LANES] = _fused_turned_on(work[n], work[n + 6 * LANES], work[n + QUARTERS * LANES])
+
+
+@law
+def _evaluate(arm: Floats, block: Array, work: Array, fast: bool) -> None:
+    """Compute a block's remaining errors, and the values that the rate law needs, from the link angles in `work`.
+
+    `work` receives sines and cosines, and the reciprocal of each denominator.
+    """
+    if fast:
+        _fused_sines(work)
+    else:
+        _sines(work)
     for i in range(LANES):
         a = _sines_of(work, i)
         _put_three(work, PER, i, per_distance(arm, a, NEAR_FLOOR))
@@ -154,7 +182,7 @@ def _evaluate(arm: Floats, block: Array, work: Array) -> None:
 
 
 @law
-def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
+def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int, fast: bool) -> None:
     """Make many steps of many arms, in place.
 
     Each arm family has its own loops, in which the kind of wrist is a constant. With a test of the family inside the
@@ -166,16 +194,26 @@ def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: i
         blocks: (blocks, FIELDS * LANES), each block row by row.
         work: (WORK * LANES,) work array, overwritten.
         steps: number of control periods.
+        fast: whether sines are computed with fused products and sums.
     """
     l1, l2, l3, l4, l5, upper, lower, wrist = arm
     if wrist == PITCH_YAW_ROLL:
-        _steer_family((l1, l2, l3, l4, l5, upper, lower, PITCH_YAW_ROLL), pace, blocks, work, steps)
+        _steer_wrist((l1, l2, l3, l4, l5, upper, lower, PITCH_YAW_ROLL), pace, blocks, work, steps, fast)
     else:
-        _steer_family((l1, l2, l3, l4, l5, upper, lower, HEADING_PITCH_ROLL), pace, blocks, work, steps)
+        _steer_wrist((l1, l2, l3, l4, l5, upper, lower, HEADING_PITCH_ROLL), pace, blocks, work, steps, fast)
 
 
 @law
-def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
+def _steer_wrist(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int, fast: bool) -> None:
+    """Call `_steer_family` with `fast` as a constant for the compiler."""
+    if fast:
+        _steer_family(arm, pace, blocks, work, steps, True)
+    else:
+        _steer_family(arm, pace, blocks, work, steps, False)
+
+
+@law
+def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int, fast: bool) -> None:
     """Make the steps of `steer_blocks` for a kind of wrist that is a constant for the compiler.
 
     A step makes several passes over a block, because in a short loop the processor handles more arms at the same time.
@@ -186,7 +224,7 @@ def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: 
         for i in range(LANES):
             q1, q2, q3, q4, q5, q6 = _six(block, 0, i)
             _put_six(work, 0, i, link_angles(arm, q1, q2, q3, q4, q5, q6))
-        _evaluate(arm, block, work)
+        _evaluate(arm, block, work, fast)
         for _ in range(steps):
             for i in range(LANES):
                 wx, wy, wz, vx, vy, vz = _six(block, LEFT, i)
@@ -197,4 +235,4 @@ def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: 
                 q = angles_after_step(pace, Rates(r1, r2, r3, r4, r5, r6), _six(block, 0, i))
                 _put_six(block, 0, i, q)
                 _put_six(work, 0, i, link_angles(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
-            _evaluate(arm, block, work)
+            _evaluate(arm, block, work, fast)
