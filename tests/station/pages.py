@@ -22,6 +22,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
+from aftdeck.station.server.access import LOCAL, Access
 from aftdeck.station.server.app import make_app
 from aftdeck.station.server.serve import listen, make_server
 from aftdeck.station.session.preparation import ready
@@ -191,9 +192,9 @@ class Station(Server):
 
 
 @contextmanager
-def served(session: Session, host: str = "127.0.0.1") -> Iterator[Station]:
+def served(session: Session, host: str = "127.0.0.1", access: Access = LOCAL) -> Iterator[Station]:
     """Serve a session as `aftdeck fly` does, in a thread."""
-    with serving(make_app(ready(session), host, session.folder), host) as port:
+    with serving(make_app(ready(session), access, session.folder), host) as port:
         yield Station(session, port)
 
 

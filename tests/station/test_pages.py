@@ -24,7 +24,7 @@ def test_secondary_window_is_neither_operator_nor_observer(station: Station) -> 
         window.send(from_page.Hello(kinds.PROTOCOL, shows=True))
         assert not window.wait_for(to_page.Role).flying
         with station.page() as page:
-            assert page.wait_for(to_page.Role) == to_page.Role(True, 0, 1, 1, asking=0, name="", names=())
+            assert page.wait_for(to_page.Role) == to_page.Role(True, True, 0, 1, 1, asking=0, name="", names=())
             assert page.flown(page.push((1.0, 0.0, 0.0))).translation == (1.0, 0.0, 0.0)
         window.push((1.0, 0.0, 0.0))
         assert window.rejection() == NOT_IN_CONTROL
@@ -37,7 +37,7 @@ def test_narrow_page_loses_control_and_rejoins_behind_the_others(station: Statio
         narrow.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
         narrow.send(from_page.LeaveSeat(narrow.next_seq()))
         assert narrow.wait_for(to_page.Role, lambda role: not role.flying) == to_page.Role(
-            False, 0, 0, flier=2, asking=0, name="", names=()
+            False, True, 0, 0, flier=2, asking=0, name="", names=()
         )
         assert narrow.wait_for(Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
         narrow.send(from_page.AskSticks(narrow.next_seq()))

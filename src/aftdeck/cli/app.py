@@ -21,7 +21,14 @@ app = typer.Typer(
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 ScenarioName = Annotated[str, typer.Argument(metavar="SCENARIO", help="A built-in name or a path to a .toml file.")]
 Seed = Annotated[int | None, typer.Option(help="Random seed; overrides the scenario's seed.")]
-Host = Annotated[str, typer.Option(help="Address to listen on.")]
+Host = Annotated[
+    str,
+    typer.Option(help="Address to listen on. If other machines can reach it, a page needs a key in its address."),
+]
+Names = Annotated[
+    list[str] | None,
+    typer.Option("--name", metavar="NAME", help="Host name by which other machines address this one. Repeatable."),
+]
 Port = Annotated[int, typer.Option(help="Port to listen on; 0 selects a free port.")]
 NoBrowser = Annotated[bool, typer.Option("--no-browser", help="Do not open a browser.")]
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from aftdeck.cli.app import Host, Json, NoBrowser, Port, ScenarioName, Seed, app
+from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, ScenarioName, Seed, app
 from aftdeck.cli.printing import Progress, print_cautions, print_json, print_summary, print_table, print_warning
 from aftdeck.errors import AftdeckError, InputError
 
@@ -29,6 +29,7 @@ def fly(
     scenario: ScenarioName = "first-flight",
     host: Host = "127.0.0.1",
     port: Port = 8340,
+    names: Names = None,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record each run into this folder.")] = None,
     participant: Annotated[
         str | None, typer.Option(metavar="CODE", help="Participant code, stored in each recording. Requires --record.")
@@ -65,6 +66,7 @@ def fly(
         seed,
         host=host,
         port=port,
+        names=tuple(names or ()),
         open_browser=not no_browser,
         demo=demo,
         record=record,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from aftdeck.cli.app import Host, Json, NoBrowser, Port, app
+from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, app
 from aftdeck.cli.printing import Progress, print_json
 from aftdeck.errors import InputError
 
@@ -61,6 +61,7 @@ def replay(
     ] = None,
     host: Host = "127.0.0.1",
     port: Port = 8340,
+    names: Names = None,
     no_browser: NoBrowser = False,
     as_json: Json = False,
 ) -> None:
@@ -80,7 +81,7 @@ def replay(
     elif play:
         from aftdeck.station.server.playback_server import serve_recording
 
-        serve_recording(file, host=host, port=port, open_browser=not no_browser)
+        serve_recording(file, host=host, port=port, names=tuple(names or ()), open_browser=not no_browser)
     elif html is not None:
         from aftdeck.station.playback.one_file import write_html
 

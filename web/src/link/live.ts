@@ -92,8 +92,10 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     }
   }
 
-  const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
-  const link = new Link(`${scheme}://${location.host}/ws`, { message, state }, () => ({
+  const socket = new URL('ws', location.href);
+  socket.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+  socket.search = '';
+  const link = new Link(socket.href, { message, state }, () => ({
     shows: torn !== null || tooNarrow(),
     strips: torn === 'strips',
   }));

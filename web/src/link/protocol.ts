@@ -799,6 +799,8 @@ export interface ScenarioInfo {
 export interface Role {
   readonly type: 'role';
   readonly flying: boolean;
+  /** False if the page's address is for observing only: this page cannot take control. */
+  readonly may_fly: boolean;
   /** Number of observers: pages that can take control but are not in control. */
   readonly watchers: number;
   /** Number of this page, from 1; 0 if it cannot take control. */

@@ -7,6 +7,7 @@ export class Control {
   role: Role = {
     type: 'role',
     flying: false,
+    may_fly: true,
     watchers: 0,
     number: 0,
     flier: 0,

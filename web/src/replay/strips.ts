@@ -1,7 +1,7 @@
 /** Strips: curves of quantities over the run, with the values at the playhead. */
 
 import type { Curve, Strip } from '../link/protocol';
-import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';
+import { el, setClass, setStyle, setText, svg } from '../panel/parts/dom';
 import type { Units } from '../words/units';
 import { placeAt, stretched } from './lanes';
 import { shown, withUnit } from './quantity';
@@ -93,7 +93,7 @@ export function stripRow(strip: Strip, span: Span, numbersFrom: number): StripRo
         dot.hidden = value === null;
         if (value !== null) {
           const place = `left: ${(part * 100).toFixed(3)}%; top: ${(height(value) * 100).toFixed(2)}%`;
-          setAttribute(dot, 'style', place);
+          setStyle(dot, place);
         }
       });
       const value = values[numbersFrom + strip.curves.length - 1] ?? null;

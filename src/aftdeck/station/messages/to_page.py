@@ -50,6 +50,8 @@ class Role(WireMessage, frozen=True, tag="role"):
     """
 
     flying: bool
+    may_fly: bool
+    """False if the page's address is for observing only: this page cannot take control."""
     watchers: int
     """Number of observers: pages that can take control but are not in control."""
     number: int

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import base64
 import gzip
+import hashlib
 import html
 import itertools
 import math
@@ -115,9 +116,22 @@ def _filled(page: str, path: Path, index: str, blocks: list[str]) -> str:
 
 
 def _whole_page(page: str) -> str:
-    """Return the built page with its script, style and fonts included, so that a browser needs no other file."""
-    page = _STYLE.sub(lambda match: f"<style>{_style(match[1])}</style>", page)
-    return _SCRIPT.sub(lambda match: f'<script type="module">{_script(match[1])}</script>', page)
+    """Return the built page with its script, style and fonts included, so that a browser needs no other file.
+
+    A policy allows only this script and this style, and no request to any other place.
+    """
+    allowed: dict[str, list[str]] = {"script": [], "style": []}
+
+    def included(kind: str, start: str, text: str) -> str:
+        allowed[kind].append(f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'")
+        return f"<{start}>{text}</{kind}>"
+
+    page = _STYLE.sub(lambda match: included("style", "style", _style(match[1])), page)
+    page = _SCRIPT.sub(lambda match: included("script", 'script type="module"', _script(match[1])), page)
+    sources = "; ".join(f"{kind}-src {' '.join(hashes)}" for kind, hashes in allowed.items())
+    policy = f"default-src 'none'; {sources}; img-src data:; font-src data:; base-uri 'none'; form-action 'none'"
+    head = f'<head>\n    <meta http-equiv="Content-Security-Policy" content="{policy}" />'
+    return page.replace("<head>", head, 1)
 
 
 def _script(name: str) -> str:

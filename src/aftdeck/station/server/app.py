@@ -14,7 +14,8 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from aftdeck.station.built import STATIC
-from aftdeck.station.server.own import keep_to_own
+from aftdeck.station.server.access import LOCAL, Access
+from aftdeck.station.server.own import MAY_FLY, keep_to_own
 from aftdeck.station.server.page import Page, receive_hello
 from aftdeck.station.server.recorded import Recordings
 from aftdeck.station.server.waiting import Waiting
@@ -23,7 +24,7 @@ from aftdeck.station.session.preparation import Preparation
 
 def make_app(
     preparation: Preparation,
-    host: str = "127.0.0.1",
+    access: Access = LOCAL,
     record: Path | None = None,
     failed: Callable[[], None] = lambda: None,
 ) -> Starlette:
@@ -34,7 +35,7 @@ def make_app(
 
     Args:
         preparation: preparation of the first session.
-        host: address that the server listens on.
+        access: names under which pages may address the server, and the keys that they need.
         record: folder into which the runs are recorded; None: runs are not recorded.
         failed: called in the server's event loop if the preparation fails.
     """
@@ -56,7 +57,7 @@ def make_app(
         await socket.accept()
         with contextlib.suppress(WebSocketDisconnect):
             if (hello := await receive_hello(socket)) and (pages := await waiting.until_ready(socket)):
-                await Page(pages, socket, hello).serve()
+                await Page(pages, socket, hello, may_fly=socket.scope[MAY_FLY]).serve()
 
     async def health(_: Request) -> Response:
         return PlainTextResponse(f"{waiting.phase}\n")
@@ -66,4 +67,4 @@ def make_app(
         routes += recordings.routes()
     if (STATIC / "index.html").is_file():
         routes.append(Mount("/", StaticFiles(directory=STATIC, html=True)))
-    return keep_to_own(Starlette(routes=routes, lifespan=lifespan), host)
+    return keep_to_own(Starlette(routes=routes, lifespan=lifespan), access)

@@ -1,7 +1,7 @@
 """Control roles: the page in control of the arm, requests for control, and the names of the pages.
 
 The first page takes control. When the page in control leaves, the remaining page that joined first takes control. The
-page in control can also give the sticks to a page that asks for them.
+page in control can also give the sticks to a page that asks for them. A page that may not fly never takes control.
 """
 
 from __future__ import annotations
@@ -45,6 +45,7 @@ class ControlRoles(Generic[P]):
         self.operator: P | None = None
         self._numbers: dict[P, int] = {}
         self._names: dict[P, str] = {}
+        self._observing: set[P] = set()
         self._request: ControlRequest[P] | None = None
         self._clock = clock
 
@@ -81,21 +82,24 @@ class ControlRoles(Generic[P]):
         number = self._numbers[page]
         return dict(self.named()).get(number, f"page {number}")
 
-    def join(self, page: P) -> None:
-        """Add a page; it takes control if no page is in control."""
+    def join(self, page: P, *, may_fly: bool = True) -> None:
+        """Add a page; it takes control if it may fly and no page is in control."""
         taken = set(self._numbers.values())
         self._numbers[page] = next(n for n in range(1, len(taken) + 2) if n not in taken)
-        if self.operator is None:
+        if not may_fly:
+            self._observing.add(page)
+        elif self.operator is None:
             self.operator = page
 
     def leave(self, page: P) -> None:
         """Remove a page; if it was in control, the remaining page that joined first takes control."""
         del self._numbers[page]
         self._names.pop(page, None)
+        self._observing.discard(page)
         if self.asking == page:
             self._request = None
         if self.operator == page:
-            self.operator = next(iter(self._numbers), None)
+            self.operator = next((other for other in self._numbers if other not in self._observing), None)
             self._request = None
 
     @property
@@ -109,8 +113,10 @@ class ControlRoles(Generic[P]):
         """Request the sticks for a page.
 
         Raises:
-            CommandError: the page is in control already, or the request of another page is pending.
+            CommandError: the page may not fly or is in control already, or the request of another page is pending.
         """
+        if page in self._observing:
+            raise CommandError("this page's address is for observing; to fly, open the address for flying")
         if page == self.operator:
             raise CommandError("this page is in control already")
         if self.asking not in (None, page):

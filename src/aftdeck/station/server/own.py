@@ -1,37 +1,62 @@
-"""Access control of a station: rejection of requests from other sites' pages."""
+"""Requests that a server answers: those of its own pages, under its own names, and with a key if it needs one."""
 
 from __future__ import annotations
 
 from urllib.parse import urlsplit
 
 from starlette.applications import Starlette
-from starlette.responses import PlainTextResponse
+from starlette.responses import PlainTextResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocket
 
+from aftdeck.station.server.access import Access
+from aftdeck.station.server.policy import Policy
 
-class OwnOriginOnly:
-    """Middleware that rejects requests from other sites' pages, and requests with a foreign host name."""
+MAY_FLY = "aftdeck.may_fly"
+"""Key of a scope: whether the request's address allows flying."""
+FOREIGN = "only this station's own pages may send requests\n"
+NO_KEY = (
+    "This address has no key. Ask the person who started the station for the whole address; one address is for flying, "
+    "another for observing.\n"
+)
 
-    def __init__(self, app: ASGIApp, hosts: frozenset[str] | None) -> None:
-        self._app, self._hosts = app, hosts
+
+class OwnPagesOnly:
+    """Middleware that rejects requests of other sites' pages, under foreign names, or without a key."""
+
+    def __init__(self, app: ASGIApp, access: Access) -> None:
+        self._app, self._access = app, access
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass on a request, or reject it if it comes from another site's page or has a foreign host name."""
-        if scope["type"] not in ("http", "websocket") or self._own(scope):
-            await self._app(scope, receive, send)
-        elif scope["type"] == "websocket":
-            await WebSocket(scope, receive, send).close(1008)
-        else:
-            await PlainTextResponse("only this station's own pages may send requests\n", 403)(scope, receive, send)
+        """Pass a request on without the key in its path, or reject it."""
+        if scope["type"] not in ("http", "websocket"):
+            return await self._app(scope, receive, send)
+        if not self._own(scope):
+            return await _reject(PlainTextResponse(FOREIGN, 403), scope, receive, send)
+        if not self._access.keys:
+            return await self._app({**scope, MAY_FLY: True}, receive, send)
+        key, slash, _ = scope["path"].removeprefix("/").partition("/")
+        role = self._access.role(key)
+        if role is None:
+            return await _reject(PlainTextResponse(NO_KEY, 403), scope, receive, send)
+        if not slash:
+            return await _reject(RedirectResponse(f"{key}/"), scope, receive, send)
+        inner = {**scope, "root_path": f"{scope.get('root_path', '')}/{key}", MAY_FLY: role == "fly"}
+        return await self._app(inner, receive, send)
 
     def _own(self, scope: Scope) -> bool:
         headers = {name: value.decode("latin-1") for name, value in scope["headers"]}
         host = headers.get(b"host", "")
-        if self._hosts is not None and _host_name(f"//{host}") not in self._hosts:
-            return False
         origin = headers.get(b"origin")
-        return origin is None or origin in (f"http://{host}", f"https://{host}")
+        own_origin = origin is None or origin in (f"http://{host}", f"https://{host}")
+        return own_origin and self._access.accepts(_host_name(f"//{host}"))
+
+
+async def _reject(response: Response, scope: Scope, receive: Receive, send: Send) -> None:
+    if scope["type"] == "websocket":
+        await WebSocket(scope, receive, send).close(1008)
+    else:
+        await response(scope, receive, send)
 
 
 def _host_name(url: str) -> str | None:
@@ -42,10 +67,8 @@ def _host_name(url: str) -> str | None:
         return None
 
 
-def keep_to_own(app: Starlette, host: str) -> Starlette:
-    """Add `OwnOriginOnly` to the app, and return the app; `host` is the address on which the app listens."""
-    everywhere = host in ("0.0.0.0", "::")  # all interfaces: any host name may belong to this machine
-    app.add_middleware(
-        OwnOriginOnly, hosts=None if everywhere else frozenset({host.lower(), "127.0.0.1", "localhost", "::1"})
-    )
+def keep_to_own(app: Starlette, access: Access) -> Starlette:
+    """Add `OwnPagesOnly` and `Policy` to the app, and return the app."""
+    app.add_middleware(OwnPagesOnly, access=access)
+    app.add_middleware(Policy)  # outermost, so that rejections have its headers, too
     return app

@@ -82,8 +82,8 @@ class Page:
         answers: messages that `Pages` has queued for this page; the sender task of this page sends them.
     """
 
-    def __init__(self, pages: Pages, socket: WebSocket, hello: from_page.Hello) -> None:
-        self.pages, self.socket = pages, socket
+    def __init__(self, pages: Pages, socket: WebSocket, hello: from_page.Hello, *, may_fly: bool) -> None:
+        self.pages, self.socket, self.may_fly = pages, socket, may_fly
         self.welcomed, self.shows, self.strips = pages.session, hello.shows, hello.strips
         self.seq = -1
         self.rejections = 0

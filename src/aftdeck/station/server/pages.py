@@ -23,11 +23,13 @@ class Connected(Protocol):
 
     Attributes:
         shows: True if the page only shows the run and cannot take control.
+        may_fly: False if the page's address is for observing only.
         seq: number of the page's last message.
         answers: messages that `Pages` has queued for the page; the page's own sender task sends them.
     """
 
     shows: bool
+    may_fly: bool
     seq: int
     answers: deque[to_page.Refused]
 
@@ -106,7 +108,7 @@ class Pages:
         if page.shows:
             self.windows.add(page)
         else:
-            self.roles.join(page)
+            self.roles.join(page, may_fly=page.may_fly)
 
     def leave(self, page: Connected, cause: str = "page gone") -> None:
         """Remove a page; if it was in control, put the arm into its safe state.
@@ -140,6 +142,7 @@ class Pages:
         )
         return to_page.Role(
             flying=page is roles.operator,
+            may_fly=page.may_fly,
             watchers=max(0, len(roles) - 1),
             number=number,
             flier=operator,

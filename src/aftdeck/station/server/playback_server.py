@@ -10,15 +10,16 @@ from starlette.applications import Starlette
 
 from aftdeck.station.built import built_page
 from aftdeck.station.playback.store import PlaybackStore
+from aftdeck.station.server.access import LOCAL, Access, access_of
 from aftdeck.station.server.own import keep_to_own
 from aftdeck.station.server.player import Player
-from aftdeck.station.server.serve import address_of, listen, make_server, run_server
+from aftdeck.station.server.serve import addresses_of, listen, make_server, run_server
 
 LARGE = 10_000_000
 """Size above which a recording takes more than a few seconds to read [bytes]."""
 
 
-def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> None:
+def serve_recording(path: Path, *, host: str, port: int, names: tuple[str, ...] = (), open_browser: bool) -> None:
     """Serve a recording to the page until interrupted; print the page's address when the recording is ready.
 
     Raises:
@@ -29,14 +30,15 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
     if path.is_file() and path.stat().st_size > LARGE:
         print(f"Reading {path.name}.", flush=True)
     with listen(host, port) as listener, PlaybackStore(path) as store:
-        address = address_of(listener, host)
+        access = access_of(listener, host, names, fly=False)
+        ((_, address),) = addresses_of(listener, access, host, names)
         print(f"Aftdeck replay: {address}", flush=True)
         print(f"Playing {path.name}. End with Ctrl+C.", flush=True)
-        server = make_server(replay_app(store, path, host))
+        server = make_server(replay_app(store, path, access))
         run_server(server, listener, address if open_browser else None)
 
 
-def replay_app(store: PlaybackStore, path: Path, host: str = "127.0.0.1") -> Starlette:
+def replay_app(store: PlaybackStore, path: Path, access: Access = LOCAL) -> Starlette:
     """Return the web app that serves a recording."""
     player = Player(store, path)
 
@@ -45,4 +47,4 @@ def replay_app(store: PlaybackStore, path: Path, host: str = "127.0.0.1") -> Sta
         player.check()
         yield
 
-    return keep_to_own(Starlette(routes=player.routes(), lifespan=lifespan), host)
+    return keep_to_own(Starlette(routes=player.routes(), lifespan=lifespan), access)

@@ -19,11 +19,13 @@ from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.built import StationError, built_page
 from aftdeck.station.messages.kinds import MAX_MESSAGE_BYTES
+from aftdeck.station.server.access import Access, access_of, shown_host
 from aftdeck.station.server.app import make_app
 from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 
 LAST_PORT = 65535
+_PURPOSE = {"fly": ", to fly", "watch": ", to observe"}
 COMPILING = "Compiling the steering laws, on the first start only: about half a minute."
 FAREWELL = 3.0
 """Time for which the server runs after a failed preparation, so that the opened page can receive the reason [s]."""
@@ -35,6 +37,7 @@ def serve(
     *,
     host: str,
     port: int,
+    names: tuple[str, ...] = (),
     open_browser: bool,
     demo: bool,
     record: Path | None = None,
@@ -50,6 +53,7 @@ def serve(
         seed: random seed; None selects the scenario's seed.
         host: address to listen on.
         port: port to listen on; 0 selects any free port.
+        names: further host names under which pages may address the station.
         open_browser: whether to open the page in a browser.
         demo: whether the script runs until the operator moves a stick or sends a command.
         record: folder into which each run is recorded; None: runs are not recorded.
@@ -63,8 +67,10 @@ def serve(
     """
     built_page()
     listener = listen(host, port)
-    address = address_of(listener, host)
-    print(f"Aftdeck station: {address}", flush=True)
+    access = access_of(listener, host, names)
+    addresses = addresses_of(listener, access, host, names)
+    for purpose, address in addresses:
+        print(f"Aftdeck station{purpose}: {address}", flush=True)
     live = None if viewers is None else Live(viewers)
     if live is not None:
         print(f"Foxglove can attach at {live.address}", flush=True)
@@ -88,18 +94,18 @@ def serve(
         asyncio.get_running_loop().call_later(FAREWELL if open_browser else 0.0, stop)
 
     preparation = Preparation(make)
-    server = make_server(make_app(preparation, host, record, failed))
-    run_server(server, listener, address if open_browser else None)
+    server = make_server(make_app(preparation, access, record, failed))
+    run_server(server, listener, addresses[0][1] if open_browser else None)
     if live is not None:
         live.close()
     if preparation.error is not None:
         raise preparation.error
 
 
-def address_of(listener: socket.socket, host: str) -> str:
-    """Return the page's address for the user."""
-    shown = f"[{host}]" if ":" in host else host
-    return f"http://{shown}:{listener.getsockname()[1]}/"
+def addresses_of(listener: socket.socket, access: Access, host: str, names: tuple[str, ...]) -> list[tuple[str, str]]:
+    """Return the page's addresses for the user, one for each key; before each, words that state its purpose."""
+    base = f"http://{shown_host(listener, host, names)}:{listener.getsockname()[1]}/"
+    return [(_PURPOSE[role], f"{base}{key}/") for role, key in access.keys] or [("", base)]
 
 
 def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | None) -> None:

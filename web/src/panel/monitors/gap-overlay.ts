@@ -3,7 +3,7 @@
  * draws a solid line over the dashes where no body hides the line.
  */
 
-import { el, setAttribute, setClass, setText, svg } from '../parts/dom';
+import { el, setAttribute, setClass, setStyle, setText, svg } from '../parts/dom';
 import { type Box, clipped, labelPlace, type Point, type Size } from './label-place';
 
 /** A line in the picture [px], and whether it is a caution. */
@@ -106,7 +106,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       const marked = touches.map(({ at }) => around(at));
       placeLabel = () => {
         const place = labelPlace(seen, sizeOf(), picture, [...taken(picture), ...marked]);
-        setAttribute(label, 'style', `translate: ${place.x.toFixed(0)}px ${place.y.toFixed(0)}px`);
+        setStyle(label, `translate: ${place.x.toFixed(0)}px ${place.y.toFixed(0)}px`);
       };
       placeLabel();
     },

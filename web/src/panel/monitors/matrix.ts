@@ -3,7 +3,7 @@
 import type { Target } from '../../cameras/best-pair';
 import { type Age, isStale } from '../../link/delay-line';
 import type { Camera } from '../../link/protocol';
-import { button, el, group, setAttribute, setClass, setText } from '../parts/dom';
+import { button, el, group, setAttribute, setClass, setStyle, setText } from '../parts/dom';
 import { fitPane } from './picture';
 import { type Plan, plan } from './plan';
 
@@ -62,10 +62,10 @@ export class Matrix {
     const left = across * DOWN - cameras.length;
     const among = left >= 2 && left < across;
     if (among) {
-      setAttribute(places, 'style', `--left: ${left}`);
+      setStyle(places, `--left: ${left}`);
       this.element.append(places);
     }
-    setAttribute(this.element, 'style', `--across: ${across}`);
+    setStyle(this.element, `--across: ${across}`);
     const views = group('views', 'Views', this.views);
     if (tearOff) {
       const off = button(

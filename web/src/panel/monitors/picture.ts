@@ -7,7 +7,7 @@ import type { Camera, Frame, Vec3 } from '../../link/protocol';
 import { inset } from '../../page/room';
 import { timeCode } from '../../words/format';
 import { lensWords } from '../../words/lens';
-import { el, setAttribute, setClass, setText, svg } from '../parts/dom';
+import { el, setAttribute, setClass, setStyle, setText, svg } from '../parts/dom';
 import { axesOverlay } from './axes';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
@@ -245,7 +245,7 @@ export function fitPane(element: HTMLElement, { pane, field_of_view }: Camera, w
   if (!pane) return;
   const perMetre = width / (2 * Math.tan(field_of_view / 2) * pane.distance);
   const [wide, high] = [pane.width, pane.height].map((size) => `${(size * perMetre).toFixed(1)}px`);
-  setAttribute(element, 'style', `width: ${wide}; height: ${high}`);
+  setStyle(element, `width: ${wide}; height: ${high}`);
 }
 
 /** Boxes of the texts in the corners of a picture, with a margin [px]. */

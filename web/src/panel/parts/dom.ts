@@ -9,7 +9,7 @@ export function el<K extends keyof HTMLElementTagNameMap>(
   ...children: Child[]
 ): HTMLElementTagNameMap[K] {
   const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  write(node, attributes);
   node.append(...children);
   return node;
 }
@@ -20,9 +20,16 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   ...children: Child[]
 ): SVGElementTagNameMap[K] {
   const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  write(node, attributes);
   node.append(...children);
   return node;
+}
+
+function write(node: HTMLElement | SVGElement, attributes: Attributes): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name === 'style') setStyle(node, value);
+    else node.setAttribute(name, value);
+  }
 }
 
 /** Makes a push button. After a click by pointer, the button loses the focus, so that keys control the arm again. */
@@ -63,6 +70,16 @@ export function setText(node: Element, text: string): void {
 
 export function setAttribute(node: Element, name: string, value: string): void {
   if (node.getAttribute(name) !== value) node.setAttribute(name, value);
+}
+
+/** Texts of the styles that `setStyle` has set. The browser's own text of a style differs from the given text. */
+const styles = new WeakMap<Element, string>();
+
+/** Sets the style of one element by script, because the page's content policy forbids style attributes. */
+export function setStyle(node: HTMLElement | SVGElement, text: string): void {
+  if (styles.get(node) === text) return;
+  styles.set(node, text);
+  node.style.cssText = text;
 }
 
 export function setClass(node: Element, name: string, on: boolean): void {

@@ -35,13 +35,13 @@ export function handOver(send: (command: Command) => void): HandOver {
     question,
     ask,
     words(role, now) {
-      const { flying, flier, number, asking } = role;
+      const { flying, may_fly, flier, number, asking } = role;
       if (before.flier !== 0 && flier !== 0 && flier !== before.flier)
         given = { from: before.first, at: now };
       before = { flier, first: calledFirst(role, flier) };
       if (question.hidden === (flying && asking !== 0)) question.hidden = !question.hidden;
       setText(asked, asking === 0 ? '' : `${calledFirst(role, asking)} asks for the sticks.`);
-      const asks = !flying && number !== 0; // a page that can only observe has number 0
+      const asks = !flying && may_fly && number !== 0; // a secondary or narrow window has number 0
       if (ask.hidden === asks) ask.hidden = !asks;
       ask.disabled = asking !== 0;
       setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
