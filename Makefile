@@ -15,7 +15,7 @@ MODULES := web/node_modules/.package-lock.json
 # Deletes a virtual environment whose Python no longer exists; the rules below make a new one.
 $(shell test -x .venv/bin/python || rm -rf .venv)
 
-.PHONY: help fly test check format generate bench requirements package clean
+.PHONY: help fly test check format generate fuzz bench requirements package clean
 
 help:  ## list these commands
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -39,6 +39,7 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	cd web && npm run --silent check
 	$(PY) -m aftdeck.station.messages.typescript | diff -u web/src/link/protocol.ts -
 	$(PY) -m aftdeck.recording.document --check docs/recording.md
+	$(PY) -m aftdeck.scenario.ranges_document --check docs/files.md
 	$(PY) -m aftdeck.simulation.observe.field_values --check
 
 format: .venv/.dev $(MODULES)  ## format Python and TypeScript
@@ -48,11 +49,15 @@ format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 
 # Does not build the page first: the page may need the files that this command writes.
 generate: export PYTHONPATH := src
-generate: .venv/.fly  ## generate the call of Frame, web/src/link/protocol.ts and docs/recording.md from the types
+generate: .venv/.fly  ## generate the call of Frame, web/src/link/protocol.ts and tables in docs from the types
 	$(PY) -m aftdeck.simulation.observe.field_values
 	$(PY) -m aftdeck.station.messages.typescript > .venv/protocol.ts
 	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md
+	$(PY) -m aftdeck.scenario.ranges_document docs/files.md
+
+fuzz: .venv/.aftdeck .venv/.dev  ## attack with generated files, inputs, recordings and messages; ARGS="--minutes 60"
+	@$(PY) -m fuzz $(ARGS)
 
 bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## run the benchmarks, as JSON
 	@$(PY) -m benchmarks --json $(ARGS)

@@ -32,6 +32,7 @@ EXEMPT = {
     "scenario/poses.py": "decides whether a rotation is accepted",
     "simulation/inputs.py": "decides whether a target is accepted",
     "simulation/survey": "prints cautions; no frame depends on it",
+    "shapes.py": "its only sum counts shapes",
     "worksite/file/check.py": "decides whether a file is accepted",
 }
 """Sources without effect on any frame of an accepted scenario, each with the reason."""

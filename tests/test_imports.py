@@ -15,6 +15,9 @@ SOURCE = Path(aftdeck.__file__).parent
 LAYERS = (
     (
         "arrays",
+        "bounds",
+        "plain_values",
+        "schema_check",
         "tuples",
         "dimensions",
         "errors",

@@ -34,8 +34,8 @@ FILES: tuple[type[msgspec.Struct], ...] = (
     WorksiteFile,
     YawArmFile,
     HeadingArmFile,
-    arm_shapes._File,
-    light._File,
+    arm_shapes.ShapesFile,
+    light.LightFile,
 )
 DEEPEST = 4
 """Maximum depth of the tested lists of tables. Without it, groups of shapes in groups of shapes would never end."""
@@ -69,7 +69,7 @@ PATHS = sorted({(kind, path) for kind in FILES for path in lists_of_tables(kind)
 def test_lists_of_tables_are_found() -> None:
     found = {(kind.__name__, place(tuple(0 if part is None else part for part in path))) for kind, path in PATHS}
     assert {("ScenarioFile", "phase[0]"), ("ScenarioFile", "sequence[0].point[0]")} <= found
-    assert {("WorksiteFile", "body[0].solids[0]"), ("YawArmFile", "por[0]"), ("_File", "camera[0]")} <= found
+    assert {("WorksiteFile", "body[0].solids[0]"), ("YawArmFile", "por[0]"), ("ShapesFile", "camera[0]")} <= found
     assert len(found) > 20
 
 

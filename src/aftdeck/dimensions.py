@@ -114,7 +114,7 @@ def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
         raise ValueError(f"{name!r} is the name of a function; choose another name for the dimension")
     if isinstance(given, str):
         return _evaluated(given.removeprefix("="), names)
-    if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
+    if isinstance(given, bool) or not isinstance(given, int | float) or not abs(given) < math.inf:
         raise ValueError(f"expected a quantity such as '12 ft', or an expression, got {short(given)}")
     return _Value(float(given), _PLAIN)
 

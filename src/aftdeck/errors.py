@@ -66,8 +66,18 @@ class ScenarioError(AftdeckError):
     """
 
     def __init__(self, problems: Sequence[str]) -> None:
-        super().__init__("\n".join(problems))
-        self.problems = tuple(problems)
+        self.problems = tuple(map(_readable, problems))
+        super().__init__("\n".join(self.problems))
+
+
+_LONGEST_PROBLEM = 2_000
+"""Greatest length of a problem's sentence [characters]; what a file repeats more often is cut off."""
+
+
+def _readable(sentence: str) -> str:
+    """Return a sentence as one line that a terminal prints without effect on other lines."""
+    line = sentence if sentence.isprintable() else "".join(x if x.isprintable() else repr(x)[1:-1] for x in sentence)
+    return line if len(line) <= _LONGEST_PROBLEM else f"{line[:_LONGEST_PROBLEM]}…"
 
 
 class CommandError(AftdeckError):

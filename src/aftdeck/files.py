@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import re
 import stat
 import tomllib
-import types
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin
+from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
 from aftdeck.errors import InputError, ScenarioError
+from aftdeck.schema_check import convert, problems_of, split, unreadable
 from aftdeck.toml_lines import located
-from aftdeck.units import decode_hook, short
+from aftdeck.units import short
 
 _T = TypeVar("_T")
 
@@ -54,6 +53,17 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
         raise ScenarioError([f"{str(path)!r}: cannot be read: {error}"]) from None
 
 
+def as_path(name_or_path: object) -> Path:
+    """Return a name or path as a Path.
+
+    Raises:
+        InputError: it is neither a text nor a path.
+    """
+    if not isinstance(name_or_path, str | Path):
+        raise InputError(f"got {short(name_or_path)}, expected a name or a path")
+    return Path(name_or_path)
+
+
 def beside(name: str, folder: Path) -> str:
     """Return `folder` joined with the path `name`; `folder` is the folder of the file in which `name` is written.
 
@@ -91,7 +101,8 @@ def examine(
         derive: function that replaces expressions by their values, after the changes (`aftdeck.dimensions`).
 
     Raises:
-        ScenarioError: the text is not TOML, or is nested too deeply.
+        ScenarioError: the text is not TOML, is nested too deeply, or has values that no schema allows
+            (`schema_check.unreadable`).
     """
     name, text = file
     try:
@@ -103,18 +114,20 @@ def examine(
     for where, value in (changes or {}).items():
         _put(raw, where, value)
     try:
+        if wrong := [Problem(where, what) for where, what in unreadable(raw)]:
+            raise ScenarioError(sentences(wrong, name, text))
         underived = derive(raw) if derive is not None else []
         places = {problem.where for problem in underived}
-        found = [Problem(where, what) for where, what in _problems(raw, kind, ()) if where not in places]
+        found = [Problem(where, what) for where, what in problems_of(raw, kind) if where not in places]
+        problems = underived + found
+        for problem in problems:
+            _leave_out(raw, problem.where)
+        return convert(raw, kind), problems
     except RecursionError:
         raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
-    problems = underived + found
-    for problem in problems:
-        _leave_out(raw, problem.where)
-    try:
-        return convert(raw, kind), problems
-    except msgspec.ValidationError:
-        return None, problems
+    except msgspec.ValidationError as error:
+        what, where = split(str(error))
+        return None, problems or [Problem(where, what)]
 
 
 def _put(raw: Any, where: Where, value: object) -> None:
@@ -172,11 +185,6 @@ def _leave_out(raw: Any, where: Where) -> None:
         raw.pop(where[names[-1]], None)
 
 
-def convert(raw: object, kind: type[_T]) -> _T:
-    """Convert plain dicts, lists, numbers and strings to a decoded value of `kind`."""
-    return msgspec.convert(raw, kind, dec_hook=decode_hook)
-
-
 Where = tuple[str | int, ...]
 """Place in a file: the keys and list indices, outermost first, that lead to a value. Indices start at 0."""
 Changes = Mapping[Where, object]
@@ -218,102 +226,3 @@ def line_of(where: Where, text: str) -> int | None:
             break
         found = found.parts[part]
     return found.line or None
-
-
-def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
-    """Return all reasons why `raw` is not a valid `kind`, each with its place."""
-    kind = _without_none(kind)
-    base = get_origin(kind) or kind
-    if base is Annotated:  # check the constraint only if the value is valid without it
-        return _problems(raw, get_args(kind)[0], where) or _problem(raw, kind, where)
-    if tagged := _tagged(kind):
-        return _tagged_problems(raw, kind, tagged, where)
-    if isinstance(base, type) and issubclass(base, msgspec.Struct) and not base.__struct_config__.tag:
-        return _struct_problems(raw, kind, where)
-    if base is tuple and get_args(kind)[1:] == (...,) and isinstance(raw, list):
-        return [p for i, item in enumerate(raw) for p in _problems(item, get_args(kind)[0], (*where, i))]
-    if base is Literal and raw not in get_args(kind):
-        return [(where, f"expected one of {', '.join(map(str, get_args(kind)))}, got {short(raw)}")]
-    return _problem(raw, kind, where)
-
-
-def _problem(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
-    """Return the first reason why `raw` is not a valid `kind`, with its place; empty if `raw` is valid."""
-    try:
-        convert(raw, kind)
-    except msgspec.ValidationError as error:
-        what, inner = _split(str(error))
-        return [((*where, *inner), what)]
-    return []
-
-
-def _tagged(kind: Any) -> dict[str, Any]:
-    """Return the structs of a tagged union, by the value of their tag field; empty for other kinds."""
-    members = get_args(kind) if get_origin(kind) in (Union, types.UnionType) else ()
-    if not all(isinstance(k, type) and issubclass(k, msgspec.Struct) and k.__struct_config__.tag for k in members):
-        return {}
-    return {k.__struct_config__.tag: k for k in members}
-
-
-def _tagged_problems(raw: object, kind: Any, tagged: dict[str, Any], where: Where) -> list[tuple[Where, str]]:
-    """Return the reasons why `raw` is not a valid struct of a tagged union, each with its place.
-
-    The tag field selects the struct to check. A missing or unknown tag is reported as a problem; only the fields that
-    all structs share are then checked.
-    """
-    try:
-        convert(raw, kind)
-    except msgspec.ValidationError:
-        field = next(iter(tagged.values())).__struct_config__.tag_field
-        if not isinstance(raw, dict):
-            return [(where, f"expected a table, got {short(raw)}")]
-        name = raw.get(field)
-        if isinstance(name, str) and name in tagged:
-            return _struct_problems(raw, tagged[name], where)
-        if field in raw:
-            tag_problem = ((*where, field), f"expected one of {', '.join(tagged)}, got {short(name)}")
-        else:
-            tag_problem = (where, f"the field {field!r} is missing")
-        common = set.intersection(
-            *({(f.encode_name, f.type) for f in msgspec.structs.fields(k)} for k in tagged.values())
-        )
-        known = sorted((key, field_type) for key, field_type in common if key in raw)
-        return [tag_problem, *(p for key, field_type in known for p in _problems(raw[key], field_type, (*where, key)))]
-    return []
-
-
-def _struct_problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
-    if not isinstance(raw, dict):
-        return [(where, f"expected a table, got {short(raw)}")]
-    fields = {field.encode_name: field for field in msgspec.structs.fields(kind)}
-    found: list[tuple[Where, str]] = []
-    for key in raw:
-        if key not in fields and key != kind.__struct_config__.tag_field:
-            found.append(((*where, key), f"unknown field; allowed here: {', '.join(fields)}"))
-    for key, field in fields.items():
-        if key in raw:
-            found += _problems(raw[key], field.type, (*where, key))
-        elif field.required:
-            found.append((where, f"the field {key!r} is missing"))
-    if not found:
-        try:
-            convert(raw, kind)
-        except msgspec.ValidationError as error:
-            found.append((where, _split(str(error))[0]))
-    return found
-
-
-def _without_none(kind: Any) -> Any:
-    """Return X if `kind` is X | None; return any other kind unchanged."""
-    if get_origin(kind) in (Union, types.UnionType):
-        rest = [k for k in get_args(kind) if k is not type(None)]
-        if len(rest) == 1:
-            return rest[0]
-    return kind
-
-
-def _split(message: str) -> tuple[str, Where]:
-    """Split a message of msgspec, such as ``... - at `$.a[0]` ``, into its text and a place."""
-    what, _, path = message.partition(" - at `$")
-    parts = re.findall(r"\.([A-Za-z0-9_-]+)|\[(\d+)\]", path)
-    return what, tuple(name or int(index) for name, index in parts)

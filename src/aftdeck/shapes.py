@@ -11,13 +11,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import pairwise
 from math import inf, tau
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
-from aftdeck.tuples import Vec3
+from aftdeck.bounds import COORDINATE, ROTATION, Bounds
 
 Vec2 = tuple[float, float]
+Metres = Annotated[float, COORDINATE]
+Radians = Annotated[float, ROTATION]
+Exponent = Annotated[float, Bounds(0.1, 100.0, "exponent 2 gives an ellipse, and 5 nearly a rectangle")]
+Point2 = tuple[Metres, Metres]
+Point = tuple[Metres, Metres, Metres]
+Turn = tuple[Radians, Radians, Radians]
 Axis = Literal["x", "y", "z"]
 Material = Literal[
     "blanket",  # white quilted blanket of the orbiter's upper side
@@ -42,6 +48,10 @@ FEWEST_CORNERS = 3
 FEWEST_SECTIONS = 2
 """Minimum number of sections of a loft."""
 HEXAHEDRON_VERTICES = 8
+MOST_SHAPES = 10_000
+"""Greatest number of shapes that one group draws, in all its copies (assumed)."""
+DEEPEST = 8
+"""Greatest number of groups of which each contains the next (assumed)."""
 
 
 def _positive(shape: str, **sizes: float) -> None:
@@ -60,9 +70,9 @@ def _within_turn(shape: str, sweep: float) -> None:
 class _Placed(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", kw_only=True):
     """Base of every shape: position and rotation in the frame in which the shape is listed."""
 
-    position: Vec3 = (0.0, 0.0, 0.0)
+    position: Point = (0.0, 0.0, 0.0)
     """Position [m]."""
-    rotation: Vec3 = (0.0, 0.0, 0.0)
+    rotation: Turn = (0.0, 0.0, 0.0)
     """Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]."""
 
 
@@ -75,7 +85,7 @@ class _Solid(_Placed, frozen=True, kw_only=True):
 class Box(_Solid, frozen=True, kw_only=True, tag="box"):
     """A box, centred at its position."""
 
-    size: Vec3
+    size: Point
     """Edges along x, y, z [m]."""
 
     def __post_init__(self) -> None:
@@ -88,10 +98,10 @@ class Cylinder(_Solid, frozen=True, kw_only=True, tag="cylinder"):
     """A solid cylinder or truncated cone, centred at its position."""
 
     axis: Axis = "x"
-    length: float
-    radius: float
+    length: Metres
+    radius: Metres
     """Radius at the end with the smaller axis coordinate [m]."""
-    radius_end: float | None = None
+    radius_end: Metres | None = None
     """Radius at the other end [m]; None if it equals `radius`."""
 
     def __post_init__(self) -> None:
@@ -107,14 +117,14 @@ class Shell(_Solid, frozen=True, kw_only=True, tag="shell"):
     """
 
     axis: Axis = "x"
-    length: float
-    radius: float
+    length: Metres
+    radius: Metres
     """Outer radius at the end with the smaller axis coordinate [m]."""
-    radius_end: float | None = None
+    radius_end: Metres | None = None
     """Outer radius at the other end [m]; None if it equals `radius`."""
-    thickness: float
-    start: float = 0.0
-    sweep: float = tau
+    thickness: Metres
+    start: Radians = 0.0
+    sweep: Radians = tau
 
     def __post_init__(self) -> None:
         """Reject sizes that are not above zero, a sweep beyond a full turn, and walls thicker than their radius."""
@@ -129,12 +139,12 @@ class Ring(_Solid, frozen=True, kw_only=True, tag="ring"):
     """A round bar bent about an axis by a full turn or less; angles are as in `Shell`."""
 
     axis: Axis = "x"
-    radius: float
+    radius: Metres
     """Radius of the bar's centre line [m]."""
-    bar: float
+    bar: Metres
     """Radius of the bar [m]."""
-    start: float = 0.0
-    sweep: float = tau
+    start: Radians = 0.0
+    sweep: Radians = tau
 
     def __post_init__(self) -> None:
         """Reject sizes that are not above zero, and a sweep beyond a full turn."""
@@ -145,7 +155,7 @@ class Ring(_Solid, frozen=True, kw_only=True, tag="ring"):
 class Sphere(_Solid, frozen=True, kw_only=True, tag="sphere"):
     """A sphere."""
 
-    radius: float
+    radius: Metres
 
     def __post_init__(self) -> None:
         """Reject a radius that is not above zero."""
@@ -156,10 +166,10 @@ class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
     """A flat plate. Half of its thickness is on each side of the plane through its position."""
 
     normal: Axis
-    outline: tuple[Vec2, ...]
+    outline: tuple[Point2, ...]
     """Corners in order, each listed once: (y, z), (x, z) or (x, y) for normal x, y or z [m]."""
-    thickness: float
-    bevel: float = 0.0
+    thickness: Metres
+    bevel: Metres = 0.0
     """Distance by which the edges are cut back, at most half the thickness [m]."""
 
     def __post_init__(self) -> None:
@@ -178,12 +188,12 @@ class Section(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=T
     `bottom`; n is the exponent of the half. Exponent 2 gives an ellipse, 5 nearly a rectangle.
     """
 
-    x: float
-    half_width: float
-    top: float
-    middle: float
-    bottom: float
-    exponents: Vec2 = (2.0, 2.0)
+    x: Metres
+    half_width: Metres
+    top: Metres
+    middle: Metres
+    bottom: Metres
+    exponents: tuple[Exponent, Exponent] = (2.0, 2.0)
     """Exponents of the upper and the lower half."""
 
     def __post_init__(self) -> None:
@@ -212,7 +222,7 @@ class Loft(_Solid, frozen=True, kw_only=True, tag="loft"):
 class Hexahedron(_Solid, frozen=True, kw_only=True, tag="hexahedron"):
     """A body of eight vertices and six flat faces, numbered as in `aftdeck.bodies.hexahedron`."""
 
-    vertices: tuple[Vec3, ...]
+    vertices: tuple[Point, ...]
     """Vertices in the body's own axes [m]. Vertex v has v - 1 = 4 (if at +y) + 2 (if at +x) + 1 (if at +z)."""
 
     def __post_init__(self) -> None:
@@ -224,12 +234,12 @@ class Hexahedron(_Solid, frozen=True, kw_only=True, tag="hexahedron"):
 class Light(_Placed, frozen=True, kw_only=True, tag="light"):
     """A lamp: a round face that points along its own x axis and lights the space in front."""
 
-    radius: float
-    cone: float
+    radius: Metres
+    cone: Radians
     """Half angle of the beam [rad]; above pi/2 the lamp shines in all directions."""
-    reach: float
+    reach: Metres
     """Range of the light [m]."""
-    intensity: float
+    intensity: Annotated[float, Bounds(0.0, 1e9, "a lighthouse has 1e6 to 1e8 cd", "cd")]
     """Intensity on the lamp's axis [cd]; on this scale full sunlight is 4.1 lx."""
     switch: str = "lamps"
     """Name of the panel's switch for this lamp. Several lamps may have the same switch."""
@@ -243,22 +253,33 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
     """Shapes that are moved together. A group can be repeated in equal steps, and mirrored."""
 
     shapes: tuple[Shape, ...]
-    count: int = 1
+    count: Annotated[int, Bounds(1, MOST_SHAPES, "every copy is drawn in every picture")] = 1
     """Number of copies."""
-    step: Vec3 = (0.0, 0.0, 0.0)
+    step: Point = (0.0, 0.0, 0.0)
     """Translation from one copy to the next, along the group's own axes [m]."""
-    turn: Vec3 = (0.0, 0.0, 0.0)
+    turn: Turn = (0.0, 0.0, 0.0)
     """Roll, pitch, yaw about the group's own axes, as in `rotation` [rad]. For copy i, counted from 0, each angle is
     multiplied by i."""
     mirror: bool = False
     """Whether all copies are also drawn mirrored across the plane y = 0 of the frame in which the group is listed."""
 
     def __post_init__(self) -> None:
-        """Reject an empty group, or a count below 1."""
+        """Reject a group that is empty, nested too deeply, or draws too many shapes; and a count below 1."""
         if not self.shapes:
             raise ValueError("the group has no shapes; it needs at least 1")
         if self.count < 1:
             raise ValueError(f"the group's count is {self.count}; it has to be at least 1")
+        number, depth = self._extent()
+        if depth > DEEPEST:
+            raise ValueError(f"the group contains {depth} groups, one inside the other; at most {DEEPEST} are allowed")
+        if number > MOST_SHAPES:
+            raise ValueError(f"the group draws {number} shapes in all its copies; at most {MOST_SHAPES} are allowed")
+
+    def _extent(self) -> tuple[int, int]:
+        """Return the number of shapes that the group draws, and the number of groups from this one to the innermost."""
+        inner = [shape._extent() if isinstance(shape, Group) else (1, 0) for shape in self.shapes]
+        copies = self.count * (2 if self.mirror else 1)
+        return copies * sum(number for number, _ in inner), 1 + max(depth for _, depth in inner)
 
 
 Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group

@@ -11,6 +11,8 @@ import re
 import reprlib
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from aftdeck.bounds import COORDINATE, ROTATION, Bounds
+
 if TYPE_CHECKING:
     import pint
 
@@ -42,7 +44,18 @@ The table exists because importing pint and its definitions takes longer than lo
 compares the table with pint.
 """
 
-_REPR = reprlib.Repr()
+
+class _Repr(reprlib.Repr):
+    """Short repr, also of integers with more digits than Python converts to text."""
+
+    def repr_int(self, x: int, level: int) -> str:
+        """Return an integer's repr, or a description of a long one."""
+        return repr(x) if x.bit_length() <= _LONGEST_INTEGER else f"an integer of {x.bit_length()} bits"
+
+
+_LONGEST_INTEGER = 128
+"""Greatest number of bits of an integer that an error message repeats."""
+_REPR = _Repr()
 _REPR.maxstring = _REPR.maxother = 100
 _NUMBER_AND_UNIT = re.compile(
     r"\s*(?P<number>[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>[A-Za-z]+(\s*[/*]\s*[A-Za-z]+)*)\s*"
@@ -50,8 +63,11 @@ _NUMBER_AND_UNIT = re.compile(
 
 
 def short(given: object) -> str:
-    """Return the repr of a value for an error message, shortened if it is long or deeply nested."""
-    return _REPR.repr(given)
+    """Return the repr of a value of any type for an error message, shortened if it is long or deeply nested."""
+    try:
+        return _REPR.repr(given)
+    except Exception:  # methods of a foreign object may raise anything
+        return f"an object of the type {type(given).__name__}"
 
 
 def with_article(noun: str) -> str:
@@ -65,6 +81,8 @@ class Quantity(float):
     noun: ClassVar[str] = ""
     unit: ClassVar[str] = ""
     example: ClassVar[str] = ""
+    bounds: ClassVar[Bounds]
+    """Plausible range of a field of this type that declares no range of its own."""
 
     @classmethod
     def read(cls, given: object) -> Quantity:
@@ -99,48 +117,56 @@ class Length(Quantity):
     """Length: any unit of length in files, [m] in the program."""
 
     noun, unit, example = "length", "m", "12 in"
+    bounds = COORDINATE
 
 
 class Angle(Quantity):
     """Angle: any unit of angle in files, [rad] in the program."""
 
     noun, unit, example = "angle", "rad", "19.48 deg"
+    bounds = ROTATION
 
 
 class Speed(Quantity):
     """Speed: any unit of speed in files, [m/s] in the program."""
 
     noun, unit, example = "speed", "m/s", "2 ft/s"
+    bounds = Bounds(-100.0, 100.0, "at 100 m/s an object leaves the worksite within seconds")
 
 
 class AngularRate(Quantity):
     """Angular rate: any unit of angular rate in files, [rad/s] in the program."""
 
     noun, unit, example = "angular rate", "rad/s", "4.76 deg/s"
+    bounds = Bounds(-10.0, 10.0, "the Shuttle's joints turn at 0.09 rad/s at most, small arms at about 1 rad/s")
 
 
 class Acceleration(Quantity):
     """Acceleration: any unit of acceleration in files, [m/s2] in the program."""
 
     noun, unit, example = "acceleration", "m/s/s", "0.5 ft/s/s"
+    bounds = Bounds(-100.0, 100.0, "10 g break what is in orbit")
 
 
 class AngularAcceleration(Quantity):
     """Angular acceleration: any unit of angular acceleration in files, [rad/s2] in the program."""
 
     noun, unit, example = "angular acceleration", "rad/s/s", "1.2 deg/s/s"
+    bounds = Bounds(-100.0, 100.0, "at 100 rad/s/s a joint is at its greatest plausible rate after 0.1 s")
 
 
 class Mass(Quantity):
     """Mass: any unit of mass in files, [kg] in the program."""
 
     noun, unit, example = "mass", "kg", "32000 lb"
+    bounds = Bounds(0.0, 1e6, "the heaviest structure in orbit, the ISS, has 420,000 kg")
 
 
 class Time(Quantity):
     """Time: any unit of time in files, [s] in the program."""
 
     noun, unit, example = "time", "s", "20 ms"
+    bounds = Bounds(0.0, 86_400.0, "a run lasts a day at most")
 
 
 @functools.cache

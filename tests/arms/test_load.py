@@ -89,18 +89,22 @@ def problems(tmp_path: Path, old: str, new: str) -> list[str]:
         ('"e", "f"]\nlabels', '"e"]\nlabels', "joints: .*`array`.*6.*5"),
         ('"e", "f"]\nlabels', '"e", "a"]\nlabels', "joints: .*different.* a, b, c, d, e, a"),
         ('units = "SI"', 'units = "cubits"', "units: .*ft-in, SI.*'cubits'"),
-        ("value = 0.4,", "value = -0.4,", r"geometry\.shoulder_yaw_to_pitch: .*-0\.4 m"),
+        ("value = 0.4,", "value = -0.4,", r"geometry\.shoulder_yaw_to_pitch\.value: .*-0\.4 m.*0 to 200 m"),
         ("value = 0.4,", "value = nan,", r"geometry\.shoulder_yaw_to_pitch\.value: .*finite.*nan"),
         ("value = 0.4,", "value = '1 kg',", r"geometry\.shoulder_yaw_to_pitch\.value: '1 kg'"),
-        ("value = [3.0, -0.25]", "value = [0.0, -0.25]", r"geometry\.upper_arm: .*length.*above 0"),
-        ("value = 0.3,", "value = -0.3,", r"geometry\.wrist_pitch_to_yaw: .*-0\.3 m"),
+        ("value = [3.0, -0.25]", "value = [0.0, -0.25]", r"geometry\.upper_arm\.value\[0\]: .*0 m.*0\.0005 to 200 m"),
+        ("value = 0.3,", "value = -0.3,", r"geometry\.wrist_pitch_to_yaw\.value: .*-0\.3 m.*0 to 200 m"),
         ('source = "made up"', 'source = ""', "source: .*`str`.*1"),
         (
             'confidence = "assumed"',
             'confidence = "sure"',
             "confidence: .*firm, single, derived, assumed.*'sure'",
         ),
-        ("singular = { value = 0.1", "singular = { value = 1.5", r"limits\.singular: .*0.*1.*1\.5"),
+        (
+            "singular = { value = 0.1",
+            "singular = { value = 1.5",
+            r"limits\.singular\.value: .*1\.5; .*0\.001 to 0\.999",
+        ),
         ("singular = { value = 0.1", "singular = { value = nan", r"limits\.singular"),
         ("hard = { value = [[-3, 3]", "hard = { value = [[-2, 3]", "a: reach.*soft"),
         ("hard = { value = [[-3, 3]", "hard = { value = [[3, -3]", "a: reach.*soft"),
@@ -111,7 +115,7 @@ def problems(tmp_path: Path, old: str, new: str) -> list[str]:
         ),
         ("mass = 0\n", "mass = 1\n", r"por\[0\]\.mass: .*first.*mass 0.*1 kg"),
         ('mass = "10 t"', 'mass = "1 t"', r"por\[2\]\.mass: .*increase.*1000 after 1000 kg"),
-        ("reached_in = 2\n", "reached_in = 0\n", r"por\[0\]: .*speeds.*time.*above 0"),
+        ("reached_in = 2\n", "reached_in = 0\n", r"por\[0\]\.reached_in: .*0 s; .*0\.001 to 3600 s"),
         ("vernier_translation = 0.2", "vernier_translation = 0.7", r"por\[0\]: "),
         ("total = { value = 9", "total = { value = 10", r"masses\.total: .*parts.*9 kg.*10 kg"),
         ("elbow = 1", "elbow = -1", "masses"),
@@ -126,15 +130,25 @@ def test_invalid_arm_file_is_rejected_with_its_line(tmp_path: Path, old: str, ne
 
 
 def test_all_errors_of_an_arm_file_are_reported_together(tmp_path: Path) -> None:
-    text = TEXT.replace("value = 0.4,", "value = -0.4,").replace("total = { value = 9", "total = { value = 7")
-    file = tmp_path / "bad.toml"
-    file.write_text(text.replace("singular = { value = 0.1", "singular = { value = 7"), encoding="utf-8")
-    with pytest.raises(ScenarioError) as caught:
-        aftdeck.load_arm(file)
-    assert [problem.split(": ", 1)[0] for problem in caught.value.problems] == [
-        f"bad.toml:{line_of(text.replace('singular = { value = 0.1', 'singular = { value = 7'), what)}"
-        for what in ("value = -0.4,", "singular = { value = 7", "total = { value = 7")
-    ]
+    """Errors of single values are reported together, and so are contradictions between values."""
+    for changes in (
+        {
+            'units = "SI"': 'units = "cubits"',
+            "value = 0.4,": "value = -0.4,",
+            "singular = { value = 0.1": "singular = { value = 7",
+        },
+        {'"e", "f"]\nlabels': '"e", "a"]\nlabels', "total = { value = 9": "total = { value = 7"},
+    ):
+        text = TEXT
+        for old, new in changes.items():
+            text = text.replace(old, new, 1)
+        file = tmp_path / "bad.toml"
+        file.write_text(text, encoding="utf-8")
+        with pytest.raises(ScenarioError) as caught:
+            aftdeck.load_arm(file)
+        assert [problem.split(": ", 1)[0] for problem in caught.value.problems] == [
+            f"bad.toml:{line_of(text, new)}" for new in changes.values()
+        ]
 
 
 def line_of(text: str, what: str) -> int:

@@ -49,22 +49,22 @@ HEADS = [
     ("plant = 'flexible'", r"a\.toml:2: plant: .*kinematic.*'flexible'"),
     ("rate = 'fast'", r"a\.toml:2: rate: .*coarse.*vernier.*'fast'"),
     ("soft_stops = 'off'", r"a\.toml:2: soft_stops: .*mended, as-flown.*'off'"),
-    ("seed = -1", r"a\.toml:2: seed: .*`int`.*0"),
+    ("seed = -1", r"a\.toml:2: seed: got -1; .*0 to 9"),
     ("seed = 99999999999999999999999999", r"a\.toml:2: seed: "),
     ("seed = 1.5", r"a\.toml:2: seed: .*`int`.*`float`"),
     ("strict = 'yes'", r"a\.toml:2: strict: .*`bool`.*`str`"),
-    ("control_period = 0.5", r"a\.toml:2: control_period: .*0\.001.*0\.2 s.*0\.5 s"),
-    ("control_period = '0 ms'", r"a\.toml:2: control_period: .*0\.001.*0\.2 s.*0 s"),
+    ("control_period = 0.5", r"a\.toml:2: control_period: got 0\.5 s; .*0\.001 to 0\.2 s"),
+    ("control_period = '0 ms'", r"a\.toml:2: control_period: got 0 s; .*0\.001 to 0\.2 s"),
     ("control_period = nan", r"a\.toml:2: control_period: .*finite.*nan"),
-    ("command_delay = -1", r"a\.toml:2: command_delay: .*0.*30 s.*-1 s"),
+    ("command_delay = -1", r"a\.toml:2: command_delay: got -1 s; .*0 to 30 s"),
     ("command_delay = 0.03", r"a\.toml:2: command_delay: .*0\.03 s.*1\.5.*0\.02 s"),
-    ("telemetry_delay = '31 s'", r"a\.toml:2: telemetry_delay: .*0.*30 s.*31 s"),
-    ("camera_delay = -0.1", r"a\.toml:2: camera_delay: .*0.*30 s.*-0\.1 s"),
+    ("telemetry_delay = '31 s'", r"a\.toml:2: telemetry_delay: got 31 s; .*0 to 30 s"),
+    ("camera_delay = -0.1", r"a\.toml:2: camera_delay: got -0\.1 s; .*0 to 30 s"),
     ("camera_delay = nan", r"a\.toml:2: camera_delay: .*finite.*nan"),
     ("camera_delay = '2 m'", r"a\.toml:2: camera_delay: "),
     ("duration = inf", r"a\.toml:2: duration: .*finite.*inf"),
-    ("duration = -1", r"a\.toml:2: duration: .*above.*0.*86400 s.*-1 s"),
-    ("duration = 1e9", r"a\.toml:2: duration: .*above.*0.*86400 s.*1e\+09 s"),
+    ("duration = -1", r"a\.toml:2: duration: got -1 s; .*0 to 86400 s"),
+    ("duration = 1e9", r"a\.toml:2: duration: got 1e\+09 s; .*0 to 86400 s"),
     ("duration = 1.01", r"a\.toml:2: duration: .*1\.01 s.*50\.5.*0\.02 s"),
     ("duration = 1e-9", r"a\.toml:2: duration: "),
     ("duration = '2 deg'", r"a\.toml:2: duration: '2 deg'"),
@@ -86,17 +86,20 @@ TABLES = [
         "[limits]\nvernier = [1, 1, 1, 1, 1, 1]",
         r"a\.toml:4: limits: shoulder_yaw: .*0.*vernier.*coarse.*servo.*1",
     ),
-    ("[limits]\nservo = [0, 0, 0, 0, 0, 0]", r"a\.toml:4: limits: shoulder_yaw: .*0.*vernier"),
-    ("[limits.por]\ntranslation = 0", r"a\.toml:5: limits\.por\.translation: .*above.*0.*0"),
+    (
+        "[limits]\nservo = [0, 0.01, 0.01, 0.01, 0.01, 0.01]",
+        r"a\.toml:5: limits\.servo\[0\]: got 0 rad/s; .*1e-06",
+    ),
+    ("[limits.por]\ntranslation = 0", r"a\.toml:5: limits\.por\.translation: got 0 m/s; .*1e-06 to 10 m/s"),
     ("[limits.por]\nreached_in = '2 m'", r"a\.toml:5: limits\.por\.reached_in: '2 m'"),
     (
         "[limits.por]\nvernier_translation = 9",
         r"a\.toml:5: limits\.por\.vernier_translation: .*coarse.*0\.6096.*9",
     ),
-    ("[limits.por]\nreached_in = -1", r"a\.toml:5: limits\.por\.reached_in: .*above.*0.*-1"),
+    ("[limits.por]\nreached_in = -1", r"a\.toml:5: limits\.por\.reached_in: got -1 s; .*0\.001 to 3600 s"),
     (
         "[[sequence]]\nslot = 5\npoint = [{ target = { joints = [0, 1, -1, 0, 0, 0] } }]",
-        r"a\.toml:5: sequence\[0\]\.slot: .*`int`.*4",
+        r"a\.toml:5: sequence\[0\]\.slot: got 5; .*1 to 4",
     ),
     ("[[sequence]]\nslot = 1\npoint = []", r"a\.toml:6: sequence\[0\]\.point: .*`array`.*1"),
     (
@@ -121,9 +124,12 @@ TABLES = [
     ("[payload]\nmass = 1\nmatrix = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]", r"a\.toml:6: payload\.matrix: .*orthonormal"),
     (
         "[payload]\nmass = 1\nmatrix = [[1e300, 0, 0], [0, 1, 0], [0, 0, 1]]",
-        r"a\.toml:6: payload\.matrix: .*orthonormal",
+        r"a\.toml:6: payload\.matrix\[0\]\[0\]: got 1e\+300; ",
     ),
-    ("[payload]\nmass = 1\nmatrix = [[nan, 0, 0], [0, 1, 0], [0, 0, 1]]", r"a\.toml:6: payload\.matrix: .*finite"),
+    (
+        "[payload]\nmass = 1\nmatrix = [[nan, 0, 0], [0, 1, 0], [0, 0, 1]]",
+        r"a\.toml:6: payload\.matrix\[0\]\[0\]: got nan; ",
+    ),
     ("[phase]\nmode = 4", r"a\.toml:4: phase: .*`array`.*`object`"),
     ("[clearance]\nwarning = 0", r"a\.toml:5: clearance\.warning: .*above.*0.*0 m"),
     ("[clearance]\ncaution = '60 cm'\nwarning = 0.6", r"a\.toml:5: clearance\.caution: .*above.*0\.6 m"),
@@ -166,7 +172,7 @@ PHASES = [
     ),
     (
         "mode = 2\ntarget = { position = [1, 1, 1], matrix = [[2, 0, 0], [0, 1, 0], [0, 0, 1]] }",
-        r"a\.toml:6: phase\[0\]\.target\.matrix: .*orthonormal",
+        r"a\.toml:6: phase\[0\]\.target\.matrix\[0\]\[0\]: got 2; ",
     ),
     (
         "mode = 2\ntarget = { joints = [0, 0, 0, 0, 3, 0] }",
@@ -205,11 +211,11 @@ STARTS = [
     ("[initial.pose]\nframe = 'L'\nposition = [99, 0, 0]", r"a\.toml:2: initial\.pose: .*arm.*reach.*pose"),
     (
         "[initial.pose]\nframe = 'L'\nposition = [9, 0, 0]\nmatrix = [[nan, 0, 0], [0, 1, 0], [0, 0, 1]]",
-        r"a\.toml:5: initial\.pose\.matrix: .*finite",
+        r"a\.toml:5: initial\.pose\.matrix\[0\]\[0\]: got nan; .*-1\.001 to 1\.001",
     ),
     (
         "[initial.pose]\nframe = 'L'\nposition = [9, 0, 0]\nmatrix = [[1e300, 0, 0], [0, 1, 0], [0, 0, 1]]",
-        r"a\.toml:5: initial\.pose\.matrix: .*orthonormal",
+        r"a\.toml:5: initial\.pose\.matrix\[0\]\[0\]: got 1e\+300; ",
     ),
     (
         "[initial]\njoints = [0, 1, -1, 0, 0, 0]\npose = { position = [0, 0, 0] }",
@@ -237,7 +243,7 @@ def test_mistake_is_reported_once(text: str, pattern: str) -> None:
 
 
 def test_mistakes_of_all_kinds_are_reported_together() -> None:
-    text = "mode = 9\ncontrol_period = 9\n[initial]\njoints = [9, 9, 9, 9, 9, 99]\n" + PHASE + "mode = 4\n"
+    text = "mode = 9\ncontrol_period = 9\n[initial]\njoints = [9, 9, 9, 9, 9, 59]\n" + PHASE + "mode = 4\n"
     found = problems(HEAD + text + PHASE + "mode = 8\njoint = 'thumb'\n")
     assert len(found) == 11
     for part in ("mode: no mode 9", "control_period", "shoulder_yaw", "wrist_roll", "needs a duration", "thumb"):

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from aftdeck import separation
 from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron_check import hexahedron
-from aftdeck.files import convert
 from aftdeck.scene.mesh import volume
 from aftdeck.scene.solids import solid
+from aftdeck.schema_check import convert
 from aftdeck.shapes import Hexahedron
 from aftdeck.worksite.file.check import distance
 from aftdeck.worksite.file.solid_file import SolidFile

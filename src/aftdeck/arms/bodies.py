@@ -23,6 +23,7 @@ def body_problems(file: HeadingArmFile) -> list[Problem]:
     return [
         *_stand_problems(file.stand),
         *_effector_problems(file.effector),
+        *_length_problems(file),
         *_boom_problems(file.booms, *_bends(file)),
     ]
 
@@ -37,18 +38,26 @@ def _bends(file: HeadingArmFile) -> tuple[float, float]:
     return elbow, math.acos(min(cosines))
 
 
+def _length_problems(file: HeadingArmFile) -> Iterator[Problem]:
+    """Yield a problem for each boom whose two set-backs leave no body between its pins."""
+    back = file.booms.set_back.value
+    for name, length in (("upper_arm", file.geometry.upper_arm.value), ("lower_arm", file.geometry.lower_arm.value)):
+        if not length > 2.0 * back:
+            what = f"has to be longer than its two set-backs of {back:g} m, got {length:g} m"
+            yield Problem(("geometry", name), what)
+
+
 def _stand_problems(stand: StandFile) -> Iterator[Problem]:
     least, start, greatest = stand.least.value, stand.start.value, stand.greatest.value
-    if not 0.0 < least <= start <= greatest:
-        yield Problem(("stand",), f"expected 0 < least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m")
+    if not least <= start <= greatest:
+        yield Problem(("stand",), f"expected least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m")
     below = stand.top_below_shoulder.value
-    if not 0.0 < below < least:
-        what = f"has to be above 0 and less than the least length, got {below:g} m"
+    if not below < least:
+        what = f"has to be less than the least length, got {below:g} m"
         yield Problem(("stand", "top_below_shoulder"), what)
-    yield from _above_zero("stand", rate=stand.rate.value, side=stand.side.value)
     tube, sleeve = stand.tube_side.value, stand.side.value
-    if not 0.0 < tube <= sleeve:
-        what = f"has to be above 0 and at most the stand's side, {sleeve:g} m, got {tube:g} m"
+    if not tube <= sleeve:
+        what = f"has to be at most the stand's side, {sleeve:g} m, got {tube:g} m"
         yield Problem(("stand", "tube_side"), what)
 
 
@@ -57,14 +66,6 @@ def _effector_problems(e: EffectorFile) -> Iterator[Problem]:
         if not 0.0 <= near < far:
             what = f"expected 0 <= begin < end along the end effector, got {near:g} to {far:g} m"
             yield Problem(("effector", name), what)
-    yield from _above_zero(
-        "effector",
-        palm_half_width=e.palm_half_width.value,
-        palm_half_height=e.palm_half_height.value,
-        finger_thickness=e.finger_thickness.value,
-        finger_half_height=e.finger_half_height.value,
-        prong_rate=e.prong_rate.value,
-    )
     opened, closed, fixed = e.prong_open.value, e.prong_closed.value, e.fixed_finger.value
     if not opened < closed < fixed:
         yield Problem(
@@ -98,12 +99,6 @@ def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[Problem
         ("wrist", b.wrist_housing.value, min(b.set_back.value, begin)),
     ):
         corner = 0.5 * math.sqrt(3.0) * side
-        if not 0.0 < corner <= allowed:
+        if not corner <= allowed:
             what = f"its corners are {corner:g} m from the pin, but the booms begin at {allowed:g} m"
             yield Problem(("booms", f"{pin}_housing"), what)
-
-
-def _above_zero(table: str, **lengths: float) -> Iterator[Problem]:
-    for name, value in lengths.items():
-        if value <= 0.0:
-            yield Problem((table, name), f"has to be above 0, got {value:g}")

@@ -16,7 +16,7 @@ from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.model import ArmFile, PorRow
 from aftdeck.arrays import Array
 from aftdeck.errors import ArmError, InputError, ScenarioError
-from aftdeck.files import Text, parse, read, sentences
+from aftdeck.files import Text, as_path, parse, read, sentences
 from aftdeck.frames import Mount, rotation_x
 from aftdeck.matrices import product
 
@@ -164,7 +164,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
         ArmError: no built-in arm has that name.
         ScenarioError: the file has errors (the message lists all of them), or the arm's shape file cannot be read.
     """
-    path = Path(name_or_path)
+    path = as_path(name_or_path)
     if path.suffix != ".toml":
         if str(name_or_path) not in built_in():
             raise ArmError(

@@ -12,6 +12,8 @@ from typing import Annotated, Generic, Literal, TypeVar
 
 import msgspec
 
+from aftdeck.bodies.cover import FEWEST_SIDES
+from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis
 from aftdeck.units import Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
 
@@ -33,9 +35,17 @@ class Constant(_Part, Generic[_T], frozen=True):
     confidence: Confidence
 
 
-Offset = tuple[Length, Length]
+_ARM = 200.0
+_LONG = "the Shuttle's arm is 15 m long, Canadarm2 18 m"
+Distance = Annotated[Length, Bounds(-_ARM, _ARM, _LONG)]
+"""Coordinate on an arm."""
+Size = Annotated[Length, Bounds(0.0005, _ARM, f"{_LONG}, and the parts of the smallest arms measure millimetres")]
+"""Length of a link, or size of a part of an arm."""
+Offset = tuple[Size, Distance]
 """Offset of a joint from the joint before it, at zero angles: along the arm, then down [m]."""
-Span = tuple[Length, Length]
+Reach = Annotated[Length, Bounds(0.0, _ARM, _LONG)]
+"""Distance between two joints, or from a joint to the tip; 0 if they coincide."""
+Span = tuple[Distance, Distance]
 """Coordinates of the two ends of a body along a line: begin, then end [m]."""
 SixRanges = tuple[
     tuple[Angle, Angle],
@@ -45,14 +55,34 @@ SixRanges = tuple[
     tuple[Angle, Angle],
     tuple[Angle, Angle],
 ]
-SixRates = tuple[AngularRate, AngularRate, AngularRate, AngularRate, AngularRate, AngularRate]
+JointRate = Annotated[
+    AngularRate,
+    Bounds(1e-6, 10.0, "the Shuttle's joints turn at 0.001 to 0.09 rad/s, the fastest small arms at about 1 rad/s"),
+]
+"""Limit of a joint's rate."""
+JointAcceleration = Annotated[
+    AngularAcceleration, Bounds(1e-6, 100.0, "a joint reaches its greatest rate in 0.1 s to minutes")
+]
+"""Limit of a joint's acceleration."""
+SixRates = tuple[JointRate, JointRate, JointRate, JointRate, JointRate, JointRate]
 SixAccelerations = tuple[
-    AngularAcceleration,
-    AngularAcceleration,
-    AngularAcceleration,
-    AngularAcceleration,
-    AngularAcceleration,
-    AngularAcceleration,
+    JointAcceleration,
+    JointAcceleration,
+    JointAcceleration,
+    JointAcceleration,
+    JointAcceleration,
+    JointAcceleration,
+]
+TipSpeed = Annotated[Speed, Bounds(1e-6, 10.0, "the tip of the Shuttle's arm moves at 0.6 m/s without a payload")]
+"""Limit of the speed of the point of resolution."""
+TipRate = Annotated[AngularRate, Bounds(1e-6, 10.0, "the Shuttle's end effector turns at 0.083 rad/s at most")]
+"""Limit of the angular rate of the point of resolution."""
+RiseTime = Annotated[Time, Bounds(0.001, 3600.0, "the Shuttle's arm reaches its speed within seconds")]
+"""Time from rest to a limit of speed."""
+Sides = Annotated[int, Bounds(FEWEST_SIDES, 360, "360 sides cover a cylinder to 0.004 % of its radius")]
+"""Number of sides of a prism."""
+Threshold = Annotated[
+    float, Bounds(0.001, 0.999, "a normalised distance is 0 at a singularity and 1 where it is farthest away")
 ]
 SixNames = tuple[Text, Text, Text, Text, Text, Text]
 
@@ -60,19 +90,19 @@ SixNames = tuple[Text, Text, Text, Text, Text, Text]
 class YawGeometry(_Part, frozen=True):
     """Distances between joint centres at zero angles, for a pitch-yaw-roll wrist."""
 
-    shoulder_yaw_to_pitch: Constant[Length]
+    shoulder_yaw_to_pitch: Constant[Reach]
     upper_arm: Constant[Offset]
     lower_arm: Constant[Offset]
-    wrist_pitch_to_yaw: Constant[Length]
-    wrist_yaw_to_tip: Constant[Length]
+    wrist_pitch_to_yaw: Constant[Reach]
+    wrist_yaw_to_tip: Constant[Reach]
     end_effector_roll: Constant[Angle]
 
 
 class HeadingGeometry(_Part, frozen=True):
     """Distances between joint centres, for a heading-pitch-roll wrist; the tip is on the palm's outer face."""
 
-    upper_arm: Constant[Length]
-    lower_arm: Constant[Length]
+    upper_arm: Constant[Size]
+    lower_arm: Constant[Size]
 
 
 class MountFile(_Part, frozen=True):
@@ -92,7 +122,7 @@ class LimitsFile(_Part, frozen=True):
     hard: Constant[SixRanges]
     soft: Constant[SixRanges]
     reach: Constant[SixRanges]
-    singular: Constant[float]
+    singular: Constant[Threshold]
 
 
 class RatesFile(_Part, frozen=True):
@@ -112,11 +142,11 @@ class PorRow(_Part, frozen=True):
     """Limits of the point of resolution for one payload mass."""
 
     mass: Mass
-    translation: Speed
-    vernier_translation: Speed
-    rotation: AngularRate
-    vernier_rotation: AngularRate
-    reached_in: Time
+    translation: TipSpeed
+    vernier_translation: TipSpeed
+    rotation: TipRate
+    vernier_rotation: TipRate
+    reached_in: RiseTime
     """Time in which the point of resolution accelerates from rest to its coarse limits."""
     source: Text
     confidence: Confidence
@@ -154,29 +184,29 @@ class MassesFile(_Part, Generic[_T], frozen=True):
 class StandFile(_Part, frozen=True):
     """Telescope under the arm. Its length is the height of the shoulder above the telescope's foot."""
 
-    least: Constant[Length]
-    greatest: Constant[Length]
-    start: Constant[Length]
-    rate: Constant[Speed]
-    side: Constant[Length]
+    least: Constant[Size]
+    greatest: Constant[Size]
+    start: Constant[Size]
+    rate: Constant[TipSpeed]
+    side: Constant[Size]
     """Side of the sleeve's square section."""
-    tube_side: Constant[Length]
+    tube_side: Constant[Size]
     """Side of the square tube that slides in the sleeve."""
-    top_below_shoulder: Constant[Length]
+    top_below_shoulder: Constant[Size]
 
 
 class BoomsFile(_Part, frozen=True):
     """Dimensions of upper arm, lower arm and stub (with square sections), and of the cubes that house the joints."""
 
-    side: Constant[Length]
+    side: Constant[Size]
     """Side of upper and lower arm."""
-    set_back: Constant[Length]
+    set_back: Constant[Size]
     """Distance of each end of a boom's body from the pin at that end."""
-    stub_side: Constant[Length]
+    stub_side: Constant[Size]
     stub: Constant[Span]
-    shoulder_housing: Constant[Length]
-    elbow_housing: Constant[Length]
-    wrist_housing: Constant[Length]
+    shoulder_housing: Constant[Size]
+    elbow_housing: Constant[Size]
+    wrist_housing: Constant[Size]
 
 
 class EffectorFile(_Part, frozen=True):
@@ -184,19 +214,19 @@ class EffectorFile(_Part, frozen=True):
 
     palm: Constant[Span]
     """Extent of the palm along X2; its outer face contacts the payload's bar."""
-    palm_half_width: Constant[Length]
-    palm_half_height: Constant[Length]
+    palm_half_width: Constant[Size]
+    palm_half_height: Constant[Size]
     fingers: Constant[Span]
     """Extent of fixed finger and prong along X2."""
-    finger_thickness: Constant[Length]
-    finger_half_height: Constant[Length]
-    fixed_finger: Constant[Length]
+    finger_thickness: Constant[Size]
+    finger_half_height: Constant[Size]
+    fixed_finger: Constant[Distance]
     """y2 of the fixed finger's inner face."""
-    prong_open: Constant[Length]
+    prong_open: Constant[Distance]
     """y2 of the open prong's inner face."""
-    prong_closed: Constant[Length]
+    prong_closed: Constant[Distance]
     """y2 of the closed prong's inner face."""
-    prong_rate: Constant[Speed]
+    prong_rate: Constant[TipSpeed]
 
 
 class _Cover(_Part, frozen=True, tag_field="kind", kw_only=True):
@@ -221,7 +251,7 @@ class PrismCover(_Cover, frozen=True, kw_only=True, tag="prism"):
     radius: Length
     """Radius of the cylinder; the prism's edges are farther from the axis."""
     length: Length
-    sides: int
+    sides: Sides
 
 
 Cover = BoxCover | PrismCover

@@ -32,7 +32,7 @@ class _Frame(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     shapes: tuple[Shape, ...]
 
 
-class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class ShapesFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Contents of an arm's shape file."""
 
     body: tuple[_Frame, ...]
@@ -51,7 +51,7 @@ def shapes_of(model: ArmModel) -> ArmShapes:
             names the place in the file.
     """
     if model.shapes is not None:
-        file = parse(_File, model.shapes)
+        file = parse(ShapesFile, model.shapes)
         cameras, problems = cameras_of(file.camera, file.drive)
         problems += _problems(file, model.frames)
         if problems:
@@ -73,7 +73,7 @@ def _box(block: Block) -> Box:
     )
 
 
-def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[Problem]:
+def _problems(file: ShapesFile, frames: tuple[str, ...]) -> Iterator[Problem]:
     """Yield a problem if the file does not list the arm's frames in order.
 
     Also yield a problem for each camera on an unknown frame.

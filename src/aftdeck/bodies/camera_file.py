@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Annotated
 
 import msgspec
 
 from aftdeck.bodies.cameras import Camera, Drive, Kind, Pane, Travel, along, setting, square
+from aftdeck.bounds import DIRECTION
 from aftdeck.files import Problem
-from aftdeck.tuples import Vec3
 from aftdeck.units import Angle, AngularRate, Length
+
+Direction = tuple[Annotated[float, DIRECTION], Annotated[float, DIRECTION], Annotated[float, DIRECTION]]
+"""Direction in the axes of a body, of any length above zero."""
 
 
 class TravelFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -67,14 +71,14 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     title: str
     body: str
     position: tuple[Length, Length, Length]
-    boresight: Vec3
-    up: Vec3
+    boresight: Direction
+    up: Direction
     field_of_view: Angle
     source: str
     """Source of the values, or ``assumed``."""
     drive: str | None = None
     """Name of the drive that moves the camera; None if the camera is fixed."""
-    zero: Vec3 | None = None
+    zero: Direction | None = None
     """Direction of zero pan and tilt; its component along `up` is removed. None to use the boresight."""
     kind: Kind = "camera"
     pane: PaneFile | None = None

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Literal
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.load import ArmModel, load_model
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, floats_of
 from aftdeck.errors import InputError, SingularityError, UnreachableError
 from aftdeck.frames import Pose, oriend, panel_attitude, panel_rotation, rotation_x
 from aftdeck.kinematics import solutions
@@ -23,9 +23,7 @@ from aftdeck.kinematics.rates import rates_many
 from aftdeck.kinematics.singular import NAMES, Singularities, distances_many
 from aftdeck.kinematics.solutions import FOUND, ROTATION_TOLERANCE, Solved, solve
 from aftdeck.matrices import product
-from aftdeck.units import INCH
-
-_FLOAT = np.dtype(np.float64)
+from aftdeck.units import INCH, short
 
 
 class Arm:
@@ -70,7 +68,7 @@ class Arm:
         """
         length = _floats(stand, "stand")
         if length.ndim:
-            raise InputError(f"stand: expected one number, got {stand!r}")
+            raise InputError(f"stand: expected one number, got {short(stand)}")
         return Arm(self.model.at(float(length)))
 
     def forward(self, angles: ArrayLike) -> Pose:
@@ -121,8 +119,8 @@ class Arm:
         Raises:
             SingularityError: a pose is singular and `singular` is ``raise``; the error names the singularity.
         """
-        if singular not in ("raise", "mask"):
-            raise InputError(f"singular: expected 'raise' or 'mask', got {singular!r}")
+        if cast("object", type(singular)) is not str or singular not in ("raise", "mask"):
+            raise InputError(f"singular: expected 'raise' or 'mask', got {short(singular)}")
         q, t = _sixes(angles, "joint angles"), _sixes(twist, "a twist")
         if q.shape != t.shape:
             try:
@@ -178,7 +176,7 @@ class Arm:
         """
         packed = _packed(pose)
         # a copy, so that the law gets the same array type in every call
-        reference = np.zeros(6) if near is None else np.array(_converted(near, "near"))
+        reference = np.zeros(6) if near is None else np.array(floats_of(near, "near"))
         if reference.shape != (6,):
             raise InputError(f"near: expected shape (6,), got {reference.shape}")
         rows = np.empty((BRANCHES, 6))
@@ -212,23 +210,27 @@ class Arm:
 
     def end_effector(self, rotation: Array) -> Array:
         """Return the end effector's axes E (..., 3, 3) from the axes of frame 7: R_E = R_7 Rx(end_effector_roll)."""
-        return product(rotation, rotation_x(self.model.end_effector_roll))
+        axes = floats_of(rotation, "a rotation")
+        if axes.shape[-2:] != (3, 3):
+            raise InputError(f"a rotation: expected shape (..., 3, 3), got {axes.shape}")
+        return product(axes, rotation_x(self.model.end_effector_roll))
 
     def panel(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return the panel's read-out of a pose in L: X, Y, Z [in] and the end effector's pitch, yaw, roll [deg]."""
+        pose = _single(pose)
         pose_on_panel = self.model.mount.to("panel", Pose(pose.position, self.end_effector(pose.rotation)))
         attitude = panel_attitude(pose_on_panel.rotation)
         return tuple(float(x) / INCH for x in pose_on_panel.position), tuple(math.degrees(a) for a in attitude)
 
     def from_panel(self, position: ArrayLike, attitude: ArrayLike) -> Pose:
         """Return the tip pose in L from panel components: X, Y, Z [m] and the end effector's pitch, yaw, roll [rad]."""
-        pitch, yaw, roll = _floats(attitude, "an attitude")
+        pitch, yaw, roll = _three(attitude, "an attitude").tolist()
         rotation = product(panel_rotation(pitch, yaw, roll), rotation_x(-self.model.end_effector_roll))
-        return self.model.mount.from_("panel", Pose(_floats(position, "a position"), rotation))
+        return self.model.mount.from_("panel", Pose(_three(position, "a position"), rotation))
 
     def orbiter(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return a pose in L as orbiter components: x, y, z [m] and ENDORI's roll, elevation, azimuth [rad]."""
-        pose_in_orbiter = self.model.mount.to("orbiter", pose)
+        pose_in_orbiter = self.model.mount.to("orbiter", _single(pose))
         return tuple(float(x) for x in pose_in_orbiter.position), oriend(pose_in_orbiter.rotation)
 
     def _singularity(self, angles: Array) -> SingularityError:
@@ -303,21 +305,9 @@ def _not_finite(what: str, values: Array) -> InputError:
     return InputError(f"{what}: expected finite numbers, got {values.squeeze()}")
 
 
-def _converted(values: ArrayLike, what: str) -> Array:
-    """Return numbers as an array of float64, finite or not."""
-    if type(values) is np.ndarray and values.dtype is _FLOAT:
-        return values
-    try:
-        if np.iscomplexobj(values):
-            raise TypeError
-        return np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError(f"{what}: expected numbers, got {values!r}") from None
-
-
 def _floats(values: ArrayLike, what: str) -> Array:
     """Return finite numbers as an array of float64."""
-    array = _converted(values, what)
+    array = floats_of(values, what)
     if not finite(array.ravel()):
         raise _not_finite(what, array)
     return array
@@ -325,7 +315,7 @@ def _floats(values: ArrayLike, what: str) -> Array:
 
 def _sixes(values: ArrayLike, what: str) -> Array:
     """Return numbers (..., 6) as an array of float64, finite or not."""
-    array = _converted(values, what)
+    array = floats_of(values, what)
     if array.ndim == 0 or array.shape[-1] != 6:
         raise InputError(f"{what}: expected shape (..., 6), got {array.shape}")
     return array
@@ -342,13 +332,34 @@ def _flat(array: Array) -> Array:
     return np.ascontiguousarray(array.reshape(-1, 6))
 
 
-def _packed(pose: Pose) -> Array:
-    """Return a pose as an array (12,), finite or not: position [m], then the rotation row by row."""
-    position, rotation = _converted(pose.position, "a position"), _converted(pose.rotation, "a rotation")
+def _parts(pose: object) -> Pose:
+    """Return a pose with arrays of float64 of any shapes, finite or not."""
+    if not isinstance(pose, Pose):
+        raise InputError(f"a pose: expected a Pose with a position (3,) and a rotation (3, 3), got {short(pose)}")
+    return Pose(floats_of(pose.position, "a position"), floats_of(pose.rotation, "a rotation"))
+
+
+def _single(pose: object) -> Pose:
+    """Return one pose with arrays of float64; raise InputError if it has another shape."""
+    position, rotation = _parts(pose)
     if position.shape != (3,) or rotation.shape != (3, 3):
         raise InputError(
             f"a pose: expected a position (3,) and a rotation (3, 3), got {position.shape} and {rotation.shape}"
         )
+    return Pose(position, rotation)
+
+
+def _three(values: ArrayLike, what: str) -> Array:
+    """Return three finite numbers as an array of float64."""
+    array = _floats(values, what)
+    if array.shape != (3,):
+        raise InputError(f"{what}: expected shape (3,), got {array.shape}")
+    return array
+
+
+def _packed(pose: Pose) -> Array:
+    """Return a pose as an array (12,), finite or not: position [m], then the rotation row by row."""
+    position, rotation = _single(pose)
     packed = np.empty(12)
     packed[:3], packed[3:] = position, rotation.ravel()
     return packed

@@ -15,17 +15,18 @@ import msgspec
 
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.shapes import shapes_of
+from aftdeck.bounds import DIRECTION, Bounds
 from aftdeck.files import parse, read
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LightSpec
 from aftdeck.shapes import switches
-from aftdeck.tuples import Vec3
 from aftdeck.worksite.model import Cargo, Worksite
 
 Colour = Annotated[str, msgspec.Meta(pattern=r"^#[0-9a-f]{6}$")]
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
-Strength = Annotated[float, msgspec.Meta(ge=0.0)]
+Strength = Annotated[float, Bounds(0.0, 1000.0, "full sunlight is 4.1 in the same units")]
+Direction = tuple[Annotated[float, DIRECTION], Annotated[float, DIRECTION], Annotated[float, DIRECTION]]
 
 
 class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -53,14 +54,14 @@ class LightCondition(_Part, frozen=True):
     """Directions to the sun and the Earth, and the light from them."""
 
     name: Name
-    to_sun: Vec3
+    to_sun: Direction
     """Vector towards the sun, of any length, in the scene coordinate frame."""
-    nadir: Vec3
+    nadir: Direction
     """Vector towards the Earth's centre, of any length, in the scene coordinate frame."""
     sun: Glow
     earthshine: Glow
     sky: SkyGlow
-    exposure: float
+    exposure: Annotated[float, Bounds(-20.0, 20.0, "20 stops are a factor of a million", "stops")]
     """Initial exposure of the cameras [photographic stops above the exposure for full sunlight]."""
     source: Annotated[str, msgspec.Meta(min_length=1)]
 
@@ -83,7 +84,7 @@ class Lighting(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     locked: Annotated[tuple[LockedExposure, ...], msgspec.Meta(max_length=64)] = ()
 
 
-class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class LightFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Contents of `light.toml`."""
 
     condition: Annotated[tuple[LightCondition, ...], msgspec.Meta(min_length=1)]
@@ -92,7 +93,7 @@ class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 @cache
 def conditions() -> tuple[LightCondition, ...]:
     """Return the conditions that a scenario can name; the first is the default."""
-    return parse(_File, read(Path(__file__).parent / "light.toml")).condition
+    return parse(LightFile, read(Path(__file__).parent / "light.toml")).condition
 
 
 def lamps_of(worksite: Worksite, arm: ArmModel, payload: Payload | None, cargo: tuple[Cargo, ...]) -> tuple[str, ...]:

@@ -111,13 +111,11 @@ def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
 
 
 def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Where = ("limits", "por")) -> None:
-    """Report limits that are not above 0, vernier limits above the coarse limits, and an acceleration given twice."""
+    """Report vernier limits above the coarse limits, and an acceleration given twice."""
     for name in PorOverride.__struct_fields__:
         given = getattr(over, name)
-        if given is not None and given <= 0.0:
-            problems.add((*where, name), f"has to be above 0, got {given:g}")
-        elif given is not None and over.reached_in is not None and "acceleration" in name:
+        if given is not None and over.reached_in is not None and "acceleration" in name:
             problems.add((*where, name), "give either reached_in or accelerations, not both")
     for name, (coarse, vernier) in (("vernier_translation", por.translation), ("vernier_rotation", por.rotation)):
-        if vernier > coarse > 0.0:
+        if vernier > coarse:
             problems.add((*where, name), f"has to be at most the coarse limit {coarse:g}, got {vernier:g}")

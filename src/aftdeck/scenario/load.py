@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from aftdeck.dimensions import KEY, derive_from, has_formulas
 from aftdeck.errors import ScenarioError
-from aftdeck.files import Changes, Problem, Text, beside, examine, read, sentences
+from aftdeck.files import Changes, Problem, Text, as_path, beside, examine, read, sentences
 from aftdeck.scenario.build import build
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
@@ -57,7 +57,7 @@ def find_scenario(name_or_path: str | Path) -> Source:
     Raises:
         ScenarioError: there is no such scenario, or its file cannot be read.
     """
-    path = Path(name_or_path)
+    path = as_path(name_or_path)
     if path.suffix != ".toml":
         if str(name_or_path) not in built_in():
             raise ScenarioError(

@@ -6,18 +6,35 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from aftdeck.arms.model import Cover, SixAccelerations, SixRanges, SixRates, Text
+from aftdeck.arms.model import (
+    Cover,
+    RiseTime,
+    SixAccelerations,
+    SixRanges,
+    SixRates,
+    Text,
+    TipRate,
+    TipSpeed,
+)
+from aftdeck.bounds import COMPONENT, Bounds
 from aftdeck.shapes import Shape
 from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
 from aftdeck.worksite.file.cargo_file import StartFile
 
-Stick = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
+Stick = Annotated[float, Bounds(-1.0, 1.0, "1 is the full deflection")]
 Sticks = tuple[Stick, Stick, Stick]
 SixAngles = tuple[Angle, Angle, Angle, Angle, Angle, Angle]
 Point = tuple[Length, Length, Length]
 Velocity = tuple[Speed, Speed, Speed]
 AngularVelocity = tuple[AngularRate, AngularRate, AngularRate]
-Row = tuple[float, float, float]
+_SOON = "the Shuttle's arm reaches its speed within seconds"
+TipAcceleration = Annotated[Acceleration, Bounds(1e-6, 100.0, _SOON)]
+TipAngularAcceleration = Annotated[AngularAcceleration, Bounds(1e-6, 100.0, _SOON)]
+Delay = Annotated[Time, Bounds(0.0, 30.0, "a signal to the Moon and back takes 2.6 s")]
+Component = Annotated[float, COMPONENT]
+Row = tuple[Component, Component, Component]
+SixStartRates = tuple[AngularRate, AngularRate, AngularRate, AngularRate, AngularRate, AngularRate]
+"""Rate of each joint at the start, in either direction."""
 Rate = Literal["coarse", "vernier"]
 Until = Literal["captured", "released", "latched", "unlatched"]
 """Events for which a phase may wait: a payload is captured, released, latched in its berth, or unlatched."""
@@ -87,7 +104,7 @@ class Initial(_Part, frozen=True):
     """
 
     joints: SixAngles | None = None
-    rates: SixRates | None = None
+    rates: SixStartRates | None = None
     pose: PoseSpec | None = None
     near: SixAngles | None = None
     stand: Length | None = None
@@ -141,13 +158,13 @@ class PorOverride(_Part, frozen=True):
     omega_L_dot.
     """
 
-    translation: Speed | None = None
-    vernier_translation: Speed | None = None
-    rotation: AngularRate | None = None
-    vernier_rotation: AngularRate | None = None
-    reached_in: Time | None = None
-    acceleration: Acceleration | None = None
-    angular_acceleration: AngularAcceleration | None = None
+    translation: TipSpeed | None = None
+    vernier_translation: TipSpeed | None = None
+    rotation: TipRate | None = None
+    vernier_rotation: TipRate | None = None
+    reached_in: RiseTime | None = None
+    acceleration: TipAcceleration | None = None
+    angular_acceleration: TipAngularAcceleration | None = None
 
 
 class RatesOverride(_Part, frozen=True):
@@ -263,7 +280,7 @@ class PointSpec(_Part, frozen=True):
 class SequenceSpec(_Part, frozen=True):
     """Points of one sequence: AUTO 1, 2, 3 or 4."""
 
-    slot: Annotated[int, msgspec.Meta(ge=1, le=4)]
+    slot: Annotated[int, Bounds(1, 4, "the panel has AUTO 1 to 4")]
     point: Annotated[tuple[PointSpec, ...], msgspec.Meta(min_length=1)]
 
 
@@ -277,12 +294,12 @@ class ScenarioFile(_Part, frozen=True):
     worksite: Text = "orbiter"
     dimensions: dict[str, float | str] = msgspec.field(default_factory=dict)
     """Values that replace those in the worksite's ``[dimensions]``."""
-    seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] = 0
+    seed: Annotated[int, Bounds(0, 2**53, "JSON and JavaScript represent no greater integer exactly")] = 0
     duration: Time = Time(600.0)
-    control_period: Time = Time(0.02)
-    command_delay: Time = Time(0.0)
-    telemetry_delay: Time = Time(0.0)
-    camera_delay: Time = Time(0.0)
+    control_period: Annotated[Time, Bounds(0.001, 0.2, "the arm's own computer ran at 0.08 s")] = Time(0.02)
+    command_delay: Delay = Time(0.0)
+    telemetry_delay: Delay = Time(0.0)
+    camera_delay: Delay = Time(0.0)
     plant: Literal["kinematic"] = "kinematic"
     mode: int | Text = "ORB UNL"
     rate: Rate = "coarse"

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from numbers import Integral
+from collections.abc import Sequence
 from typing import Literal, get_args, get_origin, get_type_hints
 
 import msgspec
 
+from aftdeck.bounds import COMPONENT, COORDINATE, ROTATION, Bounds
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.steering.mode import LawChoice
 from aftdeck.tuples import Six, Vec3
+from aftdeck.units import short
 
 JOINTS = 6
 AGREED, AGREED_TURN = 1e-3, math.radians(0.01)
@@ -28,7 +29,7 @@ class Inputs(msgspec.Struct, frozen=True):
     """Sticks and switches of one step. A switch that is None keeps its position. `Inputs()` centres the sticks.
 
     Sticks act along and about the axes of the present mode; full deflection commands the limit in force. Numbers and
-    arrays of NumPy are allowed too; `simulation.plain` converts them.
+    arrays of NumPy and of learning libraries are allowed too; `simulation.plain` converts them.
     """
 
     translation: Vec3 = (0.0, 0.0, 0.0)
@@ -80,36 +81,40 @@ class Inputs(msgspec.Struct, frozen=True):
     """Command of a camera's drive in this step; `simulation.camera_drives.Cameras.check` checks it."""
 
     def check(self, arm: Arm) -> None:
-        """Check that hand controllers and switches can produce these inputs.
+        """Check that hand controllers and switches can produce these inputs, which have plain values.
+
+        `simulation.plain.plain_inputs` returns such inputs.
 
         Raises:
             InputError: a stick is outside [-1, 1] or not finite, a switch does not have the given position, a joint
-                does not exist, a master angle is not finite, the target is not a pose, or the target's joint angles
-                put the tip of `arm` at another pose. The message begins with the name of the field.
+                does not exist, a text is not printable, an angle or a position is not plausible, or the target's joint
+                angles put the tip of `arm` at another pose. The message begins with the name of the field.
         """
-        for name, count in _STICKS.items():
-            value = getattr(self, name)
-            numbers = _numbers(value if count > 1 else (value,), count)
-            if not numbers or not all(-1.0 <= s <= 1.0 for s in numbers):
-                expected = f"{count} numbers" if count > 1 else "a number"
-                raise InputError(f"{name}: got {value!r}, expected {expected} in [-1, 1]")
-        if self.master is not None and not _numbers(self.master, JOINTS):
-            raise InputError(f"master: got {self.master!r}, expected six finite joint angles [rad]")
-        if self.joint is not None and not _numbered(self.joint):
-            raise InputError(f"joint: got {self.joint!r}, expected 0 to 5")
+        sticks = (*self.translation, *self.rotation, *self.orbiter, self.drive, self.telescope)
+        if not all([-1.0 <= deflection <= 1.0 for deflection in sticks]):
+            name = next(name for name in STICKS if not _within_travel(getattr(self, name)))
+            raise self._error(name)
         for name, positions in POSITIONS.items():
             if (value := getattr(self, name)) is not None and value not in positions:
-                raise InputError(f"{name}: got {value!r}, expected {_either(positions)}")
-        if not isinstance(self.mode, str | None):
-            raise InputError(f"mode: got {self.mode!r}, expected the name of a panel position")
-        if not isinstance(self.camera, CameraDrive | None):
-            raise InputError(f"camera: got {self.camera!r}, expected a CameraDrive")
+                raise self._error(name)
+        if self.joint is not None and not 0 <= self.joint < JOINTS:
+            raise self._error("joint")
+        if self.mode is not None and not (self.mode.isprintable() and len(self.mode) <= LONGEST_NAME):
+            raise self._error("mode")
+        if self.master is not None and not all(_is_plausible(angle, ROTATION) for angle in self.master):
+            raise self._error("master")
         if self.target is not None:
             _check_target(arm, self.target)
 
+    def _error(self, name: str) -> InputError:
+        """Return the error about a field."""
+        return InputError(f"{name}: got {short(getattr(self, name))}, expected {EXPECTED[name]}")
 
-_STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope": 1}
+
+STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope": 1}
 """Number of axes of each stick, by field name."""
+LONGEST_NAME = 64
+"""Greatest length of the name of a mode [characters]."""
 
 
 def _positions() -> dict[str, tuple[object, ...]]:
@@ -132,40 +137,48 @@ def _either(positions: Sequence[object]) -> str:
     return f"{', '.join(others)} or {last}"
 
 
-def _numbered(joint: object) -> bool:
-    """Return whether `joint` is a valid joint number, 0 to 5."""
-    return isinstance(joint, Integral) and 0 <= int(joint) < JOINTS
+EXPECTED: dict[str, str] = {
+    **dict.fromkeys(Inputs.__struct_fields__, "True or False"),
+    **{name: f"{count} numbers in [-1, 1]" if count > 1 else "a number in [-1, 1]" for name, count in STICKS.items()},
+    **{name: _either(positions) for name, positions in POSITIONS.items()},
+    "mode": f"the name of a panel position, printable and of at most {LONGEST_NAME} characters",
+    "joint": f"0 to {JOINTS - 1}",
+    "master": f"six finite joint angles [rad], each from {ROTATION.least:g} to {ROTATION.greatest:g}",
+    "camera": "a CameraDrive",
+    "target": "a Target: a position (3,), a rotation (3, 3), and six joint angles or None",
+}
+"""What each field allows, for error messages."""
 
 
-def _numbers(values: object, count: int) -> list[float]:
-    """Return `values` as a list of `count` finite numbers; an empty list if they are anything else."""
-    if isinstance(values, str) or not isinstance(values, Iterable):
-        return []
-    try:
-        numbers = [float(value) for value in values]
-    except (TypeError, ValueError):
-        return []
-    return numbers if len(numbers) == count and all(map(math.isfinite, numbers)) else []
+def _within_travel(stick: float | Vec3) -> bool:
+    """Return whether all deflections of a stick are in [-1, 1]."""
+    return all(-1.0 <= deflection <= 1.0 for deflection in (stick if isinstance(stick, tuple) else (stick,)))
+
+
+def _is_plausible(value: float, bounds: Bounds) -> bool:
+    return bounds.least <= value <= bounds.greatest
 
 
 def _check_target(arm: Arm, target: Target) -> None:
-    """Raise InputError if a target is not a pose, or if its joint angles contradict its pose."""
+    """Raise InputError if a number of a target is not plausible, or if its joint angles contradict its pose."""
     position, rotation, joints = target.position, target.rotation, target.joints
-    sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
-    if sizes != (3, 3, 3, 3, 6):
-        raise InputError(
-            f"target: got {target}, expected a position (3,), a rotation (3, 3), and six joint angles or None"
-        )
-    numbers = (*position, *(x for row in rotation for x in row), *(() if joints is None else joints))
-    if not all(map(math.isfinite, numbers)):
-        raise InputError(f"target: got {target}, expected finite numbers")
+    components = tuple(x for row in rotation for x in row)
+    for what, values, bounds in (
+        ("position", position, COORDINATE),
+        ("rotation", components, COMPONENT),
+        ("joints", joints or (), ROTATION),
+    ):
+        wrong = next((value for value in values if not _is_plausible(value, bounds)), None)
+        if wrong is not None:
+            unit = "m" if bounds is COORDINATE else "rad" if bounds is ROTATION else ""
+            raise InputError(f"target: {what}: {bounds.problem(wrong, unit)}")
     if joints is None:
         return
     tip = arm.forward(joints)
     distance = math.dist(tip.position, position)
-    chord = math.dist(tip.rotation.ravel(), [x for row in rotation for x in row])  # detects non-rotations, too
+    chord = math.dist(tip.rotation.ravel(), components)  # detects non-rotations, too
     angle = 2.0 * math.asin(min(1.0, chord / math.sqrt(8.0)))
-    if not (distance <= AGREED and angle <= AGREED_TURN):  # an overflow gives NaN, which is also rejected
+    if distance > AGREED or angle > AGREED_TURN:
         raise InputError(
             f"target: the joint angles put the tip {distance:.4g} m and {math.degrees(angle):.4g} deg from the pose, "
             f"at most {AGREED:g} m and {math.degrees(AGREED_TURN):g} deg are allowed"

@@ -1,78 +1,74 @@
-"""Conversion of inputs to plain values: numbers, arrays and texts of NumPy become Python's own types.
+"""Conversion of inputs to plain values: numbers, arrays and texts of any library become Python's own types.
 
-`Simulation.advance` converts all inputs, because digests, saved states and recordings encode plain values only. A stick
-value of -0.0 becomes 0.0, because both mean the same deflection but have different digests.
+`Simulation.advance` converts all inputs before it checks them; the converted values are checked, flown, delayed and
+recorded. Digests, saved states and recordings encode plain values only. A stick value of -0.0 becomes 0.0, because both
+mean the same deflection but have different digests.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from numbers import Integral
-from operator import index
-from typing import Any, cast, get_type_hints
+from collections.abc import Callable, Mapping
+from functools import lru_cache
+from typing import Any, cast, get_args, get_type_hints
 
 import msgspec
 
 from aftdeck.errors import InputError
+from aftdeck.plain_values import flag, items, number, numbers, text, whole_number
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
-from aftdeck.simulation.inputs import POSITIONS, Inputs
+from aftdeck.simulation.inputs import EXPECTED, JOINTS, STICKS, Inputs
+from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.units import short
 
-_STICKS = ("translation", "rotation", "orbiter")
-_SWITCHES = ("drive", "telescope")
-_FLOAT, _QUICK = {float}, {tuple, float, str, bool, int, type(None)}
-_TEXTS_AND_FLAGS = tuple(
-    name for name, hint in get_type_hints(Inputs).items() if name in POSITIONS or hint is bool or name == "mode"
-)
+GREATEST_SEED = 2**53
+"""Greatest seed: JSON and JavaScript represent no greater integer exactly."""
+_FLOAT = {float}
+_AXES = 3
 
 
-def plain_inputs(inputs: Inputs) -> Inputs:
+def plain_inputs(inputs: object) -> Inputs:
     """Return the inputs with plain values. If all values are plain already, return the same object.
 
     Args:
-        inputs: inputs from a caller, already accepted by `Inputs.check`.
+        inputs: inputs from a caller, with values of any types.
+
+    Raises:
+        InputError: a value has no plain value of its field's type; the message begins with the name of the field.
     """
-    if _all_plain(inputs):
+    if type(inputs) is Inputs and _all_plain(inputs):
         return inputs
-    changed: dict[str, Any] = {}
-    for name in _STICKS:
-        if not _are_plain(getattr(inputs, name)):
-            changed[name] = tuple(_deflection(value) for value in getattr(inputs, name))
-    for name in _SWITCHES:
-        if not _is_plain(getattr(inputs, name)):
-            changed[name] = _deflection(getattr(inputs, name))
-    for name in _TEXTS_AND_FLAGS:
-        value = getattr(inputs, name)
-        if value is not None and type(value) is not str and type(value) is not bool:
-            changed[name] = str(value) if isinstance(value, str) else bool(value)
-    if inputs.joint is not None and type(inputs.joint) is not int:
-        changed["joint"] = int(inputs.joint)
-    if inputs.master is not None and not _are_floats(inputs.master):
-        changed["master"] = _floats(inputs.master)
-    if inputs.target is not None:
-        changed["target"] = plain_target(inputs.target)
-    if inputs.camera is not None:
-        changed["camera"] = _plain_drive(inputs.camera)
-    return msgspec.structs.replace(inputs, **changed) if changed else inputs
+    if not isinstance(inputs, Inputs):
+        raise InputError(f"inputs: got {short(inputs)}, expected Inputs")
+    values: dict[str, Any] = {
+        name: _converted(inputs, name, "", EXPECTED[name], convert) for name, convert in _CONVERT.items()
+    }
+    return Inputs(**values)
 
 
-def plain_target(target: Target) -> Target:
-    """Return the target with plain floats."""
-    position, joints = _floats(target.position), None if target.joints is None else _floats(target.joints)
-    rows = tuple(_floats(row) for row in target.rotation)
-    return Target(cast("Any", position), cast("Any", rows), cast("Any", joints))
+def plain_target(target: object) -> Target:
+    """Return the target with plain floats; raise an exception of any type if it has none."""
+    if not isinstance(target, Target):
+        raise TypeError
+    rows = tuple(numbers(row, 3) for row in items(target.rotation, (3, 3)))
+    joints = None if target.joints is None else cast("Six", numbers(target.joints, JOINTS))
+    return Target(cast("Vec3", numbers(target.position, 3)), cast("Rows", rows), joints)
 
 
 def whole(value: object, name: str) -> int:
-    """Return an integer of any type as a Python int.
+    """Return a seed of any integer type as a Python int.
 
     Raises:
-        InputError: the value is not an integer, or is a bool; the message names the argument.
+        InputError: the value is not an integer from 0 to `GREATEST_SEED`, or is a bool; the message names the argument.
     """
-    if isinstance(value, bool) or not isinstance(value, Integral):
-        raise InputError(f"{name}: got {value!r}, expected an integer")
-    return index(cast("Any", value))
+    try:
+        plain = whole_number(value)
+    except Exception as error:  # methods of a foreign object may raise anything
+        raise InputError(f"{name}: got {short(value)}, expected an integer") from error
+    if not 0 <= plain <= GREATEST_SEED:
+        raise InputError(f"{name}: got {short(plain)}, expected an integer from 0 to {GREATEST_SEED}")
+    return plain
 
 
 def _all_plain(inputs: Inputs) -> bool:
@@ -80,42 +76,100 @@ def _all_plain(inputs: Inputs) -> bool:
 
     This test is quick, and its result is True in most steps.
     """
-    numbers = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
+    values = msgspec.structs.astuple(inputs)
+    if not _plain_types(*map(type, values)):
+        return False
+    deflections = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
     return (
-        inputs.master is None
-        and type(inputs.joint) is not bool
-        and set(map(type, numbers)) == _FLOAT
-        and set(map(type, msgspec.structs.astuple(inputs))) <= _QUICK
-        and -1.0 not in [math.copysign(1.0, number) for number in numbers if not number]
+        len(inputs.translation) == len(inputs.rotation) == len(inputs.orbiter) == _AXES
+        and set(map(type, deflections)) == _FLOAT
+        and -1.0 not in [math.copysign(1.0, deflection) for deflection in deflections if not deflection]
     )
 
 
-def _plain_drive(camera: CameraDrive) -> CameraDrive:
-    return CameraDrive(
-        str(camera.camera),
-        _deflection(camera.pan),
-        _deflection(camera.tilt),
-        _deflection(camera.zoom),
-        bool(camera.slow),
-    )
+@lru_cache(maxsize=256)
+def _plain_types(*kinds: type) -> bool:
+    """Return whether each field of `Inputs` has a plain type, and target, master angles and camera are None."""
+    return all(kind in allowed for kind, allowed in zip(kinds, _PLAIN_TYPES, strict=True))
 
 
-def _deflection(value: Any) -> float:
+def _converted(holder: object, name: str, within: str, expected: str, convert: Callable[[Any], object]) -> object:
+    """Return the plain value of an attribute.
+
+    Args:
+        holder: the object with the attribute.
+        name: name of the attribute.
+        within: name of the holder and a point, for the error message; "" for `Inputs`.
+        expected: what is allowed, for the error message.
+        convert: function that returns the plain value.
+
+    Raises:
+        InputError: the attribute has no plain value.
+    """
+    given: object = None
+    try:
+        given = getattr(holder, name)
+        return convert(given)
+    except InputError:
+        raise
+    except Exception as error:  # methods of a foreign object may raise anything
+        raise InputError(f"{within}{name}: got {short(given)}, expected {expected}") from error
+
+
+def _deflection(value: object) -> float:
     """Return a stick's deflection as a float that is never -0.0."""
-    return float(value) + 0.0
+    return number(value) + 0.0
 
 
-def _is_plain(value: object) -> bool:
-    return type(value) is float and (value != 0.0 or math.copysign(1.0, value) > 0.0)
+def _deflections(values: object) -> tuple[float, ...]:
+    return tuple(_deflection(value) for value in items(values, (3,)))
 
 
-def _are_plain(values: object) -> bool:
-    return type(values) is tuple and all(map(_is_plain, values))
+def _optional(convert: Callable[[Any], object]) -> Callable[[object], object]:
+    return lambda value: None if value is None else convert(value)
 
 
-def _are_floats(values: object) -> bool:
-    return type(values) is tuple and all(type(value) is float for value in values)
+_DRIVE: Mapping[str, tuple[Callable[[Any], object], str]] = {
+    "camera": (text, "the name of a camera"),
+    **dict.fromkeys(("pan", "tilt", "zoom"), (_deflection, "a number in [-1, 1]")),
+    "slow": (flag, "True or False"),
+}
+"""Conversion of each field of `CameraDrive`, and what is allowed."""
 
 
-def _floats(values: Iterable[Any]) -> tuple[float, ...]:
-    return tuple(float(value) for value in values)
+def _plain_drive(camera: object) -> CameraDrive:
+    if not isinstance(camera, CameraDrive):
+        raise TypeError
+    values = [_converted(camera, name, "camera.", expected, convert) for name, (convert, expected) in _DRIVE.items()]
+    return CameraDrive(*cast("Any", values))
+
+
+def _conversions() -> Mapping[str, tuple[Callable[[Any], object], set[type]]]:
+    """Return for each field of `Inputs` its conversion, and the types of the values that need none."""
+    found: dict[str, tuple[Callable[[Any], object], set[type]]] = {}
+    for name, hint in get_type_hints(Inputs).items():
+        kind, *none = get_args(hint) if type(None) in get_args(hint) else (hint,)
+        convert, plain = _conversion(name, kind)
+        found[name] = (_optional(convert), {plain, type(None)}) if none else (convert, {plain})
+    return found
+
+
+def _conversion(name: str, kind: object) -> tuple[Callable[[Any], object], type]:
+    """Return the conversion of a field of `Inputs`, and the type of a value that needs none."""
+    if name in STICKS:
+        return (_deflection, float) if STICKS[name] == 1 else (_deflections, tuple)
+    if name in _OWN:
+        return _OWN[name], type(None)
+    if kind is bool:
+        return flag, bool
+    return (whole_number, int) if kind is int else (text, str)
+
+
+_OWN: Mapping[str, Callable[[Any], object]] = {
+    "master": lambda angles: numbers(angles, JOINTS),
+    "target": plain_target,
+    "camera": _plain_drive,
+}
+"""Conversion of the fields that hold more than one value; the quick test accepts only None there."""
+_CONVERT = {name: convert for name, (convert, _) in _conversions().items()}
+_PLAIN_TYPES = [kinds for _, kinds in _conversions().values()]

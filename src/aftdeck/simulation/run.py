@@ -6,7 +6,7 @@ import hashlib
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Literal
+from typing import Literal, cast
 
 import msgspec
 
@@ -25,6 +25,7 @@ from aftdeck.simulation.resume import resume
 from aftdeck.simulation.step import step
 from aftdeck.simulation.summary import Summary, Tally
 from aftdeck.state_part import digest, encoded
+from aftdeck.units import short
 from aftdeck.worksite.report import Near
 
 
@@ -88,18 +89,19 @@ class Simulation:
         """Advance by one control period.
 
         Args:
-            inputs: sticks and switches; with None the scenario's script supplies them.
+            inputs: sticks and switches; with None the scenario's script supplies them. They are converted to plain
+                values, which are checked, flown and recorded.
 
         Raises:
-            InputError: hand controllers and switches cannot produce the inputs, the target is not a pose or contradicts
-                its joint angles, or the camera has no drive. The state is then unchanged.
+            InputError: a value has another type, hand controllers and switches cannot produce the inputs, the target is
+                not a pose or contradicts its joint angles, or the camera has no drive. The state is then unchanged.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
+            inputs = plain_inputs(inputs)
             inputs.check(self._state.arm)
             if inputs.camera is not None:
                 self._flight.cameras.check(inputs.camera)
-            inputs = plain_inputs(inputs)
         state = self._state
         self._flown = step(self._flight, state, inputs)
         self._given = inputs
@@ -151,13 +153,16 @@ class Simulation:
             InputError: the saved state belongs to another scenario, or cannot be read. The simulation is then
                 unchanged.
         """
+        if not isinstance(cast("object", saved), SavedSimulation):
+            raise InputError(f"saved: got {short(saved)}, expected a SavedSimulation")
+        seed = whole(saved.seed, "saved.seed")
         if saved.scenario != self._digest:
             raise InputError(
-                f"the saved state belongs to a scenario with digest {saved.scenario[:12]}; the scenario of this "
+                f"the saved state belongs to a scenario with digest {str(saved.scenario)[:12]}; the scenario of this "
                 f"simulation is {self.scenario.name!r} with digest {self._digest[:12]}"
             )
         self._state = resume(self._flight, saved.state)
-        self.seed = saved.seed
+        self.seed = seed
         self._stepped, self._frame, self._given, self._seal = False, None, None, b""
 
 

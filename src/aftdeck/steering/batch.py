@@ -6,6 +6,8 @@ singularity, the rate law replaces its divisor by a minimum value.
 
 from __future__ import annotations
 
+import contextlib
+import math
 import os
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
@@ -14,11 +16,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, floats_of
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
+from aftdeck.plain_values import number
 from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blocks
+from aftdeck.units import short
 
 _ROUNDING_MARGIN = 1.0 + 1e-15
 """Factor that keeps the fastest joint's rate, after rounding, at or below its limit [1]."""
@@ -53,8 +57,7 @@ def pace_of(arm: Arm, period: float, gain: float) -> Array:
     Raises:
         InputError: with this period or gain the arm would not move, or would move past the target.
     """
-    if not period > 0.0:
-        raise InputError(f"period: got {period:g}, expected a control period above 0 s")
+    period, gain = _positive(period, "period"), _positive(gain, "gain")
     if not 0.0 < gain * period <= 1.0:
         raise InputError(f"gain: got {gain:g}; gain times period ({period:g}) has to be above 0 and at most 1")
     return np.array([period, gain, *(_ROUNDING_MARGIN / arm.rate_limits)])
@@ -87,8 +90,7 @@ def steer_batch(
         InputError: an argument has the wrong shape, or values outside the allowed range.
     """
     pace = pace_of(arm, period, gain)
-    if steps < 0 or steps != int(steps):
-        raise InputError(f"steps: got {steps}, expected a whole number, 0 or more")
+    count_of_steps = _steps(steps)
     start = _finite(angles, "joint angles", 6)
     lead = start.shape[:-1]
     goal = _targets(targets, lead)
@@ -96,9 +98,25 @@ def steer_batch(
     blocks = _aligned(-(-count // LANES) * FIELDS * LANES).reshape(-1, FIELDS, LANES)
     _scatter(blocks[:, :TARGET], start.reshape(count, 6))
     _scatter(blocks[:, TARGET:LEFT], goal.reshape(count, 12))
-    _fly(arm, pace, blocks.reshape(len(blocks), FIELDS * LANES), int(steps), bool(fast))
+    _fly(arm, pace, blocks.reshape(len(blocks), FIELDS * LANES), count_of_steps, bool(fast))
     end, left = _gathered(blocks[:, :TARGET], count), _gathered(blocks[:, LEFT:], count)
     return Steered(end.reshape(*lead, 6), left[:, 3:].reshape(*lead, 3), left[:, :3].reshape(*lead, 3))
+
+
+def _positive(given: object, name: str) -> float:
+    """Return a number above 0 as a float; raise InputError if it is anything else."""
+    with contextlib.suppress(Exception):  # methods of a foreign object may raise anything
+        if 0.0 < (value := number(given)) < math.inf:
+            return value
+    raise InputError(f"{name}: got {short(given)}, expected a number above 0")
+
+
+def _steps(given: object) -> int:
+    """Return a number of steps as an int; raise InputError if it is not a whole number, 0 or more."""
+    with contextlib.suppress(Exception):  # methods of a foreign object may raise anything
+        if (value := number(given)) >= 0.0 and value.is_integer():
+            return int(value)
+    raise InputError(f"steps: got {short(given)}, expected a whole number, 0 or more")
 
 
 def _fly(arm: Arm, pace: Array, blocks: Array, steps: int, fast: bool) -> None:
@@ -134,10 +152,7 @@ def _processors() -> int:
 
 def _finite(values: ArrayLike, what: str, width: int) -> Array:
     """Return values as (..., width) floats; raise InputError if shape or values are wrong."""
-    try:
-        array = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError(f"{what}: expected numbers, got {values!r}") from None
+    array = floats_of(values, what)
     if array.ndim == 0 or array.shape[-1] != width:
         raise InputError(f"{what}: expected shape (..., {width}), got {array.shape}")
     if not np.isfinite(array).all():

@@ -3,7 +3,6 @@
 
 export const PROTOCOL = 4;
 
-export type Vec3 = readonly [number, number, number];
 export type Vec2 = readonly [number, number];
 export type Axis = 'x' | 'y' | 'z';
 export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
@@ -17,6 +16,7 @@ export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
 export type Six = readonly [number, number, number, number, number, number];
+export type Vec3 = readonly [number, number, number];
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';

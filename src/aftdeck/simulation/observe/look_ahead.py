@@ -6,6 +6,7 @@ do not stop the copy, but the first contact is reported.
 
 from __future__ import annotations
 
+import contextlib
 from typing import Literal, cast
 
 import msgspec
@@ -14,6 +15,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.matrices import lengths
+from aftdeck.plain_values import items, number, whole_number
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_at
 from aftdeck.simulation.motion.standstill import joint_lock_reason
@@ -26,6 +28,7 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rehearsal import rehearse
 from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.units import short
 from aftdeck.worksite.report import Near
 from aftdeck.worksite.watch.found import CLEARANCE
 
@@ -92,11 +95,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     Raises:
         InputError: `seconds` is outside its range, or `last` is not an axis with a sign.
     """
-    if not LEAST_S <= seconds <= MOST_S:
-        raise InputError(f"seconds: got {seconds:g}, expected {LEAST_S:g} to {MOST_S:g}")
-    if last is not None and not (last[0] in range(DRIVE_AXIS + 1) and last[1] in (-1, 1)):
-        raise InputError(f"last: got {last}, expected an axis from 0 to {DRIVE_AXIS} and a sign, -1 or 1")
-    seconds, last = float(seconds), None if last is None else (int(last[0]), cast("Literal[-1, 1]", int(last[1])))
+    seconds, last = _seconds(seconds), None if last is None else _axis(last)
     command, steering, held = _initial_command(state, last)
     rules, report = state.rules, np.zeros(REPORT)
     site, worksite, stand, travel = flight.site, state.worksite, state.plant.stand, flight.telescope
@@ -138,6 +137,23 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         joint=joint,
         room=room,
     )
+
+
+def _seconds(given: object) -> float:
+    """Return the prediction time [s]; raise InputError if it is not a number in its range."""
+    with contextlib.suppress(Exception):  # methods of a foreign object may raise anything
+        if LEAST_S <= (seconds := number(given)) <= MOST_S:
+            return seconds
+    raise InputError(f"seconds: got {short(given)}, expected {LEAST_S:g} to {MOST_S:g}")
+
+
+def _axis(given: object) -> Axis:
+    """Return an axis and the sign of its deflection; raise InputError if they are anything else."""
+    with contextlib.suppress(Exception):  # methods of a foreign object may raise anything
+        axis, sign = map(whole_number, items(given, (2,)))
+        if 0 <= axis <= DRIVE_AXIS and sign in (-1, 1):
+            return axis, cast("Literal[-1, 1]", sign)
+    raise InputError(f"last: got {short(given)}, expected an axis from 0 to {DRIVE_AXIS} and a sign, -1 or 1")
 
 
 def _placed(row: list[float]) -> tuple[Vec3, Rows]:

@@ -57,7 +57,9 @@ class _Writer:
         self.aliases: dict[object, str] = {}
         for module in NAMED:
             for name, value in vars(module).items():
-                if typing.get_origin(value) in (tuple, typing.Literal, typing.Union, types.UnionType):
+                kind, parts = typing.get_origin(value), typing.get_args(value)
+                ranges = any(typing.get_origin(part) is typing.Annotated for part in parts)  # for files only
+                if kind in (tuple, typing.Literal, typing.Union, types.UnionType) and not ranges:
                     self.aliases.setdefault(value, name)
         self.interfaces: dict[type[msgspec.Struct], str] = {}
 

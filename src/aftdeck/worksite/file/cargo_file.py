@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from aftdeck.arms.model import Sides
 from aftdeck.shapes import Material, Shape
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed
 from aftdeck.worksite.file.tables import Placed, Range, Table, Text, Turn, ordered, positive
@@ -10,7 +11,7 @@ from aftdeck.worksite.file.tables import Placed, Range, Table, Text, Turn, order
 class PrismBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="prism"):
     """A regular prism along x with one side on top and one side below; its solids have exactly its shape."""
 
-    sides: int = 6
+    sides: Sides = 6
     across: Length
     """Distance between opposite corners."""
     length: Length
@@ -36,7 +37,7 @@ class CylinderBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="cyli
 class ProbeFile(Table, frozen=True, kw_only=True):
     """A docking probe, a regular prism on the middle of the forward end (-x)."""
 
-    sides: int = 6
+    sides: Sides = 6
     across: Length
     """Distance between opposite corners."""
     length: Length

@@ -13,7 +13,7 @@ from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.solid import Solid
 from aftdeck.dimensions import KEY, derive
 from aftdeck.errors import InputError, ScenarioError
-from aftdeck.files import Problem, Text, examine, line_of, read, sentences
+from aftdeck.files import Problem, Text, as_path, examine, line_of, read, sentences
 from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
@@ -77,7 +77,7 @@ class _Dimensions(msgspec.Struct, frozen=True):
 def _file(name_or_path: str | Path) -> Text:
     """Return the name and the unparsed text of a worksite's file; the file is given by a built-in name or by a path."""
     built_in = str(name_or_path) in worksites()
-    path = _BUILT_IN / f"{name_or_path}.toml" if built_in else Path(name_or_path)
+    path = _BUILT_IN / f"{name_or_path}.toml" if built_in else as_path(name_or_path)
     if not path.is_file():
         raise ScenarioError(
             [

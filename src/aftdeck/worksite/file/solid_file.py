@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from aftdeck.bodies.cover import SIDES
+from typing import Annotated
+
+from aftdeck.arms.model import Sides
+from aftdeck.bodies.cover import FEWEST_WALLS, SIDES
+from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis, Material
 from aftdeck.units import Angle, Length
 from aftdeck.worksite.file.tables import Placed, Point, Range, Text
@@ -70,7 +74,7 @@ class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
     axis: Axis = "x"
     start: Angle = Angle(0.0)
     sweep: Angle
-    count: int
+    count: Annotated[int, Bounds(FEWEST_WALLS, 360, "360 hexahedra cover a tube to 0.004 % of its radius")]
 
 
 class PrismFile(_SolidFile, frozen=True, kw_only=True, tag="prism"):
@@ -81,7 +85,7 @@ class PrismFile(_SolidFile, frozen=True, kw_only=True, tag="prism"):
     length: Length
     radius_end: Length | None = None
     axis: Axis = "x"
-    sides: int = SIDES
+    sides: Sides = SIDES
     turn: Angle = Angle(0.0)
 
 
