@@ -7,16 +7,21 @@ import struct
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import msgspec
 import numpy as np
-from mcap.records import Channel
+from mcap.records import Channel, Schema
 from mcap.records import Message as McapMessage
 from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, Writer
+from msgspec.structs import replace
 
 import aftdeck
 from aftdeck.errors import RecordingError
+from aftdeck.recording.chain import Chain, Declared
+from aftdeck.recording.codec import encode
 from aftdeck.recording.message import Message
 from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import Closing
 from aftdeck.recording.writer import Ended, Recorder
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
@@ -83,25 +88,71 @@ def read_until_error(path: Path) -> tuple[list[Message], RecordingError | None]:
 
 
 def rewritten(
-    source: Path, out: Path, change: dict[str, bytes], *, profile: str = "aftdeck", leave_out: tuple[str, ...] = ()
+    source: Path,
+    out: Path,
+    change: dict[str, bytes],
+    *,
+    profile: str = "aftdeck",
+    leave_out: tuple[str, ...] = (),
+    rechained: bool = False,
 ) -> None:
-    """Rewrite a recording with another library; `change` maps a topic to new data for its first message."""
-    topics: dict[int, str] = {}
-    channels: dict[str, int] = {}
-    changes = dict(change)
+    """Rewrite a recording with another library.
+
+    Args:
+        source: the recording.
+        out: the copy.
+        change: new data, by topic, for the topic's first message.
+        profile: profile of the copy.
+        leave_out: topics without messages in the copy.
+        rechained: whether the copy gets a new hash chain, as of a forger who rewrites the whole file.
+    """
+    changes, chain = dict(change), Chain()
+
+    def edit(topic: str, data: bytes) -> Iterator[bytes]:
+        if topic not in leave_out:
+            yield changes.pop(topic, data)
+
+    def sealed(channel: Declared, log_time: int, data: bytes) -> bytes:
+        if channel.topic != "/closing":
+            chain.add(channel, log_time, log_time, data)
+            return data
+        closing = replace(msgspec.json.decode(data, type=Closing), chain="")
+        chain.add(channel, log_time, log_time, encode(closing))
+        return encode(replace(closing, chain=chain.head()))
+
+    copied(source, out, edit, profile=profile, sealed=sealed if rechained else None)
+
+
+def copied(
+    source: Path,
+    out: Path,
+    edit: Callable[[str, bytes], Iterator[bytes]],
+    *,
+    profile: str = "aftdeck",
+    sealed: Callable[[Declared, int, bytes], bytes] | None = None,
+) -> None:
+    """Write a valid copy of a recording with the messages that `edit` returns for each message, by topic and data.
+
+    `sealed` returns the final data of each message of the copy.
+    """
+    schemas: dict[int, Schema] = {}
+    declared: dict[int, Declared] = {}
+    channels: dict[int, int] = {}
     with source.open("rb") as file, out.open("wb") as new:
         writer = Writer(new, compression=CompressionType.ZSTD)
         writer.start(profile, "a test")
         for record in StreamReader(file).records:
-            if isinstance(record, Channel) and record.topic not in channels:
-                topics[record.id] = record.topic
-                schema = writer.register_schema(record.topic, "jsonschema", b"{}")
-                channels[record.topic] = writer.register_channel(record.topic, "json", schema)
+            if isinstance(record, Schema):
+                schemas[record.id] = record
+            elif isinstance(record, Channel) and record.id not in channels:
+                own = schemas[record.schema_id]
+                declared[record.id] = Declared(record.topic, record.message_encoding, own.name, own.encoding, own.data)
+                schema = writer.register_schema(own.name, own.encoding, own.data)
+                channels[record.id] = writer.register_channel(record.topic, record.message_encoding, schema)
             elif isinstance(record, McapMessage):
-                topic = topics[record.channel_id]
-                if topic not in leave_out:
-                    data = changes.pop(topic, record.data)
-                    writer.add_message(channels[topic], record.log_time, data, record.publish_time)
+                for data in edit(declared[record.channel_id].topic, record.data):
+                    final = data if sealed is None else sealed(declared[record.channel_id], record.log_time, data)
+                    writer.add_message(channels[record.channel_id], record.log_time, final, record.publish_time)
         finish: Callable[[], None] = writer.finish  # the writer's library has no types
         finish()
 

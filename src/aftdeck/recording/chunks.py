@@ -15,7 +15,7 @@ import struct
 import zlib
 from collections.abc import Iterator
 from io import BytesIO
-from typing import BinaryIO
+from typing import BinaryIO, cast
 
 import zstandard
 from mcap.data_stream import ReadDataStream
@@ -76,10 +76,7 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
     total = zlib.crc32(file.read(len(MAGIC)))
     while len(start := file.read(_START.size)) == _START.size:
         opcode, length = _START.unpack(start)
-        there = min(length, max(size - file.tell(), 0))
-        if there > MAX_UNPACKED:
-            raise DamageError(f"a record has {there} bytes; at most {MAX_UNPACKED} are allowed")
-        body = file.read(there)
+        body = file.read(_allowed(min(length, max(size - file.tell(), 0))))
         if opcode not in _KNOWN:
             raise DamageError(f"unknown record type {opcode}")
         if _computed_length(opcode, body) not in (None, UNDER_WAY, length):
@@ -98,14 +95,19 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
                 break
             for record in _unpacked(body):
                 declared += not isinstance(record, Message)
-                if declared > MAX_DECLARED:
-                    raise DamageError(f"more than {MAX_DECLARED} schemas and channels are declared")
+                _allowed(declared, MAX_DECLARED, "schemas and channels")
                 yield record
         elif opcode == Opcode.HEADER:
             yield _header(body)
     file.seek(max(size - len(MAGIC), len(MAGIC)))
     if file.read() == MAGIC:
         raise DamageError("the file has an end, but data before the end is missing")
+
+
+def _allowed(count: int, most: int = MAX_UNPACKED, what: str = "bytes in a record") -> int:
+    if count > most:
+        raise DamageError(f"{count} {what}; at most {most} are allowed")
+    return count
 
 
 def _computed_length(opcode: int, body: bytes) -> int | None:
@@ -167,7 +169,9 @@ def _decompressed(chunk: Chunk) -> bytes:
     else:
         raise DamageError(f"chunks of Aftdeck are compressed with 'zstd' or not, got {chunk.compression!r}")
     if len(data) != stated:
-        raise DamageError(f"a chunk states {stated} uncompressed bytes but has {'more' if len(data) > stated else 'fewer'}")
+        raise DamageError(
+            f"a chunk states {stated} uncompressed bytes but has {'more' if len(data) > stated else 'fewer'}"
+        )
     return data
 
 
@@ -176,7 +180,7 @@ def _record(opcode: int, content: bytes) -> Schema | Channel | Message:
         channel, sequence, log_time, publish_time = _MESSAGE.unpack_from(content)
         return Message(channel, log_time, content[_MESSAGE.size :], publish_time, sequence)
     if opcode == Opcode.CHANNEL:
-        return Channel.read(ReadDataStream(BytesIO(content)))
+        return cast("Channel", Channel.read(ReadDataStream(BytesIO(content))))
     if opcode == Opcode.SCHEMA:
-        return Schema.read(ReadDataStream(BytesIO(content)))
+        return cast("Schema", Schema.read(ReadDataStream(BytesIO(content))))
     raise DamageError(f"unknown record type {opcode} in a chunk")

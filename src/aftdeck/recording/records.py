@@ -42,7 +42,7 @@ class Opening(Message, frozen=True):
     shapes_file: Annotated[
         str,
         field_meta(
-            "name of the shapes file, as written in the arm's file, and never opened; empty if the arm has no shapes file"
+            "name of the shapes file, as written in the arm's file (never opened); empty if it names no such file"
         ),
     ]
     shapes_text: Annotated[str, field_meta("complete text of the arm's shapes file")]
@@ -149,8 +149,7 @@ class Closing(Message, frozen=True):
     chain: Annotated[
         str,
         field_meta(
-            "head of the hash chain over all messages, the footer's other fields included; empty in a file of an earlier "
-            "version"
+            "head of the hash chain over all messages and the footer's other fields; empty in earlier versions' files"
         ),
     ] = ""
 
