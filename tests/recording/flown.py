@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import msgspec
@@ -106,21 +106,13 @@ def rewritten(
         leave_out: topics without messages in the copy.
         rechained: whether the copy gets a new hash chain, as of a forger who rewrites the whole file.
     """
-    changes, chain = dict(change), Chain()
+    changes = dict(change)
 
     def edit(topic: str, data: bytes) -> Iterator[bytes]:
         if topic not in leave_out:
             yield changes.pop(topic, data)
 
-    def sealed(channel: Declared, log_time: int, data: bytes) -> bytes:
-        if channel.topic != "/closing":
-            chain.add(channel, log_time, log_time, data)
-            return data
-        closing = replace(msgspec.json.decode(data, type=Closing), chain="")
-        chain.add(channel, log_time, log_time, encode(closing))
-        return encode(replace(closing, chain=chain.head()))
-
-    copied(source, out, edit, profile=profile, sealed=sealed if rechained else None)
+    copied(source, out, edit, profile=profile, rechained=rechained)
 
 
 def copied(
@@ -129,32 +121,56 @@ def copied(
     edit: Callable[[str, bytes], Iterator[bytes]],
     *,
     profile: str = "aftdeck",
-    sealed: Callable[[Declared, int, bytes], bytes] | None = None,
+    rechained: bool = False,
+    after: Iterable[tuple[str, bytes]] = (),
 ) -> None:
     """Write a valid copy of a recording with the messages that `edit` returns for each message, by topic and data.
 
-    `sealed` returns the final data of each message of the copy.
+    `after` are additional messages at the end; the other arguments are those of `rewritten`.
     """
-    schemas: dict[int, Schema] = {}
-    declared: dict[int, Declared] = {}
-    channels: dict[int, int] = {}
-    with source.open("rb") as file, out.open("wb") as new:
+    chain = Chain()
+    with out.open("wb") as new:
         writer = Writer(new, compression=CompressionType.ZSTD)
         writer.start(profile, "a test")
+        channels: dict[str, int] = {}
+        last = 0
+        for channel, time_ns, data in raw_messages(source):
+            if channel.topic not in channels:
+                schema = writer.register_schema(channel.schema, channel.schema_encoding, channel.schema_data)
+                channels[channel.topic] = writer.register_channel(channel.topic, channel.encoding, schema)
+            for edited in edit(channel.topic, data):
+                final = _chained(chain, channel, time_ns, edited) if rechained else edited
+                writer.add_message(channels[channel.topic], time_ns, final, time_ns)
+            last = time_ns
+        for topic, data in after:
+            writer.add_message(channels[topic], last, data, last)
+        finish: Callable[[], None] = writer.finish  # the writer's library has no types
+        finish()
+
+
+def raw_messages(source: Path) -> Iterator[tuple[Declared, int, bytes]]:
+    """Yield channel, time and data of all messages, as another library reads them."""
+    schemas: dict[int, Schema] = {}
+    channels: dict[int, Declared] = {}
+    with source.open("rb") as file:
         for record in StreamReader(file).records:
             if isinstance(record, Schema):
                 schemas[record.id] = record
-            elif isinstance(record, Channel) and record.id not in channels:
+            elif isinstance(record, Channel):
                 own = schemas[record.schema_id]
-                declared[record.id] = Declared(record.topic, record.message_encoding, own.name, own.encoding, own.data)
-                schema = writer.register_schema(own.name, own.encoding, own.data)
-                channels[record.id] = writer.register_channel(record.topic, record.message_encoding, schema)
+                channels[record.id] = Declared(record.topic, record.message_encoding, own.name, own.encoding, own.data)
             elif isinstance(record, McapMessage):
-                for data in edit(declared[record.channel_id].topic, record.data):
-                    final = data if sealed is None else sealed(declared[record.channel_id], record.log_time, data)
-                    writer.add_message(channels[record.channel_id], record.log_time, final, record.publish_time)
-        finish: Callable[[], None] = writer.finish  # the writer's library has no types
-        finish()
+                yield channels[record.channel_id], record.log_time, record.data
+
+
+def _chained(chain: Chain, channel: Declared, time_ns: int, data: bytes) -> bytes:
+    """Add a message to a new chain; return the message, a footer with the chain's head."""
+    if channel.topic != "/closing":
+        chain.add(channel, time_ns, time_ns, data)
+        return data
+    closing = msgspec.json.decode(data, type=Closing)
+    chain.add(channel, time_ns, time_ns, encode(replace(closing, chain="")))
+    return encode(replace(closing, chain=chain.head()))
 
 
 def chunks(whole: bytes) -> list[tuple[int, int, int]]:

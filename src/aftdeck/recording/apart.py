@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, get_args, get_origin, get_type_hints
 
 import msgspec
+from msgspec.structs import replace
 
 from aftdeck.recording.hints import apart as without_meta
 from aftdeck.recording.hints import is_object, names, without_none
@@ -20,13 +21,24 @@ _Measure = Callable[[Any, Any], _Distances]
 _NOTHING, _EVERYTHING = (0.0, 0.0), (math.inf, math.inf)
 
 
+ROUNDING_M, ROUNDING_RAD = 1e-9, 4e-9
+"""Errors of a difference because both values are rounded to nine decimals: of a length [m], and of an angle [rad].
+
+Each component of an attitude's quaternion is rounded by at most 5e-10. The quaternion is therefore rounded by at most
+1e-9, and its angle by at most 2e-9 rad.
+"""
+
+
 class Apart(msgspec.Struct, frozen=True):
-    """Greatest differences between two runs, over all recorded lengths and angles."""
+    """Bounds of the differences between two runs, over all recorded lengths and angles.
+
+    The bounds include the rounding of the recorded values.
+    """
 
     metres: float | None
-    """Greatest difference of a length or position [m]; None if only one of the runs has a value of the field."""
+    """Bound of the difference of any length or position [m]; None if only one run has a value of some field."""
     radians: float | None
-    """Greatest difference of an angle, or angle between two attitudes [rad]; None as for `metres`."""
+    """Bound of the difference of any angle, or of the angle between two attitudes [rad]; None as for `metres`."""
     tick: int
     """Number of the first step that differs."""
     time_s: float
@@ -36,17 +48,16 @@ class Apart(msgspec.Struct, frozen=True):
 def further(found: Apart | None, before: FrameRecord, after: FrameRecord) -> Apart:
     """Return `found` with the differences of two more frames of the same step."""
     lengths, angles = _of_object(FrameRecord)(before, after)
-    if found is None:
-        return Apart(_finite(lengths), _finite(angles), before.tick, before.time_s)
-    return Apart(_greater(found.metres, lengths), _greater(found.radians, angles), found.tick, found.time_s)
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
+    before_now = found or Apart(0.0, 0.0, before.tick, before.time_s)
+    return replace(
+        before_now,
+        metres=_greater(before_now.metres, lengths + ROUNDING_M),
+        radians=_greater(before_now.radians, angles + ROUNDING_RAD),
+    )
 
 
 def _greater(found: float | None, value: float) -> float | None:
-    return None if found is None else _finite(max(found, value))
+    return None if found is None or not math.isfinite(value) else max(found, value)
 
 
 @cache
@@ -87,9 +98,8 @@ def _angle(a: float, b: float) -> _Distances:
 
 def _turn(a: Rows, b: Rows) -> _Distances:
     """Return the angle between two attitudes, from the distance of their matrices: |A - B| = sqrt(8) sin(angle / 2)."""
-    distance = math.sqrt(
-        sum((x - y) ** 2 for row, other in zip(a, b, strict=True) for x, y in zip(row, other, strict=True))
-    )
+    differences = [x - y for row, other in zip(a, b, strict=True) for x, y in zip(row, other, strict=True)]
+    distance = math.hypot(*differences)
     return 0.0, 2.0 * math.asin(min(distance / math.sqrt(8.0), 1.0))
 
 

@@ -9,7 +9,7 @@ import msgspec
 from msgspec.structs import replace
 
 from aftdeck.recording.apart import Apart, further
-from aftdeck.recording.chain import Chain, without_head
+from aftdeck.recording.chain import Chain, Declared, without_head
 from aftdeck.recording.channels import DECLARED, FIXED, SCENE, VIEWED
 from aftdeck.recording.codec import encode
 from aftdeck.recording.compare import Difference, alike, first_difference
@@ -171,9 +171,8 @@ class Check:
             data, time_ns = due.popleft() if due else (b"", 0)
         else:
             data, time_ns = entry.data, self._now
-        same = data == entry.data or (topic not in VIEWED and _same(data, entry.data))
-        known = entry.channel == DECLARED.get(topic, entry.channel)
-        if not (same and known and entry.log_time == entry.publish_time == time_ns):
+        same = data == entry.data or (topic not in VIEWED and _same(entry.data, data, defaults=topic == "/closing"))
+        if not (same and _known(entry.channel) and entry.log_time == entry.publish_time == time_ns):
             self._change(topic)
 
     def _change(self, topic: str) -> None:
@@ -186,9 +185,23 @@ def _logged(record: FrameRecord, wording: bool) -> list[tuple[float, str, str, s
     return [(event.time_s, event.kind, event.level, event.text if wording else "") for event in record.events]
 
 
-def _same(data: bytes, expected: bytes) -> bool:
-    """Return whether two JSON texts have equal values: a number may be written as ``40`` or as ``40.0``."""
+def _known(channel: Declared) -> bool:
+    """Return whether a channel is declared as this version declares it.
+
+    The schemas of Aftdeck's own channels may differ: they only describe messages that can be read without them, and
+    another state of this version may have other descriptions or additional fields.
+    """
+    own = DECLARED.get(channel.topic, channel)
+    return channel == own or (own.encoding == "json" and channel._replace(schema_data=own.schema_data) == own)
+
+
+def _same(data: bytes, expected: bytes, *, defaults: bool = False) -> bool:
+    """Return whether two JSON texts have equal values: a number may be written as ``40`` or as ``40.0``.
+
+    With `defaults`, `data` may lack fields: an earlier state of this version did not write them.
+    """
     try:
-        return bool(msgspec.json.decode(data) == msgspec.json.decode(expected))
+        found, ours = msgspec.json.decode(data, type=dict), msgspec.json.decode(expected, type=dict)
+        return bool(({**ours, **found} if defaults else found) == ours)
     except (msgspec.MsgspecError, RecursionError):
         return False

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from starlette.applications import Starlette
 
+from aftdeck.lines import print_line
 from aftdeck.station.built import built_page
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.own import keep_to_own
@@ -27,11 +28,11 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
     """
     built_page()
     if path.is_file() and path.stat().st_size > LARGE:
-        print(f"Reading {path.name}.", flush=True)
+        print_line(f"Reading {path.name}.")
     with listen(host, port) as listener, PlaybackStore(path) as store:
         address = address_of(listener, host)
-        print(f"Aftdeck replay: {address}", flush=True)
-        print(f"Playing {path.name}. End with Ctrl+C.", flush=True)
+        print_line(f"Aftdeck replay: {address}")
+        print_line(f"Playing {path.name}. End with Ctrl+C.")
         server = make_server(replay_app(store, path, host))
         run_server(server, listener, address if open_browser else None)
 
