@@ -1,6 +1,9 @@
-"""Check of text that a person enters on one line: a code, a condition, a name."""
+"""Text on one line: check of text that a person enters, and output that a terminal shows without obeying it."""
 
 from __future__ import annotations
+
+import sys
+from typing import TextIO
 
 from aftdeck.errors import InputError
 
@@ -26,3 +29,31 @@ def one_line(what: str, text: str, most: int) -> str:
     if text != text.strip():
         raise InputError(f"{what} must not begin or end with a space, got {text!r}")
     return text
+
+
+def visible(text: str) -> str:
+    r"""Return a text as one line of visible characters.
+
+    A control character, a line break and a mark of the writing direction are replaced by their escapes (``\x1b``), so
+    that a text from a file or a client can neither control the terminal nor look like other lines of the output.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        character if character.isprintable() else character.encode("unicode_escape").decode() for character in text
+    )
+
+
+def print_line(text: str = "", file: TextIO | None = None) -> None:
+    """Print a text as one line of visible characters.
+
+    Args:
+        text: the text; the whole text may come from a file or a client.
+        file: stream to which the line is written; None: standard output.
+    """
+    print(visible(text), file=file or sys.stdout, flush=True)
+
+
+def print_error(text: str) -> None:
+    """Print a problem as one line on standard error, after the name of the program."""
+    print_line(f"aftdeck: {text}", sys.stderr)

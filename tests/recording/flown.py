@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import functools
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
+import msgspec
 import numpy as np
-from mcap.records import Channel
+from mcap.records import Channel, Schema
 from mcap.records import Message as McapMessage
 from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, Writer
+from msgspec.structs import replace
 
 import aftdeck
 from aftdeck.errors import RecordingError
+from aftdeck.recording.chain import Chain, Declared
+from aftdeck.recording.codec import encode
 from aftdeck.recording.message import Message
 from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import Closing
 from aftdeck.recording.writer import Ended, Recorder
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
@@ -83,27 +88,89 @@ def read_until_error(path: Path) -> tuple[list[Message], RecordingError | None]:
 
 
 def rewritten(
-    source: Path, out: Path, change: dict[str, bytes], *, profile: str = "aftdeck", leave_out: tuple[str, ...] = ()
+    source: Path,
+    out: Path,
+    change: dict[str, bytes],
+    *,
+    profile: str = "aftdeck",
+    leave_out: tuple[str, ...] = (),
+    rechained: bool = False,
 ) -> None:
-    """Rewrite a recording with another library; `change` maps a topic to new data for its first message."""
-    topics: dict[int, str] = {}
-    channels: dict[str, int] = {}
+    """Rewrite a recording with another library.
+
+    Args:
+        source: the recording.
+        out: the copy.
+        change: new data, by topic, for the topic's first message.
+        profile: profile of the copy.
+        leave_out: topics without messages in the copy.
+        rechained: whether the copy gets a new hash chain, as of a forger who rewrites the whole file.
+    """
     changes = dict(change)
-    with source.open("rb") as file, out.open("wb") as new:
+
+    def edit(topic: str, data: bytes) -> Iterator[bytes]:
+        if topic not in leave_out:
+            yield changes.pop(topic, data)
+
+    copied(source, out, edit, profile=profile, rechained=rechained)
+
+
+def copied(
+    source: Path,
+    out: Path,
+    edit: Callable[[str, bytes], Iterator[bytes]],
+    *,
+    profile: str = "aftdeck",
+    rechained: bool = False,
+    after: Iterable[tuple[str, bytes]] = (),
+) -> None:
+    """Write a valid copy of a recording with the messages that `edit` returns for each message, by topic and data.
+
+    `after` are additional messages at the end; the other arguments are those of `rewritten`.
+    """
+    chain = Chain()
+    with out.open("wb") as new:
         writer = Writer(new, compression=CompressionType.ZSTD)
         writer.start(profile, "a test")
-        for record in StreamReader(file).records:
-            if isinstance(record, Channel) and record.topic not in channels:
-                topics[record.id] = record.topic
-                schema = writer.register_schema(record.topic, "jsonschema", b"{}")
-                channels[record.topic] = writer.register_channel(record.topic, "json", schema)
-            elif isinstance(record, McapMessage):
-                topic = topics[record.channel_id]
-                if topic not in leave_out:
-                    data = changes.pop(topic, record.data)
-                    writer.add_message(channels[topic], record.log_time, data, record.publish_time)
+        channels: dict[str, int] = {}
+        last = 0
+        for channel, time_ns, data in raw_messages(source):
+            if channel.topic not in channels:
+                schema = writer.register_schema(channel.schema, channel.schema_encoding, channel.schema_data)
+                channels[channel.topic] = writer.register_channel(channel.topic, channel.encoding, schema)
+            for edited in edit(channel.topic, data):
+                final = _chained(chain, channel, time_ns, edited) if rechained else edited
+                writer.add_message(channels[channel.topic], time_ns, final, time_ns)
+            last = time_ns
+        for topic, data in after:
+            writer.add_message(channels[topic], last, data, last)
         finish: Callable[[], None] = writer.finish  # the writer's library has no types
         finish()
+
+
+def raw_messages(source: Path) -> Iterator[tuple[Declared, int, bytes]]:
+    """Yield channel, time and data of all messages, as another library reads them."""
+    schemas: dict[int, Schema] = {}
+    channels: dict[int, Declared] = {}
+    with source.open("rb") as file:
+        for record in StreamReader(file).records:
+            if isinstance(record, Schema):
+                schemas[record.id] = record
+            elif isinstance(record, Channel):
+                own = schemas[record.schema_id]
+                channels[record.id] = Declared(record.topic, record.message_encoding, own.name, own.encoding, own.data)
+            elif isinstance(record, McapMessage):
+                yield channels[record.channel_id], record.log_time, record.data
+
+
+def _chained(chain: Chain, channel: Declared, time_ns: int, data: bytes) -> bytes:
+    """Add a message to a new chain; return the message, a footer with the chain's head."""
+    if channel.topic != "/closing":
+        chain.add(channel, time_ns, time_ns, data)
+        return data
+    closing = msgspec.json.decode(data, type=Closing)
+    chain.add(channel, time_ns, time_ns, encode(replace(closing, chain="")))
+    return encode(replace(closing, chain=chain.head()))
 
 
 def chunks(whole: bytes) -> list[tuple[int, int, int]]:

@@ -264,5 +264,10 @@ def test_invalid_message_is_damage_and_names_its_channel(whole: Path, tmp_path: 
 
 def test_unknown_fields_of_the_same_layout_are_ignored(whole: Path, tmp_path: Path) -> None:
     start = msgspec.to_builtins(Recording(whole).opening)
-    rewritten(whole, tmp_path / "later.mcap", {"/opening": msgspec.json.encode({**start, "weather": "fine"})})
+    rewritten(
+        whole,
+        tmp_path / "later.mcap",
+        {"/opening": msgspec.json.encode({**start, "weather": "fine"})},
+        rechained=True,
+    )
     assert verify(tmp_path / "later.mcap").equal

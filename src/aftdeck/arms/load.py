@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
 from pathlib import Path
@@ -172,11 +173,23 @@ def load_model(name_or_path: str | Path) -> ArmModel:
                 "ends in .toml"
             )
         path = HERE / f"{name_or_path}.toml"
-    source = read(path)
+    return model_of(read(path), lambda name: read(path.parent / name))
+
+
+def model_of(source: Text, shapes: Callable[[str], Text]) -> ArmModel:
+    """Return the arm that the text of an arm file describes.
+
+    Args:
+        source: name and text of the arm file.
+        shapes: returns the arm's shape file; its argument is the file's name as written in the arm file.
+
+    Raises:
+        ScenarioError: the text has errors; the message lists all of them. `shapes` may raise other errors.
+    """
     file = parse(cast("type[ArmFile]", ArmFile), source)  # the type checker does not accept a union as a `type`
     if problems := arm_problems(file):
         raise ScenarioError(sentences(problems, *source))
-    return _model(file, source.text, read(path.parent / file.shapes) if file.shapes else None)
+    return _model(file, source.text, shapes(file.shapes) if file.shapes else None)
 
 
 def _log(ratio: float) -> float:

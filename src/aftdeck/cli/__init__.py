@@ -10,7 +10,8 @@ from aftdeck.cli import arm as _arm
 from aftdeck.cli import flights as _flights
 from aftdeck.cli import recordings as _recordings
 from aftdeck.cli.app import app
-from aftdeck.errors import AftdeckError
+from aftdeck.errors import AftdeckError, ScenarioError
+from aftdeck.lines import print_error
 
 __all__ = ["app", "main"]
 
@@ -36,7 +37,8 @@ def main() -> None:
         finally:
             sys.stdout.flush()
     except AftdeckError as error:
-        print(f"aftdeck: {error}", file=sys.stderr)
+        for text in error.problems if isinstance(error, ScenarioError) else (str(error),):
+            print_error(text)
         raise SystemExit(2) from None
     except (BrokenPipeError, SystemExit) as error:
         if not isinstance(error, BrokenPipeError) and not isinstance(error.__context__, BrokenPipeError):

@@ -11,6 +11,7 @@ import typer
 from aftdeck.cli.app import Json, app
 from aftdeck.cli.printing import print_json, print_table
 from aftdeck.errors import InputError
+from aftdeck.lines import print_line
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -98,11 +99,11 @@ def _forward(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: b
         units = {"position_unit": unit, "angle_unit": "deg" if deg else "rad"}
         print_json({"frame": frame, "position": position, **angles_json, **units})
         return
-    print(f"frame {frame}")
+    print_line(f"frame {frame}")
     for axis, value in zip("XYZ", position, strict=True):
-        print(f"  {axis:<6}{value:>13.4f} {unit}")
+        print_line(f"  {axis:<6}{value:>13.4f} {unit}")
     for label, value in zip(names, shown, strict=True):
-        print(f"  {label:<6}{value:>13.4f} {'deg' if deg else 'rad'}")
+        print_line(f"  {label:<6}{value:>13.4f} {'deg' if deg else 'rad'}")
 
 
 def _shown(loaded: Arm, pose: Pose, frame: str) -> tuple[list[float], tuple[float, ...], str]:
@@ -135,9 +136,9 @@ def _inverse(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: b
     if as_json:
         print_json({"joints": loaded.joints, "solutions": rows, "angle_unit": "deg" if deg else "rad"})
         return
-    print("  ".join(f"{joint:>14}" for joint in loaded.joints))
+    print_line("  ".join(f"{joint:>14}" for joint in loaded.joints))
     for row in rows:
-        print("  ".join(f"{value:>14.4f}" for value in row))
+        print_line("  ".join(f"{value:>14.4f}" for value in row))
 
 
 def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
@@ -151,9 +152,9 @@ def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
     if as_json:
         print_json({"angle_unit": unit, "rate_unit": f"{unit}/s", "joints": rows})
         return
-    print(f"angles in {unit}, rates in {unit}/s")
+    print_line(f"angles in {unit}, rates in {unit}/s")
     print_table(_shown_limits(rows, loaded.limits._fields, ""), ("joint", *loaded.limits._fields), False)
-    print()
+    print_line()
     print_table(_shown_limits(rows, loaded.rates._fields, "_rate"), ("joint", *loaded.rates._fields), False)
 
 

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, ScenarioName, Seed, app
-from aftdeck.cli.printing import Progress, print_cautions, print_json, print_summary, print_table, print_warning
+from aftdeck.cli.printing import Progress, print_cautions, print_json, print_summary, print_table
 from aftdeck.errors import AftdeckError, InputError
+from aftdeck.lines import print_error, print_line
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -108,7 +109,7 @@ def run(
     loaded = load_scenario(scenario)
     print_cautions(_cautions(loaded))
     if channels is None and not loaded.phases:
-        print_warning(
+        print_error(
             f"{loaded.name} has no script: it runs {loaded.duration:g} s without inputs; "
             f"operate it with `aftdeck fly {scenario}`"
         )
@@ -160,7 +161,7 @@ def _run(
                 progress=progress,
                 stepped=stepped,
                 index=Index(),
-                unlisted=print_warning,
+                unlisted=print_error,
             )
         except UnrecordedRunError as error:
             return error.run.summary, error
@@ -193,10 +194,10 @@ def check(scenario: ScenarioName, as_json: Json = False) -> None:
         print_json({"scenario": scenario, "problems": problems, "cautions": cautions})
     else:
         for problem in problems:
-            print(problem, file=sys.stderr)
+            print_line(problem, sys.stderr)
         print_cautions(cautions)
         if not problems:
-            print(f"{scenario}: good. {loaded.title}, arm {loaded.arm.name}, {len(loaded.phases)} phases.")
+            print_line(f"{scenario}: good. {loaded.title}, arm {loaded.arm.name}, {len(loaded.phases)} phases.")
     if problems:
         raise typer.Exit(2)
 

@@ -1,4 +1,7 @@
-"""Output of the commands: JSON, tables, summaries, a progress bar."""
+"""Output of the commands: JSON, tables, summaries, a progress bar.
+
+The commands print only by these functions and those of `aftdeck.lines`, because texts may come from a stranger's file.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,8 @@ import shutil
 import sys
 import textwrap
 from typing import TYPE_CHECKING
+
+from aftdeck.lines import print_line, visible
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -19,28 +24,23 @@ if TYPE_CHECKING:
 def print_summary(s: Summary) -> None:
     """Print a run's summary as readable text."""
     ended = {"completed": "completed", "time": "ended by its duration", "fault": "ENDED IN A FAULT"}[s.ended]
-    print(f"{s.scenario}: {ended} after {s.time_s:.2f} s" + (f", in phase {s.phase!r}" if s.phase else ""))
-    print("  joints     " + "  ".join(f"{math.degrees(q):.3f}" for q in s.joints_rad) + "  deg")
-    print("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
+    print_line(f"{s.scenario}: {ended} after {s.time_s:.2f} s" + (f", in phase {s.phase!r}" if s.phase else ""))
+    print_line("  joints     " + "  ".join(f"{math.degrees(q):.3f}" for q in s.joints_rad) + "  deg")
+    print_line("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
     if s.position_error_m is not None and s.rotation_error_rad is not None:
-        print(f"  error      {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
-    print(f"  joint rate at most {100.0 * s.worst_rate_ratio:.1f} % of its limit")
+        print_line(f"  error      {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
+    print_line(f"  joint rate at most {100.0 * s.worst_rate_ratio:.1f} % of its limit")
     if s.min_clearance_m is not None:
-        print(f"  clearance  at least {100.0 * s.min_clearance_m:.1f} cm")
+        print_line(f"  clearance  at least {100.0 * s.min_clearance_m:.1f} cm")
     for event in s.events:
-        print(f"  {event.time_s:9.2f} s  {event.text}")
-    print(f"  frames     sha256 {s.frames_sha256}")
-
-
-def print_warning(text: str) -> None:
-    """Print a problem that does not stop the command, on standard error."""
-    print(f"aftdeck: {text}", file=sys.stderr, flush=True)
+        print_line(f"  {event.time_s:9.2f} s  {event.text}")
+    print_line(f"  frames     sha256 {s.frames_sha256}")
 
 
 def print_cautions(cautions: Iterable[str]) -> None:
     """Print the cautions of a scenario on standard error; the scenario can still be run."""
     for caution in cautions:
-        print(f"caution: {caution}", file=sys.stderr, flush=True)
+        print_line(f"caution: {caution}", sys.stderr)
 
 
 def print_json(value: object, indent: int | None = None) -> None:
@@ -49,7 +49,7 @@ def print_json(value: object, indent: int | None = None) -> None:
 
     import msgspec
 
-    print(json.dumps(msgspec.to_builtins(value), indent=indent))
+    print(json.dumps(msgspec.to_builtins(value), indent=indent).replace("\x7f", "\\u007f"))
 
 
 _LEAST_ROOM = 24
@@ -66,7 +66,7 @@ def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], 
     if as_json:
         print_json(rows)
         return
-    cells = [columns] + [tuple(str(row[column]) for column in columns) for row in rows]
+    cells = [columns] + [tuple(visible(str(row[column])) for column in columns) for row in rows]
     widths = [max(len(row[i]) for row in cells) for i in range(len(columns))]
     numeric = [all(isinstance(row[column], int | float) for row in rows) for column in columns]
     before = sum(widths[:-1]) + 2 * (len(columns) - 1)
@@ -80,11 +80,11 @@ def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], 
         )
         lines = textwrap.wrap(row[-1], max(width - before, _LEAST_ROOM)) or [""]
         if below:
-            print(start.rstrip())
+            print_line(start.rstrip())
         else:
-            print(f"{start}  {lines.pop(0)}")
+            print_line(f"{start}  {lines.pop(0)}")
         for line in lines:
-            print(" " * before + line)
+            print_line(" " * before + line)
 
 
 class Progress:
@@ -98,11 +98,12 @@ class Progress:
         if not sys.stderr.isatty():
             return None
         from rich.console import Console
+        from rich.markup import escape
         from rich.progress import Progress as Bar
 
         bar = self._bar = Bar(console=Console(stderr=True), transient=True)
         bar.start()
-        task = bar.add_task(self._title, total=1.0)
+        task = bar.add_task(escape(visible(self._title)), total=1.0)
 
         def update(share: float) -> None:
             bar.update(task, completed=share)

@@ -14,6 +14,7 @@ import typer
 from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, app
 from aftdeck.cli.printing import Progress, print_json
 from aftdeck.errors import InputError
+from aftdeck.lines import print_line, visible
 
 if TYPE_CHECKING:
     from aftdeck.recording.changed import Outcome
@@ -25,6 +26,12 @@ MAX_FIELDS = 6
 """Maximum number of fields printed for the first difference."""
 MAX_EVENTS = 20
 """Maximum number of changed log lines that are printed."""
+CHAINS = {
+    "broken": "the hash chain is broken: messages were changed, removed, added or moved after the recording",
+    "removed": "the hash chain was removed after the recording",
+    "unlisted": "the list of recordings has another hash chain: the file was rewritten after the recording",
+}
+"""Sentences for the results of a hash chain that show a change of the file."""
 ENDS = ("completed", "time", "fault", "stopped", "restarted", "cut", "recording")
 """Values of --ended: the reasons for the end of a recording, and ``recording`` if it has not ended."""
 _SINCE = re.compile(r"|\d{4}(-\d\d(-\d\d(T\d\d(:\d\d(:\d\d)?)?)?)?)?")
@@ -39,7 +46,7 @@ def replay(
     file: Annotated[Path, typer.Argument(metavar="RECORDING", help="A recording (.mcap).")],
     verify: Annotated[
         bool,
-        typer.Option("--verify", help="Re-simulate the recording and compare the digests of all frames (default)."),
+        typer.Option("--verify", help="Re-simulate the recording and compare all its messages (default)."),
     ] = False,
     changes: Annotated[
         list[str] | None,
@@ -67,8 +74,8 @@ def replay(
 ) -> None:
     """Verify, re-run or play back a recording.
 
-    The exit code is 1 if re-simulated frames differ from the recorded frames, and 2 if the file is damaged or not a
-    recording.
+    The exit code is 1 if the re-simulation differs from the recording or the recording was changed, and 2 if the file
+    is damaged or not a recording.
     """
     if verify + bool(changes) + play + (html is not None) > 1:
         raise InputError("--verify, --set, --open and --html cannot be combined")
@@ -86,7 +93,7 @@ def replay(
         from aftdeck.station.playback.one_file import write_html
 
         write_html(file, html)
-        print(f"{html}: {html.stat().st_size / 1e6:.2f} MB; open it in any browser")
+        print_line(f"{html}: {html.stat().st_size / 1e6:.2f} MB; open it in any browser")
     else:
         _verify(file, words, as_json)
 
@@ -104,7 +111,7 @@ def _verify(file: Path, words: Path | None, as_json: bool) -> None:
 
             stepped = open_files.enter_context(writing(scenario_of(recording.opening), words))
         progress = open_files.enter_context(Progress(recording.opening.title))
-        verdict = verify(file, progress, stepped)
+        verdict = verify(file, progress, stepped, _listed(file))
     if as_json:
         print_json(verdict, indent=2)
     else:
@@ -113,33 +120,56 @@ def _verify(file: Path, words: Path | None, as_json: bool) -> None:
         raise typer.Exit(1)
 
 
+def _listed(file: Path) -> str:
+    """Return the head of the recording's hash chain in the list of recordings; empty if there is no such list."""
+    from aftdeck.recording.index import Index
+
+    index = Index()
+    return index.chain_of(file) if index.path.is_file() else ""
+
+
 def _print_verdict(recording: Recording, v: Verdict) -> None:
     start = recording.opening
-    print(f"{recording.path}: {start.title!r} ({start.scenario}), seed {start.seed}, began {start.began}")
+    print_line(f"{recording.path}: {start.title!r} ({start.scenario}), seed {start.seed}, began {start.began}")
     if start.participant:
-        print(f"  participant  {start.participant}")
+        print_line(f"  participant  {start.participant}")
     if start.condition:
-        print(f"  condition    {start.condition}")
+        print_line(f"  condition    {start.condition}")
     if start.changes:
-        print(f"  changed      {', '.join(start.changes)}")
+        print_line(f"  changed      {', '.join(start.changes)}")
     if v.recorded_by != v.version:
-        print(f"  made by      Aftdeck {v.recorded_by}; verified with {v.version}")
+        print_line(f"  made by      Aftdeck {v.recorded_by}; verified with {v.version}")
     if v.cut:
-        print(f"  cut short    after {v.time_s:.2f} s; verified up to this time")
-    if v.equal:
-        scope = "bit for bit" if v.whole else "in every recorded value; digests of another version are not comparable"
-        print(f"  equal        all {v.frames} frames, {v.time_s:.2f} s, {scope}")
-        return
+        print_line(f"  cut short    after {v.time_s:.2f} s; verified up to this time")
     if not v.different:
-        print(f"  DIFFERENT    all {v.frames} frames are equal, but the digest over all frames differs")
+        scope = "bit for bit" if v.whole else "in every recorded value; digests of another version are not comparable"
+        print_line(f"  {'equal      ' if v.equal else 'frames     '}  all {v.frames} frames, {v.time_s:.2f} s, {scope}")
     else:
-        print(f"  DIFFERENT    {v.different} of {v.frames} frames")
+        print_line(f"  DIFFERENT    {v.different} of {v.frames} frames")
+        _print_difference(v)
+    for change in v.changes:
+        print_line(f"  DIFFERENT    {change.messages} messages in {change.channel}, the first at {change.time_s:.2f} s")
+    if v.chain in CHAINS:
+        print_line(f"  CHANGED      {CHAINS[v.chain]}")
+    for name, channels in (("recomputed", v.recomputed), ("unchanged", v.unchanged), ("not covered", v.not_covered)):
+        if channels:
+            print_line(f"  {name:<11}  {', '.join(channels)}")
+
+
+def _print_difference(v: Verdict) -> None:
+    """Print by how much the frames differ, and possible causes."""
+    if v.apart is not None:
+        lengths = "a length in one run only" if v.apart.metres is None else f"{v.apart.metres:.1g} m"
+        angles = "an angle in one run only" if v.apart.radians is None else f"{v.apart.radians:.1g} rad"
+        print_line(f"  by           at most {lengths} and {angles}, from frame {v.apart.tick} on")
     if not v.same_laws:
-        print("  other laws   the laws have changed since the recording; the last digits may differ")
+        print_line("  other laws   the laws have changed since the recording; the last digits may differ")
     if not v.same_machine:
-        print(f"  other machine, {start.machine}: the last digits may differ")
+        print_line("  computed by  another environment; the last digits may differ")
+        for change in v.environment:
+            print_line(f"    {change.field}: {change.before or 'none'} -> {change.after or 'none'}")
     if v.first is not None:
-        print(f"  first        at {v.first.time_s:.2f} s (step {v.first.tick})")
+        print_line(f"  first        at {v.first.time_s:.2f} s (step {v.first.tick})")
         _print_fields(v.first.fields)
 
 
@@ -147,12 +177,12 @@ def _print_fields(fields: tuple[object, ...]) -> None:
     from aftdeck.recording.compare import FieldChange
 
     if not fields:
-        print("    only beyond the recorded decimals")
+        print_line("    only beyond the recorded decimals")
     for change in fields[:MAX_FIELDS]:
         assert isinstance(change, FieldChange)
-        print(f"    {change.field}: {change.before} -> {change.after}")
+        print_line(f"    {change.field}: {change.before} -> {change.after}")
     if len(fields) > MAX_FIELDS:
-        print(f"    and {len(fields) - MAX_FIELDS} more fields")
+        print_line(f"    and {len(fields) - MAX_FIELDS} more fields")
 
 
 def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool) -> None:
@@ -166,31 +196,33 @@ def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool
     else:
         _print_outcome(file, outcome)
     if out is not None and not as_json:
-        print(f"  recorded   {out}")
+        print_line(f"  recorded   {out}")
 
 
 def _print_outcome(file: Path, o: Outcome) -> None:
-    print(f"{file} with {', '.join(o.changes)}:")
+    print_line(f"{file} with {', '.join(o.changes)}:")
     before, after = f"{o.ended_before} after {o.time_before_s:.2f} s", f"{o.ended_after} after {o.time_after_s:.2f} s"
-    print(f"  ended        {before} -> {after}")
+    print_line(f"  ended        {before} -> {after}")
     if o.first is None and not o.events:
-        print(f"  no difference in {o.compared} frames")
+        print_line(f"  no difference in {o.compared} frames")
         return
     if o.first is not None:
-        print(f"  first        at {o.first.time_s:.2f} s:")
+        print_line(f"  first        at {o.first.time_s:.2f} s:")
         _print_fields(o.first.fields)
-    print(
+    print_line(
         f"  tip          difference at most {o.greatest_tip_m.value:.3f} m, at {o.greatest_tip_m.time_s:.2f} s; "
         f"{o.tip_at_end_m:.3f} m at the end"
     )
     if o.joint:
         angle = math.degrees(o.greatest_joint_rad.value)
-        print(f"  joints       difference at most {angle:.2f} deg: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s")
+        print_line(
+            f"  joints       difference at most {angle:.2f} deg: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s"
+        )
     for event in o.events[:MAX_EVENTS]:
         when = [f"{t:.2f} s" if t is not None else "never" for t in (event.before_s, event.after_s)]
-        print(f"  event        {when[0]} -> {when[1]}: {event.text}")
+        print_line(f"  event        {when[0]} -> {when[1]}: {event.text}")
     if len(o.events) > MAX_EVENTS:
-        print(f"  and {len(o.events) - MAX_EVENTS} more events")
+        print_line(f"  and {len(o.events) - MAX_EVENTS} more events")
 
 
 @app.command(
@@ -245,25 +277,26 @@ def recordings(
         _print_entries(entries)
     if forget:
         index.forget(entries)
-        print(f"{len(entries)} removed from the list; their files were kept", file=sys.stderr)
+        print_line(f"{len(entries)} removed from the list; their files were kept", sys.stderr)
     elif delete and entries and (yes or typer.confirm(f"Delete {_files(entries)}?", err=True)):
         index.delete(entries)
-        print(f"{_files(entries)} deleted", file=sys.stderr)
+        print_line(f"{_files(entries)} deleted", sys.stderr)
 
 
 def _print_entries(entries: list[Entry]) -> None:
     if not entries:
-        print("no recordings found; record with `aftdeck fly --record DIR` or `aftdeck run SCENARIO --out FILE`")
+        print_line("no recordings found; record with `aftdeck fly --record DIR` or `aftdeck run SCENARIO --out FILE`")
         return
-    width = max(len(entry.scenario) for entry in entries)
+    width = max(len(visible(entry.scenario)) for entry in entries)
     for entry in entries:
         ended = entry.ended if entry.state == "here" else entry.state
         began = entry.began[:19].replace("T", " ")
-        print(f"{began}  {entry.scenario:<{width}}  {ended:<10}  {entry.time_s:>8.1f} s  {entry.bytes / 1e6:>7.2f} MB")
-        print(f"  {entry.path}")
+        scenario, size = visible(entry.scenario), entry.bytes / 1e6
+        print_line(f"{began}  {scenario:<{width}}  {ended:<10}  {entry.time_s:>8.1f} s  {size:>7.2f} MB")
+        print_line(f"  {entry.path}")
         for name in ("participant", "condition", "changes"):
             if text := getattr(entry, name):
-                print(f"  {name:<11}  {text}")
+                print_line(f"  {name:<11}  {text}")
 
 
 def _files(entries: list[Entry]) -> str:

@@ -8,8 +8,8 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from aftdeck.cli.printing import print_warning
 from aftdeck.historical.words_file import WordsWriter, check_arm, new_words_file, operator_of, read_channels
+from aftdeck.lines import print_error
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -29,7 +29,7 @@ def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
         writer = WordsWriter(file, scenario)
         yield writer.step
     if writer.unsaid:
-        print_warning(f"{path}: {_listed(writer.unsaid)}: the report has no channel or code for these inputs")
+        print_error(f"{path}: {_listed(writer.unsaid)}: the report has no channel or code for these inputs")
 
 
 def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tuple[str, ...]]:
@@ -43,7 +43,7 @@ def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tup
     check_arm(scenario)
     channels = read_channels(path, scenario.control_period)
     if channels.unsaid:
-        print_warning(f"{path}: {_listed(channels.unsaid)}: run without these inputs, so the result differs")
+        print_error(f"{path}: {_listed(channels.unsaid)}: run without these inputs, so the result differs")
     changes = ("command_delay=0",) if scenario.delay else ()
     return replace(scenario, delay=0), operator_of(channels.samples), changes
 

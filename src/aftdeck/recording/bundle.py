@@ -2,33 +2,28 @@
 
 from __future__ import annotations
 
-import platform
 import re
 import tomllib
 from collections.abc import Mapping
 from datetime import UTC, datetime
-from importlib.metadata import version
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from typing import NamedTuple
 
+from aftdeck.arms.load import ArmModel, load_model, model_of
 from aftdeck.errors import InputError, RecordingError
-from aftdeck.files import Where
+from aftdeck.files import MOST_BYTES, Text, Where
 from aftdeck.law import state_of_the_laws
+from aftdeck.recording.environment import environment, machine
 from aftdeck.recording.records import FORMAT, Opening
 from aftdeck.recording.trial import NO_TRIAL, Trial
-from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.load import scenario_from
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.sources import Folder
 from aftdeck.simulation.state import State
 from aftdeck.state_part import declaration
+from aftdeck.units import short
 from aftdeck.version import __version__
 
-_ARM = "f/f/f/f/f/f/f/f/arm.toml"
-"""Path of the arm file in a temporary folder.
-
-The path has eight subfolders: the relative path of a shapes file may contain up to eight ``..`` without leaving the
-temporary folder.
-"""
-_WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
 
@@ -65,20 +60,29 @@ def opening(
         participant=trial.participant,
         condition=trial.condition,
         digests=declaration(State),
+        environment=environment(),
     )
 
 
-def machine() -> str:
-    """Return names and versions on which a frame's last digits may depend: processor, system, Python, NumPy, Numba."""
-    return (
-        f"{platform.machine()} {platform.processor()}".strip()
-        + f", {platform.system()}, Python {platform.python_version()}, NumPy {version('numpy')}, "
-        + f"Numba {version('numba')}"
-    )
+class _Texts(NamedTuple):
+    """Arm and worksite of a recorded scenario, whatever names or paths stand in the scenario's text."""
+
+    model: ArmModel
+    worksite_file: Text
+
+    def arm(self, _: str) -> ArmModel:
+        """Return the arm."""
+        return self.model
+
+    def worksite(self, _: str) -> Text:
+        """Return the worksite's text."""
+        return self.worksite_file
 
 
 def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -> Scenario:
     """Return the scenario of a recording, rebuilt from the header only.
+
+    No file is read except the files that `changes` names: a path within a recorded text is not followed.
 
     Args:
         start: header of the recording.
@@ -86,27 +90,68 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
             relative to the working folder.
 
     Raises:
-        RecordingError: the path of the arm's shapes file leads out of the temporary folder of the recorded files.
+        RecordingError: the header lacks a text or has too long a text, or contradicts its texts.
         InputError: a location in `changes` does not exist in the scenario's file, or the value of an arm or worksite is
             not a text.
         ScenarioError: the scenario is not valid in this version or with these changes.
     """
-    before = dict(parse_change(change) for change in start.changes)
-    in_file: dict[Where, object] = {("arm",): _ARM, ("worksite",): _WORKSITE}
-    changes = before | in_file | {where: _from_here(where, value) for where, value in (changes or {}).items()}
-    with TemporaryDirectory(prefix="aftdeck-") as name:
-        folder = Path(name)
-        files = {folder / _ARM: start.arm_text, folder / _WORKSITE: start.worksite_text}
-        if start.shapes_file:
-            files[(folder / _ARM).parent / start.shapes_file] = start.shapes_text
-        for file, text in files.items():
-            if not file.resolve().is_relative_to(folder.resolve()):
-                raise RecordingError(
-                    f"the shapes file of the recorded arm is outside the recording: {start.shapes_file!r}"
-                )
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text, encoding="utf-8")
-        return parse_scenario(start.scenario_text, start.scenario, "the recorded scenario", folder, changes)
+    new = dict(changes or {})
+    recorded = dict(parse_change(change) for change in start.changes)
+    texts = _Texts(_arm_of(start, new), _worksite_of(start, new))
+    text = _short_enough("scenario", start.scenario_text)
+    scenario = scenario_from(text, start.scenario, "the recorded scenario", texts, recorded | new)
+    if not new:
+        _check_header(start, scenario)
+    return scenario
+
+
+def _arm_of(start: Opening, changes: Mapping[Where, object]) -> ArmModel:
+    if (named := changes.get(("arm",))) is not None:
+        return load_model(_from_here("arm", named))
+
+    def shapes(_: str) -> Text:
+        if not start.shapes_text:
+            raise RecordingError("the recorded arm has a shapes file, but the recording does not contain its text")
+        return Text("the recorded shapes", _short_enough("shapes", start.shapes_text))
+
+    return model_of(Text("the recorded arm", _short_enough("arm", start.arm_text)), shapes)
+
+
+def _worksite_of(start: Opening, changes: Mapping[Where, object]) -> Text:
+    if (named := changes.get(("worksite",))) is not None:
+        return Folder(Path.cwd()).worksite(_from_here("worksite", named))
+    return Text("the recorded worksite", _short_enough("worksite", start.worksite_text))
+
+
+def _from_here(key: str, value: object) -> str:
+    if not isinstance(value, str):
+        raise InputError(f"{key} must be a built-in name or a path, got {value!r}")
+    return value
+
+
+def _short_enough(what: str, text: str) -> str:
+    if len(text) > MOST_BYTES:
+        raise RecordingError(f"the recorded {what} has {len(text)} characters; at most {MOST_BYTES} are allowed")
+    return text
+
+
+def _check_header(start: Opening, scenario: Scenario) -> None:
+    """Check that the header states what its texts say.
+
+    Raises:
+        RecordingError: it does not.
+    """
+    said = {
+        "title": (start.title, scenario.title),
+        "joints": (start.joints, scenario.arm.joints),
+        "control_period_s": (start.control_period_s, scenario.control_period),
+        "shapes_file": (start.shapes_file, scenario.arm.model.source.shapes or ""),
+    }
+    for name, (given, expected) in said.items():
+        if given != expected:
+            raise RecordingError(
+                f"the header has {name} = {short(given)}, but its texts say {short(expected)}", "damaged"
+            )
 
 
 def parse_change(text: str) -> tuple[Where, object]:
@@ -131,11 +176,3 @@ def parse_change(text: str) -> tuple[Where, object]:
     except (ValueError, RecursionError):
         return where, value
     return where, read["value"] if len(read) == 1 else value
-
-
-def _from_here(where: Where, value: object) -> object:
-    if where in (("arm",), ("worksite",)):
-        if not isinstance(value, str):
-            raise InputError(f"{where[0]} must be a built-in name or a path, got {value!r}")
-        return str(Path(value).absolute()) if value.endswith(".toml") else value
-    return value

@@ -2,16 +2,54 @@
 
 from __future__ import annotations
 
-import foxglove
-from foxglove import channels
+import json
+from collections.abc import Callable
+from typing import Any
 
-from aftdeck.recording.codec import encode
-from aftdeck.recording.message import Message
+import foxglove
+from foxglove import messages as fox
+
+from aftdeck.recording.chain import Declared
 from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import schema
 
-FIXED, SCENE = "/tf_static", "/scene"
-"""Topics that are sent at the start of a run, and again when a viewer subscribes later."""
+MOVING, FIXED, SCENE = "/tf", "/tf_static", "/scene"
+"""Topics of the transforms that change, of those that do not, and of the shapes and colours of the bodies.
+
+The last two are sent at the start of a run, and again when a viewer subscribes later.
+"""
+MEASURED, COMMANDED, TIP, LINES = "/joints", "/joints/commanded", "/tip", "/log"
+"""Topics of the joint angles and rates, of the tip's pose in L, and of the events, as lines of the log."""
+
+Log = Callable[[str, bytes, int], None]
+"""Function that writes a message: topic, content, and time since 1970 [ns]."""
+
+
+def _own(topic: str, kind: type) -> Declared:
+    own = schema(kind)
+    return Declared(topic, "json", own["title"], "jsonschema", json.dumps(own).encode())
+
+
+def _foxgloves(topic: str, kind: Any) -> Declared:
+    theirs = kind.get_schema()
+    return Declared(topic, "protobuf", theirs.name, theirs.encoding, theirs.data)
+
+
+VIEWED: dict[str, Any] = {
+    MOVING: fox.FrameTransforms,
+    FIXED: fox.FrameTransforms,
+    SCENE: fox.SceneUpdate,
+    MEASURED: fox.JointStates,
+    COMMANDED: fox.JointStates,
+    TIP: fox.PoseInFrame,
+    LINES: fox.Log,
+}
+"""Channels with Foxglove's schemas, each with the type of its messages."""
+DECLARED: dict[str, Declared] = {
+    **{topic: _own(topic, kind) for topic, (kind, _) in CHANNELS.items()},
+    **{topic: _foxgloves(topic, kind) for topic, kind in VIEWED.items()},
+}
+"""Declaration of each channel."""
 
 
 class Channels:
@@ -19,29 +57,20 @@ class Channels:
 
     Attributes:
         context: context of the channels.
-        tf: transforms of moving coordinate frames.
-        tf_static: transforms that do not change.
-        scene: shapes and colours of the bodies.
-        measured: measured joint angles and rates.
-        commanded: commanded joint angles and rates.
-        tip: pose of the tip in L.
-        lines: events, as lines of the log.
     """
 
     def __init__(self) -> None:
         self.context = foxglove.Context()
-        self._own = {
-            topic: foxglove.Channel(topic, schema=schema(kind), message_encoding="json", context=self.context)
-            for topic, (kind, _) in CHANNELS.items()
+        self._channels = {
+            topic: foxglove.Channel(
+                topic,
+                schema=foxglove.Schema(name=own.schema, encoding=own.schema_encoding, data=own.schema_data),
+                message_encoding=own.encoding,
+                context=self.context,
+            )
+            for topic, own in DECLARED.items()
         }
-        self.tf = channels.FrameTransformsChannel("/tf", context=self.context)
-        self.tf_static = channels.FrameTransformsChannel(FIXED, context=self.context)
-        self.scene = channels.SceneUpdateChannel(SCENE, context=self.context)
-        self.measured = channels.JointStatesChannel("/joints", context=self.context)
-        self.commanded = channels.JointStatesChannel("/joints/commanded", context=self.context)
-        self.tip = channels.PoseInFrameChannel("/tip", context=self.context)
-        self.lines = channels.LogChannel("/log", context=self.context)
 
-    def log(self, topic: str, message: Message, time_ns: int) -> None:
-        """Write a message of one of Aftdeck's own channels; `time_ns` is the time since 1970 [ns]."""
-        self._own[topic].log(encode(message), log_time=time_ns)
+    def log(self, topic: str, data: bytes, time_ns: int) -> None:
+        """Write a message; `time_ns` is the time since 1970 [ns]."""
+        self._channels[topic].log(data, log_time=time_ns)

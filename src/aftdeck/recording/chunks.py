@@ -3,6 +3,9 @@
 Every chunk has the CRC of its content. The record at the end of the data has the CRC of all bytes before it. The length
 of a record must agree with the lengths of its parts. A file whose writer was killed ends within a record or within an
 unfinished chunk.
+
+A file may come from a stranger. Memory and time to read it are therefore proportional to its own size: a chunk is
+decompressed only up to the size that it states, and this size is limited, also in proportion to the compressed bytes.
 """
 
 from __future__ import annotations
@@ -12,22 +15,36 @@ import struct
 import zlib
 from collections.abc import Iterator
 from io import BytesIO
-from typing import BinaryIO
+from typing import BinaryIO, cast
 
 import zstandard
 from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
-from mcap.records import Chunk, DataEnd, Header, McapRecord
-from mcap.stream_reader import breakup_chunk
+from mcap.records import Channel, Chunk, DataEnd, Header, McapRecord, Message, Schema
 
 MAGIC = b"\x89MCAP0\r\n"
-MAX_UNPACKED = 2**28
-"""Longest chunk that is unpacked [bytes]; the chunks of the writer are more than a hundred times shorter."""
+MAX_UNPACKED = 2**26
+"""Longest record, and longest chunk after decompression [bytes].
+
+The writer closes a chunk at one megabyte. Only the first chunk may be longer, because the header contains four files of
+at most `files.MOST_BYTES` each.
+"""
+MAX_RATIO, SMALL = 500, 2**16
+"""Greatest ratio of a chunk's length to its compressed length; a chunk may always have `SMALL` bytes.
+
+A chunk of the writer has at most about 70 times its compressed length, if the arm rests (measured with every arm).
+"""
+MAX_WINDOW = 2**26
+"""Greatest memory that a decompressor may use for its window [bytes]; the writer's level of compression uses 2**19."""
+MAX_DECLARED = 2_000
+"""Greatest number of schemas and channels in a file; the writer declares fewer than twenty of each."""
 UNDER_WAY = 2**64 - 1
 """Value of a chunk's length fields while the chunk is being written."""
 _START = struct.Struct("<BQ")
 _INT, _LONG = struct.Struct("<I"), struct.Struct("<Q")
+_MESSAGE = struct.Struct("<HIQQ")
+"""Beginning of a message: channel, sequence number, log time, publish time."""
 _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
     Opcode.HEADER: ((0, _INT), (0, _INT)),
     Opcode.CHUNK: ((28, _INT), (0, _LONG)),
@@ -52,13 +69,14 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
         file: an MCAP file in chunks, at its beginning. Records after the end of the data are not checked.
 
     Raises:
-        DamageError: the file is damaged; raised at the damaged record.
+        DamageError: the file is damaged or exceeds a limit; raised at the record where this is found.
     """
+    declared = 0
     size = os.fstat(file.fileno()).st_size
     total = zlib.crc32(file.read(len(MAGIC)))
     while len(start := file.read(_START.size)) == _START.size:
         opcode, length = _START.unpack(start)
-        body = file.read(min(length, max(size - file.tell(), 0)))
+        body = file.read(_allowed(min(length, max(size - file.tell(), 0))))
         if opcode not in _KNOWN:
             raise DamageError(f"unknown record type {opcode}")
         if _computed_length(opcode, body) not in (None, UNDER_WAY, length):
@@ -75,12 +93,21 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
         if opcode == Opcode.CHUNK:
             if _computed_length(opcode, body) == UNDER_WAY:
                 break
-            yield from _unpacked(body)
+            for record in _unpacked(body):
+                declared += not isinstance(record, Message)
+                _allowed(declared, MAX_DECLARED, "schemas and channels")
+                yield record
         elif opcode == Opcode.HEADER:
             yield _header(body)
     file.seek(max(size - len(MAGIC), len(MAGIC)))
     if file.read() == MAGIC:
         raise DamageError("the file has an end, but data before the end is missing")
+
+
+def _allowed(count: int, most: int = MAX_UNPACKED, what: str = "bytes in a record") -> int:
+    if count > most:
+        raise DamageError(f"{count} {what}; at most {most} are allowed")
+    return count
 
 
 def _computed_length(opcode: int, body: bytes) -> int | None:
@@ -110,13 +137,50 @@ def _header(body: bytes) -> Header:
     return Header(profile.decode(errors="replace"), library.decode(errors="replace"))
 
 
-def _unpacked(body: bytes) -> list[McapRecord]:
+def _unpacked(body: bytes) -> Iterator[Schema | Channel | Message]:
+    """Yield the records in a chunk, one at a time: a list of them could take many times the chunk's memory."""
     try:
         chunk = Chunk.read(ReadDataStream(BytesIO(body)))
-        if chunk.uncompressed_size > MAX_UNPACKED:
-            raise DamageError(
-                f"a chunk has {chunk.uncompressed_size} uncompressed bytes; at most {MAX_UNPACKED} are allowed"
-            )
-        return breakup_chunk(chunk, validate_crc=True)
+        data = _decompressed(chunk)
+        if chunk.uncompressed_crc not in (0, zlib.crc32(data)):
+            raise DamageError("chunk CRC does not match")
+        at = 0
+        while at < len(data):
+            opcode, length = _START.unpack_from(data, at)
+            at += _START.size
+            if length > len(data) - at:
+                raise DamageError("a record is longer than its chunk")
+            yield _record(opcode, data[at : at + length])
+            at += length
     except _BROKEN as error:
         raise DamageError(str(error) or type(error).__name__) from None
+
+
+def _decompressed(chunk: Chunk) -> bytes:
+    stated, packed = chunk.uncompressed_size, len(chunk.data)
+    most = min(MAX_UNPACKED, MAX_RATIO * packed + SMALL)
+    if stated > most:
+        raise DamageError(f"a chunk of {packed} bytes states {stated} uncompressed bytes; at most {most} are allowed")
+    if chunk.compression == "":
+        data = chunk.data
+    elif chunk.compression == "zstd":
+        with zstandard.ZstdDecompressor(max_window_size=MAX_WINDOW).stream_reader(chunk.data) as stream:
+            data = stream.read(stated + 1)
+    else:
+        raise DamageError(f"chunks of Aftdeck are compressed with 'zstd' or not, got {chunk.compression!r}")
+    if len(data) != stated:
+        raise DamageError(
+            f"a chunk states {stated} uncompressed bytes but has {'more' if len(data) > stated else 'fewer'}"
+        )
+    return data
+
+
+def _record(opcode: int, content: bytes) -> Schema | Channel | Message:
+    if opcode == Opcode.MESSAGE:
+        channel, sequence, log_time, publish_time = _MESSAGE.unpack_from(content)
+        return Message(channel, log_time, content[_MESSAGE.size :], publish_time, sequence)
+    if opcode == Opcode.CHANNEL:
+        return cast("Channel", Channel.read(ReadDataStream(BytesIO(content))))
+    if opcode == Opcode.SCHEMA:
+        return cast("Schema", Schema.read(ReadDataStream(BytesIO(content))))
+    raise DamageError(f"unknown record type {opcode} in a chunk")

@@ -22,6 +22,7 @@ Change = Callable[[Any], Any]
 """Function that converts a value to its plain form, or a plain form to its value."""
 S = TypeVar("S", bound=msgspec.Struct)
 
+_LIMIT = 2**63
 _encode = msgspec.json.Encoder().encode
 
 
@@ -119,6 +120,8 @@ def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
         return _rotation(decimals, back=back)
     if hint is float and decimals is not None and not back:
         return lambda value: round(value, decimals)
+    if hint is int and back:
+        return _bounded
     if get_origin(hint) is tuple:
         return _of_tuple(get_args(hint), back=back, decimals=decimals)
     if is_object(hint):  # a struct's fields declare their own decimals
@@ -134,6 +137,17 @@ def _of_tuple(kinds: tuple[Any, ...], *, back: bool, decimals: int | None) -> Ch
     if kinds[0] is float:
         return lambda value: [round(item, cast("int", decimals)) for item in value]
     return lambda value: [change(item) for item in value]
+
+
+def _bounded(value: Any) -> Any:
+    """Return a value unchanged.
+
+    Raises:
+        ValueError: it is a whole number of more than 64 bits, which other formats cannot store.
+    """
+    if isinstance(value, int) and not -_LIMIT <= value < _LIMIT:
+        raise ValueError("a whole number has more than 64 bits")
+    return value
 
 
 def _rotation(decimals: int | None, *, back: bool) -> Change:

@@ -29,7 +29,7 @@ class Difference(msgspec.Struct, frozen=True):
     time_s: float
     tick: int
     fields: tuple[FieldChange, ...]
-    """Fields that differ; empty if the frames differ only in decimals that are not recorded."""
+    """Fields that differ; empty if the frames differ only in decimals that are not recorded, or as text."""
 
 
 class Greatest(msgspec.Struct, frozen=True):
@@ -47,9 +47,12 @@ class EventChange(msgspec.Struct, frozen=True):
     after_s: float | None
 
 
-def first_difference(before: FrameRecord, after: FrameRecord) -> Difference:
-    """Return the recorded fields in which two frames differ."""
-    return Difference(before.time_s, before.tick, tuple(_changes(before, after)))
+def first_difference(before: FrameRecord, after: FrameRecord, *, events: bool = False) -> Difference:
+    """Return the recorded fields in which two frames differ, with their log lines if `events`."""
+    fields = list(_changes(before, after))
+    if events:
+        fields.append(FieldChange("events", _shown(before.events), _shown(after.events)))
+    return Difference(before.time_s, before.tick, tuple(fields))
 
 
 def alike(before: FrameRecord, after: FrameRecord) -> bool:

@@ -27,7 +27,7 @@ _TABLE = """
         version text not null, began text not null, ended text not null, time_s real not null, bytes integer not null
     )
 """
-_ADDED = ("participant", "condition", "changes")
+_ADDED = ("participant", "condition", "changes", "chain")
 """Text columns that lists of earlier versions do not have."""
 _COLUMNS = f"path, scenario, title, seed, version, began, ended, time_s, bytes, {', '.join(_ADDED)}"
 
@@ -54,6 +54,8 @@ class Entry(msgspec.Struct, frozen=True):
     """Condition of the trial; empty if not given."""
     changes: str = ""
     """``KEY=VALUE, KEY=VALUE``: changes of the scenario; empty if it was not changed."""
+    chain: str = ""
+    """Head of the hash chain with which the recording ended; empty if this list does not have it."""
     state: Literal["here", "gone", "unreadable"] = "here"
 
 
@@ -70,23 +72,27 @@ class Index:
     def begin(self, path: Path, opening: Opening) -> None:
         """Add a recording that has begun."""
         row = (opening.scenario, opening.title, opening.seed, opening.version, opening.began, "recording", 0.0, 0)
-        trial = (opening.participant, opening.condition, ", ".join(opening.changes))
+        trial = (opening.participant, opening.condition, ", ".join(opening.changes), "")
         with self._open() as database:
             database.execute(
-                f"insert or replace into recordings ({_COLUMNS}) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                f"insert or replace into recordings ({_COLUMNS}) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 (str(path.absolute()), *row, *trial),
             )
 
-    def end(self, path: Path, ended: str, time_s: float) -> None:
-        """Store how a recording ended, its simulated time [s] and its size."""
+    def end(self, path: Path, ended: str, time_s: float, chain: str = "") -> None:
+        """Store how a recording ended, its simulated time [s], its size, and the head of its hash chain."""
         size = path.stat().st_size if os.path.exists(path) else 0
-        self._update(str(path.absolute()), ended, time_s, size)
-
-    def _update(self, path: str, ended: str, time_s: float, size: int) -> None:
         with self._open() as database:
             database.execute(
-                "update recordings set ended = ?, time_s = ?, bytes = ? where path = ?", (ended, time_s, size, path)
+                "update recordings set ended = ?, time_s = ?, bytes = ?, chain = ? where path = ?",
+                (ended, time_s, size, chain, str(path.absolute())),
             )
+
+    def chain_of(self, path: Path) -> str:
+        """Return the head of the hash chain with which a recording ended; empty if the list does not have it."""
+        with self._open() as database:
+            row = database.execute("select chain from recordings where path = ?", (str(path.absolute()),)).fetchone()
+        return str(row[0]) if row else ""
 
     def entries(self, scenario: str = "", ended: str = "", since: str = "", participant: str = "") -> list[Entry]:
         """Return the recordings, newest first. If a recording has no end in the list, read the recording's file.

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, NamedTuple
 
 import msgspec
 from mcap.records import Channel as McapChannel
-from mcap.records import Header
+from mcap.records import Header, Schema
 from mcap.records import Message as McapMessage
 
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.recording.bundle import scenario_of
+from aftdeck.recording.chain import Declared
 from aftdeck.recording.chunks import MAGIC, DamageError, records
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
@@ -33,6 +34,7 @@ from aftdeck.recording.records import (
 )
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.units import short
 
 
 class _Layout(msgspec.Struct):
@@ -40,6 +42,28 @@ class _Layout(msgspec.Struct):
 
     format: int
     version: str
+
+
+MAX_MESSAGE, MAX_TEXTS = 2**20, 2**24
+"""Longest message [bytes]; header and footer, which contain whole files and summaries, may have `MAX_TEXTS`."""
+MAX_WITHOUT_STEP = 10_000
+"""Greatest number of messages between two steps; a step of the writer has fewer than a hundred."""
+MAX_TIME_ERROR = 1e-6
+"""Greatest difference between the time of a frame and its number of control periods [s]."""
+_LONGEST_SEED = 2**63
+
+
+class Entry(NamedTuple):
+    """Message as it is in the file."""
+
+    channel: Declared
+    log_time: int
+    """Time since 1970 [ns]."""
+    publish_time: int
+    """Time since 1970 [ns]."""
+    data: bytes
+    message: Message | None
+    """The decoded message; None in a channel that is not one of Aftdeck's own (`CHANNELS`)."""
 
 
 class Recording:
@@ -67,33 +91,50 @@ class Recording:
         self.ended, self.cut, self.time_s, self.share = "", False, 0.0, 0.0
         self.frames_sha256 = self.summary = ""
         self._old: FramesOf1 | None = None
-        first = next(self._messages(), None)
-        if first is None:
+        entry = next(self._entries(), None)
+        if entry is None:
             raise RecordingError(f"{self.path}: was cut short before its first second; it has no data", "empty")
+        first = entry.message
         if not isinstance(first, Opening):
             raise self._damaged("the first message is not the header")
+        if not 0 <= first.seed < _LONGEST_SEED:
+            raise self._damaged(f"the seed must be between 0 and 2**63, got {short(first.seed)}")
         self.opening = first
         if first.format == 1:
             self._old = FramesOf1(first.joints, lambda: (self._scenario.caution, self._scenario.warning))
 
     def messages(self) -> Iterator[Message]:
-        """Yield all messages in order, and then set `ended` or `cut`.
+        """Yield all messages of Aftdeck's own channels in order, and then set `ended` or `cut`.
 
         Raises:
             RecordingError: the file is damaged; raised at the damaged message.
         """
+        return (entry.message for entry in self.entries() if entry.message is not None)
+
+    def entries(self) -> Iterator[Entry]:
+        """Yield the messages of all channels as `messages` does, with their channels, times and bytes."""
         self.ended, self.cut, self.time_s = "", False, 0.0
-        tick = 0
-        for message in self._messages():
+        tick = quiet = 0
+        for number, entry in enumerate(self._entries()):
+            message = entry.message
+            if self.ended:
+                raise self._damaged(f"a message in {short(entry.channel.topic)} follows the footer")
+            if number and isinstance(message, Opening):
+                raise self._damaged("a second header follows the first")
             if isinstance(message, Input | FrameRecord) and message.tick != tick + 1:
-                raise self._damaged(f"step {message.tick} follows step {tick}")
+                raise self._damaged(f"step {short(message.tick)} follows step {tick}")
+            quiet += 1
             if isinstance(message, FrameRecord):
-                tick, self.time_s = message.tick, message.time_s
+                if not abs(message.time_s - message.tick * self.opening.control_period_s) <= MAX_TIME_ERROR:
+                    raise self._damaged(f"step {message.tick} has the time {message.time_s:g} s")
+                tick, quiet, self.time_s = message.tick, 0, message.time_s
+            if quiet > MAX_WITHOUT_STEP:
+                raise self._damaged(f"more than {MAX_WITHOUT_STEP} messages without a step")
             if isinstance(message, Closing):
                 if message.ticks != tick:
-                    raise self._damaged(f"the file ends after step {tick} of {message.ticks}")
+                    raise self._damaged(f"the file ends after step {tick} of {short(message.ticks)}")
                 self.ended, self.frames_sha256, self.summary = message.ended, message.frames_sha256, message.summary
-            yield message
+            yield entry
         self.cut = not self.ended
 
     def steps(self) -> Iterator[tuple[Input, FrameRecord]]:
@@ -124,7 +165,7 @@ class Recording:
         """
         return (message for message in self.messages() if isinstance(message, ControllersRecord))
 
-    def _messages(self) -> Iterator[Message]:
+    def _entries(self) -> Iterator[Entry]:
         try:
             if self.path.exists() and not self.path.is_file():  # reading a pipe or a device may never end
                 kind = "a folder" if self.path.is_dir() else "not a regular file"
@@ -136,7 +177,7 @@ class Recording:
         except DamageError as error:
             raise self._damaged(str(error)) from None
 
-    def _decoded(self, file: BinaryIO) -> Iterator[Message]:
+    def _decoded(self, file: BinaryIO) -> Iterator[Entry]:
         start = file.read(len(MAGIC))
         if start != MAGIC[: len(start)]:
             raise RecordingError(
@@ -144,30 +185,43 @@ class Recording:
             )
         file.seek(0)
         size = max(self.path.stat().st_size, 1)
-        topics: dict[int, str] = {}
+        schemas: dict[int, Schema] = {}
+        channels: dict[int, Declared] = {}
         for record in records(file):
             if isinstance(record, Header) and record.profile != PROFILE:
                 raise RecordingError(f"{self.path}: is an MCAP file, but not a recording of Aftdeck", "foreign")
-            if isinstance(record, McapChannel):
-                topics[record.id] = record.topic
+            if isinstance(record, Schema):
+                if schemas.setdefault(record.id, record) != record:
+                    raise DamageError(f"schema {record.id} is declared twice, and differently")
+            elif isinstance(record, McapChannel):
+                channel = _declared(record, schemas.get(record.schema_id))
+                if channels.setdefault(record.id, channel) != channel:
+                    raise DamageError(f"channel {record.id} is declared twice, and differently")
             elif isinstance(record, McapMessage):
                 self.share = file.tell() / size
-                message = self._message(topics.get(record.channel_id, ""), record.data)
-                if message is not None:
-                    yield message
+                if record.channel_id not in channels:
+                    raise DamageError(f"a message belongs to channel {record.channel_id}, which is not declared")
+                channel = channels[record.channel_id]
+                message = self._message(channel.topic, record.data)
+                yield Entry(channel, record.log_time, record.publish_time, record.data, message)
 
     def _message(self, topic: str, data: bytes) -> Message | None:
         if topic not in CHANNELS:
             return None
         kind, _ = CHANNELS[topic]
+        texts = kind in (Opening, Closing)
+        if len(data) > (most := MAX_TEXTS if texts else MAX_MESSAGE):
+            raise self._damaged(f"a message in {topic} has {len(data)} bytes; at most {most} are allowed")
         try:
-            if topic == "/opening":
+            if kind is Opening:
                 self._check_layout(msgspec.json.decode(data, type=_Layout))
-            elif self._old is not None and kind in (FrameRecord, Input):
+            if texts:  # decoded directly, because unknown fields then take no memory
+                return msgspec.json.decode(data, type=kind)
+            if self._old is not None and kind in (FrameRecord, Input):
                 old = msgspec.json.decode(data, type=dict)
                 return restored(kind, self._old.frame(old) if kind is FrameRecord else inputs_of_1(old))
             return decode(kind, data)
-        except (msgspec.MsgspecError, AttributeError, KeyError, TypeError, ValueError) as error:
+        except (msgspec.MsgspecError, AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
             raise self._damaged(f"invalid message in {topic}: {error}") from None
 
     @cached_property
@@ -192,3 +246,9 @@ class Recording:
 
     def _damaged(self, why: str) -> RecordingError:
         return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}", "damaged")
+
+
+def _declared(channel: McapChannel, schema: Schema | None) -> Declared:
+    metadata = msgspec.json.encode(channel.metadata, order="sorted").decode() if channel.metadata else ""
+    own = ("", "", b"") if schema is None else (schema.name, schema.encoding, schema.data)
+    return Declared(channel.topic, channel.message_encoding, *own, metadata)

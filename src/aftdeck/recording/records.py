@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from aftdeck.field_meta import field_meta
+from aftdeck.recording.environment import Environment
 from aftdeck.recording.message import Message, Numbers
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
@@ -28,7 +29,7 @@ class Opening(Message, frozen=True):
     laws: Annotated[str, field_meta("digest of the laws' source code; changed laws may change the last digits")]
     machine: Annotated[
         str,
-        field_meta("processor, system and compilers; re-simulation is exact on a machine where all three are the same"),
+        field_meta("processor, system and compilers, for readers that do not know `environment`"),
     ]
     began: Annotated[str, field_meta("wall time at which the run began, ISO 8601, UTC")]
     scenario: Annotated[str, field_meta("name of the scenario")]
@@ -39,7 +40,10 @@ class Opening(Message, frozen=True):
     scenario_text: Annotated[str, field_meta("complete text of the scenario's file")]
     arm_text: Annotated[str, field_meta("complete text of the arm's file")]
     shapes_file: Annotated[
-        str, field_meta("name of the shapes file, as written in the arm's file; empty if the arm has no shapes file")
+        str,
+        field_meta(
+            "name of the shapes file, as written in the arm's file (never opened); empty if it names no such file"
+        ),
     ]
     shapes_text: Annotated[str, field_meta("complete text of the arm's shapes file")]
     worksite_text: Annotated[str, field_meta("complete text of the worksite's file")]
@@ -53,6 +57,9 @@ class Opening(Message, frozen=True):
             "hashes are equal"
         ),
     ] = ""
+    environment: Annotated[
+        Environment | None, field_meta("everything that computed the run; null in a file of an earlier version")
+    ] = None
 
 
 class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
@@ -139,6 +146,12 @@ class Closing(Message, frozen=True):
     summary: Annotated[
         str, field_meta("summary of a scripted run, as `aftdeck run --json` prints it; empty for manual inputs")
     ]
+    chain: Annotated[
+        str,
+        field_meta(
+            "head of the hash chain over all messages and the footer's other fields; empty in earlier versions' files"
+        ),
+    ] = ""
 
 
 CHANNELS: dict[str, tuple[type[Message], str]] = {

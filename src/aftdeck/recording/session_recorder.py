@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 from datetime import UTC, datetime
 from pathlib import Path
 
 from aftdeck.errors import RecordingError
+from aftdeck.lines import print_error
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.records import ControllerRecord
@@ -133,7 +133,7 @@ class SessionRecorder:
     def _report(self, text: str) -> None:
         self._reported.add(text)
         self._new_errors.append(text)
-        print(f"aftdeck: {text}", file=sys.stderr, flush=True)
+        print_error(text)
 
 
 def _free_name(folder: Path, scenario: str) -> Path:

@@ -14,7 +14,7 @@ from foxglove import messages as fox
 
 from aftdeck.frames import quaternion
 from aftdeck.kinematics.linkage import L5
-from aftdeck.recording.channels import FIXED, SCENE, Channels
+from aftdeck.recording.channels import COMMANDED, FIXED, LINES, MEASURED, MOVING, SCENE, TIP, Log
 from aftdeck.recording.entities import scene_update
 from aftdeck.recording.live import Live
 from aftdeck.scenario.model import Scenario
@@ -30,7 +30,7 @@ GRAIN = 2.0**18
 
 Moving values are rounded to whole increments: short numbers compress well.
 """
-ROOT, LONGERON, TIP = "scene", "L", "tip"
+ROOT, LONGERON, HAND = "scene", "L", "tip"
 """Names of the coordinate frames that belong to no body."""
 _STILL: Seven = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 _LEVELS = {"info": fox.LogLevel.Info, "caution": fox.LogLevel.Warning, "warning": fox.LogLevel.Error}
@@ -39,13 +39,21 @@ _LEVELS = {"info": fox.LogLevel.Info, "caution": fox.LogLevel.Warning, "warning"
 class Viewing:
     """Writer of joints, tip, transforms, scene and log in Foxglove's schemas."""
 
-    def __init__(self, channels: Channels, scenario: Scenario, began_ns: int, live: Live | None = None) -> None:
-        self._channels, self._began_ns, self._live = channels, began_ns, live
+    def __init__(self, log: Log, scenario: Scenario, began_ns: int, live: Live | None = None) -> None:
+        """Prepare to write the messages of a run.
+
+        Args:
+            log: writes a message.
+            scenario: the scenario of the run.
+            began_ns: wall time at which the run began, since 1970 [ns].
+            live: server for viewers, who may subscribe during the run.
+        """
+        self._log, self._began_ns, self._live = log, began_ns, live
         self._every = max(1, math.ceil(PERIOD / scenario.control_period - 1e-9))
         self._joints = scenario.arm.joints
         self._poses = ScenePoses(scenario)
         self._worksite = scenario.worksite.bodies
-        self._picture = scene_update(bodies_of(scenario), _time(began_ns))
+        self._picture = scene_update(bodies_of(scenario), _time(began_ns)).encode()
         foot = _seven(self._poses.arm.at(np.zeros(6))[:7])
         frames = scenario.arm.model.linkage.frames
         hand: Seven = (float(scenario.arm.model.links[L5]), 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
@@ -55,14 +63,14 @@ class Viewing:
             if body.fixed_to == "orbiter"
         ]
         first, last = frames[0], frames[-1]
-        self._fixed = [*still, (ROOT, LONGERON, foot), (LONGERON, first, _STILL), (last, TIP, hand)]
+        self._fixed = [*still, (ROOT, LONGERON, foot), (LONGERON, first, _STILL), (last, HAND, hand)]
 
     def open(self) -> None:
         """Send the transforms that do not change, and the shapes and colours of all bodies."""
         if self._live:
             self._live.requested_topics()  # discard earlier requests: all attached viewers receive the topics now
         for topic in (FIXED, SCENE):
-            self._send_topic(topic, self._began_ns)
+            self.send_topic(topic, self._began_ns)
 
     def frame(self, frame: Frame) -> None:
         """Send the events of a step, and the topics to which viewers have just subscribed.
@@ -73,21 +81,22 @@ class Viewing:
         for event in frame.events:
             self.line(event, now)
         for topic in self._live.requested_topics() if self._live else ():
-            self._send_topic(topic, now)
+            self.send_topic(topic, now)
         if (frame.tick - 1) % self._every == 0:
             self._draw(frame, now)
 
     def line(self, event: Event, time_ns: int) -> None:
         """Send a line of the log."""
         line = fox.Log(timestamp=_time(time_ns), level=_LEVELS[event.level], message=event.text, name=event.kind)
-        self._channels.lines.log(line, log_time=time_ns)
+        self._log(LINES, line.encode(), time_ns)
 
-    def _send_topic(self, topic: str, now: int) -> None:
+    def send_topic(self, topic: str, now: int) -> None:
+        """Send the messages of `FIXED` or of `SCENE`; other topics are ignored."""
         if topic == FIXED:
             fixed = [_transform(parent, child, pose, _time(now)) for parent, child, pose in self._fixed]
-            self._channels.tf_static.log(fox.FrameTransforms(transforms=fixed), log_time=now)
+            self._log(FIXED, fox.FrameTransforms(transforms=fixed).encode(), now)
         elif topic == SCENE:
-            self._channels.scene.log(self._picture, log_time=now)
+            self._log(SCENE, self._picture, now)
 
     def _draw(self, frame: Frame, now: int) -> None:
         time = _time(now)
@@ -104,12 +113,12 @@ class Viewing:
             centre, axes = frame.payload
             pose = _rounded((*centre, *quaternion(np.array(axes))))
             moving.append(_transform(LONGERON, PAYLOAD, pose, time))
-        self._channels.tf.log(fox.FrameTransforms(transforms=moving), log_time=now)
-        self._channels.measured.log(self._states(frame.angles, frame.rates, time), log_time=now)
-        self._channels.commanded.log(self._states(frame.angles_commanded, frame.rates_commanded, time), log_time=now)
+        self._log(MOVING, fox.FrameTransforms(transforms=moving).encode(), now)
+        self._log(MEASURED, self._states(frame.angles, frame.rates, time).encode(), now)
+        self._log(COMMANDED, self._states(frame.angles_commanded, frame.rates_commanded, time).encode(), now)
         x, y, z, *attitude = _rounded((*frame.position, *quaternion(np.array(frame.orientation))))
         tip = fox.Pose(position=fox.Vector3(x=x, y=y, z=z), orientation=_attitude(*attitude))
-        self._channels.tip.log(fox.PoseInFrame(timestamp=time, frame_id=LONGERON, pose=tip), log_time=now)
+        self._log(TIP, fox.PoseInFrame(timestamp=time, frame_id=LONGERON, pose=tip).encode(), now)
 
     def _states(self, angles: Sequence[float], rates: Sequence[float], time: fox.Timestamp) -> fox.JointStates:
         values = zip(self._joints, _rounded(angles), _rounded(rates), strict=True)

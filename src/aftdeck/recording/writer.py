@@ -20,7 +20,9 @@ from foxglove.mcap import MCAPCompression, MCAPWriteOptions
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
-from aftdeck.recording.channels import Channels
+from aftdeck.recording.chain import Chain
+from aftdeck.recording.channels import DECLARED, Channels
+from aftdeck.recording.codec import encode
 from aftdeck.recording.convert import frame_record, input_record, light_record
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
@@ -83,6 +85,7 @@ class Recorder:
         failure: reason why the recording failed, in a sentence; empty if it has not failed.
         unlisted: reason why the file is not in the list of recordings, in a sentence; empty if no error occurred.
         steps: number of steps recorded so far.
+        chain: head of the hash chain over the file's messages; empty until the footer is written.
     """
 
     def __init__(
@@ -113,7 +116,7 @@ class Recorder:
             RecordingError: the file exists already or cannot be written.
         """
         self.path = path
-        self.failure = self.unlisted = ""
+        self.failure = self.unlisted = self.chain = ""
         self._index = index if path else None
         self._after = after
         self.steps = 0
@@ -221,7 +224,7 @@ class Recorder:
                 if self._sink.error:
                     self._fail(self._sink.error)
             listing.join()
-            self._list(lambda index, path: index.end(path, ended, time_s))
+            self._list(lambda index, path: index.end(path, ended, time_s, self.chain))
 
     def _list(self, update: Callable[[Index, Path], None]) -> None:
         try:
@@ -236,12 +239,18 @@ class Recorder:
         file = None
         if self._sink is not None:
             file = foxglove.open_mcap(self._sink, context=channels.context, writer_options=_options())
-        channels.log("/opening", self._opening, self._began_ns)
+        chain = Chain()
+
+        def log(topic: str, data: bytes, time_ns: int) -> None:
+            channels.log(topic, data, time_ns)
+            chain.add(DECLARED[topic], time_ns, time_ns, data)
+
+        log("/opening", encode(self._opening), self._began_ns)
         if file is not None:
             file.flush()
         self._begun.set()
         due = time.monotonic() + FLUSH_S
-        view = Viewing(channels, self._scenario, self._began_ns, self._live)
+        view = Viewing(log, self._scenario, self._began_ns, self._live)
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
@@ -254,15 +263,14 @@ class Recorder:
                 frames.update(bytes.fromhex(item.frame.sha256))
                 ticks, time_s = item.frame.tick, item.frame.time_s
                 now = self._began_ns + round(time_s * 1e9)
-                channels.log("/inputs", input_record(ticks, item.inputs), now)
-                record = frame_record(item.frame, item.wall_s, item.latency_ms)
-                channels.log("/frames", record, now)
+                log("/inputs", encode(input_record(ticks, item.inputs)), now)
+                log("/frames", encode(frame_record(item.frame, item.wall_s, item.latency_ms)), now)
                 view.frame(item.frame)
             elif isinstance(item, Note):
-                channels.log("/notes", item, now)
+                log("/notes", encode(item), now)
                 view.line(item, now)
             elif isinstance(item, _Ready):
-                channels.log(_CHANNEL[type(item)], item, now)
+                log(_CHANNEL[type(item)], encode(item), now)
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()
@@ -270,7 +278,10 @@ class Recorder:
             if self.failure or (self._sink is not None and self._sink.error):
                 return "cut", time_s
         summary = msgspec.json.encode(item.summary).decode() if item.summary else ""
-        channels.log("/closing", Closing(item.ended, ticks, frames.hexdigest(), summary), now)
+        closing = Closing(item.ended, ticks, frames.hexdigest(), summary)
+        chain.add(DECLARED["/closing"], now, now, encode(closing))
+        self.chain = chain.head()
+        channels.log("/closing", encode(msgspec.structs.replace(closing, chain=self.chain)), now)
         if file is not None:
             file.close()
         return item.ended, time_s

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 
 from aftdeck.errors import ScenarioError
-from aftdeck.files import Problem, Where, beside
+from aftdeck.files import Problem, Where
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.attached import Grasp
 from aftdeck.scenario.chosen_payloads import present_cargo
@@ -21,17 +20,18 @@ from aftdeck.scenario.places import TargetReferences
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sequences import stored_points
+from aftdeck.scenario.sources import Sources
 from aftdeck.scenario.starts import parts, start
 from aftdeck.scenario.target import AtSeat
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.file.load import load_worksite
+from aftdeck.worksite.file.load import worksite_of
 from aftdeck.worksite.model import Cargo, Worksite
 
 WHOLE = 1e-6
 """Greatest deviation of a duration from a whole number of control periods [1]."""
 
 
-def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: Path) -> Scenario | None:
+def build(problems: Problems, spec: ScenarioFile, name: str, text: str, sources: Sources) -> Scenario | None:
     """Return the scenario of a decoded file; None if the file has errors, which are then in `problems`.
 
     Args:
@@ -39,15 +39,15 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         spec: the decoded file.
         name: name of the scenario.
         text: text of the file.
-        folder: folder for relative paths of the arm's file and the worksite's file.
+        sources: origin of the arm and the worksite.
     """
     _check_times(problems, spec)
     _check_arrival(problems, spec)
     mode = chosen_mode(problems, spec.mode, ("mode",)) or Chosen("ORB UNL")
-    arm = limited_arm(problems, spec.arm, spec.limits, folder)
+    arm = limited_arm(problems, spec.arm, spec.limits, sources)
     if arm is None:
         return None
-    worksite = _worksite(problems, spec, folder)
+    worksite = _worksite(problems, spec, sources)
     payload = held_payload(problems, spec.payload)
     check_por(problems, spec.limits.por, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
     cargo = present_cargo(problems, worksite, spec.cargo)
@@ -141,13 +141,10 @@ def _check_fit(
     return cautions
 
 
-def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite | None:
-    """Return the worksite, with the scenario's dimensions; None if it cannot be loaded.
-
-    The worksite is given by a built-in name, or by a path that is absolute or relative to `folder`.
-    """
+def _worksite(problems: Problems, spec: ScenarioFile, sources: Sources) -> Worksite | None:
+    """Return the worksite, with the scenario's dimensions; None if it cannot be loaded."""
     try:
-        return load_worksite(beside(spec.worksite, folder), spec.dimensions)
+        return worksite_of(sources.worksite(spec.worksite), spec.dimensions)
     except ScenarioError as error:
         for problem in error.problems:
             problems.add(("worksite",), problem)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import msgspec
 
@@ -12,24 +11,25 @@ from aftdeck.arms.limits import JointRates, Limits, limit_problems
 from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.arrays import Array
 from aftdeck.errors import AftdeckError, ScenarioError
-from aftdeck.files import Where, beside
-from aftdeck.kinematics.arm import Arm, load_arm
+from aftdeck.files import Where
+from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.model import RateLimits
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LimitsOverride, PorOverride, RatesOverride
+from aftdeck.scenario.sources import Sources
 
 
-def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, folder: Path) -> Arm | None:
+def limited_arm(problems: Problems, name: str, over: LimitsOverride, sources: Sources) -> Arm | None:
     """Load the arm, with the scenario's limits replacing the arm's limits; return None if the arm cannot be loaded.
 
     Args:
         problems: collects the problems found.
-        name_or_path: name of a built-in arm, or path of a file, absolute or relative to `folder`.
+        name: name or path of the arm, as written in the scenario's file.
         over: the scenario's limits.
-        folder: folder for relative paths.
+        sources: origin of the arm.
     """
     try:
-        arm = load_arm(beside(name_or_path, folder))
+        model = sources.arm(name)
     except ScenarioError as error:
         for problem in error.problems:
             problems.add(("arm",), problem)
@@ -37,7 +37,7 @@ def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, fol
     except AftdeckError as error:
         problems.add(("arm",), str(error))
         return None
-    return Arm(_limited(problems, arm.model, over))
+    return Arm(_limited(problems, model, over))
 
 
 def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmModel:

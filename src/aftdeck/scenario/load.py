@@ -8,11 +8,12 @@ from typing import Any, NamedTuple
 
 from aftdeck.dimensions import KEY, derive_from, has_formulas
 from aftdeck.errors import ScenarioError
-from aftdeck.files import Changes, Problem, Text, as_path, beside, examine, read, sentences
+from aftdeck.files import Changes, Problem, Text, as_path, examine, read, sentences
 from aftdeck.scenario.build import build
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
+from aftdeck.scenario.sources import Folder, Sources
 from aftdeck.worksite.file.load import dimensions_of
 
 HERE = Path(__file__).parent / "builtin"
@@ -80,7 +81,7 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
     return parse_scenario(*find_scenario(name_or_path))
 
 
-def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
+def _derived(raw: dict[str, Any], sources: Sources, file: Text) -> list[Problem]:
     """Replace each expression in a scenario's raw contents by its value; expressions use the worksite's dimensions.
 
     Return the problems found.
@@ -92,7 +93,7 @@ def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
     if not has_formulas(raw) or not isinstance(name, str) or not isinstance(own_dimensions, dict):
         return []
     try:
-        return derive_from(dimensions_of(beside(name, folder), own_dimensions), raw)
+        return derive_from(dimensions_of(sources.worksite(name), own_dimensions), raw)
     except ScenarioError as error:
         problems = [Problem(("worksite",), problem) for problem in error.problems]
         raise ScenarioError(sentences(problems, *file)) from None
@@ -111,10 +112,15 @@ def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Chang
     Raises:
         ScenarioError: the text has errors; the message lists all of them, with their places in the text.
     """
+    return scenario_from(text, name, file, Folder(folder), changes)
+
+
+def scenario_from(text: str, name: str, file: str, sources: Sources, changes: Changes | None = None) -> Scenario:
+    """Build a scenario from text, with an arm and a worksite from `sources`; otherwise like `parse_scenario`."""
     source = Text(file, text)
-    spec, found = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, folder, source))
+    spec, found = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, sources, source))
     problems = Problems(found)
-    scenario = None if spec is None else build(problems, spec, name, text, folder)
+    scenario = None if spec is None else build(problems, spec, name, text, sources)
     if scenario is None or problems:
         raise ScenarioError(problems.sentences(file, text))
     return scenario

@@ -117,6 +117,10 @@ class Simulation:
             self._seal = digest(self._state)
         return self._seal
 
+    def add_to(self, tally: Tally) -> None:
+        """Add the last control step to the values of a summary."""
+        tally.take(self._state, self.seal())
+
     def look(self) -> Frame:
         """Return the frame of the last control step.
 
@@ -209,7 +213,7 @@ def run(
         if given is None and inputs is not None:
             break
         sim.advance(given)
-        tally.take(sim._state, sim.seal())
+        sim.add_to(tally)
         if keep_frames or seen is not None:
             frame = sim.look()
             if keep_frames:

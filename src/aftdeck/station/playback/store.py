@@ -19,7 +19,7 @@ from types import TracebackType
 import msgspec
 from msgspec.structs import replace
 
-from aftdeck.errors import RecordingError
+from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.convert import lighting_of
 from aftdeck.recording.reader import Recording
@@ -52,15 +52,19 @@ class PlaybackStore:
             RecordingError: the file is not a recording, is damaged or has no step; or its frames cannot be stored.
         """
         recording = Recording(path)
-        scenario = scenario_of(recording.opening)
-        self._scenario = scenario
-        self._displays = Displays(scenario)
-        self._readings = readings(scenario)
-        self._lights: list[tuple[int, Lighting]] = [(0, scenario.lighting)]
         self._ends, self._lock = [0], Lock()
         with ExitStack() as opened:
             self._file = opened.enter_context(TemporaryFile(prefix="aftdeck-"))
-            self._index = self._read(recording)
+            try:
+                self._scenario = scenario = scenario_of(recording.opening)
+                self._displays = Displays(scenario)
+                self._readings = readings(scenario)
+                self._lights: list[tuple[int, Lighting]] = [(0, scenario.lighting)]
+                self._index = self._read(recording)
+            except RecordingError:
+                raise
+            except (AftdeckError, ArithmeticError, ValueError, LookupError) as error:  # a frame of impossible values
+                raise RecordingError(f"{path}: cannot be played: {error}") from None
             self._opened = opened.pop_all()
 
     def __enter__(self) -> PlaybackStore:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from starlette.applications import Starlette
 
+from aftdeck.lines import print_line
 from aftdeck.station.built import built_page
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.access import LOCAL, Access, access_of
@@ -28,12 +29,12 @@ def serve_recording(path: Path, *, host: str, port: int, names: tuple[str, ...] 
     """
     built_page()
     if path.is_file() and path.stat().st_size > LARGE:
-        print(f"Reading {path.name}.", flush=True)
+        print_line(f"Reading {path.name}.")
     with listen(host, port) as listener, PlaybackStore(path) as store:
         access = access_of(listener, host, names, fly=False)
         ((_, address),) = addresses_of(listener, access, host, names)
-        print(f"Aftdeck replay: {address}", flush=True)
-        print(f"Playing {path.name}. End with Ctrl+C.", flush=True)
+        print_line(f"Aftdeck replay: {address}")
+        print_line(f"Playing {path.name}. End with Ctrl+C.")
         server = make_server(replay_app(store, path, access))
         run_server(server, listener, address if open_browser else None)
 

@@ -14,6 +14,7 @@ import uvicorn
 from starlette.applications import Starlette
 
 from aftdeck.law import compiled_before
+from aftdeck.lines import print_line
 from aftdeck.recording.live import Live
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
@@ -70,21 +71,21 @@ def serve(
     access = access_of(listener, host, names)
     addresses = addresses_of(listener, access, host, names)
     for purpose, address in addresses:
-        print(f"Aftdeck station{purpose}: {address}", flush=True)
+        print_line(f"Aftdeck station{purpose}: {address}")
     live = None if viewers is None else Live(viewers)
     if live is not None:
-        print(f"Foxglove can attach at {live.address}", flush=True)
+        print_line(f"Foxglove can attach at {live.address}")
 
     def make(report: Callable[[str], None]) -> Session:
         if compiled_before():
             report("Loading the scenario and the steering laws.")
         else:
-            print(COMPILING, flush=True)
+            print_line(COMPILING)
             report(COMPILING)
         scenario = load()
         report(f"Preparing {scenario.title!r}.")
         session = Session(scenario, seed, demo=demo, record=record, trial=trial, live=live)
-        print(f"Flying {scenario.title!r}. End with Ctrl+C.", flush=True)
+        print_line(f"Flying {scenario.title!r}. End with Ctrl+C.")
         return session
 
     def failed() -> None:

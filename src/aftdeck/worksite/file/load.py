@@ -45,26 +45,34 @@ def worksites() -> tuple[str, ...]:
 def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str] | None = None) -> Worksite:
     """Return the built-in worksite of a name (``orbiter``), or the worksite that the TOML file at a path describes.
 
+    Arguments and errors as for `worksite_text` and `worksite_of`.
+    """
+    return worksite_of(worksite_text(name_or_path), dimensions)
+
+
+def worksite_of(source: Text, dimensions: Mapping[str, float | str] | None = None) -> Worksite:
+    """Return the worksite that the text of a file describes.
+
     Args:
-        name_or_path: name of a built-in worksite, or path of a file.
+        source: name and text of the file.
         dimensions: values that replace those in the file's ``[dimensions]``.
 
     Raises:
-        ScenarioError: the name or file does not exist, or the file is invalid: for example, a solid is not convex, or
-            a camera is inside a solid. The message names each error and its location.
+        ScenarioError: the text is invalid: for example, a solid is not convex, or a camera is inside a solid. The
+            message names each error and its location.
     """
-    return _of_text(_file(name_or_path), tuple((dimensions or {}).items()))
+    return _of_text(source, tuple((dimensions or {}).items()))
 
 
-def dimensions_of(name_or_path: str | Path, over: Mapping[str, float | str]) -> dict[str, str | float]:
+def dimensions_of(source: Text, over: Mapping[str, float | str]) -> dict[str, str | float]:
     """Return a worksite's dimensions, computed after the values in `over` have replaced those in the worksite's file.
 
     Invalid dimensions are left out.
 
     Raises:
-        ScenarioError: the name or file does not exist, or the file is not valid TOML.
+        ScenarioError: the text is not valid TOML.
     """
-    file, _ = examine(_Dimensions, _file(name_or_path), {(KEY, key): value for key, value in over.items()}, derive)
+    file, _ = examine(_Dimensions, source, {(KEY, key): value for key, value in over.items()}, derive)
     return {} if file is None else file.dimensions
 
 
@@ -74,8 +82,15 @@ class _Dimensions(msgspec.Struct, frozen=True):
     dimensions: dict[str, str | float] = msgspec.field(default_factory=dict)
 
 
-def _file(name_or_path: str | Path) -> Text:
-    """Return the name and the unparsed text of a worksite's file; the file is given by a built-in name or by a path."""
+def worksite_text(name_or_path: str | Path) -> Text:
+    """Return the name and the unparsed text of a worksite's file.
+
+    Args:
+        name_or_path: name of a built-in worksite, or path of a file.
+
+    Raises:
+        ScenarioError: the name or file does not exist, or the file cannot be read.
+    """
     built_in = str(name_or_path) in worksites()
     path = _BUILT_IN / f"{name_or_path}.toml" if built_in else as_path(name_or_path)
     if not path.is_file():
