@@ -50,7 +50,7 @@ def make_app(
             if waiting.pages:
                 await waiting.pages.close()
             if recordings:
-                recordings.close()
+                await recordings.close()
 
     async def connect(socket: WebSocket) -> None:
         await socket.accept()

@@ -9,9 +9,10 @@ from pathlib import Path
 from starlette.applications import Starlette
 
 from aftdeck.station.built import built_page
+from aftdeck.station.playback.answers import Answers
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.own import keep_to_own
-from aftdeck.station.server.player import Player
+from aftdeck.station.server.player import PlayedHere, Player
 from aftdeck.station.server.serve import address_of, listen, make_server, run_server
 
 LARGE = 10_000_000
@@ -38,11 +39,12 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
 
 def replay_app(store: PlaybackStore, path: Path, host: str = "127.0.0.1") -> Starlette:
     """Return the web app that serves a recording."""
-    player = Player(store, path)
+    answers = Answers(store, path)
+    player = Player(PlayedHere(answers))
 
     @contextlib.asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
-        player.check()
+        answers.check()
         yield
 
     return keep_to_own(Starlette(routes=player.routes(), lifespan=lifespan), host)
