@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from aftdeck.station.messages.kinds import PROTOCOL
 
 NICE = 10
-"""Priority of a loading process; the station's is 0."""
+"""Difference between the priorities of a loading process and of the station."""
 WATCHERS = 8
 FLOOD = 20_000
 """Messages that the flooding page sends [1/s]."""

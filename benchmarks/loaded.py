@@ -14,9 +14,13 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from math import cos, sin
 from pathlib import Path
 from typing import NamedTuple
 
+import aftdeck
+from aftdeck.recording.writer import Recorder
+from aftdeck.simulation.inputs import Inputs
 from benchmarks.load import Wire, text
 from benchmarks.measure import Figure, percentile
 from benchmarks.station import AFTDECK
@@ -92,12 +96,6 @@ def soak(minutes: float) -> list[Figure]:
 
 def record_hour(path: Path) -> None:
     """Record an hour of manual inputs."""
-    from math import cos, sin
-
-    import aftdeck
-    from aftdeck.recording.writer import Recorder
-    from aftdeck.simulation.inputs import Inputs
-
     simulation = aftdeck.Simulation(SCENARIO)
     recorder = Recorder(path, simulation.scenario, simulation.seed)
     for k in range(round(HOUR / PERIOD)):

@@ -17,6 +17,7 @@ from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chunks import MAGIC, DamageError, records
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.format_1 import FramesOf1, as_layout_1
 from aftdeck.recording.format_1 import inputs as inputs_of_1
 from aftdeck.recording.message import Message
@@ -26,6 +27,7 @@ from aftdeck.recording.records import (
     PROFILE,
     Closing,
     ControllersRecord,
+    DelayRecord,
     FrameRecord,
     Input,
     Note,
@@ -55,6 +57,8 @@ class Recording:
         share: fraction of the file that has been read, 0 to 1.
         frames_sha256: SHA-256 over the digests of all frames; empty while `ended` is empty.
         summary: summary of a scripted run, JSON; empty while `ended` is empty, and for a manual run.
+        delays: delays of the steps read so far; None if the file does not tell them: the run was not in real time, or
+            an earlier version recorded it.
     """
 
     def __init__(self, path: str | Path) -> None:
@@ -73,6 +77,7 @@ class Recording:
         if not isinstance(first, Opening):
             raise self._damaged("the first message is not the header")
         self.opening = first
+        self.delays = Delays() if first.real_time else None
         if first.format == 1:
             self._old = FramesOf1(first.joints, lambda: (self._scenario.caution, self._scenario.warning))
 
@@ -83,12 +88,15 @@ class Recording:
             RecordingError: the file is damaged; raised at the damaged message.
         """
         self.ended, self.cut, self.time_s = "", False, 0.0
+        self.delays = Delays() if self.opening.real_time else None
         tick = 0
         for message in self._messages():
             if isinstance(message, Input | FrameRecord) and message.tick != tick + 1:
                 raise self._damaged(f"step {message.tick} follows step {tick}")
             if isinstance(message, FrameRecord):
                 tick, self.time_s = message.tick, message.time_s
+            if isinstance(message, DelayRecord) and self.delays is not None:
+                self.delays = self.delays.after(message.time_s, message.late_s, message.lost_s)
             if isinstance(message, Closing):
                 if message.ticks != tick:
                     raise self._damaged(f"the file ends after step {tick} of {message.ticks}")

@@ -13,6 +13,7 @@ from aftdeck.law import state_of_the_laws
 from aftdeck.recording.bundle import machine, scenario_of
 from aftdeck.recording.compare import Difference, alike, first_difference
 from aftdeck.recording.convert import DIGITS, inputs_of
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.simulation.run import Simulation
@@ -52,6 +53,8 @@ class Verdict(msgspec.Struct, frozen=True):
     """True if the source code of the laws has not changed since the recording."""
     same_machine: bool
     """True if this machine has the processor, system and compilers with which the recording was made."""
+    delays: Delays | None
+    """Delays of the recorded steps, and lost time; None if the recording does not tell them (`Recording.delays`)."""
 
 
 def verify(
@@ -126,4 +129,5 @@ def _compared(
         version=__version__,
         same_laws=recording.opening.laws == state_of_the_laws(),
         same_machine=recording.opening.machine == machine(),
+        delays=recording.delays,
     )

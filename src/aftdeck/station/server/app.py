@@ -10,10 +10,10 @@ from starlette.applications import Starlette
 from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
-from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from aftdeck.station.built import STATIC
+from aftdeck.station.server.files import PageFiles
 from aftdeck.station.server.own import keep_to_own
 from aftdeck.station.server.page import Page, receive_hello
 from aftdeck.station.server.recorded import Recordings
@@ -65,5 +65,5 @@ def make_app(
     if recordings:
         routes += recordings.routes()
     if (STATIC / "index.html").is_file():
-        routes.append(Mount("/", StaticFiles(directory=STATIC, html=True)))
+        routes.append(Mount("/", PageFiles(directory=STATIC, html=True)))
     return keep_to_own(Starlette(routes=routes, lifespan=lifespan), host)

@@ -7,7 +7,7 @@ import contextlib
 from collections import deque
 
 import msgspec
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
 from aftdeck.errors import CommandError, InputError
 from aftdeck.station.messages import from_page, kinds, to_page
@@ -48,8 +48,23 @@ _messages: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_
 
 
 async def send(socket: WebSocket, message: to_page.FromServer) -> None:
-    """Send a message to a page."""
-    await socket.send_text(_encoder.encode(message).decode())
+    """Send a message to a page.
+
+    Raises:
+        WebSocketDisconnect: the connection is closed.
+    """
+    await send_text(socket, _encoder.encode(message))
+
+
+async def send_text(socket: WebSocket, encoded: bytes) -> None:
+    """Send an encoded message to a page.
+
+    Raises:
+        WebSocketDisconnect: the connection is closed.
+    """
+    if socket.application_state is WebSocketState.DISCONNECTED:
+        raise WebSocketDisconnect(1006)
+    await socket.send_text(encoded.decode())
 
 
 async def goodbye(socket: WebSocket, text: str) -> None:
@@ -121,6 +136,7 @@ class Page:
                 await self.reject(-1, "got a binary message; messages must be JSON text")
                 continue
             await self._handle(text)
+            await asyncio.sleep(0)  # other pages come between two messages of this page
         await goodbye(self.socket, f"{MAX_REJECTIONS} consecutive messages were rejected: the connection is closed")
 
     async def _handle(self, text: str) -> None:
@@ -212,7 +228,7 @@ class Page:
                 await self._send(message)
             if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame
-                await self.socket.send_text(frame.decode())
+                await send_text(self.socket, frame)
             if (driver := self.pages.driver).phase is Phase.FAILED:
                 await goodbye(self.socket, driver.failure)
                 return

@@ -12,7 +12,7 @@ from aftdeck.errors import RecordingError
 from aftdeck.station.playback import child
 
 NICE = 10
-"""Priority of the process; the station's is 0. Each level receives about a fifth less of a busy core."""
+"""Difference between the priorities of the process and of the station: each level is about a fifth of a busy core."""
 
 
 class PlaybackProcess:
@@ -37,7 +37,7 @@ class PlaybackProcess:
             process_group=0,
         )
         with contextlib.suppress(ProcessLookupError):
-            os.setpriority(os.PRIO_PROCESS, process.pid, NICE)
+            os.setpriority(os.PRIO_PROCESS, process.pid, os.getpriority(os.PRIO_PROCESS, 0) + NICE)
         return cls(process)
 
     @property

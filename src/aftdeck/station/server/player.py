@@ -8,11 +8,11 @@ from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route
-from starlette.staticfiles import StaticFiles
 
 from aftdeck.errors import RecordingError
 from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.playback.answers import INDEX, VERDICT, Answers
+from aftdeck.station.server.files import PageFiles
 
 RECORDING_META = '<meta name="recording" content="recording/" />'
 """HTML element that makes the page play a recording; its content is the path of the recording."""
@@ -60,7 +60,7 @@ class Player:
             Route("/recording/index.json", self._index),
             Route("/recording/blocks/{number}", self._block),
             Route("/recording/verdict.json", self._verdict),
-            Mount("/", StaticFiles(directory=STATIC)),
+            Mount("/", PageFiles(directory=STATIC)),
         ]
 
     def _page(self, _: Request) -> Response:

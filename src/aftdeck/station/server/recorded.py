@@ -78,7 +78,7 @@ class Recordings:
     async def _close(self, file: str) -> None:
         opened = self._open.pop(file)
         await opened.process.close()
-        await asyncio.wait([opened.ready])
+        await asyncio.gather(opened.ready, return_exceptions=True)
 
     def _listed(self, _: Request) -> Response:
         body = msgspec.json.encode(self.listed())
