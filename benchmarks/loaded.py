@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import aftdeck
+from aftdeck.recording.reader import Recording
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from benchmarks.load import Wire, text
@@ -42,12 +43,10 @@ class Seen(NamedTuple):
 
     Attributes:
         intervals: times between the frames [ms].
-        steps: control steps that the station has done.
         seconds: time of the measurement [s].
     """
 
     intervals: list[float]
-    steps: int
     seconds: float
 
 
@@ -70,25 +69,23 @@ def loaded(recording: Path | None = None, seconds: float = SECONDS) -> list[Figu
             load.enter_context(_loading("flood", address))
             load.enter_context(_loading("replay", address, f"/replay/{hour.name}/"))
             seen = _operate(operator, seconds)
-    return [*quiet, *_figures(seen, "8 watchers, a flood, a replay", promised=True)]
+        delays = _delays(folder)
+    return [*quiet, *_figures(seen, "8 watchers, a flood, a replay", promised=True), *delays]
 
 
 def soak(minutes: float) -> list[Figure]:
     """Measure a flight of some minutes with eight watchers: frames, lost time and memory."""
-    with (
-        tempfile.TemporaryDirectory() as folder,
-        _flying(folder) as (address, process),
-        _operator(address) as operator,
-        _loading("watch", address),
-    ):
-        first = _operate(operator, 60.0)
-        early = _memory(process)
-        rest = _operate(operator, max(60.0 * (minutes - 1.0), 1.0))
-        late = _memory(process)
-    seen = Seen(first.intervals + rest.intervals, first.steps + rest.steps, first.seconds + rest.seconds)
+    with tempfile.TemporaryDirectory() as folder:
+        with _flying(folder) as (address, process), _operator(address) as operator, _loading("watch", address):
+            first = _operate(operator, 60.0)
+            early = _memory(process)
+            rest = _operate(operator, max(60.0 * (minutes - 1.0), 1.0))
+            late = _memory(process)
+        delays = _delays(folder)
+    seen = Seen(first.intervals + rest.intervals, first.seconds + rest.seconds)
     return [
         *_figures(seen, f"8 watchers, {minutes:g} minutes", promised=True),
-        Figure("time lost", max(0.0, seen.seconds - seen.steps * PERIOD), "s"),
+        *delays,
         Figure("memory after minute one", early, "MB"),
         Figure("memory at the end", late, "MB"),
     ]
@@ -120,7 +117,6 @@ def _operate(wire: Wire, seconds: float) -> Seen:
     """Send sticks with every frame; return what the page has received."""
     intervals: list[float] = []
     before = begun = 0.0
-    first = last = 0
     start = time.perf_counter()
     while time.perf_counter() - start < seconds + SETTLE:
         for message in wire.messages():
@@ -129,14 +125,13 @@ def _operate(wire: Wire, seconds: float) -> Seen:
             now = time.perf_counter()
             found = _TICK.search(message)
             assert found is not None
-            last = int(found[1])
             if now - start < SETTLE:
-                first, begun = last, now
+                begun = now
             else:
                 intervals.append(1e3 * (now - before))
             before = now
-            wire.socket.sendall(text({**_STICKS, "seq": last}))
-    return Seen(intervals, last - first, before - begun)
+            wire.socket.sendall(text({**_STICKS, "seq": int(found[1])}))
+    return Seen(intervals, before - begun)
 
 
 def _figures(seen: Seen, load: str, *, promised: bool) -> list[Figure]:
@@ -146,6 +141,21 @@ def _figures(seen: Seen, load: str, *, promised: bool) -> list[Figure]:
         Figure("frame interval, p50", percentile(seen.intervals, 50), "ms", None, f"{load}; {rate:.1f} frames/s"),
         Figure("frame interval, p99", percentile(seen.intervals, 99), "ms", p99, load),
         Figure("frame interval, worst", max(seen.intervals), "ms", worst, load),
+    ]
+
+
+def _delays(folder: str) -> list[Figure]:
+    """Return the delays of the control steps, as the newest recording in a folder tells them."""
+    recording = Recording(max(Path(folder).glob(f"{SCENARIO}-*.mcap")))
+    for _ in recording.messages():
+        pass
+    delays = recording.delays
+    assert delays is not None and recording.ended == "stopped"
+    note = f"of the whole flight of {recording.time_s:.0f} s"
+    return [
+        Figure("late steps", delays.late_steps, "", None, note),
+        Figure("greatest delay of a step", 1e3 * delays.worst_s, "ms", None, note),
+        Figure("time lost", delays.lost_s, "s", None, note),
     ]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
 from collections.abc import Callable
@@ -58,6 +59,7 @@ class Driver:
 
     def _run(self) -> None:
         try:
+            _spare_the_collector()
             self.session.begin()
             pace = Pace(self.session.scenario.control_period, self._clock)
             while not self._stop.is_set():
@@ -71,3 +73,13 @@ class Driver:
             self.phase = Phase.FAILED
             self._notify()
             raise
+
+
+def _spare_the_collector() -> None:
+    """Exempt all present objects from garbage collection: to visit them once takes as long as several steps.
+
+    Objects that an earlier session has left are collected first.
+    """
+    gc.unfreeze()
+    gc.collect()
+    gc.freeze()
