@@ -14,7 +14,6 @@ from aftdeck.simulation.frame import Frame as Flown
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.server import guard
 from aftdeck.station.session.page_inputs import MAX_WAITING
 from tests.station.pages import STILL, WAIT_S, Page, Station, closing, until
 
@@ -30,8 +29,7 @@ def test_flood_of_commands_ends_its_page_and_not_the_run(station: Station) -> No
     station.check_running()
 
 
-def test_flood_of_sticks_ends_its_page_and_not_the_run(shared: Station, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(guard, "PENALTY", 0.2)
+def test_flood_of_sticks_ends_its_page_and_not_the_run(shared: Station) -> None:
     with shared.page() as page:
         try:
             for _ in range(10_000):

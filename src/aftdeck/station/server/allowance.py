@@ -22,10 +22,19 @@ class Allowance:
 
     def take(self) -> bool:
         """Count one event, and return whether it is allowed; an event that is not allowed is not counted."""
-        now = self._clock()
-        self._left = min(self._most, self._left + (now - self._at) * self._rate)
-        self._at = now
+        self._refill()
         if self._left < 1.0:
             return False
         self._left -= 1.0
         return True
+
+    def turn(self, longest: float) -> float:
+        """Count one event, and return the time after which it is allowed [s], at most `longest`."""
+        self._refill()
+        self._left = max(self._left - 1.0, -longest * self._rate)
+        return max(0.0, -self._left / self._rate)
+
+    def _refill(self) -> None:
+        now = self._clock()
+        self._left = min(self._most, self._left + (now - self._at) * self._rate)
+        self._at = now

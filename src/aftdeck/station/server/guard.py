@@ -196,7 +196,8 @@ class GuardedSocket(WebSocketsSansIOProtocol):
             while not self.queue.empty():
                 self.queue.get_nowait()
             self.queue.put_nowait({"type": "websocket.disconnect", "code": 1008})
-            self.loop.call_later(PENALTY, self._dismiss)
+            # While this timer is set, uvicorn does not close the connection when the page's task ends.
+            self.close_timer = self.loop.call_later(PENALTY, self._dismiss)
         return not self._too_fast
 
     def _dismiss(self) -> None:
@@ -210,7 +211,7 @@ class GuardedSocket(WebSocketsSansIOProtocol):
             self.transport.write(b"".join(self.conn.data_to_send()))
             self.close_sent = True
             self.transport.resume_reading()  # `data_received` drops the data; the page can then read the reason
-        self.loop.call_later(FAREWELL, abort, self)
+        self.close_timer = self.loop.call_later(FAREWELL, abort, self)
 
 
 Guarded = GuardedHttp | GuardedSocket

@@ -91,6 +91,8 @@ class Recordings:
             app = await self._router(file, fresh=scope["path"].endswith("/recording/index.json"))
         except (OSError, ValueError, RecordingError) as error:
             app = PlainTextResponse(f"{file} cannot be played: {error}\n", 404)
+        except asyncio.CancelledError:  # the server ends while the recording is read
+            app = PlainTextResponse("the station has ended\n", 503)
         await app(scope, receive, send)
 
     async def _router(self, file: str, *, fresh: bool) -> Router:
