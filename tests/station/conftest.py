@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from aftdeck.station.server import page
+from aftdeck.station.server import guard, page
 from aftdeck.station.session import page_inputs
 from aftdeck.station.session.session import Session
 from tests.station.pages import Station, scenario, served
@@ -15,12 +15,13 @@ from tests.station.pages import Station, scenario, served
 
 @pytest.fixture(autouse=True)
 def patient_station(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Disable the time limits for sticks and hello, so that a slow machine fails no test.
+    """Disable the time limits for sticks and hello, so that a slow machine fails no test; shorten the penalty.
 
     Tests of these limits set them themselves.
     """
     monkeypatch.setattr(page_inputs, "SILENCE", math.inf)
     monkeypatch.setattr(page, "HELLO_WITHIN", 1000.0)
+    monkeypatch.setattr(guard, "PENALTY", 0.1)
 
 
 @pytest.fixture

@@ -13,7 +13,8 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.driver import MAX_CATCH_UP, Driver, Phase
+from aftdeck.station.session.driver import Driver, Phase
+from aftdeck.station.session.pace import MAX_CATCH_UP
 from aftdeck.station.session.page_inputs import MAX_WAITING
 from aftdeck.station.session.session import Session
 from tests.station.flying import driven, shown

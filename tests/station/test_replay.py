@@ -16,6 +16,7 @@ import uvicorn
 from aftdeck.errors import RecordingError
 from aftdeck.station import built as station_built
 from aftdeck.station.messages.playback import BLOCK, Block, PlaybackIndex, Verdict
+from aftdeck.station.playback import answers
 from aftdeck.station.server import player as station_player
 from aftdeck.station.server.playback_server import serve_recording
 from tests.station.pages import WAIT_S, until
@@ -79,7 +80,7 @@ def test_page_of_another_site_is_rejected(address: str) -> None:
 
 
 def test_verdict_is_served_when_it_is_known(recording: Path, built: None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(station_player, "verdict", lambda _: Verdict("equal", "result"))
+    monkeypatch.setattr(answers, "verdict", lambda _: Verdict("equal", "result"))
     with playing(recording) as address:
         until(lambda: json.loads(get(f"{address}recording/verdict.json"))["state"] == "equal", "the verdict")
         index = msgspec.json.decode(get(f"{address}recording/index.json"), type=PlaybackIndex)

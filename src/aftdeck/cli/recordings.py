@@ -14,7 +14,7 @@ import typer
 from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, app
 from aftdeck.cli.printing import Progress, print_json
 from aftdeck.errors import InputError
-from aftdeck.lines import print_line, visible
+from aftdeck.lines import print_error, print_line, visible
 
 if TYPE_CHECKING:
     from aftdeck.recording.changed import Outcome
@@ -62,6 +62,12 @@ def replay(
     html: Annotated[
         Path | None, typer.Option(help="Write one HTML file that plays the recording without a server.")
     ] = None,
+    max_lost: Annotated[
+        float | None,
+        typer.Option(
+            metavar="SECONDS", help="Verify, and reject a recording that lost more time, or does not tell its delays."
+        ),
+    ] = None,
     words: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Verify, and write the 1972 report's channels and frame words (JSON lines)."),
@@ -74,15 +80,15 @@ def replay(
 ) -> None:
     """Verify, re-run or play back a recording.
 
-    The exit code is 1 if the re-simulation differs from the recording or the recording was changed, and 2 if the file
-    is damaged or not a recording.
+    The exit code is 1 if the re-simulation differs from the recording, if the recording was changed, or if the run lost
+    more time than allowed. It is 2 if the file is damaged or not a recording.
     """
     if verify + bool(changes) + play + (html is not None) > 1:
         raise InputError("--verify, --set, --open and --html cannot be combined")
     if out is not None and not changes:
         raise InputError("--out requires --set: it records the re-run")
-    if words is not None and (changes or play or html is not None):
-        raise InputError("--words can be combined only with --verify")
+    if (words is not None or max_lost is not None) and (changes or play or html is not None):
+        raise InputError("--words and --max-lost can be combined only with --verify")
     if changes:
         _rerun(file, tuple(changes), out, as_json)
     elif play:
@@ -95,10 +101,10 @@ def replay(
         write_html(file, html)
         print_line(f"{html}: {html.stat().st_size / 1e6:.2f} MB; open it in any browser")
     else:
-        _verify(file, words, as_json)
+        _verify(file, words, max_lost, as_json)
 
 
-def _verify(file: Path, words: Path | None, as_json: bool) -> None:
+def _verify(file: Path, words: Path | None, max_lost: float | None, as_json: bool) -> None:
     from aftdeck.recording.bundle import scenario_of
     from aftdeck.recording.reader import Recording
     from aftdeck.recording.replay import verify
@@ -116,6 +122,11 @@ def _verify(file: Path, words: Path | None, as_json: bool) -> None:
         print_json(verdict, indent=2)
     else:
         _print_verdict(recording, verdict)
+    lost = math.inf if verdict.delays is None else verdict.delays.lost_s
+    if max_lost is not None and not lost <= max_lost:
+        told = "the recording does not tell its delays" if verdict.delays is None else f"{lost:.2f} s"
+        print_error(f"time lost: {told}; allowed: {max_lost:g} s")
+        raise typer.Exit(1)
     if not verdict.equal:
         raise typer.Exit(1)
 
@@ -141,6 +152,8 @@ def _print_verdict(recording: Recording, v: Verdict) -> None:
         print_line(f"  made by      Aftdeck {v.recorded_by}; verified with {v.version}")
     if v.cut:
         print_line(f"  cut short    after {v.time_s:.2f} s; verified up to this time")
+    if v.delays is not None:
+        print_line(f"  delays       {v.delays.text()}")
     if not v.different:
         scope = "bit for bit" if v.whole else "in every recorded value; digests of another version are not comparable"
         print_line(f"  {'equal      ' if v.equal else 'frames     '}  all {v.frames} frames, {v.time_s:.2f} s, {scope}")
@@ -284,6 +297,8 @@ def recordings(
 
 
 def _print_entries(entries: list[Entry]) -> None:
+    from aftdeck.recording.delays import Delays
+
     if not entries:
         print_line("no recordings found; record with `aftdeck fly --record DIR` or `aftdeck run SCENARIO --out FILE`")
         return
@@ -297,6 +312,9 @@ def _print_entries(entries: list[Entry]) -> None:
         for name in ("participant", "condition", "changes"):
             if text := getattr(entry, name):
                 print_line(f"  {name:<11}  {text}")
+        if entry.late_steps:
+            delays = Delays(entry.late_steps, entry.worst_s or 0.0, entry.lost_s or 0.0)
+            print_line(f"  delays       {delays.text()}")
 
 
 def _files(entries: list[Entry]) -> str:

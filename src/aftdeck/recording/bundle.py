@@ -28,7 +28,13 @@ _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[
 
 
 def opening(
-    scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ...] = (), trial: Trial = NO_TRIAL
+    scenario: Scenario,
+    seed: int,
+    began_ns: int,
+    changes: tuple[str, ...] = (),
+    trial: Trial = NO_TRIAL,
+    *,
+    real_time: bool = False,
 ) -> Opening:
     """Return the header of a recording.
 
@@ -38,6 +44,7 @@ def opening(
         began_ns: wall time at which the run begins, since 1970 [ns].
         changes: the changes from the scenario's text to this scenario, each as KEY=VALUE.
         trial: participant and condition.
+        real_time: whether the steps are due at times of the wall clock.
     """
     model = scenario.arm.model
     return Opening(
@@ -61,6 +68,7 @@ def opening(
         condition=trial.condition,
         digests=declaration(State),
         environment=environment(),
+        real_time=real_time,
     )
 
 

@@ -14,6 +14,7 @@ import msgspec
 import platformdirs
 
 from aftdeck.errors import RecordingError
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Opening
 
@@ -29,7 +30,9 @@ _TABLE = """
 """
 _ADDED = ("participant", "condition", "changes", "chain")
 """Text columns that lists of earlier versions do not have."""
-_COLUMNS = f"path, scenario, title, seed, version, began, ended, time_s, bytes, {', '.join(_ADDED)}"
+_DELAYS = {"late_steps": "integer", "worst_s": "real", "lost_s": "real"}
+"""Columns for the delays of the steps, with their types; null in lists and recordings of earlier versions."""
+_COLUMNS = f"path, scenario, title, seed, version, began, ended, time_s, bytes, {', '.join((*_ADDED, *_DELAYS))}"
 
 
 class Entry(msgspec.Struct, frozen=True):
@@ -56,6 +59,13 @@ class Entry(msgspec.Struct, frozen=True):
     """``KEY=VALUE, KEY=VALUE``: changes of the scenario; empty if it was not changed."""
     chain: str = ""
     """Head of the hash chain with which the recording ended; empty if this list does not have it."""
+    late_steps: int | None = None
+    """Number of steps that began more than one control period late; None if the run was not in real time, if an
+    earlier version recorded it, and during the run."""
+    worst_s: float | None = None
+    """Greatest delay of a step [s]; None as for `late_steps`."""
+    lost_s: float | None = None
+    """Time that the station did not make up [s]; None as for `late_steps`."""
     state: Literal["here", "gone", "unreadable"] = "here"
 
 
@@ -75,17 +85,18 @@ class Index:
         trial = (opening.participant, opening.condition, ", ".join(opening.changes), "")
         with self._open() as database:
             database.execute(
-                f"insert or replace into recordings ({_COLUMNS}) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                (str(path.absolute()), *row, *trial),
+                f"insert or replace into recordings ({_COLUMNS}) values ({', '.join('?' * len(_COLUMNS.split(',')))})",
+                (str(path.absolute()), *row, *trial, None, None, None),
             )
 
-    def end(self, path: Path, ended: str, time_s: float, chain: str = "") -> None:
-        """Store how a recording ended, its simulated time [s], its size, and the head of its hash chain."""
+    def end(self, path: Path, ended: str, time_s: float, chain: str = "", delays: Delays | None = None) -> None:
+        """Store how a recording ended: simulated time [s], size, head of the hash chain, and delays of the steps."""
         size = path.stat().st_size if os.path.exists(path) else 0
         with self._open() as database:
             database.execute(
-                "update recordings set ended = ?, time_s = ?, bytes = ?, chain = ? where path = ?",
-                (ended, time_s, size, chain, str(path.absolute())),
+                "update recordings set ended = ?, time_s = ?, bytes = ?, chain = ?, late_steps = ?, worst_s = ?, "
+                "lost_s = ? where path = ?",
+                (ended, time_s, size, chain, *_delay_columns(delays).values(), str(path.absolute())),
             )
 
     def chain_of(self, path: Path) -> str:
@@ -132,7 +143,13 @@ class Index:
                 pass
         except RecordingError:
             return msgspec.structs.replace(entry, bytes=size, state="unreadable")
-        return msgspec.structs.replace(entry, ended=recording.ended or "cut", time_s=recording.time_s, bytes=size)
+        return msgspec.structs.replace(
+            entry,
+            ended=recording.ended or "cut",
+            time_s=recording.time_s,
+            bytes=size,
+            **_delay_columns(recording.delays),
+        )
 
     def forget(self, entries: list[Entry]) -> None:
         """Remove entries from the list, without deleting their files."""
@@ -176,9 +193,15 @@ def _make_table(database: sqlite3.Connection) -> None:
     if _missing(database):
         database.execute("begin immediate")  # another program may be about to add the same columns
         for column in _missing(database):
-            database.execute(f"alter table recordings add column {column} text not null default ''")
+            kind = _DELAYS.get(column, "text not null default ''")
+            database.execute(f"alter table recordings add column {column} {kind}")
 
 
 def _missing(database: sqlite3.Connection) -> list[str]:
     columns = {name for _, name, *_ in database.execute("pragma table_info(recordings)")}
-    return [column for column in _ADDED if column not in columns]
+    return [column for column in (*_ADDED, *_DELAYS) if column not in columns]
+
+
+def _delay_columns(delays: Delays | None) -> dict[str, float | None]:
+    """Return the values of the columns `_DELAYS`, in their order."""
+    return {column: None if delays is None else getattr(delays, column) for column in _DELAYS}

@@ -18,6 +18,7 @@ from aftdeck.recording.chain import Declared
 from aftdeck.recording.chunks import MAGIC, DamageError, records
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.format_1 import FramesOf1, as_layout_1
 from aftdeck.recording.format_1 import inputs as inputs_of_1
 from aftdeck.recording.message import Message
@@ -27,6 +28,7 @@ from aftdeck.recording.records import (
     PROFILE,
     Closing,
     ControllersRecord,
+    DelayRecord,
     FrameRecord,
     Input,
     Note,
@@ -79,6 +81,8 @@ class Recording:
         share: fraction of the file that has been read, 0 to 1.
         frames_sha256: SHA-256 over the digests of all frames; empty while `ended` is empty.
         summary: summary of a scripted run, JSON; empty while `ended` is empty, and for a manual run.
+        delays: delays of the steps read so far; None if the file does not tell them: the run was not in real time, or
+            an earlier version recorded it.
     """
 
     def __init__(self, path: str | Path) -> None:
@@ -100,6 +104,7 @@ class Recording:
         if not 0 <= first.seed < _LONGEST_SEED:
             raise self._damaged(f"the seed must be between 0 and 2**63, got {short(first.seed)}")
         self.opening = first
+        self.delays = Delays() if first.real_time else None
         if first.format == 1:
             self._old = FramesOf1(first.joints, lambda: (self._scenario.caution, self._scenario.warning))
 
@@ -114,6 +119,7 @@ class Recording:
     def entries(self) -> Iterator[Entry]:
         """Yield the messages of all channels as `messages` does, with their channels, times and bytes."""
         self.ended, self.cut, self.time_s = "", False, 0.0
+        self.delays = Delays() if self.opening.real_time else None
         tick = quiet = 0
         for number, entry in enumerate(self._entries()):
             message = entry.message
@@ -130,6 +136,8 @@ class Recording:
                 tick, quiet, self.time_s = message.tick, 0, message.time_s
             if quiet > MAX_WITHOUT_STEP:
                 raise self._damaged(f"more than {MAX_WITHOUT_STEP} messages without a step")
+            if isinstance(message, DelayRecord) and self.delays is not None:
+                self.delays = self.delays.after(message.time_s, message.late_s, message.lost_s)
             if isinstance(message, Closing):
                 if message.ticks != tick:
                     raise self._damaged(f"the file ends after step {tick} of {short(message.ticks)}")

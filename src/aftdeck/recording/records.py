@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 from aftdeck.field_meta import field_meta
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.environment import Environment
 from aftdeck.recording.message import Message, Numbers
 from aftdeck.simulation.frame import Event, Frame
@@ -60,6 +61,9 @@ class Opening(Message, frozen=True):
     environment: Annotated[
         Environment | None, field_meta("everything that computed the run; null in a file of an earlier version")
     ] = None
+    real_time: Annotated[
+        bool, field_meta("whether the steps were due at times of the wall clock, and late steps are recorded")
+    ] = False
 
 
 class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
@@ -135,6 +139,18 @@ class LightRecord(Message, frozen=True):
     locked: Annotated[tuple[LockRecord, ...], field_meta("locked exposures; all other cameras have automatic exposure")]
 
 
+class DelayRecord(Message, frozen=True):
+    """Step of a run in real time that began more than one control period after it was due."""
+
+    tick: Annotated[int, field_meta("number of the step")]
+    time_s: Annotated[float, field_meta("simulated time at which the step began", "s")]
+    late_s: Annotated[float, field_meta("delay of the step", "s")]
+    lost_s: Annotated[
+        float, field_meta("part of the delay that was not made up: all later steps were postponed by it", "s")
+    ]
+    wall_s: Annotated[float, field_meta("wall time since the run began", "s")]
+
+
 class Closing(Message, frozen=True):
     """Footer: last message of a recording that was not cut short."""
 
@@ -152,6 +168,10 @@ class Closing(Message, frozen=True):
             "head of the hash chain over all messages and the footer's other fields; empty in earlier versions' files"
         ),
     ] = ""
+    delays: Annotated[
+        Delays | None,
+        field_meta("number of late steps, greatest delay and lost time of a run in real time; otherwise null"),
+    ] = None
 
 
 CHANNELS: dict[str, tuple[type[Message], str]] = {
@@ -161,6 +181,7 @@ CHANNELS: dict[str, tuple[type[Message], str]] = {
     "/notes": (Note, "when the station logs a line"),
     "/controllers": (ControllersRecord, "when manual control begins, and when devices or mappings change"),
     "/shown": (Shown, "when a monitor changes its camera"),
+    "/delays": (DelayRecord, "when a step of a run in real time begins late"),
     "/light": (LightRecord, "at the first step, and when the lighting changes"),
     "/closing": (Closing, "once, as the last message of the recording"),
 }

@@ -14,6 +14,7 @@ from aftdeck.recording.apart import Apart
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.check import ChannelChange, Check
 from aftdeck.recording.compare import Difference, FieldChange
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.environment import Environment, environment, machine
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
@@ -79,6 +80,8 @@ class Verdict(msgspec.Struct, frozen=True):
 
     Empty for a file of an earlier version, which has no `Environment`.
     """
+    delays: Delays | None
+    """Delays of the recorded steps, and lost time; None if the recording does not tell them (`Recording.delays`)."""
 
 
 def verify(
@@ -153,6 +156,7 @@ def _verdict(recording: Recording, check: Check, listed: str) -> Verdict:
         same_laws=opening.laws == state_of_the_laws(),
         same_machine=opening.environment == here if opening.environment else opening.machine == machine(),
         environment=_differing(opening.environment, here) if opening.environment else (),
+        delays=recording.delays,
     )
 
 

@@ -70,17 +70,29 @@ class SessionRecorder:
         try:
             path = self._folder and _free_name(self._folder, scenario.name)
             self._recorder = Recorder(
-                path, scenario, seed, trial=self._trial, live=self._live, index=self._index, after=before
+                path,
+                scenario,
+                seed,
+                trial=self._trial,
+                live=self._live,
+                index=self._index,
+                after=before,
+                real_time=True,
             )
         except RecordingError as error:
             self._report(f"the run is not recorded: {error}")
             if self._live is not None:
-                self._recorder = Recorder(None, scenario, seed, live=self._live, after=before)
+                self._recorder = Recorder(None, scenario, seed, live=self._live, after=before, real_time=True)
 
     def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None) -> None:
         """Record a step of the run."""
         if self._recorder is not None:
             self._recorder.step(inputs, frame, latency_ms)
+
+    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float) -> None:
+        """Record a late step (`Recorder.delay`)."""
+        if self._recorder is not None:
+            self._recorder.delay(tick, time_s, late_s, lost_s)
 
     def note(self, event: Event) -> None:
         """Record a log line of the station."""

@@ -24,6 +24,7 @@ from aftdeck.recording.chain import Chain
 from aftdeck.recording.channels import DECLARED, Channels
 from aftdeck.recording.codec import encode
 from aftdeck.recording.convert import frame_record, input_record, light_record
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.records import (
@@ -32,6 +33,7 @@ from aftdeck.recording.records import (
     Closing,
     ControllerRecord,
     ControllersRecord,
+    DelayRecord,
     LightRecord,
     Note,
     Shown,
@@ -73,7 +75,7 @@ class _End(NamedTuple):
 
 _CHANNEL = {kind: topic for topic, (kind, _) in CHANNELS.items()}
 """Channel of each type of message."""
-_Ready = ControllersRecord | Shown | LightRecord
+_Ready = ControllersRecord | Shown | LightRecord | DelayRecord
 """Types of the messages that are queued in their final form and that `Viewing` does not use."""
 
 
@@ -86,6 +88,7 @@ class Recorder:
         unlisted: reason why the file is not in the list of recordings, in a sentence; empty if no error occurred.
         steps: number of steps recorded so far.
         chain: head of the hash chain over the file's messages; empty until the footer is written.
+        delays: delays of the steps written so far; None if the run is not in real time.
     """
 
     def __init__(
@@ -99,6 +102,7 @@ class Recorder:
         live: Live | None = None,
         index: Index | None = None,
         after: Recorder | None = None,
+        real_time: bool = False,
     ) -> None:
         """Begin the recording.
 
@@ -111,6 +115,7 @@ class Recorder:
             live: server for viewers; it continues after the run.
             index: list of recordings to which the file is added.
             after: recorder of the previous run; this recorder writes only after `after` has finished.
+            real_time: whether the steps are due at times of the wall clock; late steps are then recorded.
 
         Raises:
             RecordingError: the file exists already or cannot be written.
@@ -123,9 +128,10 @@ class Recorder:
         self._sink = Sink(path) if path else None
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
-        self._opening = opening(scenario, seed, self._began_ns, changes, trial)
+        self._opening = opening(scenario, seed, self._began_ns, changes, trial, real_time=real_time)
         self._waiting: deque[_Step | Note | _Ready | _End] = deque()
         self._over = threading.Event()
+        self.delays: Delays | None = None
         self._live = live
         self._scenario = scenario
         self._ended = False
@@ -145,6 +151,19 @@ class Recorder:
         self.steps += 1
         if len(self._waiting) > MAX_WAITING:
             self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
+
+    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float) -> None:
+        """Record a step that begins late.
+
+        Args:
+            tick: number of the step.
+            time_s: simulated time at which the step begins [s].
+            late_s: delay of the step [s].
+            lost_s: part of the delay that is not made up [s].
+        """
+        if not self.failure:
+            wall = round(time.perf_counter() - self._began, 6)
+            self._waiting.append(DelayRecord(tick, time_s, round(late_s, 6), round(lost_s, 6), wall))
 
     def note(self, event: Event) -> None:
         """Record a log line of the station."""
@@ -224,7 +243,7 @@ class Recorder:
                 if self._sink.error:
                     self._fail(self._sink.error)
             listing.join()
-            self._list(lambda index, path: index.end(path, ended, time_s, self.chain))
+            self._list(lambda index, path: index.end(path, ended, time_s, self.chain, self.delays))
 
     def _list(self, update: Callable[[Index, Path], None]) -> None:
         try:
@@ -254,6 +273,7 @@ class Recorder:
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
+        delays = self.delays = Delays() if self._opening.real_time else None
         item: _Step | Note | _Ready | _End | None = None
         while not isinstance(item, _End):
             if not self._waiting:
@@ -271,6 +291,8 @@ class Recorder:
                 view.line(item, now)
             elif isinstance(item, _Ready):
                 log(_CHANNEL[type(item)], encode(item), now)
+                if isinstance(item, DelayRecord) and delays is not None:
+                    delays = self.delays = delays.after(item.time_s, item.late_s, item.lost_s)
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()
@@ -278,7 +300,7 @@ class Recorder:
             if self.failure or (self._sink is not None and self._sink.error):
                 return "cut", time_s
         summary = msgspec.json.encode(item.summary).decode() if item.summary else ""
-        closing = Closing(item.ended, ticks, frames.hexdigest(), summary)
+        closing = Closing(item.ended, ticks, frames.hexdigest(), summary, delays=delays)
         chain.add(DECLARED["/closing"], now, now, encode(closing))
         self.chain = chain.head()
         channels.log("/closing", encode(msgspec.structs.replace(closing, chain=self.chain)), now)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 import msgspec
 
 from aftdeck.kinematics.singular import NAMES
+from aftdeck.recording.delays import Delays
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import PAST_REACH, PAST_SOFT, Frame, Level
 from aftdeck.simulation.log import joint_label
@@ -74,11 +75,15 @@ LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
     "RELEASE": _release,
 }
 """Condition of each lamp that a frame can light. The page adds lamps of its own, and arranges all of them."""
+TIME_LOST = "TIME LOST"
+"""Lamp that is lit by lost time, from the loss to the end of the run."""
+NEW_LOSS_S = 10.0
+"""Simulated time after a loss for which TIME LOST is a caution [s]; after it, its level is info."""
 
 if TYPE_CHECKING:
     FlightLamp = str
 else:
-    FlightLamp = Literal[tuple(LAMPS)]  # type of all lamp names, for `station/messages/typescript.py`
+    FlightLamp = Literal[(*LAMPS, TIME_LOST)]  # type of all lamp names, for `station/messages/typescript.py`
 
 
 class Lamp(msgspec.Struct, frozen=True, gc=False):
@@ -90,10 +95,20 @@ class Lamp(msgspec.Struct, frozen=True, gc=False):
     """Cause, such as ``elbow 0.12`` for SINGULAR."""
 
 
-def lit_lamps(scenario: Scenario, frame: Frame) -> tuple[Lamp, ...]:
-    """Return the lit lamps, each with its cause."""
+def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) -> tuple[Lamp, ...]:
+    """Return the lit lamps, each with its cause.
+
+    Args:
+        scenario: the scenario of the run.
+        frame: the frame.
+        delays: delays of the steps up to this frame; None if they are not known.
+    """
     states = ((name, condition(scenario, frame)) for name, condition in LAMPS.items())
-    return tuple(Lamp(name, *lit) for name, lit in states if lit is not None)
+    lit = tuple(Lamp(name, *lit) for name, lit in states if lit is not None)
+    if delays is None or delays.lost_at_s is None:
+        return lit
+    level: Level = "caution" if frame.time_s - delays.lost_at_s < NEW_LOSS_S else "info"
+    return (*lit, Lamp(TIME_LOST, level, delays.text()))
 
 
 def _joints_beyond(scenario: Scenario, frame: Frame, zone: int) -> Lit | None:

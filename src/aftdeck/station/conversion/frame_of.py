@@ -9,6 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
+from aftdeck.recording.delays import Delays
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
@@ -61,6 +62,7 @@ class Displays:
         ahead: Ahead | None = None,
         lighting: Lighting | None = None,
         flown_seq: int = -1,
+        delays: Delays | None = None,
     ) -> Frame:
         """Return a frame as a message to a page. If `lighting` is None, the message has the scenario's lighting."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
@@ -83,7 +85,7 @@ class Displays:
             else _vec3(to_fixture @ control),
             orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
-            lamps=lit_lamps(self._scenario, frame),
+            lamps=lit_lamps(self._scenario, frame, delays),
             gap=None if work.nearest is None else self._gap(work.nearest),
             contacts=tuple([self._gap(near) for near in work.contacts]),
             ahead=ahead,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.lamps import Lamp
@@ -95,13 +96,14 @@ class RunMetrics:
                 self._reversals[i] += sign == -self._signs[i]
                 self._signs[i] = sign
 
-    def measures(self, ended: str) -> tuple[Measure, ...]:
+    def measures(self, ended: str, delays: Delays | None = None) -> tuple[Measure, ...]:
         """Return all values for which the run has data.
 
         The distance to a target is one of them only if the last frame has a target.
 
         Args:
             ended: reason for the end of the run; empty for a recording that was cut short.
+            delays: delays of the steps; None if the recording does not tell them.
         """
         frame = self._last
         assert frame is not None, "PlaybackStore rejects a recording without a frame"
@@ -111,6 +113,8 @@ class RunMetrics:
             Measure("Ended", "words", None, ended or "cut short", "Reason for the end of the run."),
             _figure("Manual share", "share", self._manual / self._ticks, "Share of the run's time with manual inputs."),
         ]
+        if delays is not None:
+            figures.append(_delay_figure(delays))
         if self._used:
             about = "; ".join(_controller_text(used) for used in self._used.values())
             figures.append(Measure("Controllers", "words", None, ", ".join(self._used), f"Last settings: {about}."))
@@ -195,6 +199,14 @@ class RunMetrics:
 
 def _figure(name: str, quantity: Quantity, value: float, about: str) -> Measure:
     return Measure(name, quantity, value, "", about)
+
+
+def _delay_figure(delays: Delays) -> Measure:
+    about = (
+        "Time that the station did not make up, late steps (more than one control period after they were due), and the "
+        "greatest delay."
+    )
+    return Measure("Time lost", "words", None, delays.text(), about, level="caution" if delays.lost_s else "info")
 
 
 def _worse(*levels: Level) -> Level:

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import zlib
 from bisect import bisect
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from tempfile import TemporaryFile, gettempdir
 from threading import Lock
 from types import TracebackType
+from typing import TypeVar
 
 import msgspec
 from msgspec.structs import replace
@@ -22,8 +23,9 @@ from msgspec.structs import replace
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.convert import lighting_of
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import ControllersRecord, FrameRecord, LightRecord, Note, Shown
+from aftdeck.recording.records import ControllersRecord, DelayRecord, FrameRecord, LightRecord, Note, Shown
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.frame import Event
 from aftdeck.station.conversion.frame_of import Displays
@@ -39,6 +41,7 @@ _QUICK = 1
 """Compression level of the temporary file."""
 
 _encoder = msgspec.msgpack.Encoder()
+_T = TypeVar("_T")
 _records = msgspec.msgpack.Decoder(tuple[FrameRecord, ...])
 
 
@@ -52,6 +55,7 @@ class PlaybackStore:
             RecordingError: the file is not a recording, is damaged or has no step; or its frames cannot be stored.
         """
         recording = Recording(path)
+        self._delays: list[tuple[int, Delays | None]] = [(0, recording.delays)]
         self._ends, self._lock = [0], Lock()
         with ExitStack() as opened:
             self._file = opened.enter_context(TemporaryFile(prefix="aftdeck-"))
@@ -135,8 +139,10 @@ class PlaybackStore:
                 measures.shown(monitors)
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
+            elif isinstance(message, DelayRecord):
+                self._delays.append((message.tick, recording.delays))
             elif isinstance(message, FrameRecord):
-                lit = lit_lamps(self._scenario, message)
+                lit = lit_lamps(self._scenario, message, recording.delays)
                 lanes.add(message, lit)
                 strips.add(self._readings(message, message.latency_ms))
                 measures.add(message, lit)
@@ -169,7 +175,7 @@ class PlaybackStore:
             lanes=lanes.lanes(),
             pictures=tuple(pictures),
             strips=strips.strips(),
-            measures=measures.measures(recording.ended),
+            measures=measures.measures(recording.ended, recording.delays),
         )
 
     def _pack(self, records: list[FrameRecord]) -> None:
@@ -190,11 +196,14 @@ class PlaybackStore:
 
     def _moment(self, record: FrameRecord) -> Moment:
         return Moment(
-            self._displays.frame(record, -1, lighting=self._lighting(record.tick)),
+            self._displays.frame(
+                record, -1, lighting=_at(self._lights, record.tick), delays=_at(self._delays, record.tick)
+            ),
             self._readings(record, record.latency_ms),
             worst_joint(record, self._scenario),
         )
 
-    def _lighting(self, tick: int) -> Lighting:
-        """Return the lighting in a step."""
-        return self._lights[bisect(self._lights, tick, key=lambda light: light[0]) - 1][1]
+
+def _at(changes: Sequence[tuple[int, _T]], tick: int) -> _T:
+    """Return the value in a step, from a list of changes: the step from which on a value holds, and the value."""
+    return changes[bisect(changes, tick, key=lambda change: change[0]) - 1][1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 from collections.abc import AsyncIterator, Callable
 from pathlib import Path
@@ -10,16 +11,26 @@ from starlette.applications import Starlette
 from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
-from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from aftdeck.station.built import STATIC
 from aftdeck.station.server.access import LOCAL, Access
+from aftdeck.station.server.allowance import Allowance
+from aftdeck.station.server.files import PageFiles
 from aftdeck.station.server.own import MAY_FLY, keep_to_own
 from aftdeck.station.server.page import Page, receive_hello
 from aftdeck.station.server.recorded import Recordings
+from aftdeck.station.server.terse_log import log
 from aftdeck.station.server.waiting import Waiting
 from aftdeck.station.session.preparation import Preparation
+
+CONNECTIONS_PER_SECOND, CONNECTIONS_AT_ONCE = 20.0, 64.0
+"""Pages that connect per second over a long time, and at once; others wait, at most `LONGEST_WAIT`.
+
+A page that connects again as soon as it is closed would otherwise keep the server busy with welcomes.
+"""
+LONGEST_WAIT = 2.0
+"""Longest time for which a page waits before it is connected [s]."""
 
 
 def make_app(
@@ -51,9 +62,14 @@ def make_app(
             if waiting.pages:
                 await waiting.pages.close()
             if recordings:
-                recordings.close()
+                await recordings.close()
+
+    connections = Allowance(CONNECTIONS_PER_SECOND, CONNECTIONS_AT_ONCE)
 
     async def connect(socket: WebSocket) -> None:
+        if wait := connections.turn(LONGEST_WAIT):
+            log.warning("more than %g pages a second connect: they wait", CONNECTIONS_PER_SECOND)
+            await asyncio.sleep(wait)
         await socket.accept()
         with contextlib.suppress(WebSocketDisconnect):
             if (hello := await receive_hello(socket)) and (pages := await waiting.until_ready(socket)):
@@ -66,5 +82,5 @@ def make_app(
     if recordings:
         routes += recordings.routes()
     if (STATIC / "index.html").is_file():
-        routes.append(Mount("/", StaticFiles(directory=STATIC, html=True)))
+        routes.append(Mount("/", PageFiles(directory=STATIC, html=True)))
     return keep_to_own(Starlette(routes=routes, lifespan=lifespan), access)

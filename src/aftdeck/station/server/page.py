@@ -7,11 +7,14 @@ import contextlib
 from collections import deque
 
 import msgspec
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
 from aftdeck.errors import CommandError, InputError
 from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.server import guard
+from aftdeck.station.server.allowance import Allowance
 from aftdeck.station.server.pages import Pages
+from aftdeck.station.server.terse_log import log
 from aftdeck.station.session.driver import Phase
 from aftdeck.station.session.recent import Mark
 
@@ -25,6 +28,13 @@ NOT_IN_CONTROL = "this page observes; only the page in control can send commands
 """Reason for rejecting a command of an observer or of a secondary window."""
 MAX_REJECTIONS = 20
 """Number of consecutive rejected messages after which the connection is closed."""
+REJECTIONS_PER_SECOND, REJECTIONS_AT_ONCE = 10.0, 100.0
+"""Rejected messages per second over a long time, and at once, beyond which the connection is closed.
+
+A page that loses control may have sent the sticks of a second before it learns so.
+"""
+ROLES_PER_SECOND, ROLES_AT_ONCE = 1.0, 20.0
+"""Messages about roles and names per second over a long time, and at once: each is reported to all pages."""
 MAX_REASON_LENGTH = 123
 """Longest reason in a WebSocket's close frame [bytes]; RFC 6455, 5.5."""
 
@@ -42,14 +52,33 @@ _ACCEPTED_DURING_CHANGE = (
 )
 """Messages accepted during a change of the scenario: none of them moves the arm."""
 
+_ABOUT_ROLES = from_page.AskSticks | from_page.SetName | from_page.LeaveSeat | from_page.TakeSeat
+TOO_OFTEN = f"at most {ROLES_PER_SECOND:g} request for the sticks or new name a second is allowed; wait a moment"
+"""Reason for rejecting a message about roles."""
+
 _encoder = msgspec.json.Encoder()
 _hello = msgspec.json.Decoder(from_page.Hello)
 _messages: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
 
 
 async def send(socket: WebSocket, message: to_page.FromServer) -> None:
-    """Send a message to a page."""
-    await socket.send_text(_encoder.encode(message).decode())
+    """Send a message to a page.
+
+    Raises:
+        WebSocketDisconnect: the connection is closed.
+    """
+    await send_text(socket, _encoder.encode(message))
+
+
+async def send_text(socket: WebSocket, encoded: bytes) -> None:
+    """Send an encoded message to a page.
+
+    Raises:
+        WebSocketDisconnect: the connection is closed.
+    """
+    if socket.application_state is WebSocketState.DISCONNECTED:
+        raise WebSocketDisconnect(1006)
+    await socket.send_text(encoded.decode())
 
 
 async def goodbye(socket: WebSocket, text: str) -> None:
@@ -80,6 +109,7 @@ class Page:
 
     Attributes:
         answers: messages that `Pages` has queued for this page; the sender task of this page sends them.
+        why_closed: why the server closes the connection, after `guard.PENALTY`; empty while it does not.
     """
 
     def __init__(self, pages: Pages, socket: WebSocket, hello: from_page.Hello, *, may_fly: bool) -> None:
@@ -87,7 +117,10 @@ class Page:
         self.welcomed, self.shows, self.strips = pages.session, hello.shows, hello.strips
         self.seq = -1
         self.rejections = 0
+        self.why_closed = ""
         self.answers: deque[to_page.Refused] = deque()
+        self._may_be_rejected = Allowance(REJECTIONS_PER_SECOND, REJECTIONS_AT_ONCE)
+        self._may_change_roles = Allowance(ROLES_PER_SECOND, ROLES_AT_ONCE)
 
     async def serve(self) -> None:
         """Send the welcome, then receive and send messages until one side disconnects."""
@@ -105,6 +138,10 @@ class Page:
                 await sender
             self.pages.leave(self)
             self.pages.wake()
+        if self.why_closed:
+            log.warning("a page is not read for %g s: %s", guard.PENALTY, self.why_closed)
+            await asyncio.sleep(guard.PENALTY)
+            await goodbye(self.socket, f"{self.why_closed}: the connection is closed")
 
     async def _send(self, message: to_page.FromServer) -> None:
         await send(self.socket, message)
@@ -112,7 +149,7 @@ class Page:
     # --- from the page ------------------------------------------------------------------------------------
 
     async def _receive(self) -> None:
-        while self.rejections < MAX_REJECTIONS:
+        while not self.why_closed:
             message = await self.socket.receive()
             if message["type"] == "websocket.disconnect":
                 return
@@ -121,7 +158,7 @@ class Page:
                 await self.reject(-1, "got a binary message; messages must be JSON text")
                 continue
             await self._handle(text)
-        await goodbye(self.socket, f"{MAX_REJECTIONS} consecutive messages were rejected: the connection is closed")
+            await asyncio.sleep(0)  # other pages come between two messages of this page
 
     async def _handle(self, text: str) -> None:
         try:
@@ -133,6 +170,11 @@ class Page:
                 message.seq, f"message {message.seq} rejected: its number must be greater than {self.seq}"
             )
         self.seq = message.seq
+        if isinstance(message, _ABOUT_ROLES) and not self._may_change_roles.take():
+            if isinstance(message, from_page.LeaveSeat | from_page.TakeSeat):
+                self.why_closed = "the page has left and taken its seat too often"  # it says at its next start which
+                return None
+            return await self.reject(message.seq, TOO_OFTEN, counts=False)
         if isinstance(message, from_page.LeaveSeat | from_page.TakeSeat):
             return self.pages.reseat(self, seated=isinstance(message, from_page.TakeSeat))
         if isinstance(message, from_page.AskSticks | from_page.SetName) and not self.shows:
@@ -177,6 +219,10 @@ class Page:
     async def reject(self, seq: int, text: str, *, counts: bool = True) -> None:
         """Report a rejected message to the page; `counts`: whether the rejection counts towards `MAX_REJECTIONS`."""
         self.rejections += counts
+        if self.rejections >= MAX_REJECTIONS:
+            self.why_closed = f"{MAX_REJECTIONS} consecutive messages were rejected"
+        elif not self._may_be_rejected.take():
+            self.why_closed = f"more than {REJECTIONS_PER_SECOND:g} messages a second were rejected"
         await self._send(to_page.Refused(seq, text))
 
     # --- to the page --------------------------------------------------------------------------------------
@@ -212,7 +258,7 @@ class Page:
                 await self._send(message)
             if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame
-                await self.socket.send_text(frame.decode())
+                await send_text(self.socket, frame)
             if (driver := self.pages.driver).phase is Phase.FAILED:
                 await goodbye(self.socket, driver.failure)
                 return

@@ -10,10 +10,11 @@ from starlette.applications import Starlette
 
 from aftdeck.lines import print_line
 from aftdeck.station.built import built_page
+from aftdeck.station.playback.answers import Answers
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.access import LOCAL, Access, access_of
 from aftdeck.station.server.own import keep_to_own
-from aftdeck.station.server.player import Player
+from aftdeck.station.server.player import PlayedHere, Player
 from aftdeck.station.server.serve import addresses_of, listen, make_server, run_server
 
 LARGE = 10_000_000
@@ -41,11 +42,12 @@ def serve_recording(path: Path, *, host: str, port: int, names: tuple[str, ...] 
 
 def replay_app(store: PlaybackStore, path: Path, access: Access = LOCAL) -> Starlette:
     """Return the web app that serves a recording."""
-    player = Player(store, path)
+    answers = Answers(store, path)
+    player = Player(PlayedHere(answers))
 
     @contextlib.asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
-        player.check()
+        answers.check()
         yield
 
     return keep_to_own(Starlette(routes=player.routes(), lifespan=lifespan), access)

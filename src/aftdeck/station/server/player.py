@@ -2,41 +2,55 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from threading import Thread
+from typing import Protocol
 
-import msgspec
+from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route
-from starlette.staticfiles import StaticFiles
 
+from aftdeck.errors import RecordingError
 from aftdeck.station.built import STATIC, built_page
-from aftdeck.station.playback.store import PlaybackStore
-from aftdeck.station.playback.verdict import CHECKING, verdict
+from aftdeck.station.playback.answers import INDEX, VERDICT, Answers
+from aftdeck.station.server.files import PageFiles
 
 RECORDING_META = '<meta name="recording" content="recording/" />'
 """HTML element that makes the page play a recording; its content is the path of the recording."""
 STATION_META = '<meta name="flying" content="../../" />'
 """HTML element whose content is the path from a recording's page back to the station."""
+MAX_DIGITS = 9
+"""Maximum number of digits in the number of a block."""
+
+
+class Played(Protocol):
+    """Recording that can be asked for its data."""
+
+    async def ask(self, request: str) -> bytes:
+        """Return the answer to a request of `playback/answers.py`.
+
+        Raises:
+            IndexError: the block does not exist.
+            RecordingError: the recording was closed.
+        """
+
+
+class PlayedHere:
+    """Recording that was read in this process."""
+
+    def __init__(self, answers: Answers) -> None:
+        self._answers = answers
+
+    async def ask(self, request: str) -> bytes:
+        """Return the answer to a request; see `Played`."""
+        return await run_in_threadpool(self._answers.answer, request)
 
 
 class Player:
     """Web routes for the playback of one recording."""
 
-    def __init__(self, store: PlaybackStore, path: Path, head: str = RECORDING_META) -> None:
-        """Serve the recording `store` of the file `path`; `head`: HTML elements added to the page's head."""
-        self._store, self._path, self._head = store, path, head
-        self._result = CHECKING
-        self._encode = msgspec.json.Encoder().encode
-
-    def check(self) -> None:
-        """Start the verification of the recording in a daemon thread, which does not delay the end of the server."""
-        Thread(target=self._check, name="verification", daemon=True).start()
-
-    def close(self) -> None:
-        """Close the recording."""
-        self._store.close()
+    def __init__(self, played: Played, head: str = RECORDING_META) -> None:
+        """Serve a recording; `head`: HTML elements added to the page's head."""
+        self._played, self._head = played, head
 
     def routes(self) -> list[BaseRoute]:
         """Return the routes that serve the built page, the recording's index and blocks, and the verdict."""
@@ -44,29 +58,30 @@ class Player:
             Route("/", self._page),
             Route("/index.html", self._page),
             Route("/recording/index.json", self._index),
-            Route("/recording/blocks/{number:int}", self._block),
+            Route("/recording/blocks/{number}", self._block),
             Route("/recording/verdict.json", self._verdict),
-            Mount("/", StaticFiles(directory=STATIC)),
+            Mount("/", PageFiles(directory=STATIC)),
         ]
-
-    def _check(self) -> None:
-        self._result = verdict(self._path)
 
     def _page(self, _: Request) -> Response:
         return HTMLResponse(built_page().replace("</head>", f"{self._head}\n</head>", 1))
 
-    def _index(self, _: Request) -> Response:
-        return _json(self._encode(self._store.index(self._result)))
+    async def _index(self, _: Request) -> Response:
+        return await self._answer(INDEX)
 
-    def _block(self, request: Request) -> Response:
+    async def _verdict(self, _: Request) -> Response:
+        return await self._answer(VERDICT)
+
+    async def _block(self, request: Request) -> Response:
+        number = request.path_params["number"]
+        if not (number.isascii() and number.isdecimal() and len(number) <= MAX_DIGITS):
+            text = f"the number of a block has 1 to {MAX_DIGITS} decimal digits, got {number[:MAX_DIGITS]!r}\n"
+            return PlainTextResponse(text, 404)
+        return await self._answer(number)
+
+    async def _answer(self, request: str) -> Response:
         try:
-            return _json(self._encode(self._store.block(request.path_params["number"])))
-        except IndexError as error:
+            body = await self._played.ask(request)
+        except (IndexError, RecordingError) as error:
             return PlainTextResponse(f"{error}\n", 404)
-
-    def _verdict(self, _: Request) -> Response:
-        return _json(self._encode(self._result))
-
-
-def _json(body: bytes) -> Response:
-    return Response(body, media_type="application/json", headers={"Cache-Control": "no-store"})
+        return Response(body, media_type="application/json", headers={"Cache-Control": "no-store"})

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
-from threading import Lock
+from typing import NamedTuple
 
 import msgspec
-from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, Router
@@ -16,7 +16,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from aftdeck.errors import RecordingError
 from aftdeck.station.messages.playback import Recorded
-from aftdeck.station.playback.store import PlaybackStore
+from aftdeck.station.server.playback_process import PlaybackProcess
 from aftdeck.station.server.player import RECORDING_META, STATION_META, Player
 
 MAX_LISTED = 50
@@ -25,14 +25,30 @@ MAX_OPEN = 3
 """Maximum number of open recordings. Before another one is opened, the one that was opened first is closed."""
 
 
+class _Opened(NamedTuple):
+    """Recording that a page has opened.
+
+    Attributes:
+        size: size of the file when the process began to read it [bytes].
+        process: process that reads the recording.
+        router: routes that play it.
+        ready: task that ends when the recording is read.
+    """
+
+    size: int
+    process: PlaybackProcess
+    router: Router
+    ready: asyncio.Task[None]
+
+
 class Recordings:
     """Recordings in the folder of a station."""
 
     def __init__(self, folder: Path, present: Callable[[], Path | None]) -> None:
         """Serve `folder`; `present` returns the file of the present run, or None if this run is not recorded."""
         self._folder, self._present = folder, present
-        self._open: dict[tuple[str, int], tuple[Player, Router]] = {}
-        self._lock = Lock()
+        self._open: dict[str, _Opened] = {}
+        self._lock = asyncio.Lock()
 
     def routes(self) -> list[BaseRoute]:
         """Return the routes that serve the list of recordings and the playback pages."""
@@ -53,12 +69,16 @@ class Recordings:
             for changed, path in files[:MAX_LISTED]
         )
 
-    def close(self) -> None:
+    async def close(self) -> None:
         """Close all recordings."""
-        with self._lock:
-            for player, _ in self._open.values():
-                player.close()
-            self._open.clear()
+        async with self._lock:
+            for file in list(self._open):
+                await self._close(file)
+
+    async def _close(self, file: str) -> None:
+        opened = self._open.pop(file)
+        await opened.process.close()
+        await asyncio.gather(opened.ready, return_exceptions=True)
 
     def _listed(self, _: Request) -> Response:
         body = msgspec.json.encode(self.listed())
@@ -68,13 +88,15 @@ class Recordings:
         file = str(scope["path_params"]["file"])
         app: ASGIApp
         try:
-            app = await run_in_threadpool(self._router, file, fresh=scope["path"].endswith("/recording/index.json"))
-        except (OSError, RecordingError) as error:
+            app = await self._router(file, fresh=scope["path"].endswith("/recording/index.json"))
+        except (OSError, ValueError, RecordingError) as error:
             app = PlainTextResponse(f"{file} cannot be played: {error}\n", 404)
+        except asyncio.CancelledError:  # the server ends while the recording is read
+            app = PlainTextResponse("the station has ended\n", 503)
         await app(scope, receive, send)
 
-    def _router(self, file: str, *, fresh: bool) -> Router:
-        """Return the router that plays a recording.
+    async def _router(self, file: str, *, fresh: bool) -> Router:
+        """Return the router that plays a recording, when the recording is read.
 
         Args:
             file: name of the recording's file.
@@ -83,19 +105,27 @@ class Recordings:
         Raises:
             RecordingError: the recording cannot be played.
             OSError: the file does not exist.
+            ValueError: the name contains a character that no file's name can contain.
         """
         path = self._folder / file
         if path.name != file or path.suffix != ".mcap":
             raise RecordingError("it is not a recording in this station's folder")
-        with self._lock:
+        async with self._lock:
             size = path.stat().st_size
-            known = [key for key in self._open if key[0] == file]
-            if known and (not fresh or known[-1][1] == size):
-                return self._open[known[-1]][1]
-            player = Player(PlaybackStore(path), path, f"{RECORDING_META}\n{STATION_META}")
-            for key in [*known, *list(self._open)[: max(0, len(self._open) + 1 - MAX_OPEN)]]:
-                if key in self._open:
-                    self._open.pop(key)[0].close()
-            self._open[file, size] = player, Router(routes=player.routes())
-            player.check()
-            return self._open[file, size][1]
+            opened = self._open.get(file)
+            if opened is None or (fresh and (opened.size != size or opened.process.ended)):
+                opened = await self._start(path, size)
+        await asyncio.shield(opened.ready)
+        return opened.router
+
+    async def _start(self, path: Path, size: int) -> _Opened:
+        """Begin to read a recording; close an older state of it, and the recordings beyond `MAX_OPEN`."""
+        others = [file for file in self._open if file != path.name]
+        for file in [*others[: max(0, len(others) + 1 - MAX_OPEN)], path.name]:
+            if file in self._open:
+                await self._close(file)
+        process = await PlaybackProcess.start(path)
+        router = Router(routes=Player(process, f"{RECORDING_META}\n{STATION_META}").routes())
+        opened = _Opened(size, process, router, asyncio.create_task(process.ready()))
+        self._open[path.name] = opened
+        return opened

@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 import errno
 import socket
+import sys
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
@@ -22,10 +23,14 @@ from aftdeck.station.built import StationError, built_page
 from aftdeck.station.messages.kinds import MAX_MESSAGE_BYTES
 from aftdeck.station.server.access import Access, access_of, shown_host
 from aftdeck.station.server.app import make_app
+from aftdeck.station.server.guard import BACKLOG, MAX_REQUEST, GuardedHttp, GuardedSocket
+from aftdeck.station.server.terse_log import install
 from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 
 LAST_PORT = 65535
+SWITCH_S = 0.0005
+"""Time after which a busy thread gives way to a waiting one [s]; Python's 5 ms would delay the control steps."""
 _PURPOSE = {"fly": ", to fly", "watch": ", to observe"}
 COMPILING = "Compiling the steering laws, on the first start only: about half a minute."
 FAREWELL = 3.0
@@ -95,6 +100,7 @@ def serve(
         asyncio.get_running_loop().call_later(FAREWELL if open_browser else 0.0, stop)
 
     preparation = Preparation(make)
+    sys.setswitchinterval(SWITCH_S)
     server = make_server(make_app(preparation, access, record, failed))
     run_server(server, listener, addresses[0][1] if open_browser else None)
     if live is not None:
@@ -118,12 +124,17 @@ def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | No
 
 
 def make_server(app: Starlette) -> uvicorn.Server:
-    """Return the web server of an app, with a limit on the length of a page's messages."""
+    """Return the web server of an app, with the limits of `guard.py`."""
+    install()
     return uvicorn.Server(
         uvicorn.Config(
             app,
-            log_level="warning",
-            ws="websockets-sansio",
+            log_config=None,
+            access_log=False,
+            http=GuardedHttp,
+            h11_max_incomplete_event_size=MAX_REQUEST,
+            backlog=BACKLOG,
+            ws=GuardedSocket,
             ws_max_size=MAX_MESSAGE_BYTES,
             ws_per_message_deflate=False,
             timeout_graceful_shutdown=2,

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
 from collections.abc import Callable
 from enum import Enum
 
+from aftdeck.station.session.pace import Pace
 from aftdeck.station.session.session import Session
 
-MAX_CATCH_UP = 0.25
-"""Largest delay for which the driver makes up [s]; a larger delay postpones all following steps."""
 MAX_JOIN = 5.0
 """Longest wait for the end of the thread [s]."""
 
@@ -33,10 +33,12 @@ class Driver:
         failure: reason for a failure, in a sentence; empty if no failure occurred.
     """
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, clock: Callable[[], float] = time.perf_counter) -> None:
+        """Prepare the thread; `clock` returns the time [s]."""
         self.session = session
         self.phase = Phase.READY
         self.failure = ""
+        self._clock = clock
         self._notify: Callable[[], None] = lambda: None
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run, name="simulation", daemon=True)
@@ -57,19 +59,27 @@ class Driver:
 
     def _run(self) -> None:
         try:
+            _spare_the_collector()
             self.session.begin()
-            due = time.perf_counter()
+            pace = Pace(self.session.scenario.control_period, self._clock)
             while not self._stop.is_set():
-                self.session.step()
+                if self.session.step(pace.step()):
+                    pace.begin()
                 self._notify()
-                due += self.session.scenario.control_period
-                late = time.perf_counter() - due
-                if late > MAX_CATCH_UP:
-                    due += late
-                elif late < 0.0:
-                    self._stop.wait(-late)
+                if wait := pace.wait():
+                    self._stop.wait(wait)
         except Exception as error:  # any error must reach the pages
             self.failure = f"the simulation stopped at {self.session.time_s:.2f} s: {error}"
             self.phase = Phase.FAILED
             self._notify()
             raise
+
+
+def _spare_the_collector() -> None:
+    """Exempt all present objects from garbage collection: to visit them once takes as long as several steps.
+
+    Objects that an earlier session has left are collected first.
+    """
+    gc.unfreeze()
+    gc.collect()
+    gc.freeze()

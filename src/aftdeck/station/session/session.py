@@ -6,6 +6,8 @@ threads may call the methods for pages.
 
 from __future__ import annotations
 
+import math
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -14,6 +16,7 @@ from pathlib import Path
 import msgspec
 
 from aftdeck.errors import CommandError
+from aftdeck.recording.delays import Delays
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.session_recorder import SessionRecorder
@@ -40,6 +43,7 @@ from aftdeck.station.session.commands import (
     travel,
 )
 from aftdeck.station.session.log import Log
+from aftdeck.station.session.pace import PUNCTUAL, Delay
 from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
@@ -52,6 +56,9 @@ LOOK_S = 5.0
 MOVED = 1e-3
 """Stick deflection above which the operator takes control from the demonstration's script."""
 
+LOSS_LOGGED_EVERY = 10.0
+"""Least time from one log line about lost time to the next [s]."""
+
 _encoder = msgspec.json.Encoder()
 
 
@@ -63,6 +70,7 @@ class Session:
         welcome: first message to a new page.
         recent: the last minutes of the present run.
         log: events of all runs of the session.
+        delays: delays of the control steps of the present run.
         newest: newest frame, encoded as JSON; empty before the first step.
     """
 
@@ -109,6 +117,9 @@ class Session:
         """Create the simulation of a new run, and delete all data of the previous run."""
         self._sim = Simulation(self.scenario, self._seed)
         self.recent = RecentRun(self.scenario)
+        self.delays = Delays()
+        self._lost_logged = 0.0
+        self._log_loss_from = -math.inf
         self._demo = self._start_demo
         self._ahead: Ahead | None = None
         self._axis: Axis | None = None
@@ -225,16 +236,31 @@ class Session:
         self._recorder.begin(self.scenario, self._sim.seed)
 
     def close(self) -> None:
-        """Finish the recording."""
+        """Finish the recording; if the run has lost time, print how much."""
         self._recorder.close()
+        self._print_loss()
 
-    def step(self) -> None:
-        """Do one control step with the newest inputs of the page in control, and encode its frame."""
+    def _print_loss(self) -> None:
+        if self.delays.lost_s:
+            text = f"{self.scenario.title!r}, {self.time_s:.2f} s: {self.delays.text()}"
+            print(f"aftdeck: {text}", file=sys.stderr, flush=True)
+
+    def step(self, delay: Delay = PUNCTUAL) -> bool:
+        """Do one control step with the newest inputs of the page in control, and encode its frame.
+
+        Args:
+            delay: delay with which the step begins.
+
+        Returns:
+            Whether the step is the first of a new run.
+        """
         now = self._clock()
+        self._count(delay)
         with self._lock:
             taken = self._inputs.take(now, rate_held=self._rate_held(now))
         command, cause = taken.command, taken.cause
-        if isinstance(command, from_page.Restart):
+        restarted = isinstance(command, from_page.Restart)
+        if restarted:
             self._restart()
             command = None
         elif isinstance(command, from_page.LookAhead):
@@ -267,10 +293,26 @@ class Session:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
         seq, running_s = taken.sticks.seq, self._recorder.running_s
-        shown = self._displays.frame(frame, seq, running_s, self._ahead, self._reported.lit, flown_seq=flown)
+        lit = self._reported.lit
+        shown = self._displays.frame(frame, seq, running_s, self._ahead, lit, flown_seq=flown, delays=self.delays)
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
         self.log.add(frame.events)
+        return restarted
+
+    def _count(self, delay: Delay) -> None:
+        """Record a delay of more than one control period, and log lost time, at most every `LOSS_LOGGED_EVERY`."""
+        time_s, tick = self.time_s, self._sim.frame.tick + 1 if self._sim.frame else 1
+        if delay.late_s > self.scenario.control_period:
+            self.delays = self.delays.after(time_s, *delay)
+            self._recorder.delay(tick, time_s, delay.late_s, delay.lost_s)
+        if self.delays.lost_s > self._lost_logged and time_s >= self._log_loss_from:
+            lost, self._lost_logged = self.delays.lost_s - self._lost_logged, self.delays.lost_s
+            self._log_loss_from = time_s + LOSS_LOGGED_EVERY
+            text = (
+                f"the computer was too slow: {lost:.2f} s of the flight lost ({self.delays.lost_s:.2f} s in this run)"
+            )
+            self._note("time lost", text, "caution")
 
     def _rate_held(self, now: float) -> bool:
         """Return whether RATE HOLD keeps a rate.
@@ -294,6 +336,7 @@ class Session:
     def _restart(self) -> None:
         """Finish the run and its recording, and restart the scenario."""
         self._recorder.end("restarted")
+        self._print_loss()
         self._reset()
         self._reported.begin_run(self.scenario.lighting)
         self.begin()

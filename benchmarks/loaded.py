@@ -1,0 +1,206 @@
+"""Benchmark of the station under load, and the soak: ``python -m benchmarks.loaded --help``.
+
+The operator's page runs in this process. The pages that load the station run in processes of their own (`load.py`).
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from math import cos, sin
+from pathlib import Path
+from typing import NamedTuple
+
+import aftdeck
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.writer import Recorder
+from aftdeck.simulation.inputs import Inputs
+from benchmarks.load import Wire, text
+from benchmarks.measure import Figure, percentile
+from benchmarks.station import AFTDECK
+
+SCENARIO = "first-flight"
+PERIOD = 0.02
+"""Control period [s]."""
+SECONDS = 60.0
+"""Time for which the loaded station is measured [s]."""
+SETTLE = 5.0
+"""Time after the start of the load that is not measured [s]."""
+HOUR = 3600.0
+_FRAME, _TICK = b'{"type":"frame"', re.compile(rb'"tick":(\d+)')
+_STICKS = {"type": "sticks", "translation": [0.1, 0, 0], "rotation": [0, 0, 0], "drive": 0}
+
+
+class Seen(NamedTuple):
+    """What the operator's page has received.
+
+    Attributes:
+        intervals: times between the frames [ms].
+        seconds: time of the measurement [s].
+    """
+
+    intervals: list[float]
+    seconds: float
+
+
+def loaded(recording: Path | None = None, seconds: float = SECONDS) -> list[Figure]:
+    """Measure the operator's frames while pages watch, one page floods, and an hour's replay is opened.
+
+    Args:
+        recording: recording of an hour; None makes one, in about two minutes.
+        seconds: time to measure [s].
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        hour = Path(folder) / "hour.mcap"
+        if recording is None:
+            record_hour(hour)
+        else:
+            hour.symlink_to(recording.resolve())
+        with _flying(folder) as (address, _), _operator(address) as operator, ExitStack() as load:
+            quiet = _figures(_operate(operator, 10.0), "no load", promised=False)
+            load.enter_context(_loading("watch", address))
+            load.enter_context(_loading("flood", address))
+            load.enter_context(_loading("replay", address, f"/replay/{hour.name}/"))
+            seen = _operate(operator, seconds)
+        delays = _delays(folder)
+    return [*quiet, *_figures(seen, "8 watchers, a flood, a replay", promised=True), *delays]
+
+
+def soak(minutes: float) -> list[Figure]:
+    """Measure a flight of some minutes with eight watchers: frames, lost time and memory."""
+    with tempfile.TemporaryDirectory() as folder:
+        with _flying(folder) as (address, process), _operator(address) as operator, _loading("watch", address):
+            first = _operate(operator, 60.0)
+            early = _memory(process)
+            rest = _operate(operator, max(60.0 * (minutes - 1.0), 1.0))
+            late = _memory(process)
+        delays = _delays(folder)
+    seen = Seen(first.intervals + rest.intervals, first.seconds + rest.seconds)
+    return [
+        *_figures(seen, f"8 watchers, {minutes:g} minutes", promised=True),
+        *delays,
+        Figure("memory after minute one", early, "MB"),
+        Figure("memory at the end", late, "MB"),
+    ]
+
+
+def record_hour(path: Path) -> None:
+    """Record an hour of manual inputs."""
+    simulation = aftdeck.Simulation(SCENARIO)
+    recorder = Recorder(path, simulation.scenario, simulation.seed)
+    for k in range(round(HOUR / PERIOD)):
+        given = Inputs(translation=(0.3 * sin(0.01 * k), 0.2 * cos(0.013 * k), 0.0), rotation=(0.0, 0.0, 0.1))
+        recorder.step(given, simulation.step(given))
+        recorder.wait_for_room()
+    recorder.close("stopped")
+    assert not recorder.failure, recorder.failure
+
+
+@contextmanager
+def _operator(address: str) -> Iterator[Wire]:
+    """Connect as the first page, which is the operator; yield it when its first frame has arrived."""
+    wire = Wire(address)
+    with wire.socket:
+        while not any(message.startswith(_FRAME) for message in wire.messages()):
+            pass
+        yield wire
+
+
+def _operate(wire: Wire, seconds: float) -> Seen:
+    """Send sticks with every frame; return what the page has received."""
+    intervals: list[float] = []
+    before = begun = 0.0
+    start = time.perf_counter()
+    while time.perf_counter() - start < seconds + SETTLE:
+        for message in wire.messages():
+            if not message.startswith(_FRAME):
+                continue
+            now = time.perf_counter()
+            found = _TICK.search(message)
+            assert found is not None
+            if now - start < SETTLE:
+                begun = now
+            else:
+                intervals.append(1e3 * (now - before))
+            before = now
+            wire.socket.sendall(text({**_STICKS, "seq": int(found[1])}))
+    return Seen(intervals, before - begun)
+
+
+def _figures(seen: Seen, load: str, *, promised: bool) -> list[Figure]:
+    p99, worst = (30.0, 60.0) if promised else (None, None)
+    rate = len(seen.intervals) / seen.seconds
+    return [
+        Figure("frame interval, p50", percentile(seen.intervals, 50), "ms", None, f"{load}; {rate:.1f} frames/s"),
+        Figure("frame interval, p99", percentile(seen.intervals, 99), "ms", p99, load),
+        Figure("frame interval, worst", max(seen.intervals), "ms", worst, load),
+    ]
+
+
+def _delays(folder: str) -> list[Figure]:
+    """Return the delays of the control steps, as the newest recording in a folder tells them."""
+    recording = Recording(max(Path(folder).glob(f"{SCENARIO}-*.mcap")))
+    for _ in recording.messages():
+        pass
+    delays = recording.delays
+    assert delays is not None and recording.ended == "stopped"
+    note = f"of the whole flight of {recording.time_s:.0f} s"
+    return [
+        Figure("late steps", delays.late_steps, "", None, note),
+        Figure("greatest delay of a step", 1e3 * delays.worst_s, "ms", None, note),
+        Figure("time lost", delays.lost_s, "s", None, note),
+    ]
+
+
+@contextmanager
+def _flying(folder: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
+    """Run a station that records into a folder; yield its address and its process once it flies."""
+    command = [*AFTDECK, "fly", SCENARIO, "--no-browser", "--port", "0", "--record", folder]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            address = process.stdout.readline().partition("http://")[2].strip().rstrip("/")
+            while not process.stdout.readline().startswith("Flying"):
+                pass
+            yield address, process
+        finally:
+            process.terminate()
+            process.wait(30)
+
+
+@contextmanager
+def _loading(kind: str, *arguments: str) -> Iterator[None]:
+    with subprocess.Popen([sys.executable, "-m", "benchmarks.load", kind, *arguments]) as process:
+        try:
+            yield
+        finally:
+            process.terminate()
+            process.wait(10)
+
+
+def _memory(process: subprocess.Popen[str]) -> float:
+    """Return a process's resident memory [MB]."""
+    return int(subprocess.check_output(["ps", "-o", "rss=", "-p", str(process.pid)])) / 1e3
+
+
+def main() -> None:
+    """Run the benchmark or the soak, and print the figures."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.loaded", description=__doc__)
+    parser.add_argument("--hour", type=Path, metavar="FILE", help="recording of an hour; default: make one")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="time to measure")
+    parser.add_argument("--soak", type=float, metavar="MINUTES", help="fly this long with eight watchers alone")
+    given = parser.parse_args()
+    print(f"load average {os.getloadavg()[0]:.2f}", flush=True)
+    for figure in soak(given.soak) if given.soak else loaded(given.hour, given.seconds):
+        print(f"{figure.name:<24}{figure.value:>9.2f} {figure.unit:<4}{'' if figure.kept else 'MISSED'} {figure.note}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,67 @@
+"""Log of the server on the terminal: of equal lines, one in a minute, and the number of the others."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from threading import Timer
+
+SILENCE = 60.0
+"""Time after a line for which equal lines are only counted [s]."""
+MAX_KINDS = 100
+"""Maximum number of lines that are counted at the same time; other lines are dropped meanwhile."""
+
+log = logging.getLogger("aftdeck.station")
+"""Log of the station's server."""
+
+
+class TerseHandler(logging.Handler):
+    """Handler that prints the first of equal lines at once and counts the others.
+
+    Lines are equal if their text before the insertion of values is equal, up to its first line break. Every
+    `SILENCE`, the handler prints how many equal lines there were.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self._more: dict[str, int] = {}
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Print or count a line."""
+        text = str(record.msg).partition("\n")[0]
+        if text in self._more:
+            self._more[text] += 1
+        elif len(self._more) < MAX_KINDS:
+            self._more[text] = 0
+            _print(self.format(record))
+            self._wait(text)
+
+    def _wait(self, text: str) -> None:
+        timer = Timer(SILENCE, self._report, (text,))
+        timer.daemon = True
+        timer.start()
+
+    def _report(self, text: str) -> None:
+        with self.lock or logging._lock:  # type: ignore[attr-defined]
+            more = self._more.pop(text)
+            if more:
+                self._more[text] = 0
+        if more:
+            _print(f"{more} more like this in {SILENCE:g} s: {text}")
+            self._wait(text)
+
+
+def _print(text: str) -> None:
+    print(f"aftdeck: {text}", file=sys.stderr, flush=True)
+
+
+_handler = TerseHandler()
+
+
+def install() -> None:
+    """Print the lines of the station, of its web server and of asyncio through one `TerseHandler`."""
+    for name in (log.name, "uvicorn", "asyncio"):
+        logger = logging.getLogger(name)
+        logger.addHandler(_handler)
+        logger.setLevel(logging.WARNING)
+        logger.propagate = False
