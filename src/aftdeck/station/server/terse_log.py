@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import logging
-import sys
 from threading import Timer
+
+from aftdeck.lines import print_error
 
 SILENCE = 60.0
 """Time after a line for which equal lines are only counted [s]."""
@@ -33,7 +34,7 @@ class TerseHandler(logging.Handler):
             self._more[text] += 1
         elif len(self._more) < MAX_KINDS:
             self._more[text] = 0
-            _print(self.format(record))
+            print_error(self.format(record))
             self._wait(text)
 
     def _wait(self, text: str) -> None:
@@ -47,12 +48,8 @@ class TerseHandler(logging.Handler):
             if more:
                 self._more[text] = 0
         if more:
-            _print(f"{more} more like this in {SILENCE:g} s: {text}")
+            print_error(f"{more} more like this in {SILENCE:g} s: {text}")
             self._wait(text)
-
-
-def _print(text: str) -> None:
-    print(f"aftdeck: {text}", file=sys.stderr, flush=True)
 
 
 _handler = TerseHandler()

@@ -7,7 +7,6 @@ threads may call the methods for pages.
 from __future__ import annotations
 
 import math
-import sys
 import threading
 import time
 from collections.abc import Callable
@@ -16,6 +15,7 @@ from pathlib import Path
 import msgspec
 
 from aftdeck.errors import CommandError
+from aftdeck.lines import print_error
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
@@ -242,8 +242,7 @@ class Session:
 
     def _print_loss(self) -> None:
         if self.delays.lost_s:
-            text = f"{self.scenario.title!r}, {self.time_s:.2f} s: {self.delays.text()}"
-            print(f"aftdeck: {text}", file=sys.stderr, flush=True)
+            print_error(f"{self.scenario.title!r}, {self.time_s:.2f} s: {self.delays.text()}")
 
     def step(self, delay: Delay = PUNCTUAL) -> bool:
         """Do one control step with the newest inputs of the page in control, and encode its frame.
