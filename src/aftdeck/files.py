@@ -13,13 +13,16 @@ from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args
 import msgspec
 
 from aftdeck.errors import InputError, ScenarioError
-from aftdeck.toml_lines import located
+from aftdeck.toml_lines import excess, located
 from aftdeck.units import decode_hook, short
 
 _T = TypeVar("_T")
 
-MOST_BYTES = 4_000_000
-"""Maximum length of a file [bytes]; a longer file is rejected before it is parsed."""
+MOST_BYTES = 1_000_000
+"""Maximum length of a file [bytes]; a longer file is rejected before it is parsed. Built-in files have up to 33 kB."""
+
+MOST_PROBLEMS = 200
+"""Maximum number of problems of a file that are listed."""
 
 
 class Text(NamedTuple):
@@ -94,6 +97,8 @@ def examine(
         ScenarioError: the text is not TOML, or is nested too deeply.
     """
     name, text = file
+    if why := excess(text):
+        raise ScenarioError([f"{name}: {why}"])
     try:
         raw = tomllib.loads(text)
     except ValueError as error:  # invalid TOML, or a number with thousands of digits
@@ -202,9 +207,13 @@ class Problem(msgspec.Struct, frozen=True):
 
 
 def sentences(problems: Sequence[Problem], name: str, text: str) -> list[str]:
-    """Return one sentence per problem, in order of lines; `name` is the file's name in the sentences."""
+    """Return one sentence per problem, in order of lines; `name` is the file's name in the sentences.
+
+    Of more than `MOST_PROBLEMS` problems, the last sentence gives only the number of the others.
+    """
     in_order = sorted(problems, key=lambda problem: line_of(problem.where, text) or 0)
-    return [problem.sentence(name, text) for problem in in_order]
+    found = [problem.sentence(name, text) for problem in in_order[:MOST_PROBLEMS]]
+    return found if len(found) == len(in_order) else [*found, f"{name}: {len(in_order) - len(found)} more problems"]
 
 
 def line_of(where: Where, text: str) -> int | None:
