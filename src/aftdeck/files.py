@@ -21,9 +21,6 @@ _T = TypeVar("_T")
 MOST_BYTES = 1_000_000
 """Maximum length of a file [bytes]; a longer file is rejected before it is parsed. Built-in files have up to 33 kB."""
 
-MOST_PROBLEMS = 200
-"""Maximum number of problems of a file that are listed."""
-
 
 class Text(NamedTuple):
     """Name and text of a file."""
@@ -207,13 +204,9 @@ class Problem(msgspec.Struct, frozen=True):
 
 
 def sentences(problems: Sequence[Problem], name: str, text: str) -> list[str]:
-    """Return one sentence per problem, in order of lines; `name` is the file's name in the sentences.
-
-    Of more than `MOST_PROBLEMS` problems, the last sentence gives only the number of the others.
-    """
+    """Return one sentence per problem, in order of lines; `name` is the file's name in the sentences."""
     in_order = sorted(problems, key=lambda problem: line_of(problem.where, text) or 0)
-    found = [problem.sentence(name, text) for problem in in_order[:MOST_PROBLEMS]]
-    return found if len(found) == len(in_order) else [*found, f"{name}: {len(in_order) - len(found)} more problems"]
+    return [problem.sentence(name, text) for problem in in_order]
 
 
 def line_of(where: Where, text: str) -> int | None:

@@ -34,6 +34,7 @@ from aftdeck.station.playback.lanes import Lanes
 from aftdeck.station.playback.measures import RunMetrics
 from aftdeck.station.playback.strips import Strips, readings, worst_joint
 from aftdeck.station.playback.verdict import CHECKING
+from aftdeck.steering.mode import MODES
 
 _QUICK = 1
 """Compression level of the temporary file."""
@@ -136,6 +137,8 @@ class PlaybackStore:
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, FrameRecord):
+                if message.mode not in MODES:
+                    raise RecordingError(f"{recording.path}: step {message.tick} has the unknown mode {message.mode!r}")
                 lit = lit_lamps(self._scenario, message)
                 lanes.add(message, lit)
                 strips.add(self._readings(message, message.latency_ms))
