@@ -49,7 +49,7 @@ def recording() -> list[Figure]:
         Figure("queueing a step, 99 %", percentile(appends, 99.0), "us", None, "while the writer's thread runs"),
         Figure("recorded step, extra time", more, "us", 30.0, "median, compared with the run without a recording"),
         Figure("file size of one minute", size, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
-        Figure("verification of one second", 1000.0 / speed, "ms", 20.0, f"{speed:.0f} times real time"),
+        Figure("verification of one second", 1000.0 / speed, "ms", 30.0, f"{speed:.0f} times real time"),
     ]
 
 

@@ -12,13 +12,13 @@ import msgspec
 
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.schema_check import convert, problems_of, split, unreadable
-from aftdeck.toml_lines import located
+from aftdeck.toml_lines import excess, located
 from aftdeck.units import short
 
 _T = TypeVar("_T")
 
-MOST_BYTES = 4_000_000
-"""Maximum length of a file [bytes]; a longer file is rejected before it is parsed."""
+MOST_BYTES = 1_000_000
+"""Maximum length of a file [bytes]; a longer file is rejected before it is parsed. Built-in files have up to 33 kB."""
 
 
 class Text(NamedTuple):
@@ -105,6 +105,8 @@ def examine(
             (`schema_check.unreadable`).
     """
     name, text = file
+    if why := excess(text):
+        raise ScenarioError([f"{name}: {why}"])
     try:
         raw = tomllib.loads(text)
     except ValueError as error:  # invalid TOML, or a number with thousands of digits

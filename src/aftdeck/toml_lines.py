@@ -1,4 +1,4 @@
-"""Line numbers in a TOML text: the line on which each table, key and list item begins.
+"""Line numbers in a TOML text: the line on which each table, key and list item begins; and limits of a text.
 
 `tomllib` returns values without their lines. This scanner reads the same grammar (TOML 1.0), only to find lines. The
 text must be one that `tomllib` has already accepted, because the scanner reports no errors.
@@ -25,6 +25,30 @@ _STRING = re.compile(
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _SCALAR = re.compile(r"[^,\]}#\n]+")
 """A number, boolean or date, with the blanks that follow it."""
+
+
+MOST = {"=": 60_000, ",": 60_000, "[": 10_000}
+"""Greatest number of these signs in a text, that is, of keys, items and tables; a built-in file has 1,800 at most."""
+MOST_PARTS = 30
+"""Greatest number of parts of a dotted key: `tomllib` needs a time that grows with the square of this number."""
+_LONG_KEY = re.compile(
+    r"""(?<![A-Za-z0-9_-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)"""  # a part and a dot
+    f"{{{MOST_PARTS}}}"
+)
+
+
+def excess(text: str) -> str:
+    """Return why a TOML text is too large to be parsed in a short time; empty if it is not.
+
+    Dots within a string count as dots of a key.
+    """
+    for sign, most in MOST.items():
+        if (count := text.count(sign)) > most:
+            return f"has {count} signs {sign!r}; at most {most} are allowed"
+    if (key := _LONG_KEY.search(text)) is not None:
+        line = text.count("\n", 0, key.start()) + 1
+        return f"line {line}: a key has more than {MOST_PARTS} parts"
+    return ""
 
 
 @dataclass(slots=True)

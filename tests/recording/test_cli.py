@@ -118,7 +118,7 @@ def test_recording_cut_short_is_verified_and_exits_with_0(run: Run, cut: Path) -
 
 def test_recording_of_another_version_is_verified_with_a_remark(run: Run, recording: Path, tmp_path: Path) -> None:
     start = msgspec.structs.replace(Recording(recording).opening, version="0.0.1")
-    rewritten(recording, tmp_path / "old.mcap", {"/opening": msgspec.json.encode(start)})
+    rewritten(recording, tmp_path / "old.mcap", {"/opening": msgspec.json.encode(start)}, rechained=True)
     code, out, _ = run("replay", str(tmp_path / "old.mcap"))
     assert code == 0 and "Aftdeck 0.0.1" in out
 
@@ -239,7 +239,7 @@ def test_recording_without_participant_field_is_read(run: Run, recording: Path, 
     opening = msgspec.to_builtins(Recording(recording).opening)
     del opening["participant"], opening["condition"]
     old = tmp_path / "old.mcap"
-    rewritten(recording, old, {"/opening": msgspec.json.encode(opening)})
+    rewritten(recording, old, {"/opening": msgspec.json.encode(opening)}, rechained=True)
     code, out, err = run("replay", str(old))
     assert (code, err) == (0, "") and "equal " in out and "participant" not in out
 

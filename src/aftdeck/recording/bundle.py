@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import NamedTuple
 
 from aftdeck.arms.load import ArmModel, load_model, model_of
-from aftdeck.errors import InputError, RecordingError
+from aftdeck.errors import InputError, RecordingError, ScenarioError
 from aftdeck.files import MOST_BYTES, Text, Where
 from aftdeck.law import state_of_the_laws
 from aftdeck.recording.environment import environment, machine
@@ -24,6 +24,8 @@ from aftdeck.state_part import declaration
 from aftdeck.units import short
 from aftdeck.version import __version__
 
+MOST_PROBLEMS = 20
+"""Maximum number of problems of recorded texts that are listed."""
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
 
@@ -105,9 +107,12 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
     """
     new = dict(changes or {})
     recorded = dict(parse_change(change) for change in start.changes)
-    texts = _Texts(_arm_of(start, new), _worksite_of(start, new))
     text = _short_enough("scenario", start.scenario_text)
-    scenario = scenario_from(text, start.scenario, "the recorded scenario", texts, recorded | new)
+    try:
+        texts = _Texts(_arm_of(start, new), _worksite_of(start, new))
+        scenario = scenario_from(text, start.scenario, "the recorded scenario", texts, recorded | new)
+    except ScenarioError as error:
+        raise ScenarioError(_few(error.problems)) from None
     if not new:
         _check_header(start, scenario)
     return scenario
@@ -135,6 +140,12 @@ def _from_here(key: str, value: object) -> str:
     if not isinstance(value, str):
         raise InputError(f"{key} must be a built-in name or a path, got {value!r}")
     return value
+
+
+def _few(problems: Sequence[str]) -> list[str]:
+    """Return the first problems; a stranger's file may have thousands."""
+    more = len(problems) - MOST_PROBLEMS
+    return [*problems[:MOST_PROBLEMS], *([f"and {more} more problems"] if more > 0 else [])]
 
 
 def _short_enough(what: str, text: str) -> str:

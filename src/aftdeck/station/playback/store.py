@@ -36,6 +36,7 @@ from aftdeck.station.playback.lanes import Lanes
 from aftdeck.station.playback.measures import RunMetrics
 from aftdeck.station.playback.strips import Strips, readings, worst_joint
 from aftdeck.station.playback.verdict import CHECKING
+from aftdeck.steering.mode import MODES
 
 _QUICK = 1
 """Compression level of the temporary file."""
@@ -142,6 +143,8 @@ class PlaybackStore:
             elif isinstance(message, DelayRecord):
                 self._delays.append((message.tick, recording.delays))
             elif isinstance(message, FrameRecord):
+                if message.mode not in MODES:
+                    raise RecordingError(f"{recording.path}: step {message.tick} has the unknown mode {message.mode!r}")
                 lit = lit_lamps(self._scenario, message, recording.delays)
                 lanes.add(message, lit)
                 strips.add(self._readings(message, message.latency_ms))
