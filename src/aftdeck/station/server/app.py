@@ -71,7 +71,7 @@ def make_app(
             log.warning("more than %g pages a second connect: they wait", CONNECTIONS_PER_SECOND)
             await asyncio.sleep(wait)
         await socket.accept()
-        with contextlib.suppress(WebSocketDisconnect):
+        with contextlib.suppress(WebSocketDisconnect, asyncio.CancelledError):  # cancelled: the server ends
             if (hello := await receive_hello(socket)) and (pages := await waiting.until_ready(socket)):
                 await Page(pages, socket, hello, may_fly=socket.scope[MAY_FLY]).serve()
 

@@ -41,6 +41,11 @@ class PlaybackProcess:
         return cls(process)
 
     @property
+    def pid(self) -> int:
+        """Number of the process in the operating system."""
+        return self._process.pid
+
+    @property
     def ended(self) -> bool:
         """Whether the process has ended."""
         return self._process.returncode is not None
