@@ -40,7 +40,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("forged") / "whole.mcap"
     made = bay()
     sim = aftdeck.Simulation(made)
-    recorder = Recorder(path, made, sim.seed)
+    recorder = Recorder(path, made, sim.seed, real_time=True)
     recorder.light(0.0, Lighting("night", (), ()))
     recorder.controllers(0.0, (ControllerRecord("keyboard", "keys", 0.1, 0.3, ("KeyW +X",), (0.0,)),))
     recorder.shown(0.0, (("A",), ("B", "C")))
@@ -48,6 +48,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
         inputs = Inputs((0.5, -0.2, 0.1), (0.0, 0.3, 0.0), mode="END EFF" if k == 3 else None)
         recorder.step(inputs, sim.step(inputs), 40.0)
     recorder.note(Event(0.2, "hand", "info", "manual control"))
+    recorder.delay(STEPS, 0.4, 0.4, 0.15)
     recorder.close("stopped")
     assert recorder.failure == "" and recorder.chain
     topics = {entry.channel.topic for entry in Recording(path).entries()}

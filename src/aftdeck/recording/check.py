@@ -149,7 +149,7 @@ class Check:
             summary = msgspec.json.encode(text).decode()
         if self.digests:
             frames = self._frames.hexdigest()
-        expected = replace(closing, ended=ended, ticks=self.frames, frames_sha256=frames)
+        expected = replace(closing, ended=ended, ticks=self.frames, frames_sha256=frames, delays=self._recording.delays)
         if self.strict:
             self._expect("/closing", encode(replace(expected, summary=summary)), self._now)
         elif closing != expected:
