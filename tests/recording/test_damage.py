@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 import re
+import struct
 from collections.abc import Callable
 from pathlib import Path
 
@@ -170,9 +171,9 @@ def test_several_changed_bytes_are_an_error_or_have_no_effect(whole: Path, tmp_p
 
 def test_missing_chunk_is_damage(whole: Path, tmp_path: Path) -> None:
     data = whole.read_bytes()
-    at, _, length = [record for record in chunks(data) if record[1] == 6][5]
+    first, after = [at for at, kind, _ in chunks(data) if kind == 6][5:7]
     path = tmp_path / "gap.mcap"
-    path.write_bytes(data[:at] + data[at + 9 + length :])
+    path.write_bytes(data[:first] + data[after:])  # without the chunk and the indexes of its messages
     found, error = read_until_error(path)
     check_prefix(found, messages(whole))
     last = max(m.tick for m in found if isinstance(m, FrameRecord))
@@ -271,3 +272,44 @@ def test_unknown_fields_of_the_same_layout_are_ignored(whole: Path, tmp_path: Pa
         rechained=True,
     )
     assert verify(tmp_path / "later.mcap").equal
+
+
+# --- the index, by which other readers find messages --------------------------------------------------------
+
+
+def reads_as_damage(data: bytes, path: Path) -> None:
+    path.write_bytes(data)
+    _, error = read_until_error(path)
+    assert error is not None and error.fault == "damaged"
+
+
+def test_forged_index_of_chunks_is_damage(whole: Path, tmp_path: Path) -> None:
+    data = whole.read_bytes()
+    indexes = [at for at, kind, _ in chunks(data) if kind == 8]
+    for at in indexes[:3]:
+        for field in range(9, 9 + 4 * 8, 8):  # times, offset and length of the chunk
+            forged = bytearray(data)
+            forged[at + field] ^= 1
+            reads_as_damage(bytes(forged), tmp_path / "forged.mcap")
+    length = struct.unpack_from("<Q", data, indexes[0] + 1)[0]
+    shorter = bytearray(data[: indexes[0]] + data[indexes[0] + 9 + length :])
+    reads_as_damage(bytes(shorter), tmp_path / "forged.mcap")
+
+
+def test_second_summary_behind_the_first_is_damage(whole: Path, tmp_path: Path) -> None:
+    data = whole.read_bytes()
+    at = next(at for at, kind, _ in chunks(data) if kind == 15) + 13
+    reads_as_damage(data + data[at:], tmp_path / "forged.mcap")
+    footer = next(at for at, kind, _ in chunks(data) if kind == 2)
+    forged = bytearray(data)
+    struct.pack_into("<Q", forged, footer + 9, 100)  # the summary begins elsewhere
+    reads_as_damage(bytes(forged), tmp_path / "forged.mcap")
+
+
+def test_forged_schema_in_the_summary_is_damage(whole: Path, tmp_path: Path) -> None:
+    data = whole.read_bytes()
+    end = next(at for at, kind, _ in chunks(data) if kind == 15)
+    at, _, length = next(record for record in chunks(data) if record[0] > end and record[1] == 3)
+    forged = bytearray(data)
+    forged[at + 9 + length - 3] ^= 1
+    reads_as_damage(bytes(forged), tmp_path / "forged.mcap")

@@ -13,7 +13,7 @@ from __future__ import annotations
 import os
 import struct
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from io import BytesIO
 from typing import BinaryIO, cast
 
@@ -22,6 +22,9 @@ from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.records import Channel, Chunk, DataEnd, Header, McapRecord, Message, Schema
+
+from aftdeck.recording.damage import DamageError
+from aftdeck.recording.mcap_index import IndexCheck
 
 MAGIC = b"\x89MCAP0\r\n"
 MAX_UNPACKED = 2**26
@@ -58,20 +61,16 @@ _BROKEN = (McapError, zstandard.ZstdError, struct.error, ValueError, OverflowErr
 """Exceptions that the libraries raise for a damaged chunk."""
 
 
-class DamageError(Exception):
-    """Damage in the file; the message describes it."""
-
-
 def records(file: BinaryIO) -> Iterator[McapRecord]:
     """Yield the header, then channels, schemas and messages in order, then the end of the data if the file has it.
 
     Args:
-        file: an MCAP file in chunks, at its beginning. Records after the end of the data are not checked.
+        file: an MCAP file in chunks, at its beginning.
 
     Raises:
         DamageError: the file is damaged or exceeds a limit; raised at the record where this is found.
     """
-    declared = 0
+    declared, index = 0, IndexCheck()
     size = os.fstat(file.fileno()).st_size
     total = zlib.crc32(file.read(len(MAGIC)))
     while len(start := file.read(_START.size)) == _START.size:
@@ -87,21 +86,51 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
             (expected,) = _INT.unpack(body)
             if expected not in (0, total):
                 raise DamageError("data CRC does not match")
+            _check_summary(file, index)
             yield DataEnd(expected)
             return
         total = zlib.crc32(body, zlib.crc32(start, total))
         if opcode == Opcode.CHUNK:
             if _computed_length(opcode, body) == UNDER_WAY:
                 break
-            for record in _unpacked(body):
+            index.add_chunk(file.tell() - _START.size - length, _START.size + length)
+            for record in _unpacked(body, index):
                 declared += not isinstance(record, Message)
                 _allowed(declared, MAX_DECLARED, "schemas and channels")
                 yield record
+        elif opcode == Opcode.MESSAGE_INDEX:
+            _checked(index.check_messages, file.tell() - _START.size - length, body)
         elif opcode == Opcode.HEADER:
             yield _header(body)
     file.seek(max(size - len(MAGIC), len(MAGIC)))
     if file.read() == MAGIC:
         raise DamageError("the file has an end, but data before the end is missing")
+
+
+def _check_summary(file: BinaryIO, index: IndexCheck) -> None:
+    """Check the records after the data; a file may be cut short within them.
+
+    Raises:
+        DamageError: they contradict the data, or bytes follow their end.
+    """
+    begins, left = file.tell(), os.fstat(file.fileno()).st_size
+    while len(start := file.read(_START.size)) == _START.size:
+        opcode, length = _START.unpack(start)
+        body = file.read(_allowed(min(length, left)))
+        if len(body) < length:
+            return
+        _checked(index.check_summary, opcode, body, begins)
+        if opcode == Opcode.FOOTER:
+            if not MAGIC.startswith(file.read(len(MAGIC) + 1)):
+                raise DamageError("bytes follow the end of the file")
+            return
+
+
+def _checked(check: Callable[..., None], *given: object) -> None:
+    try:
+        check(*given)
+    except _BROKEN as error:
+        raise DamageError(str(error) or type(error).__name__) from None
 
 
 def _allowed(count: int, most: int = MAX_UNPACKED, what: str = "bytes in a record") -> int:
@@ -137,8 +166,11 @@ def _header(body: bytes) -> Header:
     return Header(profile.decode(errors="replace"), library.decode(errors="replace"))
 
 
-def _unpacked(body: bytes) -> Iterator[Schema | Channel | Message]:
-    """Yield the records in a chunk, one at a time: a list of them could take many times the chunk's memory."""
+def _unpacked(body: bytes, index: IndexCheck) -> Iterator[Schema | Channel | Message]:
+    """Yield the records in a chunk, one at a time: a list of them could take many times the chunk's memory.
+
+    Each record is added to `index`.
+    """
     try:
         chunk = Chunk.read(ReadDataStream(BytesIO(body)))
         data = _decompressed(chunk)
@@ -150,7 +182,12 @@ def _unpacked(body: bytes) -> Iterator[Schema | Channel | Message]:
             at += _START.size
             if length > len(data) - at:
                 raise DamageError("a record is longer than its chunk")
-            yield _record(opcode, data[at : at + length])
+            record = _record(opcode, data[at : at + length])
+            if isinstance(record, Message):
+                index.add_message(record.channel_id, record.log_time, at - _START.size)
+            else:
+                index.add_declaration(record)
+            yield record
             at += length
     except _BROKEN as error:
         raise DamageError(str(error) or type(error).__name__) from None

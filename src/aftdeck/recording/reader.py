@@ -15,9 +15,10 @@ from mcap.records import Message as McapMessage
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chain import Declared
-from aftdeck.recording.chunks import MAGIC, DamageError, records
+from aftdeck.recording.chunks import MAGIC, records
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
+from aftdeck.recording.damage import DamageError
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.format_1 import FramesOf1, as_layout_1
 from aftdeck.recording.format_1 import inputs as inputs_of_1
