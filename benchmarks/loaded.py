@@ -167,8 +167,8 @@ def _flying(folder: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
         assert process.stdout is not None
         try:
             address = process.stdout.readline().partition("http://")[2].strip().rstrip("/")
-            while not process.stdout.readline().startswith("Flying"):
-                pass
+            while not (line := process.stdout.readline()).startswith("Flying"):
+                assert line, "the station has ended"
             yield address, process
         finally:
             process.terminate()
