@@ -30,6 +30,7 @@ NAMES = {
     "first-use": "station.first_use",
     "start": "station.start",
     "latency": "station.latency",
+    "loaded": "loaded.loaded",
     "page": "page.page",
     "recording": "recording.recording",
 }

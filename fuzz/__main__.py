@@ -16,8 +16,8 @@ import traceback
 from fuzz.attacks import ATTACKS
 from fuzz.bounded import outcome
 
-PIECE = 50
-"""Number of seeds of one attack before the next attack has its turn."""
+TURN_S = 10.0
+"""Time of one attack before the next attack has its turn [s]."""
 
 
 def main() -> int:
@@ -52,14 +52,15 @@ def run(names: list[str], first: int, minutes: float | None) -> int:
     outcomes: collections.Counter[str] = collections.Counter()
     failed = 0
 
-    def left(name: str) -> int:
+    def left(name: str) -> bool:
         if minutes is None:
-            return ATTACKS[name].seeds - done[name]
-        return PIECE if time.monotonic() - began < 60.0 * minutes else 0
+            return done[name] < ATTACKS[name].seeds
+        return time.monotonic() - began < 60.0 * minutes
 
     while any(left(name) for name in names):
         for name in names:
-            for _ in range(min(PIECE, left(name))):
+            turn = time.monotonic()
+            while left(name) and time.monotonic() - turn < TURN_S:
                 seed = first + done[name]
                 done[name] += 1
                 try:

@@ -217,8 +217,8 @@ class Arm:
 
     def panel(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return the panel's read-out of a pose in L: X, Y, Z [in] and the end effector's pitch, yaw, roll [deg]."""
-        pose = _single(pose)
-        pose_on_panel = self.model.mount.to("panel", Pose(pose.position, self.end_effector(pose.rotation)))
+        position, rotation = _single(pose)
+        pose_on_panel = self.model.mount.to("panel", Pose(position, self.end_effector(rotation)))
         attitude = panel_attitude(pose_on_panel.rotation)
         return tuple(float(x) / INCH for x in pose_on_panel.position), tuple(math.degrees(a) for a in attitude)
 
@@ -230,7 +230,7 @@ class Arm:
 
     def orbiter(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return a pose in L as orbiter components: x, y, z [m] and ENDORI's roll, elevation, azimuth [rad]."""
-        pose_in_orbiter = self.model.mount.to("orbiter", _single(pose))
+        pose_in_orbiter = self.model.mount.to("orbiter", Pose(*_single(pose)))
         return tuple(float(x) for x in pose_in_orbiter.position), oriend(pose_in_orbiter.rotation)
 
     def _singularity(self, angles: Array) -> SingularityError:
@@ -332,21 +332,16 @@ def _flat(array: Array) -> Array:
     return np.ascontiguousarray(array.reshape(-1, 6))
 
 
-def _parts(pose: object) -> Pose:
-    """Return a pose with arrays of float64 of any shapes, finite or not."""
+def _single(pose: object) -> tuple[Array, Array]:
+    """Return position (3,) and rotation (3, 3) of one pose as arrays of float64, finite or not."""
     if not isinstance(pose, Pose):
         raise InputError(f"a pose: expected a Pose with a position (3,) and a rotation (3, 3), got {short(pose)}")
-    return Pose(floats_of(pose.position, "a position"), floats_of(pose.rotation, "a rotation"))
-
-
-def _single(pose: object) -> Pose:
-    """Return one pose with arrays of float64; raise InputError if it has another shape."""
-    position, rotation = _parts(pose)
+    position, rotation = floats_of(pose.position, "a position"), floats_of(pose.rotation, "a rotation")
     if position.shape != (3,) or rotation.shape != (3, 3):
         raise InputError(
             f"a pose: expected a position (3,) and a rotation (3, 3), got {position.shape} and {rotation.shape}"
         )
-    return Pose(position, rotation)
+    return position, rotation
 
 
 def _three(values: ArrayLike, what: str) -> Array:

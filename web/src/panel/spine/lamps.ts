@@ -54,6 +54,7 @@ export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> 
   DERIGIDIZE: { row: 'pair', kinds: EFFECTOR, elements: '.flags', group: '.effector' },
   RELEASE: { row: 'pair', kinds: EFFECTOR, elements: '.flags', group: '.effector' },
   CAMERA: { row: 'pair', kinds: [], elements: '.monitor', group: '.events' },
+  'TIME LOST': { row: 'pair', kinds: ['time lost'], elements: '.events', group: '.events' },
   'LINK DELAY': { row: 'pair', kinds: [], elements: '.rail .delay:not(.absent)', group: '.events' },
   CLEARANCE: {
     row: 'station',
@@ -67,7 +68,6 @@ export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> 
     elements: '.standing .device',
     group: '.rhc',
   },
-  'TIME LOST': { row: 'station', kinds: ['time lost'], elements: '.events', group: '.events' },
 };
 
 /** Returns the lamps of a row, in display order. */
