@@ -13,6 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 
 
 def product(a: Array, b: Array) -> Array:
@@ -39,6 +40,17 @@ def dots(a: Array, b: Array) -> Array:
 def lengths(vectors: Array) -> Array:
     """Return the lengths (...) of vectors (..., 3)."""
     return np.asarray(np.sqrt(dots(vectors, vectors)))
+
+
+def reflects(rotation: Array) -> bool:
+    """Return whether an orthonormal matrix (3, 3) contains a reflection: whether its determinant is negative."""
+    return bool(dots(np.cross(rotation[0], rotation[1]), rotation[2]) < 0.0)
+
+
+def sines(angles: Array) -> tuple[Array, Array]:
+    """Return the sines and the cosines of angles (n,) [rad]."""
+    s, c = np.array([sincos(angle) for angle in angles.tolist()]).reshape(-1, 2).T
+    return s, c
 
 
 def length(vector: Sequence[float]) -> float:

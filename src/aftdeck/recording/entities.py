@@ -10,6 +10,7 @@ from foxglove import messages as fox
 
 from aftdeck.arrays import Array
 from aftdeck.frames import IDENTITY, Pose, quaternion
+from aftdeck.matrices import product, reflects
 from aftdeck.scene.colours import material_of, rgb
 from aftdeck.scene.mesh import Mesh, joined, moved
 from aftdeck.scene.placed import placed
@@ -66,7 +67,7 @@ def _cylinder(shape: Cylinder, pose: Pose, colour: fox.Color) -> fox.CylinderPri
     end = shape.radius if shape.radius_end is None else shape.radius_end
     widest = max(shape.radius, end)
     return fox.CylinderPrimitive(
-        pose=_pose(Pose(pose.position, pose.rotation @ _ALONG[shape.axis])),
+        pose=_pose(Pose(pose.position, product(pose.rotation, _ALONG[shape.axis]))),
         size=_vector(2.0 * widest, 2.0 * widest, shape.length),
         bottom_scale=shape.radius / widest,
         top_scale=end / widest,
@@ -90,7 +91,7 @@ def _pose(pose: Pose) -> fox.Pose:
     If `pose` contains a reflection, its y axis is reversed, because a quaternion can only describe a rotation. The
     picture does not change, because every shape with a reflected pose is symmetric in y.
     """
-    rotation = pose.rotation if np.linalg.det(pose.rotation) > 0.0 else pose.rotation * [1.0, -1.0, 1.0]
+    rotation = pose.rotation * [1.0, -1.0, 1.0] if reflects(pose.rotation) else pose.rotation
     w, x, y, z = quaternion(rotation)
     return fox.Pose(position=_vector(*pose.position.tolist()), orientation=fox.Quaternion(x=x, y=y, z=z, w=w))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, quaternion
+from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import draws_payload
 from aftdeck.scene.poses import ArmPoses
@@ -19,8 +20,8 @@ class ScenePoses:
     def __init__(self, scenario: Scenario) -> None:
         mount, origin = scenario.arm.model.mount, np.array(scenario.worksite.origin)
         self.arm = ArmPoses(scenario.arm.model, origin)
-        self._turn = SCENE_FROM_PANEL_AXES @ mount.rotation
-        self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - origin
+        self._turn = product(SCENE_FROM_PANEL_AXES, mount.rotation)
+        self._origin = product(SCENE_FROM_PANEL_AXES, mount.origin) - origin
         self._bodies = [
             (body.pose.position, quaternion(body.pose.rotation), body.fixed_to == "space")
             for body in scenario.worksite.bodies
@@ -52,7 +53,7 @@ class ScenePoses:
         Bodies that are fixed to ``space`` move opposite to the orbiter's translation, because the scene moves with the
         orbiter.
         """
-        orbiter_travel = self._turn @ np.array(frame.work.orbiter)
+        orbiter_travel = product(self._turn, np.array(frame.work.orbiter))
         poses: list[float] = []
         for position, attitude, in_space in self._bodies:
             poses += [*(position - orbiter_travel if in_space else position).tolist(), *attitude]
@@ -65,5 +66,5 @@ class ScenePoses:
 
     def pose(self, position: Vec3, orientation: Rows) -> list[float]:
         """Convert a pose in L to seven numbers in the scene."""
-        position_in_scene = self._turn @ np.array(position) + self._origin
-        return [*position_in_scene.tolist(), *quaternion(self._turn @ np.array(orientation))]
+        position_in_scene = product(self._turn, np.array(position)) + self._origin
+        return [*position_in_scene.tolist(), *quaternion(product(self._turn, np.array(orientation)))]

@@ -9,6 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.frames import Pose
+from aftdeck.matrices import dots, lengths, product, reflects
 
 
 class Mesh(NamedTuple):
@@ -33,8 +34,8 @@ def mesh(vertices: Array, faces: Iterable[tuple[int, int, int]]) -> Mesh:
 
 def moved(surface: Mesh, motion: Pose) -> Mesh:
     """Return a surface moved by a pose, which may include a reflection."""
-    faces = surface.faces if np.linalg.det(motion.rotation) > 0.0 else surface.faces[:, ::-1]
-    return Mesh(surface.vertices @ motion.rotation.T + motion.position, faces)
+    faces = surface.faces[:, ::-1] if reflects(motion.rotation) else surface.faces
+    return Mesh(product(surface.vertices, motion.rotation.T) + motion.position, faces)
 
 
 def joined(surfaces: Iterable[Mesh]) -> Mesh:
@@ -50,10 +51,10 @@ def joined(surfaces: Iterable[Mesh]) -> Mesh:
 def area(surface: Mesh) -> float:
     """Return the area of all triangles [m^2]."""
     a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
-    return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+    return 0.5 * float(lengths(np.cross(b - a, c - a)).sum())
 
 
 def volume(surface: Mesh) -> float:
     """Return the volume of a closed surface [m^3], by the divergence theorem; negative if its faces point inwards."""
     a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
-    return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0
+    return float(dots(a, np.cross(b, c)).sum()) / 6.0

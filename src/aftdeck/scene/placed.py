@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from aftdeck.frames import IDENTITY, Pose, endori
+from aftdeck.matrices import product
 from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere
 from aftdeck.tuples import Vec3
 
@@ -34,7 +35,8 @@ def placed(shapes: Iterable[Shape], frame: Pose = IDENTITY) -> Iterator[tuple[Le
 
 def carried(outer: Pose, inner: Pose) -> Pose:
     """Return the composed pose: `inner` is relative to a frame, and `outer` is the pose of this frame."""
-    return Pose(outer.rotation @ inner.position + outer.position, outer.rotation @ inner.rotation)
+    position = product(outer.rotation, inner.position) + outer.position
+    return Pose(position, product(outer.rotation, inner.rotation))
 
 
 def _step(group: Group, i: int) -> Pose:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from aftdeck.elementary import sincos
 from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.scene.polygon import inwards, signed_area, triangles
 from aftdeck.shapes import Axis, Plate, Vec2
@@ -45,7 +46,7 @@ def _levels(shape: Plate) -> list[Vec2]:
     if bevel == 0.0:
         return [(0.0, -half), (0.0, half)]
     turns = [math.pi / 2.0 * k / RIM_STEPS for k in range(RIM_STEPS + 1)]
-    rim = [(bevel * (1.0 - math.sin(t)), half - bevel * (1.0 - math.cos(t))) for t in turns]
+    rim = [(bevel * (1.0 - s), half - bevel * (1.0 - c)) for s, c in map(sincos, turns)]
     lower = [(inset, -z) for inset, z in rim]
     upper = rim[::-1] if half > bevel else rim[-2::-1]
     return lower + upper

@@ -15,20 +15,28 @@ SHARPEST = 2.0**0.5
 
 def signed_area(outline: Sequence[Vec2]) -> float:
     """Return the area inside an outline [m^2]; negative if the outline is clockwise."""
-    ends = (*outline[1:], outline[0])
-    return 0.5 * sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(outline, ends, strict=True))
+    twice = 0.0
+    for a, b in zip(outline, (*outline[1:], outline[0]), strict=True):
+        twice += a[0] * b[1] - a[1] * b[0]
+    return 0.5 * twice
 
 
 def inwards(outline: Sequence[Vec2]) -> Array:
     """Return the displacement (n, 2) of each corner of a counter-clockwise outline if all edges move inwards by 1."""
     corners = np.array(outline, dtype=np.float64)
     edges = np.roll(corners, -1, axis=0) - corners
-    lengths = np.linalg.norm(edges, axis=1, keepdims=True)
+    lengths = np.sqrt(_squares(edges))
     normals = np.stack([-edges[:, 1], edges[:, 0]], axis=1) / np.where(lengths > 0.0, lengths, 1.0)
     both = normals + np.roll(normals, 1, axis=0)
-    directions = both / np.maximum(0.5 * (both**2).sum(axis=1, keepdims=True), 1e-12)
-    sizes = np.linalg.norm(directions, axis=1, keepdims=True)
+    directions = both / np.maximum(0.5 * _squares(both), 1e-12)
+    sizes = np.sqrt(_squares(directions))
     return np.asarray(directions * np.minimum(1.0, SHARPEST / np.maximum(sizes, SHARPEST)))
+
+
+def _squares(vectors: Array) -> Array:
+    """Return the squared lengths (n, 1) of vectors (n, 2)."""
+    x, y = vectors[:, :1], vectors[:, 1:]
+    return np.asarray(x * x + y * y)
 
 
 def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:

@@ -10,10 +10,12 @@ import numpy as np
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.kinematics.linkage import L1
 from aftdeck.law import law
+from aftdeck.matrices import product
 
 Seven = tuple[float, float, float, float, float, float, float]
 """A pose: x, y, z [m], then the quaternion w, x, y, z."""
@@ -36,7 +38,7 @@ class ArmPoses:
         self._stand = float(model.links[L1])
         prong = model.equipment.prong
         self._prong = 0.0 if prong is None else prong.opened
-        turn = SCENE_FROM_PANEL_AXES @ model.mount.rotation
+        turn = product(SCENE_FROM_PANEL_AXES, model.mount.rotation)
         self._base = np.concatenate([point_in_scene(model.mount.origin, origin), turn.ravel()])
         self._rows = self._frames.rows()
         self._poses = np.empty((len(self._rows), 7))
@@ -67,8 +69,9 @@ class ArmPoses:
         for k, ((x, y, z, _), axis, angle) in enumerate(
             zip(self._frames.joints.tolist(), self._axes, angles, strict=True)
         ):
-            turn = [math.cos(0.5 * angle), 0.0, 0.0, 0.0]
-            turn[axis] = math.sin(0.5 * angle)
+            s, c = sincos(0.5 * angle)
+            turn = [c, 0.0, 0.0, 0.0]
+            turn[axis] = s
             down = -height if k == 1 else z
             links.append((names[k], names[k + 1], (x, y, down, turn[0], turn[1], turn[2], turn[3])))
         if STAND in names:
@@ -83,7 +86,7 @@ class ArmPoses:
 
 def point_in_scene(panel: Array, origin: Array = SCENE_ORIGIN) -> Array:
     """Convert a point (3,) from the panel frame to the scene [m]; `origin` is the scene's origin in Xo, Yo, Zo."""
-    return np.asarray(SCENE_FROM_PANEL_AXES @ panel - origin)
+    return np.asarray(product(SCENE_FROM_PANEL_AXES, panel) - origin)
 
 
 @law

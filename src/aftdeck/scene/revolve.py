@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.matrices import sines
 from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.shapes import Axis, Vec2
 
@@ -52,7 +53,8 @@ def revolve(
         single = abs(away) < ON_AXIS
         turned = angles[:1] if single else angles
         radius = 0.0 if single else away
-        flat = np.stack([np.full(len(turned), along), radius * np.cos(turned), radius * np.sin(turned)], axis=1)
+        sine, cosine = sines(turned)
+        flat = np.stack([np.full(len(turned), along), radius * cosine, radius * sine], axis=1)
         vertices.append(flat[:, _ORDER[axis]])
         rows.append([count] * columns if single else list(range(count, count + columns)))
         count += len(turned)

@@ -12,6 +12,7 @@ from typing import assert_never
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.elementary import sincos
 from aftdeck.scene.loft import loft
 from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.scene.placed import Leaf
@@ -47,13 +48,13 @@ def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
             return _shell(shape, sides)
         case Ring():
             bar = [math.tau * k / max(6, sides // 4) for k in range(max(6, sides // 4))]
-            profile = [(shape.bar * math.sin(t), shape.radius + shape.bar * math.cos(t)) for t in bar]
+            profile = [(shape.bar * s, shape.radius + shape.bar * c) for s, c in map(sincos, bar)]
             pieces = _part(shape.sweep, shape.radius, sides)
             return revolve(profile, shape.axis, pieces, shape.start, shape.sweep, closed=True)
         case Sphere():
             around = _round(shape.radius, sides)
             arc = [math.pi * k / (around // 2) for k in range(around // 2 + 1)]
-            profile = [(-shape.radius * math.cos(t), shape.radius * math.sin(t)) for t in arc]
+            profile = [(-shape.radius * c, shape.radius * s) for s, c in map(sincos, arc)]
             return revolve(profile, "x", around)
         case Plate():
             return plate(shape)
