@@ -41,12 +41,14 @@ def _folder() -> Path:
 def attack(seed: int) -> str:
     """Verify a recording whose bytes were flipped, cut, inserted, repeated or moved; return the result in a word.
 
+    Every fifth seed leaves the file undamaged, and its verdict has to be equal.
+
     Raises:
         Exception: the reader raised something other than a `RecordingError`.
     """
     rng = random.Random(seed)
     data = bytearray(_whole())
-    for _ in range(rng.choice((1, 1, 2, 5))):
+    for _ in range(rng.choice((1, 1, 2, 5)) if seed % 5 else 0):
         _damage(data, rng)
     path = _folder() / f"{seed}.mcap"
     path.write_bytes(data)
@@ -57,6 +59,7 @@ def attack(seed: int) -> str:
         return f"rejected: {error.fault}"
     finally:
         path.unlink()
+    assert found.equal or data != _whole(), "an undamaged recording differs"
     return "equal" if found.equal else "different"
 
 

@@ -302,7 +302,7 @@ def test_rerun_with_another_period_has_the_length_of_the_inputs(manual_file: Pat
         ("speed=3", ScenarioError, "speed"),
         ("command_delay=0.33", ScenarioError, r"0\.33 s"),
         ("command_delay=nan", ScenarioError, "command_delay"),
-        ("control_period=1e-320", ScenarioError, r"0\.001 and 0\.2 s"),
+        ("control_period=1e-320", ScenarioError, r"0\.001 to 0\.2 s"),
         ("phase[9].rate=vernier", InputError, "item 9"),
         ("title.rate=vernier", InputError, "title"),
         ("arm=nowhere.toml", ScenarioError, "nowhere"),

@@ -77,5 +77,5 @@ def test_bay_stops_the_payload_and_lets_it_leave() -> None:
 
 def test_invalid_payload_body_is_rejected_with_its_location() -> None:
     text = load_scenario("loaded").text.replace("sides = 12", "sides = 3")
-    with pytest.raises(ScenarioError, match=r"payload\.body\[0\]: "):
+    with pytest.raises(ScenarioError, match=r"payload\.body\[0\]"):
         parse_scenario(text, "test", "test.toml", Path("."))

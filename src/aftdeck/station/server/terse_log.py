@@ -44,7 +44,7 @@ class TerseHandler(logging.Handler):
 
     def _report(self, text: str) -> None:
         with self.lock or logging._lock:  # type: ignore[attr-defined]
-            more = self._more.pop(text)
+            more = self._more.pop(text, 0)
             if more:
                 self._more[text] = 0
         if more:
