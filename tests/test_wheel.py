@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonValidator
 from uv import find_uv_bin
 
 ROOT = Path(__file__).parents[1]
@@ -71,6 +73,45 @@ def test_wheel_contains_the_page_and_no_node_modules(wheel: Path) -> None:
     assert PAGE in names
     assert any(name.startswith("aftdeck/station/static/") and name.endswith(".js") for name in names)
     assert not [name for name in names if "node_modules" in name]
+
+
+def test_wheel_contains_the_notices_of_every_package_in_the_page(wheel: Path) -> None:
+    notices = zipfile.ZipFile(wheel).read("aftdeck/station/static/notices.md").decode()
+    bundled = json.loads((ROOT / "web" / "package.json").read_text(encoding="utf-8"))["dependencies"]
+    assert bundled
+    for name in bundled:
+        installed = json.loads((ROOT / "web" / "node_modules" / name / "package.json").read_text(encoding="utf-8"))
+        assert f"## {name} - {installed['version']} ({installed['license']})" in notices
+    assert "Permission is hereby granted, free of charge" in notices
+    assert "SIL OPEN FONT LICENSE Version 1.1" in notices
+
+
+@pytest.fixture(scope="module")
+def bills(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder with the lists of packages that `make package` writes."""
+    folder = tmp_path_factory.mktemp("sbom")
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    run([ROOT / "scripts" / "sbom", folder], {**os.environ, "PATH": path})
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("name", "version", "contained"),
+    [
+        ("aftdeck-python", SchemaVersion.V1_6, {"numba", "numpy", "starlette", "mcap"}),
+        ("aftdeck-page", SchemaVersion.V1_5, {"three", "@fontsource/barlow-semi-condensed"}),
+    ],
+)
+def test_bill_of_materials_is_valid_and_complete(
+    bills: Path, name: str, version: SchemaVersion, contained: set[str]
+) -> None:
+    text = (bills / f"{name}.cdx.json").read_text(encoding="utf-8")
+    assert JsonValidator(version).validate_str(text) is None
+    components = {each["name"]: each for each in json.loads(text)["components"]}
+    assert contained <= set(components)
+    for each in components.values():
+        assert each["version"]
+        assert "hashes" in json.dumps(each)
 
 
 def test_sdist_contains_the_page_its_sources_and_no_node_modules(packages: Path) -> None:

@@ -25,6 +25,7 @@ export default defineConfig({
   build: {
     outDir: '../src/aftdeck/station/static',
     emptyOutDir: true,
+    license: { fileName: 'notices.md' },
     chunkSizeWarningLimit: 1000,
   },
   server: { proxy: { '/ws': { target: station, ws: true, changeOrigin: true, rewriteWsOrigin: true } } },
