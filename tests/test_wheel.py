@@ -76,7 +76,7 @@ def test_wheel_contains_the_page_and_no_node_modules(wheel: Path) -> None:
 
 
 def test_wheel_contains_the_notices_of_every_package_in_the_page(wheel: Path) -> None:
-    notices = zipfile.ZipFile(wheel).read("aftdeck/station/static/notices.md").decode()
+    notices = zipfile.ZipFile(wheel).read("aftdeck/station/static/notices.txt").decode()
     bundled = json.loads((ROOT / "web" / "package.json").read_text(encoding="utf-8"))["dependencies"]
     assert bundled
     for name in bundled:

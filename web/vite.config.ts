@@ -25,7 +25,7 @@ export default defineConfig({
   build: {
     outDir: '../src/aftdeck/station/static',
     emptyOutDir: true,
-    license: { fileName: 'notices.md' },
+    license: { fileName: 'notices.txt' },
     chunkSizeWarningLimit: 1000,
   },
   server: { proxy: { '/ws': { target: station, ws: true, changeOrigin: true, rewriteWsOrigin: true } } },

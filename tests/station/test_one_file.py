@@ -40,6 +40,7 @@ def page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assets = tmp_path / "static" / "assets"
     assets.mkdir(parents=True)
     (assets.parent / "index.html").write_text(PAGE, encoding="utf-8")
+    (assets.parent / "notices.txt").write_text("a licence </script>", encoding="utf-8")
     (assets / "a.js").write_text(SCRIPT, encoding="utf-8")
     (assets / "a.css").write_text(STYLE, encoding="utf-8")
     (assets / "f.woff2").write_bytes(b"font")
@@ -63,6 +64,7 @@ def test_file_contains_script_style_and_fonts(recording: Path, tmp_path: Path) -
     assert ".woff)" not in text
     assert r"const text = '<\/script>';" in text
     assert "<title>a&lt;b.mcap · Aftdeck</title>" in text
+    assert r"a licence <\/script>" in text
 
 
 def test_file_contains_all_frames_to_a_tenth_of_a_millimetre(recording: Path, tmp_path: Path) -> None:

@@ -111,7 +111,7 @@ def _filled(page: str, path: Path, index: str, blocks: list[str]) -> str:
     data = [f'<script type="text/plain" id="recording-index">{index}</script>']
     data += [f'<script type="text/plain" id="recording-{i}">{block}</script>' for i, block in enumerate(blocks)]
     titled = page.replace("<title>Aftdeck</title>", f"<title>{html.escape(path.name)} · Aftdeck</title>", 1)
-    head, body = titled.split("</body>", 1)
+    head, body = titled.rsplit("</body>", 1)
     return "\n".join([head, *data, f"</body>{body}"])
 
 
@@ -126,6 +126,8 @@ def _whole_page(page: str) -> str:
         allowed[kind].append(f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'")
         return f"<{start}>{text}</{kind}>"
 
+    notices = f'<script type="text/plain" id="notices">{_notices()}</script>'
+    page = page.replace("</body>", f"{notices}\n</body>", 1)
     page = _STYLE.sub(lambda match: included("style", "style", _style(match[1])), page)
     page = _SCRIPT.sub(lambda match: included("script", 'script type="module"', _script(match[1])), page)
     sources = "; ".join(f"{kind}-src {' '.join(hashes)}" for kind, hashes in allowed.items())
@@ -137,6 +139,11 @@ def _whole_page(page: str) -> str:
 def _script(name: str) -> str:
     text = (STATIC / name).read_text(encoding="utf-8")
     return text.replace("</script", r"<\/script").replace("<!--", r"<\!--")
+
+
+def _notices() -> str:
+    """Return the licences of the packages and fonts in the page, which the file has to contain, too."""
+    return (STATIC / "notices.txt").read_text(encoding="utf-8").replace("</script", r"<\/script")
 
 
 def _style(name: str) -> str:
