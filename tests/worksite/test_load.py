@@ -235,6 +235,7 @@ CARGO = (
             ("seat port", "face"),
         ),
         (BODY + PORT.replace('"a"', '"b"'), "bad.toml:11: seat[0].body", ("'b'", ": a")),
+        (BODY + BLOCK + PORT.replace("radius = 0.3", "radius = 0"), "bad.toml:8: seat[0]", ("radius", "0 m")),
         (
             BODY + CARGO + CARGO.replace("receptacle", "#"),
             "bad.toml:15: cargo[1]",

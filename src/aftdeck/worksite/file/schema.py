@@ -74,6 +74,11 @@ class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
     """Radius of the disc that marks the port."""
     material: Material
 
+    def __post_init__(self) -> None:
+        """Reject tolerances and a radius that are not above zero, and a negative time (ValueError)."""
+        super().__post_init__()
+        positive(radius=self.radius)
+
 
 class GuidesFile(Table, frozen=True, kw_only=True):
     """V-shaped guides over each longeron latch."""
