@@ -53,6 +53,14 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
         raise ScenarioError([f"{str(path)!r}: cannot be read: {error}"]) from None
 
 
+def is_file(path: Path) -> bool:
+    """Return whether a path is that of a regular file; a path that is too long for the system is not."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
 def as_path(name_or_path: object) -> Path:
     """Return a name or path as a Path.
 

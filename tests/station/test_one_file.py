@@ -114,3 +114,8 @@ def test_file_that_cannot_be_written_is_rejected(recording: Path, tmp_path: Path
     (tmp_path / "file").write_text("", encoding="utf-8")
     with pytest.raises(RecordingError, match=r"out\.html: "):
         write_html(recording, tmp_path / "file" / "out.html")
+
+
+def test_name_that_no_file_can_have_is_an_error_with_the_name(recording: Path, tmp_path: Path) -> None:
+    with pytest.raises(RecordingError, match="cannot be written"):
+        write_html(recording, tmp_path / ("a" * 300 + ".html"))

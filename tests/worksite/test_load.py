@@ -163,6 +163,11 @@ def test_unknown_worksite_is_rejected_with_the_built_in_names() -> None:
         load_worksite("moon")
 
 
+def test_name_that_no_file_can_have_is_not_a_worksite() -> None:
+    with pytest.raises(ScenarioError, match="is not a worksite"):
+        load_worksite("a" * 300)
+
+
 HEAD = 'name = "bad"\ntitle = "Bad"\norigin = [0, 0, 0]\n'
 BODY = '[[body]]\nname = "a"\nsource = "assumed"\n'
 CAMERA = (

@@ -51,7 +51,11 @@ def write_html(path: Path, out: Path) -> None:
         StationError: the page was not built.
     """
     page = _whole_page(built_page())
-    if out.exists():
+    try:
+        taken = out.exists()
+    except OSError as error:
+        raise _unwritable(out, error) from None
+    if taken:
         raise RecordingError(f"{out}: exists already and is not overwritten; choose another name", "exists")
     with PlaybackStore(path) as store:
         text = _fitting(page, store, path)
@@ -60,7 +64,11 @@ def write_html(path: Path, out: Path) -> None:
         with out.open("x", encoding="utf-8") as file:
             file.write(text)
     except OSError as error:
-        raise RecordingError(f"{out}: cannot be written: {error.strerror or error}", "unwritable") from None
+        raise _unwritable(out, error) from None
+
+
+def _unwritable(out: Path, error: OSError) -> RecordingError:
+    return RecordingError(f"{out}: cannot be written: {error.strerror or error}", "unwritable")
 
 
 def _fitting(page: str, store: PlaybackStore, path: Path) -> str:

@@ -13,7 +13,7 @@ from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.solid import Solid
 from aftdeck.dimensions import KEY, derive
 from aftdeck.errors import InputError, ScenarioError
-from aftdeck.files import Problem, Text, as_path, examine, line_of, read, sentences
+from aftdeck.files import Problem, Text, as_path, examine, is_file, line_of, read, sentences
 from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
@@ -93,7 +93,7 @@ def worksite_text(name_or_path: str | Path) -> Text:
     """
     built_in = str(name_or_path) in worksites()
     path = _BUILT_IN / f"{name_or_path}.toml" if built_in else as_path(name_or_path)
-    if not path.is_file():
+    if not is_file(path):
         raise ScenarioError(
             [
                 f"{str(name_or_path)!r} is not a worksite; give the path of a worksite's file or one of: "
