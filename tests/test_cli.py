@@ -291,7 +291,7 @@ def test_help_imports_no_slow_library() -> None:
     code = (
         "import sys\nfrom aftdeck.cli import main\nsys.argv = ['aftdeck', '--help']\n"
         "try:\n    main()\nexcept SystemExit:\n    pass\n"
-        "print(sorted({'numpy', 'numba', 'pint', 'uvicorn', 'starlette', 'rich'} & set(sys.modules)))"
+        "print(sorted({'numpy', 'numba', 'mujoco', 'pint', 'uvicorn', 'starlette', 'rich'} & set(sys.modules)))"
     )
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=WAIT_S, check=True)
     assert ended.stdout.splitlines()[-1] == "[]"

@@ -21,8 +21,8 @@ from aftdeck.arms import shapes as arm_shapes
 from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Text, examine, place
-from aftdeck.recording.bundle import parse_change
 from aftdeck.scenario import light
+from aftdeck.scenario.changes import parse_change
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.worksite import load_worksite

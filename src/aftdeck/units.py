@@ -37,6 +37,7 @@ _USUAL = {
     "lb": ("kg", 0.4535923700000001),
     "s": ("s", 1.0),
     "ms": ("s", 0.001),
+    "ft*lbf": ("N*m", 1.3558179483314001),
 }
 """SI unit and size of each unit that the built-in files use. The sizes equal pint's values to the last digit.
 
@@ -160,6 +161,55 @@ class Mass(Quantity):
 
     noun, unit, example = "mass", "kg", "32000 lb"
     bounds = Bounds(0.0, 1e6, "the heaviest structure in orbit, the ISS, has 420,000 kg")
+
+
+class MomentOfInertia(Quantity):
+    """Moment of inertia: any unit of it in files, [kg m2] in the program."""
+
+    noun, unit, example = "moment of inertia", "kg*m*m", "2 kg*m*m"
+    bounds = Bounds(0.0, 1e10, "the ISS has about 1e8 kg m2")
+
+
+class Force(Quantity):
+    """Force: any unit of force in files, [N] in the program."""
+
+    noun, unit, example = "force", "N", "870 lbf"
+    bounds = Bounds(-1e7, 1e7, "an engine of the orbiter gives 2e6 N")
+
+
+class Torque(Quantity):
+    """Torque: any unit of torque in files, [N m] in the program."""
+
+    noun, unit, example = "torque", "N*m", "770 ft*lbf"
+    bounds = Bounds(-1e7, 1e7, "the Shuttle's joints give about 1,000 N m")
+
+
+class AngularStiffness(Quantity):
+    """Stiffness of a joint: any unit of it in files, [N m/rad] in the program."""
+
+    noun, unit, example = "angular stiffness", "N*m/rad", "9e5 N*m/rad"
+    bounds = Bounds(0.0, 1e12, "the Shuttle's gearboxes have about 1e6 N m/rad")
+
+
+class AngularDamping(Quantity):
+    """Torque per angular rate: any unit of it in files, [N m s/rad] in the program."""
+
+    noun, unit, example = "angular damping", "N*m*s/rad", "1e6 N*m*s/rad"
+    bounds = Bounds(0.0, 1e12, "the Shuttle's servos have about 1e6 N m s/rad")
+
+
+class LinearDamping(Quantity):
+    """Force per speed: any unit of it in files, [N s/m] in the program."""
+
+    noun, unit, example = "linear damping", "N*s/m", "1e4 N*s/m"
+    bounds = Bounds(0.0, 1e12, "the drive of a telescope has about 1e4 N s/m")
+
+
+class FlexuralRigidity(Quantity):
+    """Rigidity of a beam, EI or GJ: any unit of it in files, [N m2] in the program."""
+
+    noun, unit, example = "rigidity of a beam", "N*m*m", "4e6 N*m*m"
+    bounds = Bounds(0.0, 1e15, "the Shuttle's booms have about 4e6 N m2")
 
 
 class Time(Quantity):

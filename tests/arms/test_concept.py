@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arms.constant import Constant
 from aftdeck.arms.load import HERE
-from aftdeck.arms.model import Constant, HeadingArmFile
+from aftdeck.arms.model import HeadingArmFile
 from aftdeck.errors import ScenarioError
 
 FOOT = 0.3048

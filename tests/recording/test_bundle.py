@@ -5,14 +5,12 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import hypothesis.strategies as st
 import msgspec
 import pytest
-from hypothesis import given
 
 import aftdeck
-from aftdeck.errors import InputError, RecordingError
-from aftdeck.recording.bundle import opening, parse_change, scenario_of
+from aftdeck.errors import RecordingError
+from aftdeck.recording.bundle import opening, scenario_of
 from aftdeck.recording.changed import rerun
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
@@ -122,38 +120,3 @@ def test_rebuilding_a_scenario_leaves_no_temporary_files(tmp_path: Path, monkeyp
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     scenario_of(opening(aftdeck.load_scenario("uncradle"), 0, 0))
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize(
-    ("text", "where", "value"),
-    [
-        ("rate=vernier", ("rate",), "vernier"),
-        (" rate = vernier ", ("rate",), "vernier"),
-        ("command_delay=0.5", ("command_delay",), 0.5),
-        ("duration=10 min", ("duration",), "10 min"),
-        ("duration='10 min'", ("duration",), "10 min"),
-        ("seed=7", ("seed",), 7),
-        ("strict=true", ("strict",), True),
-        ("limits.por.translation=1 ft/s", ("limits", "por", "translation"), "1 ft/s"),
-        ("phase[0].rate=coarse", ("phase", 0, "rate"), "coarse"),
-        ("sequence[1].point[12].pause=false", ("sequence", 1, "point", 12, "pause"), False),
-        ("initial.joints=[0, 1]", ("initial", "joints"), [0, 1]),
-        ("title=a = b", ("title",), "a = b"),
-        ("title=", ("title",), ""),
-        ("title=x\ny = 3", ("title",), "x\ny = 3"),
-        ("seed=1\ny = 3", ("seed",), "1\ny = 3"),
-        ("title=# no", ("title",), "# no"),
-    ],
-)
-def test_value_of_a_change_is_read_as_toml_if_valid(text: str, where: tuple[str | int, ...], value: object) -> None:
-    assert parse_change(text) == (where, value)
-
-
-@given(st.text())
-def test_any_text_is_a_change_or_an_input_error(text: str) -> None:
-    try:
-        where, _ = parse_change(text)
-    except InputError as error:
-        assert "KEY=VALUE" in str(error)
-    else:
-        assert where and "=" in text

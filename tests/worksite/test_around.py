@@ -11,6 +11,7 @@ from aftdeck.bodies.pose import pose_of, row_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
+from aftdeck.plant.state import FOLLOWING
 from aftdeck.simulation.constants.flight import FAST, WATCHED
 from aftdeck.simulation.payloads.alignment import alarm_pairs
 from aftdeck.worksite.watch.contact_update import nearest_place, place_everything
@@ -45,9 +46,11 @@ def test_frames_follow_their_carriers(name: str) -> None:
         carrier = np.array([arm, -1, 0])
         frames = np.full((2 + arm + 3, 12), np.nan)
         args = (site.arm.joints, site.scene, site.axes, moved, carrier, rides, angles, stand, prong)
-        place_everything(*args, frames)
         own = np.empty((arm, 12))
         place_frames(site.arm.joints, angles, stand, prong, own)
+        bent = rng.random() < 0.5
+        own += rng.normal(size=own.shape) if bent else 0.0
+        place_everything(*args, own if bent else FOLLOWING, frames)
         away = np.concatenate([site.axes @ moved, np.zeros(9)])
         expected = [site.scene, *own, site.scene - away, within(own[arm - 1], rides[0]), rides[1] - away]
         expected.append(within(site.scene, rides[2]))

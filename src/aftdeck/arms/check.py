@@ -1,6 +1,7 @@
 """Checks of an arm file that field types cannot express: bodies, the order of the limits, and the sum of the masses.
 
-`arms.bodies` checks the tables that only a concept arm has: `stand`, `booms` and `effector`.
+`arms.bodies` checks the tables that only a concept arm has: `stand`, `booms` and `effector`. `arms.dynamics` checks
+brakes and housings.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import numpy as np
 from aftdeck.arms.blocks import blocks_of
 from aftdeck.arms.bodies import body_problems
 from aftdeck.arms.covers import corners, cover_problem
+from aftdeck.arms.dynamics import drive_problems
 from aftdeck.arms.geometry import linkage_of
 from aftdeck.arms.limits import JointRates, Limits, limit_problems
 from aftdeck.arms.model import ArmFile, HeadingArmFile, PorRow, YawArmFile
@@ -36,7 +38,7 @@ def arm_problems(file: ArmFile) -> list[Problem]:
         found.append(Problem(("joints",), f"has to be six different names, got {', '.join(file.joints)}"))
     if not found and isinstance(file, HeadingArmFile):
         found = _block_problems(file)
-    return found + _por_problems(file.por) + _mass_problems(file)
+    return found + _por_problems(file.por) + _mass_problems(file) + drive_problems(file)
 
 
 _TABLE_OF = {"stand": "stand", "telescope": "stand", **dict.fromkeys(("palm", "fixed finger", "prong"), "effector")}

@@ -11,6 +11,7 @@ from typing import Literal, NamedTuple, cast
 import numpy as np
 
 from aftdeck.arms.check import arm_problems
+from aftdeck.arms.dynamics import Flexibility, Servo, Slides, flexibility_of, servo_of, slides_of
 from aftdeck.arms.equipment import Equipment, equipment_of
 from aftdeck.arms.geometry import PRONG, STAND, Linkage, frozen, linkage_of, raised
 from aftdeck.arms.limits import JointRates, Limits
@@ -60,6 +61,9 @@ class ArmModel:
         singular: normalised distance below which the SINGULAR lamp lights [1].
         rates: joint rate limits.
         por: rows of limits by payload mass, lightest first.
+        servo: servos and brakes; None if the file does not describe them.
+        slides: drives of telescope and prong; None if the arm has neither, or the file does not describe them.
+        flexibility: springs of the arm; None if the file does not describe them.
         source: the decoded file, with the source and confidence of each constant.
         text: text of the file as it was read.
         shapes: file of the arm's drawn shapes; None if the arm file names no such file.
@@ -77,6 +81,9 @@ class ArmModel:
     singular: float
     rates: JointRates
     por: tuple[PorRow, ...]
+    servo: Servo | None
+    slides: Slides | None
+    flexibility: Flexibility | None
     source: ArmFile
     text: str
     shapes: Text | None
@@ -203,6 +210,7 @@ def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
         frozen(product(np.diag([-1.0, -1.0, 1.0]), rotation_x(file.mount.lean.value))),
         _panel(file.mount.orbiter_origin.value),
     )
+    rates = JointRates(*(frozen(getattr(file.rates, which).value) for which in JointRates._fields))
     return ArmModel(
         name=file.name,
         title=file.title,
@@ -214,8 +222,11 @@ def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
         mount=mount,
         limits=Limits(*(frozen(getattr(file.limits, which).value) for which in Limits._fields)),
         singular=file.limits.singular.value,
-        rates=JointRates(*(frozen(getattr(file.rates, which).value) for which in JointRates._fields)),
+        rates=rates,
         por=file.por,
+        servo=servo_of(file, rates),
+        slides=slides_of(file),
+        flexibility=flexibility_of(file),
         source=file,
         text=text,
         shapes=shapes,

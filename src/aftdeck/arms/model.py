@@ -12,28 +12,14 @@ from typing import Annotated, Generic, Literal, TypeVar
 
 import msgspec
 
+from aftdeck.arms.constant import Confidence, Constant, Part, Text
+from aftdeck.arms.drives import FlexibilityFile, HousingsFile, ServoFile, SlidesFile
 from aftdeck.bodies.cover import FEWEST_SIDES
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis
 from aftdeck.units import Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
 
 _T = TypeVar("_T")
-
-Confidence = Literal["firm", "single", "derived", "assumed"]
-Text = Annotated[str, msgspec.Meta(min_length=1)]
-
-
-class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Table of an arm file; unknown fields are rejected."""
-
-
-class Constant(_Part, Generic[_T], frozen=True):
-    """Value with its source and its confidence."""
-
-    value: _T
-    source: Text
-    confidence: Confidence
-
 
 _ARM = 200.0
 _LONG = "the Shuttle's arm is 15 m long, Canadarm2 18 m"
@@ -87,7 +73,7 @@ Threshold = Annotated[
 SixNames = tuple[Text, Text, Text, Text, Text, Text]
 
 
-class YawGeometry(_Part, frozen=True):
+class YawGeometry(Part, frozen=True):
     """Distances between joint centres at zero angles, for a pitch-yaw-roll wrist."""
 
     shoulder_yaw_to_pitch: Constant[Reach]
@@ -98,14 +84,14 @@ class YawGeometry(_Part, frozen=True):
     end_effector_roll: Constant[Angle]
 
 
-class HeadingGeometry(_Part, frozen=True):
+class HeadingGeometry(Part, frozen=True):
     """Distances between joint centres, for a heading-pitch-roll wrist; the tip is on the palm's outer face."""
 
     upper_arm: Constant[Size]
     lower_arm: Constant[Size]
 
 
-class MountFile(_Part, frozen=True):
+class MountFile(Part, frozen=True):
     """Position of the arm's base on the orbiter, and the base's lean.
 
     The lean is the angle of the first joint's axis from the vertical, to port. Positions are structural Xo, Yo, Zo.
@@ -116,7 +102,7 @@ class MountFile(_Part, frozen=True):
     orbiter_origin: Constant[tuple[Length, Length, Length]]
 
 
-class LimitsFile(_Part, frozen=True):
+class LimitsFile(Part, frozen=True):
     """Three sets of joint limits, each inside the preceding set, and the threshold of the SINGULAR lamp."""
 
     hard: Constant[SixRanges]
@@ -125,7 +111,7 @@ class LimitsFile(_Part, frozen=True):
     singular: Constant[Threshold]
 
 
-class RatesFile(_Part, frozen=True):
+class RatesFile(Part, frozen=True):
     """Joint rate limits and the greatest joint accelerations.
 
     There are three sets of rate limits: the servo maxima (modes 2 to 7), and the coarse and vernier limits (modes 1 and
@@ -138,7 +124,7 @@ class RatesFile(_Part, frozen=True):
     acceleration: Constant[SixAccelerations]
 
 
-class PorRow(_Part, frozen=True):
+class PorRow(Part, frozen=True):
     """Limits of the point of resolution for one payload mass."""
 
     mass: Mass
@@ -152,7 +138,7 @@ class PorRow(_Part, frozen=True):
     confidence: Confidence
 
 
-class YawParts(_Part, frozen=True):
+class YawParts(Part, frozen=True):
     """Masses of an arm's parts [kg], for the family of the Shuttle's arm."""
 
     yaw_housing: Mass
@@ -166,7 +152,7 @@ class YawParts(_Part, frozen=True):
     end_effector: Mass
 
 
-class HeadingParts(_Part, frozen=True):
+class HeadingParts(Part, frozen=True):
     """Masses of an arm's parts [kg] without the telescope, for the family of the concept arm of 1972."""
 
     upper_arm: Mass
@@ -174,14 +160,14 @@ class HeadingParts(_Part, frozen=True):
     hand: Mass
 
 
-class MassesFile(_Part, Generic[_T], frozen=True):
+class MassesFile(Part, Generic[_T], frozen=True):
     """Published mass of the arm, and masses of its parts."""
 
     total: Constant[Mass]
     parts: Constant[_T]
 
 
-class StandFile(_Part, frozen=True):
+class StandFile(Part, frozen=True):
     """Telescope under the arm. Its length is the height of the shoulder above the telescope's foot."""
 
     least: Constant[Size]
@@ -195,7 +181,7 @@ class StandFile(_Part, frozen=True):
     top_below_shoulder: Constant[Size]
 
 
-class BoomsFile(_Part, frozen=True):
+class BoomsFile(Part, frozen=True):
     """Dimensions of upper arm, lower arm and stub (with square sections), and of the cubes that house the joints."""
 
     side: Constant[Size]
@@ -209,7 +195,7 @@ class BoomsFile(_Part, frozen=True):
     wrist_housing: Constant[Size]
 
 
-class EffectorFile(_Part, frozen=True):
+class EffectorFile(Part, frozen=True):
     """Palm (HEX 1), fixed finger (HEX 2) and prong (HEX 3), in system 2: X2 outwards, Y2 to the fixed finger."""
 
     palm: Constant[Span]
@@ -229,7 +215,7 @@ class EffectorFile(_Part, frozen=True):
     prong_rate: Constant[TipSpeed]
 
 
-class _Cover(_Part, frozen=True, tag_field="kind", kw_only=True):
+class _Cover(Part, frozen=True, tag_field="kind", kw_only=True):
     """Convex body that encloses another body. The clearance of the enclosed body is therefore never overstated."""
 
     position: tuple[Length, Length, Length] = (Length(0.0), Length(0.0), Length(0.0))
@@ -277,7 +263,7 @@ class PrismBody(PrismCover, frozen=True, kw_only=True, tag="prism"):
     confidence: Confidence
 
 
-class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
+class _AnyArm(Part, frozen=True, tag_field="family", kw_only=True):
     """Fields of every arm file; `arms.check` makes the checks that field types cannot express."""
 
     name: Text
@@ -289,6 +275,8 @@ class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
     limits: LimitsFile
     rates: RatesFile
     por: Annotated[tuple[PorRow, ...], msgspec.Meta(min_length=1)]
+    servo: ServoFile | None = None
+    """Servos and brakes; a plant with masses needs them."""
     shapes: str | None = None
 
 
@@ -299,6 +287,10 @@ class YawArmFile(_AnyArm, frozen=True, kw_only=True, tag="yaw-pitch-pitch-pitch-
     masses: MassesFile[YawParts]
     bodies: tuple[BoxBody | PrismBody, ...] = ()
     """Collision bodies of the arm."""
+    housings: HousingsFile | None = None
+    """Sizes and inertias; a plant with masses needs them."""
+    flexibility: FlexibilityFile | None = None
+    """Springs; a flexible plant needs them."""
 
 
 class HeadingArmFile(_AnyArm, frozen=True, kw_only=True, tag="heading-pitch-pitch-heading-pitch-roll"):
@@ -309,6 +301,8 @@ class HeadingArmFile(_AnyArm, frozen=True, kw_only=True, tag="heading-pitch-pitc
     stand: StandFile
     booms: BoomsFile
     effector: EffectorFile
+    slides: SlidesFile | None = None
+    """Drives of telescope and prong; a plant with masses needs them."""
 
 
 ArmFile = YawArmFile | HeadingArmFile

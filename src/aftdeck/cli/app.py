@@ -21,6 +21,10 @@ app = typer.Typer(
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 ScenarioName = Annotated[str, typer.Argument(metavar="SCENARIO", help="A built-in name or a path to a .toml file.")]
 Seed = Annotated[int | None, typer.Option(help="Random seed; overrides the scenario's seed.")]
+PlantName = Annotated[
+    str | None,
+    typer.Option("--plant", help="Model of the arm: kinematic, rigid or flexible; overrides the scenario's plant."),
+]
 Host = Annotated[
     str,
     typer.Option(help="Address to listen on. If other machines can reach it, a page needs a key in its address."),

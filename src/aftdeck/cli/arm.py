@@ -1,4 +1,4 @@
-"""Command ``arm``: poses, joint angles, limits and modes of an arm."""
+"""Command ``arm``: poses, joint angles, limits, modes and natural frequencies of an arm."""
 
 from __future__ import annotations
 
@@ -27,6 +27,7 @@ class Question(StrEnum):
     inverse = "inverse"
     limits = "limits"
     modes = "modes"
+    frequencies = "frequencies"
 
 
 class FrameChoice(StrEnum):
@@ -37,15 +38,24 @@ class FrameChoice(StrEnum):
     panel = "panel"
 
 
+class PayloadAxis(StrEnum):
+    """Axes along which a payload at the tip of the straight arm can lie."""
+
+    arm = "arm"
+    pitch = "pitch"
+    yaw = "yaw"
+
+
 @app.command(
-    short_help="Print poses, joint angles, limits or modes of an arm.",
+    short_help="Print poses, joint angles, limits, modes or natural frequencies of an arm.",
     epilog="Examples: aftdeck arm srms forward 0 25 -25 5 0 0 --deg --frame panel; "
-    "aftdeck arm srms inverse 10 0 -2 0 0 0 --deg",
+    "aftdeck arm srms inverse 10 0 -2 0 0 0 --deg; "
+    "aftdeck arm srms frequencies --payload-mass '65000 lb' --payload-axis pitch --free",
     context_settings={"ignore_unknown_options": True},
 )
 def arm(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of a built-in arm, or path of an arm file.")],
-    question: Annotated[Question, typer.Argument(metavar="forward|inverse|limits|modes")],
+    question: Annotated[Question, typer.Argument(metavar="QUESTION")],
     numbers: Annotated[
         list[str] | None,
         typer.Argument(
@@ -56,11 +66,40 @@ def arm(
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Read and print angles in degrees; default: radians.")] = False,
     frame: Annotated[FrameChoice, typer.Option(help="Coordinate frame of the pose.")] = FrameChoice.L,
+    pose: Annotated[
+        tuple[float, float, float, float, float, float] | None,
+        typer.Option(metavar="Q1 Q2 Q3 Q4 Q5 Q6", help="frequencies: six joint angles; default: all zero."),
+    ] = None,
+    payload_mass: Annotated[
+        str | None, typer.Option(metavar="MASS", help="frequencies: mass of a payload at the tip, such as '65000 lb'.")
+    ] = None,
+    payload_axis: Annotated[
+        PayloadAxis | None,
+        typer.Option(help="frequencies: axis along which the payload, a cylinder, lies; default: pitch."),
+    ] = None,
+    free: Annotated[bool, typer.Option("--free", help="frequencies: on a free orbiter; default: fixed.")] = False,
+    orbiter_mass: Annotated[
+        str | None, typer.Option(metavar="MASS", help="frequencies: mass of the free orbiter; default: 100000 kg.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Print the tip's pose at given joint angles, the joint angles of a pose, or the arm's limits or modes."""
+    """Print poses, joint angles, limits, modes or natural frequencies of an arm.
+
+    The natural frequencies are those of the flexible arm with its brakes on. Its payload is a uniform cylinder with the
+    density of 65,000 lb in 60 by 15 ft; its centre is at the tip.
+    """
     from aftdeck.kinematics.arm import load_arm
 
+    if question is not Question.frequencies:
+        only = {
+            "--pose": pose,
+            "--payload-mass": payload_mass,
+            "--payload-axis": payload_axis,
+            "--free": free or None,
+            "--orbiter-mass": orbiter_mass,
+        }
+        if given := [option for option, value in only.items() if value is not None]:
+            raise InputError(f"{question.value}: {', '.join(given)} can only be given with frequencies")
     loaded = load_arm(name)
     values = _numbers(numbers or [], 6 if question in (Question.forward, Question.inverse) else 0, question.value)
     match question:
@@ -72,6 +111,11 @@ def arm(
             _limits(loaded, deg, as_json)
         case Question.modes:
             _modes(as_json)
+        case Question.frequencies:
+            from aftdeck.cli.arm_frequencies import print_frequencies
+
+            angles = [math.radians(q) if deg else q for q in pose or [0.0] * 6]
+            print_frequencies(loaded, angles, payload_mass, payload_axis, free, orbiter_mass, as_json)
 
 
 def _numbers(texts: list[str], expected: int, question: str) -> list[float]:

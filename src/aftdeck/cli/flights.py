@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, ScenarioName, Seed, app
+from aftdeck.cli.app import Host, Json, Names, NoBrowser, PlantName, Port, ScenarioName, Seed, app
 from aftdeck.cli.printing import Progress, print_cautions, print_json, print_summary, print_table
 from aftdeck.errors import AftdeckError, InputError
 from aftdeck.lines import print_error, print_line
@@ -17,13 +17,13 @@ from aftdeck.lines import print_error, print_line
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from aftdeck.files import Problem
+    from aftdeck.files import Changes, Problem
     from aftdeck.scenario.model import Scenario
     from aftdeck.simulation.summary import Summary
 
 
 @app.command(
-    epilog="Examples: aftdeck fly first-flight --port 8340; aftdeck fly loaded --record flights; "
+    epilog="Examples: aftdeck fly first-flight --port 8340; aftdeck fly loaded --plant flexible; "
     "aftdeck fly loaded --record flights --participant P07 --condition 'delay 2 s'"
 )
 def fly(
@@ -44,6 +44,7 @@ def fly(
     ] = None,
     no_browser: NoBrowser = False,
     demo: Annotated[bool, typer.Option("--demo", help="Run the script until a stick moves.")] = False,
+    plant: PlantName = None,
     seed: Seed = None,
 ) -> None:
     """Start the station and operate a scenario in the browser."""
@@ -58,7 +59,7 @@ def fly(
     source = find_scenario(scenario)
 
     def load() -> Scenario:
-        loaded = parse_scenario(*source)
+        loaded = parse_scenario(*source, _plant(plant))
         print_cautions(_cautions(loaded))
         return loaded
 
@@ -93,6 +94,7 @@ def run(
     words: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines).")
     ] = None,
+    plant: PlantName = None,
     as_json: Json = False,
     seed: Seed = None,
 ) -> None:
@@ -106,7 +108,7 @@ def run(
 
     if out is not None and words is not None and out.resolve() == words.resolve():
         raise InputError(f"--out and --words name the same file {words}; name two different files")
-    loaded = load_scenario(scenario)
+    loaded = load_scenario(scenario, _plant(plant))
     print_cautions(_cautions(loaded))
     if channels is None and not loaded.phases:
         print_error(
@@ -136,11 +138,11 @@ def _run(
     from aftdeck.recording.run import UnrecordedRunError, record
     from aftdeck.simulation.run import run as run_scenario
 
-    inputs, changes = None, tuple[str, ...]()
+    inputs = None
     if channels is not None:
         from aftdeck.cli.words import operator_by
 
-        scenario, inputs, changes = operator_by(scenario, channels)
+        scenario, inputs = operator_by(scenario, channels)
     with ExitStack() as open_files:
         stepped = None
         if words is not None:
@@ -157,7 +159,6 @@ def _run(
                 out,
                 seed,
                 inputs=inputs,
-                changes=changes,
                 progress=progress,
                 stepped=stepped,
                 index=Index(),
@@ -166,6 +167,11 @@ def _run(
         except UnrecordedRunError as error:
             return error.run.summary, error
         return done.summary, None
+
+
+def _plant(name: str | None) -> Changes:
+    """Return the change of a scenario's plant; no change if `name` is None."""
+    return {} if name is None else {("plant",): name}
 
 
 def _cautions(scenario: Scenario, surveyed: Sequence[Problem] = ()) -> tuple[str, ...]:

@@ -32,8 +32,8 @@ def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
         print_error(f"{path}: {_listed(writer.unsaid)}: the report has no channel or code for these inputs")
 
 
-def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tuple[str, ...]]:
-    """Return the changed scenario, an operator that returns the samples of a file, and the changes as KEY=VALUE.
+def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator]:
+    """Return the changed scenario, and an operator that returns the samples of a file.
 
     The report's program read its channels without delay, so the scenario's command delay is set to 0.
 
@@ -44,8 +44,9 @@ def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tup
     channels = read_channels(path, scenario.control_period)
     if channels.unsaid:
         print_error(f"{path}: {_listed(channels.unsaid)}: run without these inputs, so the result differs")
-    changes = ("command_delay=0",) if scenario.delay else ()
-    return replace(scenario, delay=0), operator_of(channels.samples), changes
+    if scenario.delay:
+        scenario = replace(scenario, delay=0, changes=(*scenario.changes, "command_delay=0"))
+    return scenario, operator_of(channels.samples)
 
 
 def _listed(unsaid: Counter[str]) -> str:

@@ -5,7 +5,7 @@ Source: JSC-12628, subroutine LNKAGE, the part for PA = 1.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -30,6 +30,8 @@ class Payload:
         por: (3,) vector from the payload's centre to its point of resolution, in payload axes [m].
         shapes: drawn shapes, in payload axes about the payload's centre.
         solids: solids, each with (8, 3) vertices in payload axes about the payload's centre [m].
+        inertia: (3, 3) moments of inertia about the payload's centre, in payload axes [kg m2]; zero if only the mass
+            matters.
     """
 
     mass: float
@@ -38,6 +40,7 @@ class Payload:
     por: Array
     shapes: tuple[Shape, ...] = ()
     solids: tuple[Array, ...] = ()
+    inertia: Array = field(default_factory=lambda: np.zeros((3, 3)))
 
     @cached_property
     def packed(self) -> Array:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.plant.linear_actuator import Slide, Travel
-from aftdeck.state_part import StatePart
+from aftdeck.plant.linear_actuator import Travel
+from aftdeck.plant.plant import Accuracy
+from aftdeck.plant.state import PlantState
 
 
 @law
@@ -27,32 +30,35 @@ def follow(commanded_rates: Array, period: float, stops: Array, angles: Array, r
         commanded[i] += commanded_rates[i] * period
 
 
-class KinematicPlant(StatePart):
+class KinematicPlant(NamedTuple):
     """Arm without mass. Rates take effect at once and last for the control period; a hard stop stops its joint.
 
-    Not modelled: servos, flexibility, the orbiter's motion, contact.
+    Not modelled: servos, brakes that slip, flexibility, the orbiter's motion, contact forces.
 
     Attributes:
-        angles: (6,) joint angles [rad].
-        rates: (6,) joint rates [rad/s].
-        commanded: (6,) angles that the joints would have without stops, from all commanded rates so far [rad].
-        stand: telescope; its position is the shoulder's height above L's origin.
+        stops: (6, 2) hard stops [rad].
+        travel: range and rate of the telescope.
+        period: control period [s].
     """
 
-    angles: Array
-    rates: Array
-    commanded: Array
-    stand: Slide
+    stops: Array
+    travel: Travel
+    period: float
 
-    def move(self, stops: Array, travel: Travel, commanded_rates: Array, period: float, drive: float = 0.0) -> None:
-        """Move joints and telescope at the commanded rates for one control period.
+    @property
+    def accuracy(self) -> Accuracy:
+        """Differences of rounding only."""
+        return Accuracy(1e-9, 5e-8, 1e-9)
 
-        Args:
-            stops: (6, 2) hard stops [rad].
-            travel: range and rate of the telescope.
-            commanded_rates: (6,) commanded rates [rad/s].
-            period: control period [s].
-            drive: drive of the telescope, -1 to +1; + lengthens it.
-        """
-        follow(commanded_rates, period, stops, self.angles, self.rates, self.commanded)
-        self.stand.move(travel, drive, period)
+    @property
+    def has_servos(self) -> bool:
+        """False: joints follow their commanded rates exactly."""
+        return False
+
+    def begin(self, state: PlantState, attached: int) -> None:
+        """Do nothing: there are no bodies."""
+
+    def move(self, state: PlantState, rates: Array, drive: float, *, brakes: bool, attached: int) -> None:
+        """Move joints and telescope at the commanded rates for one control period (`Plant.move`)."""
+        follow(rates, self.period, self.stops, state.angles, state.rates, state.commanded)
+        state.stand.move(self.travel, drive, self.period)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import tomllib
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
@@ -16,6 +14,7 @@ from aftdeck.law import state_of_the_laws
 from aftdeck.recording.environment import environment, machine
 from aftdeck.recording.records import FORMAT, Opening
 from aftdeck.recording.trial import NO_TRIAL, Trial
+from aftdeck.scenario.changes import parse_change
 from aftdeck.scenario.load import scenario_from
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.sources import Folder
@@ -26,14 +25,12 @@ from aftdeck.version import __version__
 
 MOST_PROBLEMS = 20
 """Maximum number of problems of recorded texts that are listed."""
-_KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
 
 def opening(
     scenario: Scenario,
     seed: int,
     began_ns: int,
-    changes: tuple[str, ...] = (),
     trial: Trial = NO_TRIAL,
     *,
     real_time: bool = False,
@@ -44,7 +41,6 @@ def opening(
         scenario: the scenario of the run.
         seed: the seed of the run.
         began_ns: wall time at which the run begins, since 1970 [ns].
-        changes: the changes from the scenario's text to this scenario, each as KEY=VALUE.
         trial: participant and condition.
         real_time: whether the steps are due at times of the wall clock.
     """
@@ -65,11 +61,11 @@ def opening(
         shapes_file=model.source.shapes or "",
         shapes_text=model.shapes.text if model.shapes else "",
         worksite_text=scenario.worksite.text,
-        changes=changes,
+        changes=scenario.changes,
         participant=trial.participant,
         condition=trial.condition,
         digests=declaration(State),
-        environment=environment(),
+        environment=environment(scenario.plant),
         real_time=real_time,
     )
 
@@ -171,27 +167,3 @@ def _check_header(start: Opening, scenario: Scenario) -> None:
             raise RecordingError(
                 f"the header has {name} = {short(given)}, but its texts say {short(expected)}", "damaged"
             )
-
-
-def parse_change(text: str) -> tuple[Where, object]:
-    """Return the location in a scenario's file and the new value from the text ``KEY=VALUE``.
-
-    The value is read as TOML if it is valid TOML (``0.5``, ``true``, ``[1, 2]``), otherwise as text (``0.5 ft/s``).
-
-    Raises:
-        InputError: the text is not ``KEY=VALUE``.
-    """
-    key, equals, value = text.partition("=")
-    key = key.strip()
-    if not equals or not _KEY.fullmatch(key):
-        raise InputError(
-            f"a change must be KEY=VALUE with a key of the scenario's file, such as command_delay=0.5, "
-            f"limits.por.translation='1 ft/s' or phase[0].rate=vernier; got {text!r}"
-        )
-    where = tuple(int(i) if i else name for name, i in re.findall(r"([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]", key))
-    value = value.strip()
-    try:
-        read = tomllib.loads(f"value = {value}")
-    except (ValueError, RecursionError):
-        return where, value
-    return where, read["value"] if len(read) == 1 else value

@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 
 from aftdeck.errors import RecordingError
-from aftdeck.recording.bundle import parse_change, scenario_of
+from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.compare import Comparison, Difference, EventChange, Greatest
 from aftdeck.recording.convert import inputs_of
 from aftdeck.recording.index import Index
@@ -19,6 +19,7 @@ from aftdeck.recording.replay import Progress
 from aftdeck.recording.resample import resampled
 from aftdeck.recording.trial import Trial
 from aftdeck.recording.writer import Recorder
+from aftdeck.scenario.changes import parse_change
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -75,8 +76,8 @@ def rerun(
     scenario = scenario_of(opening, dict(parsed))
     seed = scenario.seed if any(where == ("seed",) for where, _ in parsed) else opening.seed
     sim = Simulation(scenario, seed)
-    all_changes, trial = (*opening.changes, *changes), Trial(opening.participant, opening.condition)
-    recorder = None if out is None else Recorder(out, scenario, seed, changes=all_changes, trial=trial, index=index)
+    trial = Trial(opening.participant, opening.condition)
+    recorder = None if out is None else Recorder(out, scenario, seed, trial=trial, index=index)
     frames = hashlib.sha256()
 
     def new_frames() -> Iterator[FrameRecord]:

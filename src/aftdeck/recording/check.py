@@ -17,6 +17,7 @@ from aftdeck.recording.convert import DIGITS, frame_record, input_record, inputs
 from aftdeck.recording.reader import Entry, Recording
 from aftdeck.recording.records import Closing, FrameRecord, Input, Note, Opening
 from aftdeck.recording.viewing import Viewing
+from aftdeck.scenario.schema import Plant
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
 from aftdeck.simulation.summary import Tally
@@ -99,6 +100,11 @@ class Check:
             self._close(message)
         if self.strict:
             self._compare(entry)
+
+    @property
+    def plant(self) -> Plant:
+        """Plant of the run."""
+        return self._sim.scenario.plant
 
     def changes(self) -> tuple[ChannelChange, ...]:
         """Return the channels that differ, after the last message."""

@@ -11,6 +11,7 @@ from typing import Annotated, Any
 import msgspec
 
 from aftdeck.field_meta import field_meta
+from aftdeck.scenario.schema import Plant
 
 
 class Environment(msgspec.Struct, frozen=True):
@@ -31,10 +32,11 @@ class Environment(msgspec.Struct, frozen=True):
         tuple[str, ...],
         field_meta("instructions that Numba used, by LLVM's names (`+fma`, `+avx2`), in alphabetical order"),
     ]
+    mujoco: Annotated[str, field_meta("MuJoCo's version; empty if the run has the kinematic plant")] = ""
 
 
-def environment() -> Environment:
-    """Return the environment of this process; it imports Numba, if Numba compiles the laws."""
+def environment(plant: Plant = "kinematic") -> Environment:
+    """Return the environment of this process for runs with a plant; it imports Numba, if Numba compiles the laws."""
     target, features = _target()
     return Environment(
         processor=f"{platform.machine()} {platform.processor()}".strip(),
@@ -46,6 +48,7 @@ def environment() -> Environment:
         llvmlite=version("llvmlite"),
         target=target,
         features=features,
+        mujoco="" if plant == "kinematic" else version("mujoco-core"),
     )
 
 

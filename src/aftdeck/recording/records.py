@@ -73,7 +73,7 @@ class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
     script: Annotated[bool, field_meta("whether the scenario's script supplied the inputs")] = False
 
 
-class FrameRecord(Frame, Message, frozen=True):
+class FrameRecord(Frame, Message, frozen=True, kw_only=True):
     """Frame of one control step, rounded to the declared decimals."""
 
     wall_s: Annotated[float, field_meta("wall time since the run began", "s", decimals=6)]

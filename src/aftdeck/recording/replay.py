@@ -136,7 +136,7 @@ def _verdict(recording: Recording, check: Check, listed: str) -> Verdict:
     changes, chained = check.changes(), _chained(recording, check, listed)
     recomputed = check.recomputed()
     others = (*[topic for topic in check.topics if topic not in recomputed], *OF_THE_WALL_CLOCK)
-    here = environment()
+    here = environment(check.plant)
     return Verdict(
         equal=check.different == 0 and not changes and chained in ("unbroken", "none"),
         frames=check.frames,

@@ -35,7 +35,6 @@ def record(
     *,
     trial: Trial = NO_TRIAL,
     inputs: Callable[[Simulation], Inputs | None] | None = None,
-    changes: tuple[str, ...] = (),
     progress: Callable[[float], None] | None = None,
     stepped: Callable[[Simulation], None] | None = None,
     index: Index | None = None,
@@ -49,7 +48,6 @@ def record(
         seed: seed of the run; None selects the scenario's seed.
         trial: participant and condition.
         inputs: function that is called before every step and returns manual inputs, as in `simulation.run.run`.
-        changes: changes of the scenario, each as KEY=VALUE.
         progress: called repeatedly with the fraction of the maximum duration that has passed, 0 to 1.
         stepped: called with the simulation after every step.
         index: list of recordings to which the file is added.
@@ -65,7 +63,7 @@ def record(
     """
     loaded = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
     own_seed = loaded.seed if seed is None else whole(seed, "seed")
-    recorder = Recorder(Path(out), loaded, own_seed, changes=changes, trial=trial, index=index)
+    recorder = Recorder(Path(out), loaded, own_seed, trial=trial, index=index)
 
     def record_step(sim: Simulation) -> None:
         recorder.step(sim.given, sim.look())

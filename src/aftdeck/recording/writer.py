@@ -97,7 +97,6 @@ class Recorder:
         scenario: Scenario,
         seed: int,
         *,
-        changes: tuple[str, ...] = (),
         trial: Trial = NO_TRIAL,
         live: Live | None = None,
         index: Index | None = None,
@@ -110,7 +109,6 @@ class Recorder:
             path: file to create; its folder is created if it is missing. None: the run is only sent to viewers.
             scenario: the scenario of the run.
             seed: the seed of the run.
-            changes: changes of the scenario, each as KEY=VALUE.
             trial: participant and condition.
             live: server for viewers; it continues after the run.
             index: list of recordings to which the file is added.
@@ -128,7 +126,7 @@ class Recorder:
         self._sink = Sink(path) if path else None
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
-        self._opening = opening(scenario, seed, self._began_ns, changes, trial, real_time=real_time)
+        self._opening = opening(scenario, seed, self._began_ns, trial, real_time=real_time)
         self._waiting: deque[_Step | Note | _Ready | _End] = deque()
         self._over = threading.Event()
         self.delays: Delays | None = None

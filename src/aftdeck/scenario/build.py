@@ -27,11 +27,18 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.file.load import worksite_of
 from aftdeck.worksite.model import Cargo, Worksite
 
+END_SPHERE = {"kinematic": (1e-4, 2e-5), "rigid": (2e-3, 3.5e-4), "flexible": (2e-3, 3.5e-4)}
+"""Radius [m] and angle [rad] of the end sphere on each plant, if the scenario does not give them.
+
+A servo with friction cannot follow the small rates that the last tenth of a millimetre takes.
+"""
 WHOLE = 1e-6
 """Greatest deviation of a duration from a whole number of control periods [1]."""
 
 
-def build(problems: Problems, spec: ScenarioFile, name: str, text: str, sources: Sources) -> Scenario | None:
+def build(
+    problems: Problems, spec: ScenarioFile, name: str, text: str, changes: tuple[str, ...], sources: Sources
+) -> Scenario | None:
     """Return the scenario of a decoded file; None if the file has errors, which are then in `problems`.
 
     Args:
@@ -39,10 +46,11 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, sources:
         spec: the decoded file.
         name: name of the scenario.
         text: text of the file.
+        changes: changes of the text before it was decoded, each as KEY=VALUE.
         sources: origin of the arm and the worksite.
     """
     _check_times(problems, spec)
-    _check_arrival(problems, spec)
+    near, near_turn = _end_sphere(problems, spec)
     mode = chosen_mode(problems, spec.mode, ("mode",)) or Chosen("ORB UNL")
     arm = limited_arm(problems, spec.arm, spec.limits, sources)
     if arm is None:
@@ -82,6 +90,8 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, sources:
         arm=arm,
         worksite=worksite,
         seed=spec.seed,
+        plant=spec.plant,
+        free_orbiter=spec.dynamics.orbiter == "free",
         duration=float(spec.duration),
         ticks=round(spec.duration / spec.control_period),
         control_period=float(spec.control_period),
@@ -102,8 +112,8 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, sources:
         as_flown=spec.soft_stops == "as-flown",
         strict=spec.strict,
         guarded=not spec.strict if spec.guards is None else spec.guards,
-        near=float(spec.arrive_within),
-        near_turn=float(spec.arrive_within_angle),
+        near=near,
+        near_turn=near_turn,
         fly_by=float(spec.fly_by_within),
         fly_by_turn=float(spec.fly_by_angle),
         law=mode.law or spec.law,
@@ -115,6 +125,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, sources:
         payload=payload,
         phases=tuple(phase for phase in phases if phase is not None),
         text=text,
+        changes=changes,
         cautions=tuple(cautions),
     )
 
@@ -177,9 +188,15 @@ def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:
         problems.add(("clearance", "caution"), f"has to be above the warning at {warning:g} m, got {caution:g} m")
 
 
-def _check_arrival(problems: Problems, spec: ScenarioFile) -> None:
-    """Check the end sphere of the automatic modes."""
-    if spec.arrive_within <= 0.0:
-        problems.add(("arrive_within",), f"has to be above 0, got {spec.arrive_within:g} m")
-    if spec.arrive_within_angle <= 0.0:
-        problems.add(("arrive_within_angle",), f"has to be above 0, got {spec.arrive_within_angle:g} rad")
+def _end_sphere(problems: Problems, spec: ScenarioFile) -> tuple[float, float]:
+    """Return radius [m] and angle [rad] of the end sphere of the automatic modes."""
+    near, near_turn = END_SPHERE[spec.plant]
+    if spec.arrive_within is not None:
+        near = float(spec.arrive_within)
+    if spec.arrive_within_angle is not None:
+        near_turn = float(spec.arrive_within_angle)
+    if near <= 0.0:
+        problems.add(("arrive_within",), f"has to be above 0, got {near:g} m")
+    if near_turn <= 0.0:
+        problems.add(("arrive_within_angle",), f"has to be above 0, got {near_turn:g} rad")
+    return near, near_turn

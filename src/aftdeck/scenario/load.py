@@ -10,6 +10,7 @@ from aftdeck.dimensions import KEY, derive_from, has_formulas
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Changes, Problem, Text, as_path, examine, read, sentences
 from aftdeck.scenario.build import build
+from aftdeck.scenario.changes import change_text
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
@@ -71,14 +72,18 @@ def find_scenario(name_or_path: str | Path) -> Source:
     return Source(read(path).text, path.stem, path.name, path.parent)
 
 
-def load_scenario(name_or_path: str | Path) -> Scenario:
+def load_scenario(name_or_path: str | Path, changes: Changes | None = None) -> Scenario:
     """Load a built-in scenario by its name, or a scenario file by its path.
+
+    Args:
+        name_or_path: built-in name or path.
+        changes: new values, each with the place of the value that it replaces.
 
     Raises:
         ScenarioError: there is no such scenario, or its file has errors; the message lists all errors, with their
             places in the file.
     """
-    return parse_scenario(*find_scenario(name_or_path))
+    return parse_scenario(*find_scenario(name_or_path), changes)
 
 
 def _derived(raw: dict[str, Any], sources: Sources, file: Text) -> list[Problem]:
@@ -120,7 +125,12 @@ def scenario_from(text: str, name: str, file: str, sources: Sources, changes: Ch
     source = Text(file, text)
     spec, found = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, sources, source))
     problems = Problems(found)
-    scenario = None if spec is None else build(problems, spec, name, text, sources)
+    scenario = None if spec is None else build(problems, spec, name, text, _texts(changes), sources)
     if scenario is None or problems:
         raise ScenarioError(problems.sentences(file, text))
     return scenario
+
+
+def _texts(changes: Changes | None) -> tuple[str, ...]:
+    """Return changes as texts."""
+    return tuple(change_text(where, value) for where, value in (changes or {}).items())

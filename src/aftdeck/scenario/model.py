@@ -12,7 +12,7 @@ from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
-from aftdeck.scenario.schema import FreeContact, PorOverride, Rate, Until
+from aftdeck.scenario.schema import FreeContact, Plant, PorOverride, Rate, Until
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.steering.mode import MODES, LawChoice
 from aftdeck.worksite.model import Cargo, Worksite
@@ -158,6 +158,8 @@ class Scenario:
         arm: the arm, with the scenario's limits replacing the arm's limits.
         worksite: the worksite.
         seed: random seed.
+        plant: model that turns commanded rates into motion.
+        free_orbiter: whether the orbiter reacts to the arm's motion, on a plant with masses.
         duration: longest simulated time [s].
         ticks: longest simulated time [control periods].
         control_period: duration of a control step [s].
@@ -193,6 +195,7 @@ class Scenario:
         payload: the payload of `[payload]`, which is attached at the start; None if there is none.
         phases: the script; empty if there is none.
         text: text of the file.
+        changes: changes from the text to this scenario, each as KEY=VALUE.
         cautions: misfits (`scenario.fit`) that do not make every run meaningless.
     """
 
@@ -202,6 +205,8 @@ class Scenario:
     arm: Arm
     worksite: Worksite
     seed: int
+    plant: Plant
+    free_orbiter: bool
     duration: float
     ticks: int
     control_period: float
@@ -235,6 +240,7 @@ class Scenario:
     payload: Payload | None
     phases: tuple[PhasePlan, ...]
     text: str
+    changes: tuple[str, ...]
     cautions: tuple[Problem, ...]
 
     @property

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from aftdeck.arms.covers import cover_problem, hexahedra
 from aftdeck.arms.geometry import frozen
+from aftdeck.bodies.mass_properties import box
 from aftdeck.files import Where
 from aftdeck.frames import endori
 from aftdeck.kinematics.payload import Payload
+from aftdeck.plant.usual_payload import usual_payload
 from aftdeck.scenario.poses import rotation_matrix
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import AttachedSpec, PayloadSpec
@@ -27,7 +31,11 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
             problems.add(("payload", "body", k), problem)
             return None
     solids = tuple(frozen(vertices) for cover in spec.body for vertices in hexahedra(cover, PART))
-    return replace(held, shapes=spec.shape, solids=solids)
+    inertia = held.inertia
+    if solids and spec.inertia is None:
+        corners = np.concatenate(solids)
+        inertia = frozen(box(held.mass, corners.min(axis=0), corners.max(axis=0)).inertia)
+    return replace(held, shapes=spec.shape, solids=solids, inertia=inertia)
 
 
 def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Payload | None:
@@ -41,4 +49,5 @@ def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Pa
         if given is None:
             return None
         turned = given
-    return Payload(float(spec.mass), frozen(turned), frozen(spec.position), frozen(spec.por))
+    inertia = usual_payload(float(spec.mass)).inertia if spec.inertia is None else np.diag(spec.inertia)
+    return Payload(float(spec.mass), frozen(turned), frozen(spec.position), frozen(spec.por), inertia=frozen(inertia))

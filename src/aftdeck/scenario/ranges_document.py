@@ -12,7 +12,8 @@ from typing import Annotated, Any, NamedTuple, get_args, get_origin
 
 import msgspec
 
-from aftdeck.arms.model import ArmFile, Constant
+from aftdeck.arms.constant import Constant
+from aftdeck.arms.model import ArmFile
 from aftdeck.arms.shapes import ShapesFile
 from aftdeck.bounds import Bounds
 from aftdeck.errors import InputError

@@ -6,23 +6,35 @@ from typing import Annotated, Literal
 
 import msgspec
 
+from aftdeck.arms.constant import Text
 from aftdeck.arms.model import (
     Cover,
     RiseTime,
     SixAccelerations,
     SixRanges,
     SixRates,
-    Text,
     TipRate,
     TipSpeed,
 )
 from aftdeck.bounds import COMPONENT, Bounds
 from aftdeck.shapes import Shape
-from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
+from aftdeck.units import (
+    Acceleration,
+    Angle,
+    AngularAcceleration,
+    AngularRate,
+    Length,
+    Mass,
+    MomentOfInertia,
+    Speed,
+    Time,
+)
 from aftdeck.worksite.file.cargo_file import StartFile
 
 Stick = Annotated[float, Bounds(-1.0, 1.0, "1 is the full deflection")]
 Sticks = tuple[Stick, Stick, Stick]
+_Moment = Annotated[MomentOfInertia, Bounds(1e-9, 1e10, "the ISS has about 1e8 kg m2")]
+Inertia = tuple[_Moment, _Moment, _Moment]
 SixAngles = tuple[Angle, Angle, Angle, Angle, Angle, Angle]
 Point = tuple[Length, Length, Length]
 Velocity = tuple[Speed, Speed, Speed]
@@ -38,6 +50,8 @@ SixStartRates = tuple[AngularRate, AngularRate, AngularRate, AngularRate, Angula
 Rate = Literal["coarse", "vernier"]
 Until = Literal["captured", "released", "latched", "unlatched"]
 """Events for which a phase may wait: a payload is captured, released, latched in its berth, or unlatched."""
+Plant = Literal["kinematic", "rigid", "flexible"]
+"""Models that turn commanded rates into motion: without masses, with rigid bodies, with bending booms and gearboxes."""
 FreeContact = Literal["stop", "reflect"]
 """Effect of a contact on a floating payload."""
 
@@ -188,13 +202,24 @@ class LimitsOverride(RatesOverride, frozen=True):
     reach: SixRanges | None = None
 
 
+class DynamicsSpec(_Part, frozen=True):
+    """Properties of a plant with masses; the kinematic plant ignores them.
+
+    `orbiter` is `free` if the orbiter reacts to the arm's motion, and `fixed` if it keeps its position and attitude.
+    """
+
+    orbiter: Literal["free", "fixed"] = "free"
+
+
 class AttachedSpec(_Part, frozen=True):
     """A payload as the steering uses it.
 
     `position` is r_87, the vector from the tip to the payload's centre, in payload axes. `roll`, `pitch`, `yaw` or a
     `matrix` give the rotation from frame 7 to the payload's axes (T_78). The angles are ENDORI's roll, elevation,
     azimuth; azimuth is applied first. `por` is the vector from the payload's centre to its point of resolution, in
-    payload axes.
+    payload axes. `inertia` gives the moments of inertia about the payload axes, through its centre. Without `inertia`,
+    the payload is uniform: a box around its `body` entries, or a cylinder with 1/4 of its length as diameter and the
+    density of 65,000 lb in 60 x 15 ft, its axis along payload axis 1.
     """
 
     mass: Mass
@@ -204,6 +229,7 @@ class AttachedSpec(_Part, frozen=True):
     yaw: Angle = Angle(0.0)
     matrix: tuple[Row, Row, Row] | None = None
     por: Point = (Length(0.0), Length(0.0), Length(0.0))
+    inertia: Inertia | None = None
 
 
 class PayloadSpec(AttachedSpec, frozen=True):
@@ -300,14 +326,17 @@ class ScenarioFile(_Part, frozen=True):
     command_delay: Delay = Time(0.0)
     telemetry_delay: Delay = Time(0.0)
     camera_delay: Delay = Time(0.0)
-    plant: Literal["kinematic"] = "kinematic"
+    plant: Plant = "kinematic"
+    dynamics: DynamicsSpec = DynamicsSpec()
     mode: int | Text = "ORB UNL"
     rate: Rate = "coarse"
     soft_stops: Literal["mended", "as-flown"] = "mended"
     strict: bool = False
     guards: bool | None = None
-    arrive_within: Length = Length(1e-4)
-    arrive_within_angle: Angle = Angle(2e-5)
+    arrive_within: Length | None = None
+    """Radius of the end sphere of the automatic modes; by default 0.1 mm, and 2 mm on a plant with masses."""
+    arrive_within_angle: Angle | None = None
+    """Angle of the end sphere; by default 0.001 deg, and 0.02 deg on a plant with masses."""
     fly_by_within: Length = Length(0.5)
     fly_by_angle: Angle = Angle(0.2)
     law: Literal["position", "closed loop", "open loop"] = "closed loop"

@@ -82,6 +82,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     plant.angles[:], plant.rates[:] = start.angles, start.rates
     plant.stand.position = start.stand
     plant.commanded[:] = start.angles
+    flight.plant.begin(plant, state.script.attached)
     observed = np.empty(OBSERVED)
     observe(scenario.arm.model.links, start.angles, start.rates, observed)
     state.command[MASTER : MASTER + 6] = state.command[KEPT : KEPT + 6] = start.angles

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from aftdeck.arrays import Array
+from aftdeck.errors import SimulationError
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
@@ -47,6 +50,20 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     telescope = limit_motion(flight, state, inputs.telescope)
 
     # move the plant, then the worksite: contacts, captures, berths
-    scenario = flight.scenario
-    state.plant.move(scenario.arm.limits.hard, flight.telescope, rates, scenario.control_period, telescope)
+    move_plant(flight, state, rates, telescope)
     update_worksite(flight, state, inputs)
+
+
+def move_plant(flight: Flight, state: State, rates: Array, telescope: float) -> None:
+    """Move the plant. If its model diverges, nothing moves, and a script ends with "fault".
+
+    Raises:
+        SimulationError: the model diverged, and an operator supplies the inputs.
+    """
+    try:
+        flight.plant.move(state.plant, rates, telescope, brakes=state.panel.brakes, attached=state.script.attached)
+    except SimulationError as error:
+        if not state.by_script:
+            raise
+        state.script.ended = "fault"
+        log(flight, state, "fault", "warning", str(error))

@@ -144,6 +144,26 @@ class Placed(NamedTuple):
     orientation: Annotated[Rows, field_meta("attitude of the body", "1", "L")]
 
 
+class Dynamics(msgspec.Struct, frozen=True, gc=False):
+    """Motion of the bodies behind the joints: what the encoders do not show, on a plant with masses.
+
+    Fields of `Frame` about the arm follow from the measured angles; the fields here follow from the bodies.
+    """
+
+    position: Annotated[Vec3, field_meta("true position of the tip", "m", "L")]
+    orientation: Annotated[Rows, field_meta("true attitude of frame 7", "1", "L")]
+    miss: Annotated[
+        tuple[float, float] | None,
+        field_meta("true distance and angle of the tip from the target; null if there is none", "m, rad"),
+    ]
+    torques: Annotated[Six, field_meta("torque of motor or brake about each joint", "N m", decimals=3)]
+    overdriven: Annotated[
+        tuple[int, ...],
+        field_meta("joints, 0 to 5, that turn against a motor or brake at its greatest torque"),
+    ]
+    orbiter: Annotated[Placed, field_meta("pose of L, relative to its pose at the start of the run", "m, 1", "L")]
+
+
 class Frame(msgspec.Struct, frozen=True, gc=False):
     """State after a control step, with the inputs and limits that acted. The tip is coordinate frame 7."""
 
@@ -282,3 +302,10 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         ),
     ]
     sha256: Annotated[str, field_meta("SHA-256 of the exact state", value="seal.hex()")]
+    dynamics: Annotated[
+        Dynamics | None,
+        field_meta(
+            "motion of the bodies; null on the kinematic plant, where the encoders show it",
+            value="dynamics_of(flight, state)",
+        ),
+    ] = None

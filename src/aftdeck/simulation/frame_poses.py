@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.plant.state import FOLLOWING
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.state import State
 from aftdeck.worksite.watch.contact_update import place_everything
@@ -13,16 +14,20 @@ from aftdeck.worksite.watch.contact_update import place_everything
 def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: float) -> Array:
     """Return the poses of all frames in L, (F, 12), for joint angles (6,) [rad] and telescope and prong positions [m].
 
-    The orbiter is at its present position. Each payload moves with its present carrier.
+    The orbiter is at its present position. Each payload moves with its present carrier. Links and joints do not bend.
     """
     frames = np.empty_like(state.worksite.frames)
-    place_everything(*state.worksite.places(flight.site), angles, stand, prong, frames)
+    place_everything(*state.worksite.places(flight.site), angles, stand, prong, FOLLOWING, frames)
     return frames
 
 
 def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
     """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and everything else unchanged."""
-    return frames_at(flight, state, state.plant.angles, state.plant.stand.position, prong)
+    plant, frames = state.plant, np.empty_like(state.worksite.frames)
+    place_everything(
+        *state.worksite.places(flight.site), plant.angles, plant.stand.position, prong, plant.frames, frames
+    )
+    return frames
 
 
 def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -> Array:

@@ -33,7 +33,7 @@ class SavedSimulation(msgspec.Struct, frozen=True):
     """State of a simulation at one time, with the scenario's digest and the seed."""
 
     scenario: str
-    """SHA-256 of the scenario's text and the arm's constants."""
+    """SHA-256 of the scenario's text, its changes, and the arm's constants."""
     seed: int
     state: bytes
     """Bytes made by `aftdeck.state_part.encoded`."""
@@ -56,7 +56,7 @@ class Simulation:
         self._flown = Inputs()
         self._flight = run_constants(self.scenario)
         self._state = initial_state(self._flight)
-        constants = f"{self.scenario.text}\n{self.scenario.arm.model.source}"
+        constants = f"{self.scenario.text}\n{self.scenario.changes}\n{self.scenario.arm.model.source}"
         self._stepped = False
         self._digest = hashlib.sha256(constants.encode()).hexdigest()
 

@@ -10,8 +10,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.observe import OBSERVED
-from aftdeck.plant.kinematic import KinematicPlant
-from aftdeck.plant.linear_actuator import Slide
+from aftdeck.plant.state import PlantState, new_plant_state
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.flight import Flight
@@ -111,7 +110,7 @@ class State(StatePart):
         panel: switches.
         script: progress of the script.
         delayed_inputs: an operator's inputs that do not act yet because of the command delay, oldest first.
-        plant: model that moves the joints and the telescope.
+        plant: joints and telescope as steering measures them, and the bodies of a plant with masses.
         worksite: the worksite's part of the state.
         views: settings of the cameras' drives.
         steering: measured angles and shoulder offset, commanded rates, commanded twist.
@@ -131,7 +130,7 @@ class State(StatePart):
     panel: Panel
     script: Script
     delayed_inputs: list[Inputs]
-    plant: KinematicPlant
+    plant: PlantState
     worksite: WorksiteState
     views: Views
     steering: Array
@@ -148,9 +147,9 @@ class State(StatePart):
     events: list[Event] = msgspec.field(default_factory=list)
 
     def fork(self) -> State:
-        """Return an independent copy of this state, without CMD CK, for a rehearsal."""
+        """Return an independent copy of this state, without CMD CK, for a rehearsal on the kinematic plant."""
         copy = copied(self)
-        copy.checking = None
+        copy.checking = copy.plant.bodies = None
         return copy
 
     def replace_with(self, other: State) -> None:
@@ -162,8 +161,8 @@ class State(StatePart):
             setattr(self, name, getattr(other, name))
 
     def measure(self) -> None:
-        """Copy the plant's measured angles and rates to `steering`. Steering laws, plans and checks start from them."""
-        measured(self.plant.angles, self.plant.rates, self.shoulder_offset, self.steering)
+        """Copy the plant's angles and rates to `steering`. Steering laws, plans and checks start from them."""
+        measured(self.plant.angles, self.plant.reference, self.shoulder_offset, self.steering)
 
     @property
     def rules(self) -> Array:
@@ -208,7 +207,7 @@ def new_state(flight: Flight, carried: SteeringSetup) -> State:
         panel=panel,
         script=Script(attached=0 if scenario.payload is None else 1),
         delayed_inputs=[Inputs()] * scenario.delay,
-        plant=KinematicPlant(np.zeros(6), np.zeros(6), np.zeros(6), Slide(0.0)),
+        plant=new_plant_state(),
         worksite=new_worksite_state(flight.site, flight.prong),
         views=views,
         steering=np.zeros(STATE),

@@ -56,6 +56,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
         plant.angles,
         plant.stand.position,
         worksite.prong.position,
+        plant.frames,
         *layout.packed,
         watch.active,
         watch.counts,

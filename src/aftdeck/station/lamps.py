@@ -65,6 +65,15 @@ def _release(_scenario: Scenario, frame: Frame) -> Lit | None:
     return Lit("info", "the payload is being released") if releases else None
 
 
+def _control_error(scenario: Scenario, frame: Frame) -> Lit | None:
+    """Return the state of CONTR ERR, which is lit while a joint turns against its motor or brake."""
+    joints = () if frame.dynamics is None else frame.dynamics.overdriven
+    if not joints:
+        return None
+    what = "brake slips" if frame.brakes else "driven back"
+    return Lit("caution", f"{what}: {', '.join(joint_label(scenario.arm.joints[joint]) for joint in joints)}")
+
+
 LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
     "SINGULAR": _singular,
     "REACH LIM": _reach_limit,
@@ -73,6 +82,7 @@ LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
     "CLEARANCE": _clearance,
     "DERIGIDIZE": _derigidize,
     "RELEASE": _release,
+    "CONTR ERR": _control_error,
 }
 """Condition of each lamp that a frame can light. The page adds lamps of its own, and arranges all of them."""
 TIME_LOST = "TIME LOST"

@@ -245,6 +245,17 @@ class Translation(msgspec.Struct, frozen=True):
     """Time to reach the speed from rest [s]."""
 
 
+class OrbiterMass(msgspec.Struct, frozen=True):
+    """Mass properties of the orbiter."""
+
+    mass: float
+    """Mass [kg]."""
+    inertia: Vec3
+    """Moments of inertia about roll, pitch and yaw axis, through the centre of mass [kg m2]."""
+    centre: Vec3
+    """Centre of mass: structural Xo, Yo, Zo [m]."""
+
+
 class Worksite(msgspec.Struct, frozen=True, eq=False):
     """A worksite. The first body's own frame is the scene frame."""
 
@@ -268,3 +279,5 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     acquisition: BarAcquisition | SnareCapture | None
     bay: Bay | None
     translation: Translation | None
+    orbiter: OrbiterMass | None
+    """Mass of the orbiter; None if the worksite has no orbiter that moves."""

@@ -8,7 +8,7 @@ export type Axis = 'x' | 'y' | 'z';
 export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
 export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
 export type Level = 'info' | 'caution' | 'warning';
-export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE' | 'TIME LOST';
+export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE' | 'CONTR ERR' | 'TIME LOST';
 export type Quat = readonly [number, number, number, number];
 export type Rate = 'coarse' | 'vernier';
 export type LawChoice = 'position' | 'closed loop' | 'open loop';
@@ -18,6 +18,7 @@ export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc j
 export type Six = readonly [number, number, number, number, number, number];
 export type Vec3 = readonly [number, number, number];
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -525,6 +526,8 @@ export interface Welcome {
   /** Task of the operator in this scenario, in a sentence or two. */
   readonly text: string;
   readonly arm: string;
+  /** Model that turns commanded rates into motion. */
+  readonly plant: Plant;
   readonly control_period_s: number;
   /** Time from a command to its arrival at the arm [s]. */
   readonly command_delay_s: number;
@@ -558,7 +561,7 @@ export interface Welcome {
   readonly phases: readonly string[];
 }
 
-/** Joint of the arm: names, limits [rad] and rate limits [rad/s]. */
+/** Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limit [N m]. */
 export interface JointInfo {
   /** Name in the arm file: `shoulder_yaw`. */
   readonly name: string;
@@ -572,6 +575,8 @@ export interface JointInfo {
   readonly coarse: number;
   readonly vernier: number;
   readonly servo: number;
+  /** Greatest torque of the motor; null on the kinematic plant. */
+  readonly torque: number | null;
 }
 
 /** Position of the MODE rotary. */
@@ -921,6 +926,8 @@ export interface Frame {
   readonly views: readonly (readonly [pan: number, tilt: number, zoom: number])[];
   /** SHA-256 of the exact state */
   readonly sha256: string;
+  /** motion of the bodies; null on the kinematic plant, where the encoders show it */
+  readonly dynamics: Dynamics | null;
   readonly display: Display;
 }
 
@@ -1125,6 +1132,26 @@ export interface Event {
   readonly level: Level;
   /** text for the operator */
   readonly text: string;
+}
+
+/**
+ * Motion of the bodies behind the joints: what the encoders do not show, on a plant with masses.
+ *
+ * Fields of `Frame` about the arm follow from the measured angles; the fields here follow from the bodies.
+ */
+export interface Dynamics {
+  /** true position of the tip [m], along the axes of L */
+  readonly position: Vec3;
+  /** true attitude of frame 7, along the axes of L */
+  readonly orientation: Rows;
+  /** true distance and angle of the tip from the target; null if there is none [m, rad] */
+  readonly miss: Vec2 | null;
+  /** torque of motor or brake about each joint [N m] */
+  readonly torques: Six;
+  /** joints, 0 to 5, that turn against a motor or brake at its greatest torque */
+  readonly overdriven: readonly number[];
+  /** pose of L, relative to its pose at the start of the run [m, 1], along the axes of L */
+  readonly orbiter: readonly [position: Vec3, orientation: Rows];
 }
 
 /** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */

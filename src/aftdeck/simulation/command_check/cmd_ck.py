@@ -20,6 +20,8 @@ from aftdeck.state_part import encoded
 from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
 
+_NO_MASSES = {"kinematic": "", "rigid": "rehearsed without masses", "flexible": "rehearsed without masses"}
+"""Part of a verdict's text, by plant."""
 STEPS = 50
 """Number of steps that are rehearsed in one control step; their computation takes 1 to 3 ms."""
 
@@ -70,7 +72,7 @@ def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
     left = STEPS
     while left > 0:
         if not checking.ways and not _more_ways(flight, checking):
-            return _verdict(checking)
+            return _verdict(flight, checking)
         way, cache = checking.ways[0], checking.rehearsal
         best = min((tried.seconds for tried in checking.tried if tried.good), default=np.inf)
         if way.least >= best:
@@ -79,7 +81,7 @@ def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
         if cache.motion is None:
             start = _start(flight, checking)
             assert start is not None, "a rehearsal has a start state"
-            cache.motion = Rehearsal(flight, start, checking.target, way)
+            cache.motion = Rehearsal(flight.rehearsed, start, checking.target, way)
             cache.motion.advance(checking.steps)  # after a restore, repeat the steps rehearsed before the save
         outcome = cache.motion.advance(left)
         left -= max(cache.motion.steps - checking.steps, 1)
@@ -95,7 +97,7 @@ def _start(flight: Flight, checking: Checking) -> State | None:
     """Return the state from which the motion is rehearsed; None before the rehearsal starts."""
     cache = checking.rehearsal
     if cache.start is None and checking.start is not None:
-        cache.start = resume(flight, checking.start)
+        cache.start = resume(flight.rehearsed, checking.start)
     return cache.start
 
 
@@ -116,8 +118,10 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
     return True
 
 
-def _verdict(checking: Checking) -> Check:
+def _verdict(flight: Flight, checking: Checking) -> Check:
     """Return the verdict from the results of all rehearsed ways.
+
+    The rehearsal has no masses; on a plant with masses, the text says so.
 
     GOOD if one or more motions by the selected steering law succeeded; the verdict describes the quickest of them. Else
     FAIL, with the reason why the first motion failed. If a motion in mode 1 (by joints) succeeded, the text of FAIL
@@ -127,7 +131,7 @@ def _verdict(checking: Checking) -> Check:
     good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)
     best = next((tried for tried in good if tried.way.law == first.way.law), None)
     if best is not None:
-        parts = [f"GOOD: {best.seconds:.0f} s", best.text, best.near]
+        parts = [f"GOOD: {best.seconds:.0f} s", _NO_MASSES[flight.scenario.plant], best.text, best.near]
         return Check(True, ", ".join(part for part in parts if part), best.seconds, "", best.way.joints)
     when = "" if first.cause == "miss" else f", after {first.seconds:.0f} s"
     why = f"FAIL: {first.text}{when}"

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 from aftdeck.arrays import Array
 from aftdeck.plant.linear_actuator import Travel, travel_of_prong, travel_of_stand
+from aftdeck.plant.plant import Plant
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import Cameras
+from aftdeck.simulation.constants.plant import kinematic_plant, plant_of
 from aftdeck.simulation.constants.site import Site, site_of
 
 Pair = tuple[float, float]
@@ -24,6 +27,7 @@ class Flight:
 
     Attributes:
         scenario: the scenario.
+        plant: model that turns commanded rates into motion.
         site: the worksite.
         cameras: cameras that have a drive.
         telescope: range and rate of the telescope.
@@ -36,6 +40,7 @@ class Flight:
     """
 
     scenario: Scenario
+    plant: Plant
     site: Site
     cameras: Cameras
     telescope: Travel
@@ -44,6 +49,11 @@ class Flight:
     reach: tuple[Pair, ...]
     soft: tuple[Pair, ...]
     hard: tuple[Pair, ...]
+
+    @cached_property
+    def rehearsed(self) -> Flight:
+        """The same constants with the kinematic plant, on which CMD CK rehearses."""
+        return replace(self, plant=kinematic_plant(self.scenario))
 
 
 def run_constants(scenario: Scenario) -> Flight:
@@ -55,6 +65,7 @@ def run_constants(scenario: Scenario) -> Flight:
 
     return Flight(
         scenario,
+        plant_of(scenario),
         site_of(scenario),
         Cameras(scenario),
         travel_of_stand(model),

@@ -8,6 +8,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Placed, Times
 from aftdeck.simulation.motion.active_limits import active_limits
 from aftdeck.simulation.observe.frame_numbers import carried_numbers, frame_numbers
+from aftdeck.simulation.observe.look_bodies import dynamics_of
 from aftdeck.simulation.observe.look_work import work_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
 from aftdeck.simulation.state import State
@@ -86,6 +87,7 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         tuple(state.events),
         state.views,
         seal.hex(),
+        dynamics_of(flight, state),
     )
 
 

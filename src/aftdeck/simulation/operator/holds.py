@@ -45,7 +45,7 @@ def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[floa
 def hold_position(flight: Flight, state: State) -> None:
     """Apply POSITION HOLD (POHS): in a manual mode with centred sticks, command mode 2 to keep the pose.
 
-    The pose is stored when the arm has come to rest.
+    The pose is stored when the arm has come to rest. With servos, no mode is needed: they hold the joints' angles.
     """
     panel = state.panel
     off = not panel.position_hold or MODES[panel.mode].kind != "manual"
@@ -57,5 +57,5 @@ def hold_position(flight: Flight, state: State) -> None:
         panel.position_hold_target = target_at(tip)
         state.command[TARGET : TARGET + 3] = tip.position
         state.command[TARGET + 3 : TARGET + 12] = tip.rotation.ravel()
-    if panel.position_hold_target is not None:
+    if panel.position_hold_target is not None and not flight.plant.has_servos:
         state.command[LAW], state.command[MOTION_ACTIVE] = AUTOMATIC_LAWS["closed loop"], 1.0

@@ -21,11 +21,6 @@ from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Vec3
 
-AT_LENGTH = 1e-9
-"""Tolerance within which the telescope's length counts as equal to `stand_at` [m]."""
-AT_ANGLE = 1e-9
-"""Tolerance within which a joint angle counts as equal to `joint_at` [rad]."""
-
 
 def play(flight: Flight, state: State) -> Inputs:
     """Return the script's inputs for the coming step; begin the next phase if the present phase has ended."""
@@ -187,7 +182,7 @@ def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> boo
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
     if phase.until is not None or phase.stand_at is not None:
-        if _conditions_hold(state, phase):
+        if _conditions_hold(flight, state, phase):
             return True
         if late:
             _fail(flight, state, f"phase {phase.name!r} failed: not {_awaited(phase)} within its {phase.duration:g} s")
@@ -207,8 +202,8 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
     if MODES[phase.mode].kind == "master":
         return bool(state.report[ARRIVED])
     if phase.joint_at is not None:
-        at_angle = abs(phase.joint_at - state.plant.angles[phase.joint]) < AT_ANGLE
-        return bool(at_angle and abs(state.steering[RATES + phase.joint]) < AT_ANGLE / flight.scenario.control_period)
+        at_angle = abs(phase.joint_at - state.plant.angles[phase.joint]) < flight.plant.accuracy.angle
+        return bool(at_angle and abs(state.steering[RATES + phase.joint]) < flight.plant.accuracy.rate)
     if panel.sequence == "idle" and (panel.check is None or panel.check.good):
         return True
     if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight, state):
@@ -218,12 +213,14 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
     return False
 
 
-def _conditions_hold(state: State, phase: PhasePlan) -> bool:
+def _conditions_hold(flight: Flight, state: State, phase: PhasePlan) -> bool:
     """Return whether a phase's end conditions hold: its event has occurred, and the telescope has reached `stand_at`.
 
     A condition that the phase does not have is ignored.
     """
-    at_length = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
+    at_length = (
+        phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < flight.plant.accuracy.length
+    )
     return at_length and (phase.until is None or state.worksite.has_occurred(phase.until))
 
 

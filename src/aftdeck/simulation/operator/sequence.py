@@ -79,7 +79,8 @@ def finish(flight: Flight, state: State) -> None:
         and state.report[ANGLE] <= flight.scenario.fly_by_turn
     )
     still = state.report[RATIO] < STANDSTILL
-    if state.report[ARRIVED] or passing or (still and not _final_error(flight, state)):
+    arrived = state.report[ARRIVED] or (flight.plant.has_servos and _inside(flight, state))
+    if arrived or passing or (still and not _final_error(flight, state)):
         _arrive(flight, state, passing)
         return
     panel.blocked = panel.blocked + 1 if still else 0
@@ -92,6 +93,18 @@ def finish(flight: Flight, state: State) -> None:
             else joint_lock_reason(state.panel) or _STANDSTILLS[halt]
         )
         log(flight, state, "blocked", "caution", f"automatic motion abandoned: {why}")
+
+
+def _inside(flight: Flight, state: State) -> bool:
+    """Return whether mode 2 has brought the tip into the end sphere.
+
+    With servos, mode 2 ends there without waiting for rest: an arm that bends never comes to rest under mode 2, whose
+    demanded speed changes too steeply with the distance near the target.
+    """
+    if state.panel.law != "closed loop" or state.command[MOTION_ACTIVE] == 0.0:
+        return False
+    near, near_turn = flight.scenario.near, flight.scenario.near_turn
+    return bool(state.report[DISTANCE] <= near and state.report[ANGLE] <= near_turn)
 
 
 def _final_error(flight: Flight, state: State) -> str:

@@ -18,6 +18,7 @@ from aftdeck.version import __version__
 def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
     """Return the welcome message; `demo` is True if the session begins with the scenario's script."""
     model = scenario.arm.model
+    torques = None if scenario.plant == "kinematic" or model.servo is None else model.servo.torque_limit
     bodies = tuple(BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
     joints = tuple(
         JointInfo(
@@ -30,6 +31,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
             coarse=float(model.rates.coarse[i]),
             vernier=float(model.rates.vernier[i]),
             servo=float(model.rates.servo[i]),
+            torque=None if torques is None else float(torques[i]),
         )
         for i, (name, label, axis) in enumerate(zip(model.joints, model.labels, axes_of(model), strict=True))
     )
@@ -44,6 +46,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         title=scenario.title,
         text=scenario.description,
         arm=model.title,
+        plant=scenario.plant,
         control_period_s=scenario.control_period,
         command_delay_s=scenario.delay * scenario.control_period,
         telemetry_delay_s=scenario.telemetry_delay,

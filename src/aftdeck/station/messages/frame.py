@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from operator import attrgetter
-from typing import Any
 
 import msgspec
 
@@ -123,7 +122,7 @@ class Display(msgspec.Struct, frozen=True):
     lighting: Lighting
 
 
-class Frame(sim.Frame, frozen=True, tag_field="type", tag="frame"):
+class Frame(sim.Frame, frozen=True, kw_only=True, tag_field="type", tag="frame"):
     """All data that the page shows of one control step. The server may skip frames and sends the newest one."""
 
     display: Display
@@ -134,5 +133,4 @@ _fields = attrgetter(*sim.Frame.__struct_fields__)
 
 def with_display(frame: sim.Frame, display: Display) -> Frame:
     """Return a frame of the simulation as a message to a page."""
-    values: tuple[Any, ...] = (*_fields(frame), display)
-    return Frame(*values)
+    return Frame(*_fields(frame), display=display)

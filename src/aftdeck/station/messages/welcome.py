@@ -8,13 +8,14 @@ import msgspec
 
 from aftdeck.bodies.cameras import Camera
 from aftdeck.scenario.light import LightCondition
+from aftdeck.scenario.schema import Plant
 from aftdeck.shapes import Shape
 from aftdeck.station.messages.kinds import ProblemPart, WireMessage
 from aftdeck.tuples import Six, Vec3
 
 
 class JointInfo(msgspec.Struct, frozen=True):
-    """Joint of the arm: names, limits [rad] and rate limits [rad/s]."""
+    """Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limit [N m]."""
 
     name: str
     """Name in the arm file: ``shoulder_yaw``."""
@@ -28,6 +29,8 @@ class JointInfo(msgspec.Struct, frozen=True):
     coarse: float
     vernier: float
     servo: float
+    torque: float | None
+    """Greatest torque of the motor; null on the kinematic plant."""
 
 
 class ModeInfo(msgspec.Struct, frozen=True):
@@ -146,6 +149,8 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     text: str
     """Task of the operator in this scenario, in a sentence or two."""
     arm: str
+    plant: Plant
+    """Model that turns commanded rates into motion."""
     control_period_s: float
     command_delay_s: float
     """Time from a command to its arrival at the arm [s]."""

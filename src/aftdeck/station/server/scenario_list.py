@@ -23,7 +23,7 @@ class ScenarioList:
     def __init__(self, given: Scenario) -> None:
         names = sorted(built_in(), key=lambda name: (name not in FIRST, FIRST.index(name) if name in FIRST else 0))
         infos = [to_page.ScenarioInfo(name, *about(name)[:2], given=False) for name in names]
-        own = given.name in names and about(given.name).file == given.text
+        own = given.name in names and about(given.name).file == given.text and not given.changes
         self._given = None if own else given
         if not own:
             infos.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, given=True))

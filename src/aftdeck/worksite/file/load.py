@@ -28,6 +28,7 @@ from aftdeck.worksite.model import (
     Body,
     Cargo,
     Essential,
+    OrbiterMass,
     Seat,
     SnareCapture,
     Translation,
@@ -165,6 +166,9 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         translation=None
         if file.translation is None
         else Translation(float(file.translation.speed), float(file.translation.reached_in)),
+        orbiter=None
+        if file.orbiter is None
+        else OrbiterMass(float(file.orbiter.mass), _plain(file.orbiter.inertia), _plain(file.orbiter.centre)),
     )
 
 

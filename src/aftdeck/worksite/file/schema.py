@@ -7,13 +7,14 @@ y starboard, z up. `source` gives the source of a table's numbers, or ``assumed`
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
 from aftdeck.bodies.camera_file import CameraFile, DriveFile
+from aftdeck.bounds import Bounds
 from aftdeck.shapes import Material, Shape
-from aftdeck.units import Angle, Length, Speed, Time
+from aftdeck.units import Angle, Length, Mass, MomentOfInertia, Speed, Time
 from aftdeck.worksite.file.cargo_file import CargoFile
 from aftdeck.worksite.file.solid_file import SolidFile
 from aftdeck.worksite.file.tables import Placed, Point, Range, Table, Text, ordered, positive
@@ -217,6 +218,21 @@ class TranslationFile(Table, frozen=True, kw_only=True):
         positive(speed=self.speed, reached_in=self.reached_in)
 
 
+OrbiterMass = Annotated[Mass, Bounds(1.0, 1e6, "an empty orbiter has 85 t, the ISS 420 t")]
+OrbiterInertia = Annotated[MomentOfInertia, Bounds(1e-3, 1e10, "the orbiter has 1e6 to 1e7 kg m2, the ISS about 1e8")]
+
+
+class OrbiterFile(Table, frozen=True, kw_only=True):
+    """Mass of the orbiter, which carries the arm; a plant with masses needs it."""
+
+    mass: OrbiterMass
+    inertia: tuple[OrbiterInertia, OrbiterInertia, OrbiterInertia]
+    """Moments of inertia about roll, pitch and yaw axis, through the centre of mass."""
+    centre: Point
+    """Centre of mass: structural Xo, Yo, Zo."""
+    source: Text
+
+
 class HousingFile(_Inside, frozen=True, kw_only=True):
     """Housing of every camera that has a certain drive.
 
@@ -252,3 +268,5 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     acquisition: BarFile | SnareFile | None = None
     bay: BayFile | None = None
     translation: TranslationFile | None = None
+    orbiter: OrbiterFile | None = None
+    """Mass of the orbiter; without it, the arm's base is fixed in space on every plant."""

@@ -25,6 +25,7 @@ def place_everything(
     angles: Array,
     stand: float,
     prong: float,
+    true: Array,
     frames: Array,
 ) -> None:
     """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each payload.
@@ -41,10 +42,14 @@ def place_everything(
         angles: (6,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
+        true: (n, 12) poses of the arm's frames in L; (0, 12) if they follow from the joint angles.
         frames: (F, 12) output: poses in L.
     """
     space = len(frames) - len(carrier) - 1
-    place_frames(joints, angles, stand, prong, frames[1:space])
+    if true.shape[0] == 0:
+        place_frames(joints, angles, stand, prong, frames[1:space])
+    else:
+        frames[1:space] = true
     for k in range(POSE):
         frames[0, k] = frames[space, k] = scene[k]
     for i in range(3):
@@ -71,6 +76,7 @@ def update_contacts(
     angles: Array,
     stand: float,
     prong: float,
+    true: Array,
     solids: Array,
     frame: Indices,
     pairs: Indices,
@@ -103,7 +109,7 @@ def update_contacts(
         because compiled code builds plain tuples in less time than named tuples.
     """
     before[:] = now
-    place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
+    place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, true, now)
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     own = Measured(at, placed, bound, likely, memory, found)
     measure_groups(layout, own, active, counts, before, now, period, within)

@@ -2,7 +2,7 @@
 
 import type { Limit } from '../../link/protocol';
 import { degrees } from '../../words/format';
-import { rateBar } from '../parts/bar';
+import { loadBar, rateBar } from '../parts/bar';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 import { jointBar, range } from './joint-bar';
@@ -18,6 +18,7 @@ export function joints(desk: Desk): Part {
     const name = el('th', { scope: 'row' }, joint.label);
     const tag = el('span', { class: 'limit-tag' });
     const bar = rateBar();
+    const torque = joint.torque === null ? null : loadBar();
     const row = el(
       'tr',
       {},
@@ -25,10 +26,12 @@ export function joints(desk: Desk): Part {
       el('td', { class: 'scale', title: range(joint) }, scale.element),
       angle,
       el('td', { class: 'of-limit' }, el('div', {}, bar.element, tag)),
+      ...(torque ? [el('td', { class: 'torque' }, torque.element)] : []),
     );
-    return { joint, row, scale, commanded, angle, bar, tag };
+    return { joint, row, scale, commanded, angle, bar, torque, tag };
   });
   const stand = desk.welcome.work.stand && standRow(desk.welcome.work.stand);
+  const loaded = desk.welcome.plant !== 'kinematic';
   const element = group(
     'joints',
     'Joints',
@@ -54,16 +57,19 @@ export function joints(desk: Desk): Part {
           ),
           el('th', { scope: 'col' }, 'deg'),
           el('th', { scope: 'col' }, 'of limit'),
+          ...(loaded ? [el('th', { scope: 'col', title: TORQUE }, 'torque')] : []),
         ),
       ),
       el('tbody', {}, ...rows.map(({ row }) => row), ...(stand ? [stand.element] : [])),
     ),
   );
+  setClass(element, 'loaded', loaded);
   return {
     element,
     bars({ frame }) {
       stand?.point(frame.work.stand ?? 0);
-      rows.forEach(({ joint, scale, commanded, bar }, i) => {
+      rows.forEach(({ joint, scale, commanded, bar, torque }, i) => {
+        torque?.set((frame.dynamics?.torques[i] ?? 0) / (joint.torque ?? 1));
         scale.set(frame.angles[i] ?? 0);
         const at = place(joint, frame.angles_commanded[i] ?? 0).toFixed(2);
         setAttribute(commanded, 'transform', `translate(${at} 0)`);
@@ -86,10 +92,13 @@ export function joints(desk: Desk): Part {
         const acting = frame.limits.find((limit) => limit.joint === i);
         setText(tag, acting ? SHORT[acting.kind] : '');
         setClass(row, 'limited', acting !== undefined);
+        setClass(row, 'overdriven', frame.dynamics?.overdriven.includes(i) ?? false);
       });
     },
   };
 }
+
+const TORQUE = "Torque of motor or brake, as a fraction of the motor's greatest torque";
 
 const SHORT: Readonly<Record<Limit['kind'], string>> = {
   'joint rate': 'rate',

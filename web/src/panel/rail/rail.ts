@@ -81,6 +81,9 @@ export function rail(
     scenarios.element,
     el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases.map(({ step }) => step)),
     el('span', { class: 'space' }),
+    ...(welcome.plant === 'kinematic'
+      ? []
+      : [el('span', { class: 'note plant', title: PLANTS[welcome.plant] }, `${welcome.plant} arm`)]),
     ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
     el('span', { class: 'times' }, el('span', { class: 'lag' }, 'Stick to picture ', lag), delay),
     recorded.element,
@@ -147,6 +150,10 @@ function linkWords(link: LinkState): string | null {
   return link.kind === 'preparing' ? link.text : null;
 }
 
+const PLANTS = {
+  rigid: 'Servos and brakes turn rigid bodies with masses',
+  flexible: 'Servos and brakes turn bodies with masses; gearboxes, booms and base bend',
+} as const;
 const SOFTWARE =
   'This browser draws without a graphics card; add ?quality=full to the address for full detail.';
 const DELAY =

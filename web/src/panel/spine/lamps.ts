@@ -12,7 +12,6 @@ export type LampName =
   | 'MCIU'
   | 'ABE'
   | 'GPC DATA'
-  | 'CONTR ERR'
   | 'PORT TEMP'
   | 'STBD TEMP';
 
@@ -48,7 +47,7 @@ export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> 
   MCIU: { row: 'pair', ...NONE },
   ABE: { row: 'pair', ...NONE },
   'GPC DATA': { row: 'pair', ...NONE },
-  'CONTR ERR': { row: 'pair', ...NONE },
+  'CONTR ERR': { row: 'pair', kinds: [], elements: '.joints tr.overdriven', group: '.joints' },
   'PORT TEMP': { row: 'pair', ...NONE },
   'STBD TEMP': { row: 'pair', ...NONE },
   DERIGIDIZE: { row: 'pair', kinds: EFFECTOR, elements: '.flags', group: '.effector' },

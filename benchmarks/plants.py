@@ -1,0 +1,123 @@
+"""``python -m benchmarks.plants``: modes 1, 2 and 3 on every plant, without and with payloads, as a table in Markdown.
+
+The arm moves its tip by 3 m in empty space, from a pose over the bay. The payload is a uniform cylinder whose centre is
+at the tip; the orbiter is fixed. *Off the line* is the greatest distance of the tip from the straight line (modes 2 and
+3), and *miss* the distance and angle from the target when the motion ends: by the encoders, and truly.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.frames import oriend
+from aftdeck.kinematics.arm import load_arm
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.simulation.run import Simulation
+
+START = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
+BY = np.array([2.0, 1.5, -1.65])
+"""Displacement of the tip in L: 3.0 m."""
+LAWS = {1: "position", 2: "closed loop", 3: "open loop"}
+LOADS = (0, 15_000, 32_000, 65_000)
+"""Masses of the payload [lb]."""
+PLANTS = ("kinematic", "rigid", "flexible")
+_MILLI = 1e3
+
+
+class Row(NamedTuple):
+    """Result of one motion; lengths in m, angles in rad, by encoder and true."""
+
+    time: float
+    off: tuple[float, float]
+    miss: tuple[float, float]
+    turn: tuple[float, float]
+    late: float
+    """Time after the end of the motion until the true tip stays within 10 mm of its last position [s]."""
+
+
+def flight(law: str, pounds: float, plant: str) -> Row:
+    """Make one motion and return its result."""
+    tip = load_arm("srms").forward(START)
+    target = tip.position + BY
+    roll, pitch, yaw = oriend(tip.rotation)
+    payload = f"[payload]\nmass = '{pounds} lb'\n" if pounds else ""
+    text = f"""
+title = "3 m"
+worksite = "space"
+plant = "{plant}"
+duration = "900 s"
+dynamics = {{ orbiter = "fixed" }}
+[initial]
+joints = {START.tolist()}
+{payload}
+[[phase]]
+mode = "OPR CMD"
+law = "{law}"
+target = {{ frame = "L", position = {target.tolist()}, roll = {roll}, pitch = {pitch}, yaw = {yaw} }}
+[[phase]]
+mode = "ORB UNL"
+duration = "90 s"
+"""
+    sim = Simulation(parse_scenario(text, "flight", "flight.toml", Path()))
+    seen, true, times, ended = [], [], [], None
+    while not sim.ended:
+        frame = sim.step()
+        seen.append(frame.position)
+        true.append(frame.position if frame.dynamics is None else frame.dynamics.position)
+        times.append(frame.time_s)
+        if ended is None and frame.goal is not None and any(event.kind == "arrived" for event in frame.events):
+            ended = len(seen) - 1
+            turned = frame.goal.angle, frame.goal.angle if frame.dynamics is None else _turn(frame.dynamics.miss)
+    assert ended is not None, f"law {law}, {pounds} lb, {plant}: the motion did not end"
+    last = np.linalg.norm(np.array(true) - true[-1], axis=1)
+    unsettled = [times[i] for i in range(ended, len(times)) if last[i] > 1e-2]
+    return Row(
+        times[ended],
+        (_off(np.array(seen[:ended]), tip.position), _off(np.array(true[:ended]), tip.position)),
+        (math.dist(seen[ended], target), math.dist(true[ended], target)),
+        turned,
+        max(unsettled, default=times[ended]) - times[ended],
+    )
+
+
+def _turn(miss: tuple[float, float] | None) -> float:
+    return math.nan if miss is None else miss[1]
+
+
+def _off(tips: Array, start: Array) -> float:
+    """Return the greatest distance of the tips (n, 3) from the line along `BY` through `start` [m]."""
+    along = BY / np.linalg.norm(BY)
+    away = tips - start
+    return float(np.linalg.norm(away - np.outer(away @ along, along), axis=1).max())
+
+
+def main() -> None:
+    """Print the table."""
+    print("| mode | payload, lb | plant | time, s | off the line, mm | miss, mm | miss, deg | within 10 mm after, s |")
+    print("|---|---|---|---|---|---|---|---|")
+    for mode, law in LAWS.items():
+        for pounds in LOADS:
+            for plant in PLANTS:
+                row = flight(law, pounds, plant)
+                off = "–" if mode == 1 else _pair(row.off, _MILLI, 1)
+                turn = _pair(row.turn, math.degrees(1.0), 3)
+                print(
+                    f"| {mode} | {pounds:,} | {plant} | {row.time:.1f} | {off} | {_pair(row.miss, _MILLI, 1)} "
+                    f"| {turn} | {row.late:.0f} |",
+                    flush=True,
+                )
+
+
+def _pair(values: tuple[float, float], scale: float, digits: int) -> str:
+    """Return the values by encoder and true, as text; one value if both are equal."""
+    seen, true = (f"{scale * value:.{digits}f}" for value in values)
+    return seen if seen == true else f"{seen} ({true})"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,144 @@
+"""Values that a plant with masses uses besides the masses: servos, slides and springs of an arm, as arrays."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from aftdeck.arms.drives import ServoFile
+from aftdeck.arms.geometry import frozen
+from aftdeck.arms.limits import JointRates
+from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
+from aftdeck.arrays import Array
+from aftdeck.files import Problem
+
+
+class Servo(NamedTuple):
+    """Servos and brakes of the six joints, at the joints' outputs. Arrays are read-only, (6,).
+
+    Attributes:
+        armature: inertia of the motor's rotor as the joint feels it, J N^2 [kg m2].
+        gain: torque for each rad/s of rate error [N m s/rad].
+        torque_limit: greatest torque of the motor [N m].
+        friction: torque of Coulomb friction [N m].
+        holding_torque: torque above which the brake slips [N m].
+        hold_gain: rate that position hold commands for each radian of displacement [1/s].
+        hold_rate: greatest rate that position hold commands [rad/s].
+        encoder_step: step of the measured angle [rad]; 0 if it is exact.
+        tachometer_step: step of the measured rate [rad/s]; 0 if it is exact.
+    """
+
+    armature: Array
+    gain: Array
+    torque_limit: Array
+    friction: Array
+    holding_torque: Array
+    hold_gain: Array
+    hold_rate: Array
+    encoder_step: Array
+    tachometer_step: Array
+
+
+class Slides(NamedTuple):
+    """Drives of telescope and prong.
+
+    Attributes:
+        telescope_gain: force for each m/s of speed error [N s/m].
+        telescope_force: greatest force [N].
+        prong_gain: as for the telescope [N s/m].
+        prong_force: greatest force [N].
+    """
+
+    telescope_gain: float
+    telescope_force: float
+    prong_gain: float
+    prong_force: float
+
+
+class Flexibility(NamedTuple):
+    """Springs of an arm. Arrays are read-only.
+
+    Attributes:
+        gearboxes: (6,) stiffness of the gearboxes [N m/rad].
+        bending: (2,) EI of upper and lower boom [N m2].
+        torsion: (2,) GJ of upper and lower boom [N m2].
+        base: (3,) stiffness of the base about x, y and z of L [N m/rad].
+        damping: damping of each spring divided by its stiffness [s].
+        added_inertia: moment of inertia added to each moving body about each axis [kg m2].
+    """
+
+    gearboxes: Array
+    bending: Array
+    torsion: Array
+    base: Array
+    damping: float
+    added_inertia: float
+
+
+def servo_of(file: ArmFile, rates: JointRates) -> Servo | None:
+    """Return the servos of a file's arm; None if the file has no table `servo`."""
+    s = file.servo
+    if s is None:
+        return None
+    return Servo(
+        frozen([j * n * n for j, n in zip(s.motor_inertia.value, s.gear_ratio.value, strict=True)]),
+        frozen(s.gain.value),
+        frozen(s.torque_limit.value),
+        frozen(s.friction.value),
+        frozen(s.holding_torque.value),
+        frozen(s.hold_gain.value),
+        frozen(frozen(s.hold_share.value) * rates.servo),
+        frozen(s.encoder_step.value),
+        frozen(s.tachometer_step.value),
+    )
+
+
+def slides_of(file: ArmFile) -> Slides | None:
+    """Return the drives of telescope and prong; None if the arm has neither, or the file has no table `slides`."""
+    s = file.slides if isinstance(file, HeadingArmFile) else None
+    if s is None:
+        return None
+    return Slides(
+        float(s.telescope_gain.value),
+        float(s.telescope_force.value),
+        float(s.prong_gain.value),
+        float(s.prong_force.value),
+    )
+
+
+def flexibility_of(file: ArmFile) -> Flexibility | None:
+    """Return the springs of a file's arm; None if the file has no table `flexibility`."""
+    f = file.flexibility if isinstance(file, YawArmFile) else None
+    if f is None:
+        return None
+    return Flexibility(
+        frozen(f.gearboxes.value),
+        frozen(f.booms_bending.value),
+        frozen(f.booms_torsion.value),
+        frozen(f.base.value),
+        float(f.damping.value),
+        float(f.added_inertia.value),
+    )
+
+
+def drive_problems(file: ArmFile) -> list[Problem]:
+    """Return a problem for each brake that is weaker than its motor, and for a wrist roll joint beyond the tip."""
+    found = [] if file.servo is None else _brake_problems(file.joints, file.servo)
+    if isinstance(file, YawArmFile) and file.housings is not None:
+        at, tip = file.housings.wrist_yaw_to_roll.value, file.geometry.wrist_yaw_to_tip.value
+        if at > tip:
+            what = f"the wrist roll joint has to be before the tip, at {tip:g} m at most; got {at:g} m"
+            found.append(Problem(("housings", "wrist_yaw_to_roll"), what))
+    return found
+
+
+def _brake_problems(joints: tuple[str, ...], servo: ServoFile) -> list[Problem]:
+    return [
+        Problem(
+            ("servo", "holding_torque", "value", i),
+            f"{joint}: the brake has to hold at least the motor's torque, {motor:g} N*m; got {brake:g} N*m",
+        )
+        for i, (joint, motor, brake) in enumerate(
+            zip(joints, servo.torque_limit.value, servo.holding_torque.value, strict=True)
+        )
+        if brake < motor
+    ]

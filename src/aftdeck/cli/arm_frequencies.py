@@ -1,0 +1,81 @@
+"""Question ``frequencies`` of the command ``arm``. Only this question imports MuJoCo."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from aftdeck.cli.printing import print_json
+from aftdeck.errors import InputError
+from aftdeck.lines import print_line
+from aftdeck.plant.multibody.frequencies import frequencies
+from aftdeck.plant.usual_payload import usual_payload
+from aftdeck.simulation.constants.multibody import orbiter_in_l
+from aftdeck.units import Mass
+from aftdeck.worksite.file.load import load_worksite
+from aftdeck.worksite.model import OrbiterMass
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from aftdeck.kinematics.arm import Arm
+
+AXES = ("arm", "pitch", "yaw")
+"""Names of frame 7's axes 1, 2, 3 at the tip of the straight arm."""
+
+
+def print_frequencies(
+    arm: Arm,
+    angles: Sequence[float],
+    payload_mass: str | None,
+    payload_axis: str | None,
+    free: bool,
+    orbiter_mass: str | None,
+    as_json: bool,
+) -> None:
+    """Print the natural frequencies of an arm, lowest first.
+
+    Raises:
+        ArmError: the arm has no table `flexibility`.
+        InputError: an angle is not finite, a mass is not above 0, or an option lacks the option that it refers to.
+    """
+    if not all(map(math.isfinite, angles)):
+        raise InputError(f"--pose: angles have to be finite, got {' '.join(map(str, angles))}")
+    if payload_axis is not None and payload_mass is None:
+        raise InputError("--payload-axis needs --payload-mass")
+    if orbiter_mass is not None and not free:
+        raise InputError("--orbiter-mass needs --free")
+    payload = orbiter = None
+    if payload_mass is not None:
+        payload = usual_payload(_mass("--payload-mass", payload_mass), AXES.index(payload_axis or "pitch"))
+    if free:
+        usual = load_worksite("orbiter").orbiter
+        assert usual is not None, "the orbiter's worksite has an orbiter"
+        mass = usual.mass if orbiter_mass is None else _mass("--orbiter-mass", orbiter_mass)
+        x, y, z = (moment * mass / usual.mass for moment in usual.inertia)
+        orbiter = orbiter_in_l(arm.model.mount, OrbiterMass(mass, (x, y, z), usual.centre))
+    found = frequencies(arm.model, angles, payload=payload, orbiter=orbiter).tolist()
+    if as_json:
+        print_json({"arm": arm.name, "frequencies_hz": found})
+        return
+    for number, frequency in enumerate(found, start=1):
+        print_line(f"{number:>3}  {frequency:>10.4f} Hz")
+
+
+def _mass(option: str, text: str) -> float:
+    """Return the mass that an option gives, as in a file [kg]."""
+    try:
+        value = Mass.read(float(text) if _is_number(text) else text)
+    except ValueError as error:
+        raise InputError(f"{option}: {error}") from None
+    if value <= 0.0:
+        raise InputError(f"{option}: a mass has to be above 0, got {text}")
+    return float(value)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

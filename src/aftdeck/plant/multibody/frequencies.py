@@ -1,0 +1,63 @@
+"""Natural frequencies of a flexible arm with its brakes on, linearised about a pose without deflection."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike
+
+from aftdeck.arms.load import ArmModel
+from aftdeck.arrays import Array
+from aftdeck.bodies.mass_properties import MassProperties
+from aftdeck.plant.multibody.build import arm_spec, attach
+from aftdeck.plant.multibody.view import View
+
+RIGID_MODES = 6
+"""Modes of frequency zero of an arm on a free orbiter."""
+
+
+def frequencies(
+    arm: ArmModel, angles: ArrayLike, *, payload: MassProperties | None = None, orbiter: MassProperties | None = None
+) -> Array:
+    """Return the natural frequencies, lowest first [Hz].
+
+    They are the eigenvalues of M and K: M is the mass matrix, K has the stiffness of each spring. The motors, which the
+    brakes hold, are struck out.
+
+    Args:
+        arm: the arm.
+        angles: (6,) joint angles [rad].
+        payload: payload at the tip, in frame 7 with the tip as origin; None for none.
+        orbiter: the free orbiter, in L; None if the arm's base is fixed.
+
+    Raises:
+        ArmError: the arm's file has no table `flexibility`, `servo` or `housings`.
+    """
+    spec = arm_spec(arm, flexible=True, orbiter=orbiter)
+    if payload is not None:
+        attach(spec, payload)
+    view = View(spec.compile(), arm)
+    view.set_joints(np.asarray(angles, dtype=np.float64), np.zeros(6), float(arm.links[0]))
+    mujoco.mj_forward(view.model, view.data)
+    mass, stiffness = matrices(view)
+    root = np.linalg.inv(np.linalg.cholesky(mass))
+    squares = np.linalg.eigvalsh(root @ stiffness @ root.T)[0 if orbiter is None else RIGID_MODES :]
+    found: Array = np.sqrt(np.maximum(squares, 0.0)) / (2.0 * np.pi)
+    return found
+
+
+def matrices(view: View) -> tuple[Array, Array]:
+    """Return mass matrix and stiffness matrix at MuJoCo's present pose, without the motors' rows and columns."""
+    model, data = view.model, view.data
+    mass = np.zeros((model.nv, model.nv))
+    mujoco.mj_fullM(model, data, mass)
+    free = np.setdiff1d(np.arange(model.nv), view.motor_rates)
+    return mass[np.ix_(free, free)], np.diag(_stiffness(model)[free])
+
+
+def _stiffness(model: Any) -> Array:
+    """Return the stiffness of each degree of freedom: the first term of MuJoCo's polynomial."""
+    first: Array = model.jnt_stiffness.reshape(model.njnt, -1)[model.dof_jntid, 0]
+    return first

@@ -1,0 +1,118 @@
+"""Plant with masses: MuJoCo moves the bodies, servos and brakes drive the joints, and encoders measure them.
+
+Source: JSC-12628, interfaces of the steering to "RMS rigid body and flexible body dynamics and RMS servo modules". In
+each control period, commanded joint rates come out of steering, and measured angles and rates go into steering.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.masses import lacking
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import HERE, POSE
+from aftdeck.errors import SimulationError
+from aftdeck.plant.linear_actuator import Travel
+from aftdeck.plant.multibody.build import STEP
+from aftdeck.plant.multibody.servo import Servos
+from aftdeck.plant.multibody.view import View
+from aftdeck.plant.plant import Accuracy
+from aftdeck.plant.state import Bodies, PlantState
+
+mujoco.set_mju_user_warning(lambda text: None)  # otherwise MuJoCo writes a file into the user's folder
+_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
+_WARNINGS = [
+    int(kind)
+    for kind in (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
+]
+
+
+class MultibodyPlant:
+    """Arm of rigid or flexible bodies on a fixed or free orbiter.
+
+    There is one model for each payload that the scenario attaches, and one without a payload. All have the same degrees
+    of freedom. The bodies' state is in the `PlantState`; MuJoCo's data is a workspace that receives the state before
+    each step, so that a copied or restored state continues exactly.
+    """
+
+    def __init__(
+        self, models: list[Any], arm: ArmModel, travel: Travel, period: float, *, strict: bool = False
+    ) -> None:
+        """Set up the plant.
+
+        Args:
+            models: compiled models: without a payload, then with each payload.
+            arm: the arm.
+            travel: range and rate of the telescope.
+            period: control period [s].
+            strict: whether the steering's acceleration limits count from the measured rates, as published.
+        """
+        if arm.servo is None:
+            raise lacking(arm, "servo")
+        self._steps = math.ceil(period / STEP - 1e-9)
+        self._views = [View(model, arm) for model in models]
+        self._servos = [Servos(view, arm.joints, arm.servo) for view in self._views]
+        for view in self._views:
+            view.model.opt.timestep = period / self._steps
+            view.limit(arm.limits.hard)
+        self._travel, self._period, self._strict = travel, period, strict
+
+    @property
+    def accuracy(self) -> Accuracy:
+        """Differences that friction and the encoders' steps leave (assumed)."""
+        return Accuracy(1e-3, 5e-3, 1e-3)
+
+    @property
+    def has_servos(self) -> bool:
+        """True."""
+        return True
+
+    def begin(self, state: PlantState, attached: int) -> None:
+        """Place the bodies at the state's joint angles, unbent, with the joints' rates (`Plant.begin`)."""
+        view = self._views[attached]
+        mujoco.mj_resetData(view.model, view.data)
+        view.set_joints(state.angles, state.rates, state.stand.position)
+        state.bodies = Bodies(
+            physics=np.empty(mujoco.mj_stateSize(view.model, _STATE)),
+            holds=np.full(6, np.nan),
+            brakes=np.full(6, np.nan),
+            frames=np.empty((view.rows, POSE)),
+            reference=state.rates.copy(),
+            torques=np.zeros(6),
+            overdriven=np.zeros(6, np.uint8),
+            orbiter=np.array(HERE),
+        )
+        self._store(view, state.bodies)
+
+    def move(self, state: PlantState, rates: Array, drive: float, *, brakes: bool, attached: int) -> None:
+        """Move the bodies for one control period, with the commanded rates held (`Plant.move`)."""
+        bodies = state.bodies
+        assert bodies is not None, "`begin` sets the bodies"
+        view, servos = self._views[attached], self._servos[attached]
+        model, data, stand = view.model, view.data, state.stand
+        mujoco.mj_setState(model, data, bodies.physics, _STATE)
+        servos.command(bodies, state.angles, rates, brakes=brakes)
+        view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
+        before = [data.warning[kind].number for kind in _WARNINGS]
+        mujoco.mj_step(model, data, nstep=self._steps)
+        if before != [data.warning[kind].number for kind in _WARNINGS]:
+            raise SimulationError(
+                f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
+            )
+        self._store(view, bodies)
+        servos.measure(bodies, state.angles, state.rates)
+        bodies.reference[:] = state.rates if self._strict else rates
+        state.commanded += rates * self._period
+        height = view.height
+        stand.velocity, stand.position = (height - stand.position) / self._period, height
+
+    def _store(self, view: View, bodies: Bodies) -> None:
+        """Store MuJoCo's state and the poses that belong to it."""
+        mujoco.mj_getState(view.model, view.data, bodies.physics, _STATE)
+        mujoco.mj_kinematics(view.model, view.data)  # after a step, MuJoCo's poses are those before the step
+        view.write_poses(bodies.frames, bodies.orbiter)

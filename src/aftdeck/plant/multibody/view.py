@@ -1,0 +1,87 @@
+"""Access to an arm's joints and frames in a MuJoCo model, by their names."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from aftdeck.arms.geometry import STAND
+from aftdeck.arms.load import ArmModel
+from aftdeck.arrays import Array
+
+
+class View:
+    """A compiled model with its workspace, and the places of the arm's joints and frames in it.
+
+    Attributes:
+        model: the compiled model.
+        data: MuJoCo's workspace.
+        rows: number of the arm's frames.
+        motors: (6,) places of the motors' angles in MuJoCo's positions.
+        motor_rates: (6,) places of the motors' rates in MuJoCo's velocities.
+    """
+
+    def __init__(self, model: Any, arm: ArmModel) -> None:
+        self.model, self.data = model, mujoco.MjData(model)
+        motors = [model.joint(f"motor.{name}") for name in arm.joints]
+        self._joints = [int(joint.id) for joint in motors]
+        self.motors = np.array([int(joint.qposadr[0]) for joint in motors])
+        self.motor_rates = np.array([int(joint.dofadr[0]) for joint in motors])
+        geared = [_find(model, mujoco.mjtObj.mjOBJ_JOINT, f"gearbox.{name}") for name in arm.joints]
+        self._gearboxes = np.array([int(model.jnt_qposadr[joint]) for joint in geared if joint >= 0], dtype=np.int64)
+        self._frames = np.array([model.body(name).id for name in arm.frames])
+        self._orbiter = _find(model, mujoco.mjtObj.mjOBJ_BODY, "orbiter")
+        self._telescope = int(model.joint("telescope").qposadr[0]) if STAND in arm.frames else -1
+        self._drive = model.actuator("drive.telescope").id if STAND in arm.frames else -1
+        self._height = float(arm.links[0])
+        self.rows = len(self._frames)
+
+    @property
+    def angles(self) -> Array:
+        """(6,) angles at the joints' outputs, where the encoders are [rad]."""
+        angles: Array = self.data.qpos[self.motors]
+        return angles + self.data.qpos[self._gearboxes] if len(self._gearboxes) else angles
+
+    @property
+    def height(self) -> float:
+        """Height of the shoulder above L's origin [m]."""
+        return self._height + (float(self.data.qpos[self._telescope]) if self._telescope >= 0 else 0.0)
+
+    def set_joints(self, angles: Array, rates: Array, height: float) -> None:
+        """Set angles [rad] and rates [rad/s] of the motors and the height of the shoulder [m]; nothing is bent."""
+        self.data.qpos[self.motors], self.data.qvel[self.motor_rates] = angles, rates
+        if self._telescope >= 0:
+            self.data.qpos[self._telescope] = height - self._height
+
+    def limit(self, stops: Array) -> None:
+        """Limit the motors' angles to the hard stops (6, 2) [rad]."""
+        for joint, stop in zip(self._joints, stops, strict=True):
+            self.model.jnt_limited[joint], self.model.jnt_range[joint] = True, stop
+
+    def drive_telescope(self, speed: float) -> None:
+        """Set the commanded speed of the telescope; + lengthens it [m/s]."""
+        if self._drive >= 0:
+            self.data.ctrl[self._drive] = speed
+
+    def write_poses(self, frames: Array, base: Array) -> None:
+        """Write poses from MuJoCo's present ones: of the arm's frames, and of L.
+
+        Args:
+            frames: (n, 12) output: true poses of the arm's frames, in L.
+            base: (12,) output: pose of L, relative to its pose at the start of the run.
+        """
+        data = self.data
+        if self._orbiter >= 0:
+            base[:3], base[3:] = data.xpos[self._orbiter], data.xmat[self._orbiter]
+        axes = base[3:].reshape(3, 3)
+        frames[:, :3] = (data.xpos[self._frames] - base[:3]) @ axes
+        frames[:, 3:] = (axes.T @ data.xmat[self._frames].reshape(-1, 3, 3)).reshape(-1, 9)
+        if self._telescope >= 0:  # the frame of the first joint does not rise with the telescope
+            frames[1, :3] = 0.0
+
+
+def _find(model: Any, kind: Any, name: str) -> int:
+    """Return the number of an object; -1 if the model has none of this name."""
+    return int(mujoco.mj_name2id(model, kind, name))

@@ -1,0 +1,62 @@
+"""Interface of a plant: the model that turns commanded rates into motion."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol
+
+from aftdeck.arrays import Array
+from aftdeck.plant.state import PlantState
+
+
+class Accuracy(NamedTuple):
+    """Differences within which a plant can bring joints and telescope to a given position.
+
+    Attributes:
+        angle: difference of a joint's angle [rad].
+        rate: rate at which a joint counts as at rest [rad/s].
+        length: difference of the telescope's length [m].
+    """
+
+    angle: float
+    rate: float
+    length: float
+
+
+class Plant(Protocol):
+    """Model of the arm between steering and worksite (JSC-12628: integration driver with body and servo models).
+
+    A plant holds constants of the run only. What changes is in the `PlantState` that its methods receive.
+    """
+
+    @property
+    def accuracy(self) -> Accuracy:
+        """Differences within which the plant can bring joints and telescope to a given position."""
+
+    @property
+    def has_servos(self) -> bool:
+        """Whether servos turn the joints.
+
+        The arm then needs time to come to rest, and the servos hold the joints while no rate is commanded.
+        """
+
+    def begin(self, state: PlantState, attached: int) -> None:
+        """Set up the bodies for the joint angles, joint rates and telescope of `state`.
+
+        Args:
+            state: state with angles, rates and the telescope's position; its bodies are set.
+            attached: number, from 1, of the payload that the arm carries; 0 for none.
+        """
+
+    def move(self, state: PlantState, rates: Array, drive: float, *, brakes: bool, attached: int) -> None:
+        """Move arm and telescope for one control period, and measure the joints.
+
+        Args:
+            state: changed in place.
+            rates: (6,) commanded joint rates [rad/s].
+            drive: drive of the telescope, -1 to +1; + lengthens it.
+            brakes: whether the brakes of all joints are on.
+            attached: number, from 1, of the payload that the arm carries; 0 for none.
+
+        Raises:
+            SimulationError: the model diverged.
+        """

@@ -1,0 +1,66 @@
+"""Flights on plants with masses: scenarios of one motion, and the arm with servos without faults."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.frames import oriend
+from aftdeck.kinematics.arm import Arm, load_arm
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.run import Simulation
+
+BAY = "joints = ['-31 deg', '79 deg', '-103 deg', '-77 deg', '17 deg', '-128 deg']"
+"""Joint angles over the bay."""
+AT_BAY = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
+
+
+def scenario(
+    plant: str, body: str = "", *, initial: str = BAY, pounds: float = 0.0, orbiter: str = "fixed", head: str = ""
+) -> Scenario:
+    """Return a scenario in empty space; its payload's centre is at the tip."""
+    payload = f"[payload]\nmass = '{pounds} lb'\n" if pounds else ""
+    worksite = "orbiter" if orbiter == "free" else "space"
+    text = (
+        f"title = 'a flight'\nworksite = '{worksite}'\nplant = '{plant}'\nduration = '600 s'\n{head}\n"
+        f"[dynamics]\norbiter = '{orbiter}'\n[initial]\n{initial}\n{payload}{body}\n"
+    )
+    return parse_scenario(text, "flight", "flight.toml", Path())
+
+
+def move(by: tuple[float, float, float], law: str = "closed loop") -> str:
+    """Return a phase in OPR CMD that displaces the tip from `AT_BAY` [m]."""
+    tip = load_arm("srms").forward(AT_BAY)
+    x, y, z = (tip.position + np.array(by)).tolist()
+    roll, pitch, yaw = (float(angle) for angle in oriend(tip.rotation))
+    return (
+        f"[[phase]]\nmode = 'OPR CMD'\nlaw = '{law}'\n"
+        f"target = {{ frame = 'L', position = [{x}, {y}, {z}], roll = {roll}, pitch = {pitch}, yaw = {yaw} }}\n"
+    )
+
+
+def ideal(given: Scenario, gain: float = 100.0) -> Scenario:
+    """Return a scenario whose servos are stiffer, have no torque limit and no friction, and measure exactly."""
+    model = given.arm.model
+    assert model.servo is not None
+    servo = model.servo._replace(
+        gain=gain * model.servo.gain,
+        torque_limit=np.full(6, 1e12),
+        friction=np.zeros(6),
+        encoder_step=np.zeros(6),
+        tachometer_step=np.zeros(6),
+    )
+    return replace(given, arm=Arm(replace(model, servo=servo)))
+
+
+def flown(given: Scenario) -> tuple[Simulation, Array]:
+    """Run a scenario to its end, and return the simulation and the true tip positions of all steps [m]."""
+    sim, tips = Simulation(given), []
+    while not sim.ended:
+        frame = sim.step()
+        tips.append(frame.position if frame.dynamics is None else frame.dynamics.position)
+    return sim, np.array(tips)

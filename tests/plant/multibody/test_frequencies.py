@@ -1,0 +1,203 @@
+"""Natural frequencies: the published ones, a beam's closed solution, and the flexibility of the tip summed by hand."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+import pytest
+import scipy.linalg
+import scipy.optimize
+
+from aftdeck.arms.dynamics import Flexibility
+from aftdeck.arms.load import ArmModel, load_model
+from aftdeck.arms.masses import masses_of
+from aftdeck.arrays import Array
+from aftdeck.bodies.mass_properties import MassProperties, cylinder, joined
+from aftdeck.plant.multibody.build import arm_spec
+from aftdeck.plant.multibody.frequencies import frequencies, matrices
+from aftdeck.plant.multibody.view import View
+from aftdeck.plant.usual_payload import HEAVIEST, LONGEST, WIDEST, usual_payload
+from aftdeck.simulation.constants.multibody import orbiter_in_l
+from aftdeck.units import POUND
+from aftdeck.worksite.model import OrbiterMass
+from tests.commands import Run
+
+STRAIGHT, FORWARD = np.zeros(6), np.array([math.pi, 0.0, 0.0, 0.0, 0.0, 0.0])
+EMPTY = OrbiterMass(85e3, (1.02e6, 7.82e6, 8.16e6), (1097 * 0.0254, 0.0, 375 * 0.0254))
+"""Empty orbiter, with the inertia of `orbiter.toml` in proportion to its mass."""
+PITCH, YAW = 1, 2
+
+
+@pytest.fixture
+def aftdeck(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
+    return Run(capsys, monkeypatch)
+
+
+@pytest.fixture(scope="module")
+def srms() -> ArmModel:
+    return load_model("srms")
+
+
+def full_size(pounds: float, axis: int) -> MassProperties:
+    """Return a payload of 60 by 15 ft at the tip."""
+    end = np.zeros(3)
+    end[axis] = 0.5 * LONGEST
+    return cylinder(pounds * POUND, 0.5 * WIDEST, -end, end)
+
+
+@pytest.mark.parametrize(
+    ("published", "angles", "heavy", "free", "within"),
+    [
+        ((0.346, 0.461, 3.554, 4.228, 14.98, 15.14), STRAIGHT, False, False, 0.10),
+        ((0.0274, 0.0329, 0.0578, 0.1399, 0.4383, 2.976), STRAIGHT, True, False, 0.10),
+        ((0.355, 0.463, 3.557, 4.230, 15.00, 15.14), FORWARD, False, True, 0.16),
+        ((0.0439, 0.0591, 0.0719, 0.1431, 0.4405, 3.499), FORWARD, True, True, 0.16),
+    ],
+)
+def test_straight_arm_has_the_published_frequencies(
+    srms: ArmModel, published: tuple[float, ...], angles: Array, heavy: bool, free: bool, within: float
+) -> None:
+    orbiter = orbiter_in_l(srms.mount, EMPTY) if free else None
+    found = frequencies(srms, angles, payload=usual_payload(HEAVIEST, PITCH) if heavy else None, orbiter=orbiter)
+    assert found[:6] == pytest.approx(published, rel=within)
+
+
+@pytest.mark.parametrize(
+    ("payload", "expected"),
+    [
+        (usual_payload(5_000 * POUND, YAW), (0.0902, 0.1168, 0.4705, 1.0168, 2.7129, 4.1377)),
+        (usual_payload(15_000 * POUND, YAW), (0.0523, 0.0688, 0.1884, 0.4326, 1.3802, 4.0001)),
+        (full_size(32_000, YAW), (0.0342, 0.0471, 0.0791, 0.1929, 0.6079, 3.896)),
+        (usual_payload(HEAVIEST, YAW), (0.0241, 0.0332, 0.0555, 0.1356, 0.4288, 3.010)),
+    ],
+)
+def test_loaded_arm_has_the_frequencies_of_an_earlier_model(
+    srms: ArmModel, payload: MassProperties, expected: tuple[float, ...]
+) -> None:
+    assert frequencies(srms, STRAIGHT, payload=payload)[:6] == pytest.approx(expected, rel=3e-3)
+
+
+def test_frequencies_agree_with_another_solver(srms: ArmModel) -> None:
+    rng = np.random.default_rng(8)
+    view = View(arm_spec(srms, flexible=True, orbiter=None).compile(), srms)
+    for _ in range(5):
+        angles = rng.uniform(-1.5, 1.5, 6)
+        view.set_joints(angles, np.zeros(6), float(srms.links[0]))
+        mujoco.mj_forward(view.model, view.data)
+        mass, stiffness = matrices(view)
+        squares = scipy.linalg.eigh(stiffness, mass, eigvals_only=True)
+        assert frequencies(srms, angles) == pytest.approx(np.sqrt(squares) / (2.0 * math.pi), rel=1e-6)
+
+
+def test_free_orbiter_of_great_mass_is_a_fixed_one(srms: ArmModel) -> None:
+    heavy = OrbiterMass(1e12, (1e14, 1e14, 1e14), EMPTY.centre)
+    free = frequencies(srms, FORWARD, orbiter=orbiter_in_l(srms.mount, heavy))
+    assert free == pytest.approx(frequencies(srms, FORWARD), rel=1e-4)
+
+
+def test_tip_is_as_flexible_as_the_sum_of_all_springs(srms: ArmModel) -> None:
+    """Straight arm; each spring moves the tip by its lever arm squared, and a beam by the integral along its length."""
+    springs, steps = srms.flexibility, srms.linkage.steps
+    assert springs is not None
+    joints = np.cumsum(steps, axis=0)
+    tip = joints[5] + [float(srms.links[4]), 0.0, 0.0]
+
+    def compliance(force: Array) -> float:
+        def of_spring(at: Array, axis: Array, stiffness: float) -> float:
+            return float(np.cross(axis, tip - at) @ force) ** 2 / stiffness
+
+        total = sum(of_spring(np.zeros(3), axis, k) for axis, k in zip(np.eye(3), springs.base, strict=True))
+        for at, number, k in zip(joints, srms.linkage.axes, springs.gearboxes, strict=True):
+            total += of_spring(at, np.eye(3)[number - 1], k)
+        for which, boom in enumerate((1, 2)):
+            begin, end = joints[boom], joints[boom + 1]
+            length = float(np.linalg.norm(end - begin))
+            along = (end - begin) / length
+            for axis in (np.array([0.0, 1.0, 0.0]), np.cross(along, [0.0, 1.0, 0.0])):
+                places = [begin + s * along for s in np.linspace(0.0, length, 2001)]
+                values = [of_spring(at, axis, float(springs.bending[which])) for at in places]
+                total += float(np.trapezoid(values, dx=length / 2000))
+            total += of_spring(begin, along, float(springs.torsion[which]) / length)
+        return total
+
+    view = View(arm_spec(srms, flexible=True, orbiter=None).compile(), srms)
+    mujoco.mj_forward(view.model, view.data)
+    _, stiffness = matrices(view)
+    jacobian = np.zeros((3, view.model.nv))
+    mujoco.mj_jacSite(view.model, view.data, jacobian, None, view.model.site("tip").id)
+    free = np.setdiff1d(np.arange(view.model.nv), view.motor_rates)
+    for force, published in ((np.array([0.0, 0.0, 1.0]), 803.0), (np.array([0.0, 1.0, 0.0]), 1308.0)):
+        lever = force @ jacobian[:, free]
+        found = float(lever @ np.linalg.solve(stiffness, lever))
+        assert found == pytest.approx(compliance(force), rel=1e-6)
+        assert 1.0 / found == pytest.approx(published, rel=0.005)
+
+
+def test_boom_vibrates_as_a_beam_with_a_body_at_its_end(srms: ArmModel) -> None:
+    """Euler-Bernoulli cantilever whose end carries the rest of the arm as a rigid body, in the pitch plane."""
+    springs, masses = srms.flexibility, masses_of(srms)
+    assert springs is not None
+    stiff = 1e13
+    rigid = Flexibility(
+        np.full(6, stiff), np.array([springs.bending[0], stiff]), np.full(2, stiff), np.full(3, stiff), 0.0, 1e-6
+    )
+    boom = masses.booms[0]
+    length, mass, rigidity = float(np.linalg.norm(boom.end)), boom.mass, float(springs.bending[0])
+    joints = np.cumsum(srms.linkage.steps, axis=0)
+    origins = dict(zip(srms.linkage.frames[1:], joints, strict=True))
+    rest = [body.moved(origins[frame]) for frame, body in masses.bodies.items() if frame in srms.linkage.frames[3:]]
+    lower = masses.booms[1]
+    end = joints[2]
+    rest += [lower.whole().moved(origins[lower.frame]), boom.tip.moved(end)]
+    body = joined(rest)
+    along = boom.end / length
+    ahead = float((body.centre - end) @ along)
+    aside = float((body.centre - end) @ np.cross([0.0, 1.0, 0.0], along))
+    turning = float(body.inertia[1, 1]) + body.mass * aside**2
+
+    def determinant(frequency: float) -> float:
+        w2 = (2.0 * math.pi * frequency) ** 2
+        k = (mass / length * w2 / rigidity) ** 0.25
+        c, s, ch, sh = math.cos(k * length), math.sin(k * length), math.cosh(k * length), math.sinh(k * length)
+        rows = []
+        for w, d1, d2, d3 in (
+            (c - ch, -s - sh, -c - ch, s - sh),
+            (s - sh, c - ch, -s - sh, -c - ch),
+        ):
+            slope, bend, shear = k * d1, rigidity * k**2 * d2, rigidity * k**3 * d3
+            moment = bend - w2 * ((turning + body.mass * ahead**2) * slope + body.mass * ahead * w)
+            force = shear + w2 * body.mass * (w + ahead * slope)
+            rows.append((moment, force))
+        found: float = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]
+        return found
+
+    expected = scipy.optimize.brentq(determinant, 0.3, 1.5)
+    found = frequencies(replace(srms, flexibility=rigid), STRAIGHT)[:2]  # pitch plane, yaw plane
+    assert min(abs(found / expected - 1.0)) < 0.005
+
+
+def test_command_prints_the_frequencies(srms: ArmModel, aftdeck: Run) -> None:
+    given = ("--payload-mass", "65000 lb", "--payload-axis", "yaw")
+    printed = aftdeck.json("arm", "srms", "frequencies", *given)["frequencies_hz"]
+    assert printed == pytest.approx(frequencies(srms, STRAIGHT, payload=usual_payload(HEAVIEST, YAW)))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        (("concept-1972", "frequencies"), "flexibility"),
+        (("srms", "frequencies", "--payload-mass", "heavy"), "--payload-mass"),
+        (("srms", "frequencies", "--payload-mass", "-1 lb"), "--payload-mass"),
+        (("srms", "frequencies", "--orbiter-mass", "1000 kg"), "--free"),
+        (("srms", "frequencies", "--payload-axis", "yaw"), "--payload-mass"),
+        (("srms", "frequencies", "--pose", "0", "0", "0", "0", "0", "inf"), "--pose"),
+        (("srms", "limits", "--free"), "--free"),
+    ],
+)
+def test_command_rejects_what_it_cannot_compute(arguments: tuple[str, ...], named: str, aftdeck: Run) -> None:
+    code, _, error = aftdeck("arm", *arguments)
+    assert code == 2
+    assert named in error
