@@ -26,7 +26,7 @@ export function joints(desk: Desk): Part {
       el('td', { class: 'scale', title: range(joint) }, scale.element),
       angle,
       el('td', { class: 'of-limit' }, el('div', {}, bar.element, tag)),
-      ...(torque ? [el('td', { class: 'torque' }, torque.element)] : []),
+      ...(torque ? [el('td', { class: 'torque' }, el('div', {}, torque.element))] : []),
     );
     return { joint, row, scale, commanded, angle, bar, torque, tag };
   });
