@@ -33,6 +33,7 @@ NAMES = {
     "loaded": "loaded.loaded",
     "page": "page.page",
     "recording": "recording.recording",
+    "dynamics": "dynamics.dynamics",
 }
 """Module and function of each benchmark."""
 

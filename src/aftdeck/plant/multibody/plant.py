@@ -26,10 +26,6 @@ from aftdeck.plant.state import Bodies, PlantState
 
 mujoco.set_mju_user_warning(lambda text: None)  # otherwise MuJoCo writes a file into the user's folder
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
-_WARNINGS = [
-    int(kind)
-    for kind in (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
-]
 
 
 class MultibodyPlant:
@@ -98,14 +94,13 @@ class MultibodyPlant:
         mujoco.mj_setState(model, data, bodies.physics, _STATE)
         servos.command(bodies, state.angles, rates, brakes=brakes)
         view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
-        before = [data.warning[kind].number for kind in _WARNINGS]
         mujoco.mj_step(model, data, nstep=self._steps)
-        if before != [data.warning[kind].number for kind in _WARNINGS]:
+        if view.diverged():
             raise SimulationError(
                 f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
             )
         self._store(view, bodies)
-        servos.measure(bodies, state.angles, state.rates)
+        servos.measure(bodies, state.angles, state.rates, brakes=brakes)
         bodies.reference[:] = state.rates if self._strict else rates
         state.commanded += rates * self._period
         height = view.height

@@ -12,11 +12,9 @@ import numpy as np
 
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
+from aftdeck.plant.multibody.joint_laws import command_brakes, command_servos, measure_joints, measure_torques
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies
-
-AT_LIMIT = 1.0 - 1e-9
-"""Share of the greatest torque from which a motor or a brake counts as at its limit [1]."""
 
 
 class Servos:
@@ -32,6 +30,7 @@ class Servos:
             True: 1 << int(model.actuator_group[self._drives[0]]),  # with the brakes on, the servos are off
             False: 1 << int(model.actuator_group[self._brakes[0]]),
         }
+        self._force, self._ctrl = view.data.actuator_force, view.data.ctrl
 
     def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
         """Set the controls of servos and brakes for one control period.
@@ -42,45 +41,34 @@ class Servos:
             rates: (6,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
         """
-        view, servo, holds = self._view, self._servo, bodies.holds
-        still = (rates == 0.0) & (not brakes)
-        holds[~still] = np.nan
-        begins = still & np.isnan(holds)
-        holds[begins] = angles[begins]
-        back = np.clip(servo.hold_gain * (holds - angles), -servo.hold_rate, servo.hold_rate)
-        view.data.ctrl[self._drives] = np.where(still, back, rates)
+        view, servo, ctrl = self._view, self._servo, self._ctrl
+        command_servos(rates, angles, brakes, servo.hold_gain, servo.hold_rate, bodies.holds, self._drives, ctrl)
+        command_brakes(brakes, view.motors, view.qpos, bodies.brakes, self._brakes, ctrl)
         view.model.opt.disableactuator = self._off[brakes]
-        if not brakes:
-            bodies.brakes[:] = np.nan
-            return
-        begins = np.isnan(bodies.brakes)
-        bodies.brakes[begins] = view.data.qpos[view.motors[begins]]
-        view.data.ctrl[self._brakes] = bodies.brakes
 
-    def measure(self, bodies: Bodies, angles: Array, rates: Array) -> None:
+    def measure(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
         """Measure the joints, and let brakes slip that are at their holding torque.
 
         Args:
             bodies: state of the bodies; torques are written.
             angles: (6,) output: angles at the joints' outputs, in steps of the encoder [rad].
             rates: (6,) output: rates of the motors, in steps of the tachometer [rad/s].
+            brakes: whether the brakes are on.
         """
-        view, servo, data = self._view, self._servo, self._view.data
-        angles[:] = _stepped(view.angles, servo.encoder_step)
-        turning = data.qvel[view.motor_rates]
-        rates[:] = _stepped(turning, servo.tachometer_step)
-        braked = not np.isnan(bodies.brakes[0])
-        acting, most = (self._brakes, servo.holding_torque) if braked else (self._drives, servo.torque_limit)
-        bodies.torques[:] = data.actuator_force[acting]
-        at_limit = np.abs(bodies.torques) >= AT_LIMIT * most
-        bodies.overdriven[:] = at_limit & (turning * bodies.torques < 0.0)
-        if braked:
-            motors, give = data.qpos[view.motors], most / self._stiffness
-            bodies.brakes[:] = np.clip(bodies.brakes, motors - give, motors + give)
-
-
-def _stepped(values: Array, step: Array) -> Array:
-    """Return values in whole steps; a step of 0 is exact."""
-    exact = step == 0.0
-    size = np.where(exact, 1.0, step)
-    return np.where(exact, values, np.round(values / size) * size)
+        view, servo = self._view, self._servo
+        places = view.motors, view.motor_rates, view.qpos, view.qvel
+        measure_joints(
+            view.motors,
+            view.gearboxes,
+            view.motor_rates,
+            view.qpos,
+            view.qvel,
+            servo.encoder_step,
+            servo.tachometer_step,
+            angles,
+            rates,
+        )
+        acting, most = (self._brakes, servo.holding_torque) if brakes else (self._drives, servo.torque_limit)
+        measure_torques(
+            acting, self._force, most, *places, self._stiffness, bodies.brakes, bodies.torques, bodies.overdriven
+        )

@@ -10,6 +10,9 @@ import numpy as np
 from aftdeck.arms.geometry import STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
+from aftdeck.plant.multibody.joint_laws import poses_in_base
+
+_DIVERGED = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
 
 
 class View:
@@ -20,7 +23,10 @@ class View:
         data: MuJoCo's workspace.
         rows: number of the arm's frames.
         motors: (6,) places of the motors' angles in MuJoCo's positions.
+        gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
         motor_rates: (6,) places of the motors' rates in MuJoCo's velocities.
+        qpos: MuJoCo's positions, as an array of the workspace.
+        qvel: MuJoCo's velocities, as an array of the workspace.
     """
 
     def __init__(self, model: Any, arm: ArmModel) -> None:
@@ -30,19 +36,16 @@ class View:
         self.motors = np.array([int(joint.qposadr[0]) for joint in motors])
         self.motor_rates = np.array([int(joint.dofadr[0]) for joint in motors])
         geared = [_find(model, mujoco.mjtObj.mjOBJ_JOINT, f"gearbox.{name}") for name in arm.joints]
-        self._gearboxes = np.array([int(model.jnt_qposadr[joint]) for joint in geared if joint >= 0], dtype=np.int64)
+        self.gearboxes = np.array([int(model.jnt_qposadr[joint]) for joint in geared if joint >= 0], dtype=np.int64)
         self._frames = np.array([model.body(name).id for name in arm.frames])
         self._orbiter = _find(model, mujoco.mjtObj.mjOBJ_BODY, "orbiter")
         self._telescope = int(model.joint("telescope").qposadr[0]) if STAND in arm.frames else -1
         self._drive = model.actuator("drive.telescope").id if STAND in arm.frames else -1
         self._height = float(arm.links[0])
         self.rows = len(self._frames)
-
-    @property
-    def angles(self) -> Array:
-        """(6,) angles at the joints' outputs, where the encoders are [rad]."""
-        angles: Array = self.data.qpos[self.motors]
-        return angles + self.data.qpos[self._gearboxes] if len(self._gearboxes) else angles
+        self._warnings = [self.data.warning[kind] for kind in _DIVERGED]
+        self.qpos, self.qvel = self.data.qpos, self.data.qvel
+        self._xpos, self._xmat = self.data.xpos, self.data.xmat
 
     @property
     def height(self) -> float:
@@ -65,6 +68,14 @@ class View:
         if self._drive >= 0:
             self.data.ctrl[self._drive] = speed
 
+    def diverged(self) -> bool:
+        """Return whether a step since the last call diverged, which MuJoCo only counts."""
+        found = any(warning.number for warning in self._warnings)
+        if found:
+            for warning in self._warnings:
+                warning.number = 0
+        return found
+
     def write_poses(self, frames: Array, base: Array) -> None:
         """Write poses from MuJoCo's present ones: of the arm's frames, and of L.
 
@@ -72,12 +83,9 @@ class View:
             frames: (n, 12) output: true poses of the arm's frames, in L.
             base: (12,) output: pose of L, relative to its pose at the start of the run.
         """
-        data = self.data
         if self._orbiter >= 0:
-            base[:3], base[3:] = data.xpos[self._orbiter], data.xmat[self._orbiter]
-        axes = base[3:].reshape(3, 3)
-        frames[:, :3] = (data.xpos[self._frames] - base[:3]) @ axes
-        frames[:, 3:] = (axes.T @ data.xmat[self._frames].reshape(-1, 3, 3)).reshape(-1, 9)
+            base[:3], base[3:] = self._xpos[self._orbiter], self._xmat[self._orbiter]
+        poses_in_base(base, self._frames, self._xpos, self._xmat, frames)
         if self._telescope >= 0:  # the frame of the first joint does not rise with the telescope
             frames[1, :3] = 0.0
 

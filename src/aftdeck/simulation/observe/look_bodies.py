@@ -4,13 +4,33 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.bodies.pose import compose, rows, vec3
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, compose, rows, vec3
 from aftdeck.frames import angle_between
+from aftdeck.law import law
 from aftdeck.matrices import distance
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Dynamics, Placed
 from aftdeck.simulation.observe.frame_numbers import six
 from aftdeck.simulation.state import State
+from aftdeck.tuples import Rows, Six, Vec3
+
+_NONE: tuple[int, ...] = ()
+
+
+@law
+def body_numbers(hand: Array, tip: Array, torques: Array, base: Array) -> tuple[Vec3, Rows, Six, Vec3, Rows]:
+    """Return position and attitude of the tip, torques, and position and attitude of L.
+
+    Args:
+        hand: (12,) pose of the last joint's frame in L.
+        tip: (12,) pose of the tip in this frame.
+        torques: (6,) torques [N m].
+        base: (12,) pose of L, relative to its pose at the start of the run.
+    """
+    at = np.empty(POSE)
+    compose(hand, tip, at)
+    return vec3(at, 0), rows(at, 3), six(torques, 0), vec3(base, 0), rows(base, 3)
 
 
 def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
@@ -18,18 +38,11 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     bodies, site, target = state.plant.bodies, flight.site, state.panel.target
     if bodies is None:
         return None
-    tip = np.empty(12)
-    compose(state.worksite.frames[site.last_joint], site.hand, tip)
-    position, orientation = vec3(tip, 0), rows(tip, 3)
+    position, orientation, torques, at, axes = body_numbers(
+        state.worksite.frames[site.last_joint], site.hand, bodies.torques, bodies.orbiter
+    )
     miss = None
     if target is not None:
         miss = distance(target.position, position), angle_between(target.rotation, orientation)
-    overdriven = tuple(int(joint) for joint in np.flatnonzero(bodies.overdriven))
-    return Dynamics(
-        position,
-        orientation,
-        miss,
-        six(bodies.torques, 0),
-        overdriven,
-        Placed(vec3(bodies.orbiter, 0), rows(bodies.orbiter, 3)),
-    )
+    overdriven = tuple(np.flatnonzero(bodies.overdriven).tolist()) if bodies.overdriven.any() else _NONE
+    return Dynamics(position, orientation, miss, torques, overdriven, Placed(at, axes))
