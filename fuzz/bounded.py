@@ -7,8 +7,11 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from types import FrameType
 
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.warm import warm_up
 from fuzz.attacks import Attack
 
 MOST_GROWTH = 500_000_000
@@ -31,12 +34,20 @@ def outcome(attack: Attack, seed: int) -> str:
         TooMuchMemoryError: the attack took more than `MOST_GROWTH`.
         Exception: the attack failed.
     """
+    _compile_laws()
     before = _greatest_memory()
     with _limited(attack.slowest_s):
         found = attack.run(seed)
     if (growth := _greatest_memory() - before) > MOST_GROWTH:
         raise TooMuchMemoryError(f"{growth / 1e6:.0f} MB")
     return found
+
+
+@cache
+def _compile_laws() -> None:
+    """Compile all laws, which may take more than `MOST_GROWTH`."""
+    for name in ("first-flight", "concept-1972"):
+        warm_up(load_scenario(name))
 
 
 @contextmanager

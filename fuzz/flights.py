@@ -10,7 +10,8 @@ from pathlib import Path
 import msgspec
 
 from aftdeck.arms.load import HERE as ARMS
-from aftdeck.errors import ScenarioError
+from aftdeck.errors import ScenarioError, SimulationError
+from aftdeck.files import Where
 from aftdeck.scenario.load import HERE as SCENARIOS
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
@@ -30,6 +31,7 @@ FLOWN_WITH = {
     "space": ("free-flyer",),
 }
 """Scenarios with which the mutants of an arm or of a worksite are flown."""
+PLANTS = ("kinematic", "kinematic", "rigid", "flexible")
 KINDS = ("arm", "worksite", "scenario")
 MODES = ("ORB UNL", "END EFF", "ORB LD", "SINGLE", "DIRECT", "MASTER", "TEST", "OPR CMD")
 
@@ -45,21 +47,29 @@ def attack(seed: int) -> str:
     for _ in range(TRIES):
         kind = rng.choice(KINDS)
         original = rng.choice([original for original in originals() if original.kind == kind])
+        plant = rng.choice(PLANTS)
         text = mild_mutant(text_of(original.path), rng)
         try:
-            sim = Simulation(_scenario(kind, original.path.stem, text, rng))
+            sim = Simulation(_scenario(kind, original.path.stem, text, plant, rng))
         except ScenarioError:
             continue
         scripted = bool(sim.scenario.phases) and rng.random() < 0.5
-        fly(sim, None if scripted else rng)
-        return f"{kind} by {'script' if scripted else 'hand'}"
+        how = f"{kind}, {sim.scenario.plant}, by {'script' if scripted else 'hand'}"
+        try:
+            fly(sim, None if scripted else rng)
+        except SimulationError:
+            if sim.scenario.plant == "kinematic":
+                raise
+            return f"{how}: diverged"
+        return how
     return "none accepted"
 
 
-def _scenario(kind: str, name: str, text: str, rng: random.Random) -> Scenario:
-    """Return the scenario in which a mutant is flown."""
+def _scenario(kind: str, name: str, text: str, plant: str, rng: random.Random) -> Scenario:
+    """Return the scenario in which a mutant is flown, on a plant."""
+    changes: dict[Where, object] = {} if plant == "kinematic" else {("plant",): plant}
     if kind == "scenario":
-        return parse_scenario(text, "mutant", "mutant.toml", SCENARIOS)
+        return parse_scenario(text, "mutant", "mutant.toml", SCENARIOS, changes)
     with tempfile.TemporaryDirectory() as folder:
         path = written(Path(folder) / "mutant.toml", text)
         if kind == "worksite":
@@ -67,7 +77,7 @@ def _scenario(kind: str, name: str, text: str, rng: random.Random) -> Scenario:
         for shapes in ARMS.glob("*.shapes.toml"):
             written(Path(folder) / shapes.name, text_of(shapes))
         own = load_scenario(rng.choice(FLOWN_WITH[name]))
-        return parse_scenario(own.text, "mutant", "mutant.toml", SCENARIOS, {(kind,): str(path)})
+        return parse_scenario(own.text, "mutant", "mutant.toml", SCENARIOS, {**changes, (kind,): str(path)})
 
 
 def fly(sim: Simulation, rng: random.Random | None) -> None:

@@ -46,6 +46,7 @@ HEADS = [
     ("arm = 'none.toml'", r"a\.toml:2: arm: none\.toml: .*No such file or directory"),
     ('arm = "a\\u0000.toml"', r"a\.toml:2: arm: "),
     ("worksite = 'moon'", r"a\.toml:2: worksite: 'moon'"),
+    ("[payload]\nmass = 1\ninertia = [1, 1, 3]", r"a\.toml:4: payload\.inertia: .*1, 1, 3 kg m2"),
     ("plant = 'wooden'", r"a\.toml:2: plant: .*kinematic.*'wooden'"),
     ("rate = 'fast'", r"a\.toml:2: rate: .*coarse.*vernier.*'fast'"),
     ("soft_stops = 'off'", r"a\.toml:2: soft_stops: .*mended, as-flown.*'off'"),

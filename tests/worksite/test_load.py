@@ -240,6 +240,11 @@ CARGO = (
             ("seat port", "face"),
         ),
         (BODY + PORT.replace('"a"', '"b"'), "bad.toml:11: seat[0].body", ("'b'", ": a")),
+        (
+            BODY + "[orbiter]\nmass = 1\ninertia = [1, 5, 1]\ncentre = [0, 0, 0]\nsource = 'assumed'\n",
+            "bad.toml:7: orbiter",
+            ("1, 5, 1",),
+        ),
         (BODY + BLOCK + PORT.replace("radius = 0.3", "radius = 0"), "bad.toml:8: seat[0]", ("radius", "0 m")),
         (
             BODY + CARGO + CARGO.replace("receptacle", "#"),

@@ -9,6 +9,7 @@ from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import JointRates
 from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
 from aftdeck.arrays import Array
+from aftdeck.bodies.mass_properties import impossible
 from aftdeck.files import Problem
 
 
@@ -128,6 +129,9 @@ def drive_problems(file: ArmFile) -> list[Problem]:
         if at > tip:
             what = f"the wrist roll joint has to be before the tip, at {tip:g} m at most; got {at:g} m"
             found.append(Problem(("housings", "wrist_yaw_to_roll"), what))
+        for i, (along, across) in enumerate(file.housings.wrist_inertia.value):
+            if why := impossible(along, across, across):
+                found.append(Problem(("housings", "wrist_inertia", "value", i), why))
     return found
 
 

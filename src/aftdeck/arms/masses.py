@@ -86,6 +86,19 @@ def masses_of(model: ArmModel) -> ArmMasses:
     return _of_heading_arm(model, file, file.slides)
 
 
+def check_masses(model: ArmModel, *, flexible: bool) -> None:
+    """Check that an arm's file has all tables that a plant with masses needs.
+
+    Raises:
+        ArmError: a table is missing; the message names it.
+    """
+    if model.servo is None:
+        raise lacking(model, "servo")
+    if flexible and model.flexibility is None:
+        raise lacking(model, "flexibility")
+    masses_of(model)
+
+
 def lacking(model: ArmModel, table: str) -> ArmError:
     """Return the error for an arm whose file lacks a table that a plant with masses needs."""
     plant = "flexible" if table == "flexibility" else "rigid or flexible"

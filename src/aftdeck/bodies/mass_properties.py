@@ -31,6 +31,14 @@ class MassProperties(NamedTuple):
         return self._replace(centre=self.centre + np.asarray(by))
 
 
+def impossible(a: float, b: float, c: float) -> str:
+    """Return why no body has these principal moments of inertia; "" if one has."""
+    greatest = max(a, b, c)
+    if 2.0 * greatest <= a + b + c:
+        return ""
+    return f"no body has the moments of inertia {a:g}, {b:g}, {c:g} kg m2: the greatest exceeds the sum of the others"
+
+
 def sphere(mass: float, radius: float, centre: ArrayLike = _ORIGIN) -> MassProperties:
     """Return a uniform sphere; its centre is in the frame of the result [m]."""
     return MassProperties(mass, np.array(centre, dtype=np.float64), 0.4 * mass * radius**2 * np.eye(3))

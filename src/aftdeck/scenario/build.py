@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from aftdeck.errors import ScenarioError
+from aftdeck.arms.masses import check_masses
+from aftdeck.errors import ArmError, ScenarioError
 from aftdeck.files import Problem, Where
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.attached import Grasp
@@ -72,6 +73,7 @@ def build(
         )
     grasp = Grasp(payload, cargo=bool(cargo))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
+    _check_plant(problems, spec, arm, cargo)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
@@ -176,6 +178,22 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
         problems.add(
             ("command_delay",),
             f"has to be a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s",
+        )
+
+
+def _check_plant(problems: Problems, spec: ScenarioFile, arm: Arm, cargo: tuple[Cargo, ...]) -> None:
+    """Check that the plant can move the arm and all payloads."""
+    if spec.plant == "kinematic":
+        return
+    try:
+        check_masses(arm.model, flexible=spec.plant == "flexible")
+    except ArmError as error:
+        problems.add(("plant",), str(error))
+    if cargo:
+        problems.add(
+            ("plant",),
+            f"{spec.plant!r} moves only payloads that the scenario attaches ([payload]); payloads of the worksite "
+            "([[cargo]]) need plant = 'kinematic'",
         )
 
 

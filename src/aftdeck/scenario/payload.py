@@ -8,7 +8,7 @@ import numpy as np
 
 from aftdeck.arms.covers import cover_problem, hexahedra
 from aftdeck.arms.geometry import frozen
-from aftdeck.bodies.mass_properties import box
+from aftdeck.bodies.mass_properties import box, impossible
 from aftdeck.files import Where
 from aftdeck.frames import endori
 from aftdeck.kinematics.payload import Payload
@@ -42,6 +42,9 @@ def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Pa
     """Return the payload of the table at `where` in the file, without shapes and solids; None if the table is wrong."""
     if spec.mass <= 0.0:
         problems.add((*where, "mass"), f"has to be above 0, got {spec.mass:g} kg")
+        return None
+    if spec.inertia is not None and (why := impossible(*spec.inertia)):
+        problems.add((*where, "inertia"), why)
         return None
     turned = endori(spec.roll, spec.pitch, spec.yaw)
     if spec.matrix is not None:

@@ -14,7 +14,7 @@ import numpy as np
 from aftdeck.arms.dynamics import Flexibility
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.masses import ArmMasses, Boom, lacking, masses_of
+from aftdeck.arms.masses import ArmMasses, Boom, check_masses, masses_of
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, joined
 
@@ -41,10 +41,8 @@ class _Chain:
     """Arm that is being added to a specification."""
 
     def __init__(self, model: ArmModel, *, flexible: bool) -> None:
-        if model.servo is None:
-            raise lacking(model, "servo")
-        if flexible and model.flexibility is None:
-            raise lacking(model, "flexibility")
+        check_masses(model, flexible=flexible)
+        assert model.servo is not None, "`check_masses` rejects an arm without servos"
         self._model, self._servo = model, model.servo
         self._masses: ArmMasses = masses_of(model)
         self._springs: Flexibility | None = model.flexibility if flexible else None

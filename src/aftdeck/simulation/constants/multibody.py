@@ -8,7 +8,6 @@ import numpy as np
 
 from aftdeck.arms.load import ArmModel
 from aftdeck.bodies.mass_properties import MassProperties
-from aftdeck.errors import ArmError, ScenarioError
 from aftdeck.frames import Mount
 from aftdeck.kinematics.payload import Payload
 from aftdeck.plant.linear_actuator import travel_of_stand
@@ -19,23 +18,9 @@ from aftdeck.worksite.model import OrbiterMass
 
 
 def multibody_plant(scenario: Scenario) -> MultibodyPlant:
-    """Return the plant of a scenario with the plant ``rigid`` or ``flexible``.
-
-    Raises:
-        ScenarioError: the arm has no values for this plant, or the scenario has payloads of the worksite.
-    """
+    """Return the plant of a scenario with the plant ``rigid`` or ``flexible``; `scenario.build` has checked it."""
     arm = scenario.arm.model
-    if scenario.cargo:
-        raise ScenarioError(
-            [
-                f"{scenario.name}: plant = {scenario.plant!r} moves only payloads that the scenario attaches "
-                "([payload]); payloads of the worksite ([[cargo]]) need plant = 'kinematic'"
-            ]
-        )
-    try:
-        models = [_compiled(scenario, arm, payload) for payload in (None, *scenario.own_payloads)]
-    except ArmError as error:
-        raise ScenarioError([f"{scenario.name}: plant = {scenario.plant!r}: {error}"]) from None
+    models = [_compiled(scenario, arm, payload) for payload in (None, *scenario.own_payloads)]
     return MultibodyPlant(models, arm, travel_of_stand(arm), scenario.control_period, strict=scenario.strict)
 
 

@@ -9,11 +9,7 @@ from aftdeck.scenario.model import Scenario
 
 
 def plant_of(scenario: Scenario) -> Plant:
-    """Return the plant that the scenario names. Only a plant with masses imports MuJoCo.
-
-    Raises:
-        ScenarioError: the arm has no values for this plant.
-    """
+    """Return the plant that the scenario names. Only a plant with masses imports MuJoCo."""
     if scenario.plant == "kinematic":
         return kinematic_plant(scenario)
     from aftdeck.simulation.constants.multibody import multibody_plant

@@ -12,6 +12,7 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.bodies.camera_file import CameraFile, DriveFile
+from aftdeck.bodies.mass_properties import impossible
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Material, Shape
 from aftdeck.units import Angle, Length, Mass, MomentOfInertia, Speed, Time
@@ -231,6 +232,11 @@ class OrbiterFile(Table, frozen=True, kw_only=True):
     centre: Point
     """Centre of mass: structural Xo, Yo, Zo."""
     source: Text
+
+    def __post_init__(self) -> None:
+        """Reject moments of inertia that no body has (ValueError)."""
+        if why := impossible(*self.inertia):
+            raise ValueError(why)
 
 
 class HousingFile(_Inside, frozen=True, kw_only=True):
