@@ -52,8 +52,7 @@ export function joints(desk: Desk): Part {
             'reach ',
             el('i', { class: 'soft' }),
             'soft ',
-            el('i', { class: 'hard' }),
-            'hard',
+            ...(loaded ? [] : [el('i', { class: 'hard' }), 'hard']), // no room beside the torques
           ),
           el('th', { scope: 'col' }, 'deg'),
           el('th', { scope: 'col' }, 'of limit'),
