@@ -99,3 +99,19 @@ def _write(row: Array, at: Three, a: Three, b: Three, c: Three) -> None:
     row[3], row[4], row[5] = a[0], b[0], c[0]
     row[6], row[7], row[8] = a[1], b[1], c[1]
     row[9], row[10], row[11] = a[2], b[2], c[2]
+
+
+@law
+def place_prong(prong: float, rows: Array) -> None:
+    """Write the prong's pose, if the arm has one, from the pose of the last joint's frame.
+
+    Args:
+        prong: y2 of the prong's inner face [m].
+        rows: (7 or 9, 12) as in `place_frames`; the last row is written.
+    """
+    if rows.shape[0] > _CHAINED:
+        hand, row = rows[_CHAINED - 1], rows[_CHAINED + 1]
+        for k in range(POSE):
+            row[k] = hand[k]
+        for i in range(3):
+            row[i] += prong * hand[4 + 3 * i]

@@ -30,7 +30,9 @@ def resume(flight: Flight, saved: bytes) -> State:
         Rehearsed: Rehearsed,
         ClearanceMonitor: lambda: ClearanceMonitor(flight.site.layout),
     }
-    state = decoded(new_state(flight, nothing), saved, lambda kind: empty[kind]())
+    like = new_state(flight, nothing)
+    flight.plant.begin(like.plant, 0)
+    state = decoded(like, saved, lambda kind: empty[kind]())
     update_steering(flight, state)
     restore_clearances(flight, state)
     return state

@@ -8,13 +8,14 @@ import sys
 from pathlib import Path
 from typing import cast
 
+import msgspec
 import mujoco
 import numpy as np
 import pytest
 
 import aftdeck
 from aftdeck.arrays import Array
-from aftdeck.errors import ScenarioError, SimulationError
+from aftdeck.errors import InputError, ScenarioError, SimulationError
 from aftdeck.plant.multibody.plant import MultibodyPlant
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies
@@ -238,6 +239,35 @@ def test_saved_state_continues_exactly(plant: str) -> None:
     assert [again.step().sha256 for _ in range(400)][200:] == expected
 
 
+def test_script_attaches_and_detaches_a_payload() -> None:
+    up = "translation = [0.0, 0.0, -1.0]\nduration = '10 s'\n"
+    given = scenario(
+        "flexible",
+        f"[[phase]]\nmode = 'ORB UNL'\n{up}[[phase]]\nmode = 'ORB UNL'\npayload = {{ mass = '15000 lb' }}\n{up}"
+        f"[[phase]]\nmode = 'ORB UNL'\ndetached = true\n{up}",
+    )
+    sim, _ = flown(given)
+    assert sim.ended == "completed"
+    masses = [view.model.body_mass[view.model.body("payload").id] for view in parts(sim)[0]._views]
+    assert masses == pytest.approx([0.0, 15_000 * 0.45359237])
+    assert len({view.model.nv for view in parts(sim)[0]._views}) == 1
+
+
+def test_state_with_other_bodies_is_rejected() -> None:
+    given = scenario("rigid")
+    sim = Simulation(given)
+    sim.step()
+    saved = sim.save()
+    _, _, bodies = parts(sim)
+    bodies.physics = bodies.physics[:-1].copy()
+    with pytest.raises(InputError, match="size"):
+        Simulation(given).restore(msgspec.structs.replace(saved, state=sim.save().state))
+    sim._state.plant.bodies = None
+    with pytest.raises(InputError, match="size"):
+        Simulation(given).restore(sim.save())
+    Simulation(given).restore(saved)
+
+
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
 def test_recording_is_replayed_to_the_last_bit(plant: str, tmp_path: Path) -> None:
     given = aftdeck.load_scenario("loaded", {("plant",): plant, ("duration",): 12.0, ("phase",): []})
@@ -314,3 +344,9 @@ def test_concept_arm_and_its_telescope_move(tmp_path: Path) -> None:
     assert frame.dynamics is not None
     assert math.dist(frame.position, frame.dynamics.position) < 5e-3
     assert not np.allclose(frame.angles, AT_BAY)
+    for _ in range(200):
+        sim.advance(Inputs(effector="close"))
+    site, worksite = sim._flight.site, sim._state.worksite
+    hand, prong = (worksite.frames[1 + site.arm.names.index(name)] for name in ("arm.wrist_roll", "arm.prong"))
+    assert worksite.prong.position == pytest.approx(sim._flight.prong.high)
+    assert prong[:3] - hand[:3] == pytest.approx(worksite.prong.position * hand[[4, 7, 10]])

@@ -32,7 +32,8 @@ def arm_spec(model: ArmModel, *, flexible: bool, orbiter: MassProperties | None)
 
     Joints: ``motor.NAME`` and, if flexible, ``gearbox.NAME`` for each joint; ``telescope`` and ``prong`` if the arm has
     them. Actuators: ``servo.NAME``, ``brake.NAME``, ``drive.telescope``, ``drive.prong``. Bodies: the arm's frames,
-    and ``orbiter`` with the joint ``orbiter`` if it is free. The site ``tip`` has the axes of frame 7.
+    ``payload`` at the tip, without mass, and ``orbiter`` with the joint ``orbiter`` if it is free. The site ``tip`` has
+    the axes of frame 7. With and without a payload, MuJoCo's state has the same size.
 
     Args:
         model: the arm.
@@ -54,16 +55,16 @@ def arm_spec(model: ArmModel, *, flexible: bool, orbiter: MassProperties | None)
         parent.add_freejoint(name="orbiter")
         set_mass(parent, orbiter)
     last = add_arm(parent, model, flexible=flexible)
-    last.add_site(name="tip", pos=[float(model.links[4]), 0.0, 0.0])
+    tip = [float(model.links[4]), 0.0, 0.0]
+    last.add_site(name="tip", pos=tip)
+    last.add_body(name="payload", pos=tip)
     _add_actuators(spec, model)
     return spec
 
 
 def attach(spec: Any, payload: MassProperties) -> None:
-    """Fix a payload to the arm's last body; its mass properties are in frame 7, with the tip as origin."""
-    site = spec.site("tip")
-    body = site.parent.add_body(name="payload", pos=site.pos)
-    set_mass(body, payload)
+    """Give the body at the tip a payload's mass properties, which are in frame 7, with the tip as origin."""
+    set_mass(spec.body("payload"), payload)
 
 
 def _add_actuators(spec: Any, model: ArmModel) -> None:

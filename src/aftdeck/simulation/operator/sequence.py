@@ -101,7 +101,7 @@ def _inside(flight: Flight, state: State) -> bool:
     With servos, mode 2 ends there without waiting for rest: an arm that bends never comes to rest under mode 2, whose
     demanded speed changes too steeply with the distance near the target.
     """
-    if state.panel.law != "closed loop" or state.command[MOTION_ACTIVE] == 0.0:
+    if flight.scenario.strict or state.panel.law != "closed loop" or state.command[MOTION_ACTIVE] == 0.0:
         return False
     near, near_turn = flight.scenario.near, flight.scenario.near_turn
     return bool(state.report[DISTANCE] <= near and state.report[ANGLE] <= near_turn)

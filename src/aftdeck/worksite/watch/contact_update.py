@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import compose
-from aftdeck.kinematics.frames import place_frames
+from aftdeck.kinematics.frames import place_frames, place_prong
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import Measured, measure_groups, minimum_clearance_group
 from aftdeck.worksite.watch.contacts import count_frames
@@ -42,7 +42,7 @@ def place_everything(
         angles: (6,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
-        true: (n, 12) poses of the arm's frames in L; (0, 12) if they follow from the joint angles.
+        true: (n, 12) poses of the arm's frames in L, without the prong's; (0, 12) if they follow from the joint angles.
         frames: (F, 12) output: poses in L.
     """
     space = len(frames) - len(carrier) - 1
@@ -50,6 +50,7 @@ def place_everything(
         place_frames(joints, angles, stand, prong, frames[1:space])
     else:
         frames[1:space] = true
+        place_prong(prong, frames[1:space])
     for k in range(POSE):
         frames[0, k] = frames[space, k] = scene[k]
     for i in range(3):
