@@ -133,6 +133,11 @@ class Flight:
         with self._whole_log():
             self.until(f"{lines} > {before}")
 
+    def newest(self, kind: str) -> str:
+        """Return the text of the newest line of this kind in the whole log."""
+        with self._whole_log():
+            return self.page.locator(f".log.wrapped [data-kind='{kind}']").first.inner_text()
+
     @contextmanager
     def _whole_log(self) -> Iterator[None]:
         """Open the whole log inside the `with` block, because otherwise only the last three lines are on the page."""

@@ -42,7 +42,7 @@ def test_snares_closed_beside_the_pin_log_the_failed_condition(flight: Flight) -
         flight.hold("g")
         flight.until("frame.work.hand.switch === 'close'")
         flight.release("g")
-    assert "pin 8 in" in flight.page.locator(".log [data-kind=missed]").first.inner_text()
+    assert "pin 8 in" in flight.newest("missed")
     assert not flight.frame().work.cargo[0].held
 
 

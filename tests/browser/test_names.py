@@ -33,7 +33,7 @@ def test_name_replaces_the_number_of_the_page(flight: Flight, open_page: OpenPag
         flight.page.get_by_role("button", name="Give").click()
     flight.until(f"{WHO} === 'Observing · Ben flies'")
     for page in (flight, observer):
-        line = page.page.locator(".log [data-kind=hand-over]").first.inner_text()
+        line = page.newest("hand-over")
         assert "Wanda Berg" in line and "Ben" in line
 
 
