@@ -186,7 +186,7 @@ def test_frame_of_every_mode_survives(mode: str) -> None:
 
 def test_added_frame_field_is_recorded_without_second_declaration() -> None:
     wind = Annotated[float, field_meta("wind speed", "m/s", decimals=2)]
-    kind = msgspec.defstruct("WithMore", [("wind", wind)], bases=(FrameRecord,), frozen=True)
+    kind = msgspec.defstruct("WithMore", [("wind", wind)], bases=(FrameRecord,), frozen=True, kw_only=True)
     sim = aftdeck.Simulation("first-flight")
     made = frame_record(sim.step(Inputs()), 0.0, None)
     known = {name: getattr(made, name) for name in FrameRecord.__struct_fields__}
