@@ -47,6 +47,7 @@ HEADS = [
     ('arm = "a\\u0000.toml"', r"a\.toml:2: arm: "),
     ("worksite = 'moon'", r"a\.toml:2: worksite: 'moon'"),
     ("[payload]\nmass = 1\ninertia = [1, 1, 3]", r"a\.toml:4: payload\.inertia: .*1, 1, 3 kg m2"),
+    ("plant = 'rigid'\npayload = { mass = 1e-9 }", r"a\.toml:2: plant: .*'rigid'.*1e-09 kg"),
     ("plant = 'wooden'", r"a\.toml:2: plant: .*kinematic.*'wooden'"),
     ("rate = 'fast'", r"a\.toml:2: rate: .*coarse.*vernier.*'fast'"),
     ("soft_stops = 'off'", r"a\.toml:2: soft_stops: .*mended, as-flown.*'off'"),

@@ -77,7 +77,9 @@ BeamRigidity = Annotated[
 """Rigidity of a boom: EI for bending, GJ for torsion."""
 DampingTime = Annotated[Time, Bounds(0.0, 1.0, "with 1 s, a mode of 0.3 Hz is damped critically")]
 """Damping of a spring divided by its stiffness."""
-AddedInertia = Annotated[MomentOfInertia, Bounds(0.0, 1e4, "the Shuttle's housings have about 1 kg m2")]
+AddedInertia = Annotated[
+    MomentOfInertia, Bounds(1e-9, 1e4, "the Shuttle's housings have about 1 kg m2, and nothing turns without inertia")
+]
 
 
 class FlexibilityFile(Part, frozen=True):
@@ -92,7 +94,10 @@ class FlexibilityFile(Part, frozen=True):
     """Stiffness of the base about x, y and z of L."""
     damping: Constant[DampingTime]
     added_inertia: Constant[AddedInertia]
-    """Moment of inertia that is added to each moving body, about each axis: it lowers the highest frequency."""
+    """Moment of inertia, about each axis, of base and rotors, which have no mass of their own.
+
+    It lowers the highest frequency of the model.
+    """
 
 
 Radius = Annotated[Length, Bounds(0.0005, 10.0, "the Shuttle's booms have a radius of 0.19 m")]

@@ -64,7 +64,7 @@ class Flexibility(NamedTuple):
         torsion: (2,) GJ of upper and lower boom [N m2].
         base: (3,) stiffness of the base about x, y and z of L [N m/rad].
         damping: damping of each spring divided by its stiffness [s].
-        added_inertia: moment of inertia added to each moving body about each axis [kg m2].
+        added_inertia: moment of inertia of base and rotors, which have no mass of their own, about each axis [kg m2].
     """
 
     gearboxes: Array

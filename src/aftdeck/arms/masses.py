@@ -74,9 +74,15 @@ def masses_of(model: ArmModel) -> ArmMasses:
     """Return the masses of an arm.
 
     Raises:
-        ArmError: the arm's file lacks the table `housings` or `slides`.
+        ArmError: the arm's file lacks the table `housings` or `slides`, or a part has no mass.
     """
     file = model.source
+    parts = file.masses.parts.value
+    if massless := [name for name in parts.__struct_fields__ if getattr(parts, name) <= 0.0]:
+        raise ArmError(
+            f"the arm {model.name!r} cannot have a rigid or flexible plant: masses.parts has 0 kg for "
+            f"{', '.join(massless)}"
+        )
     if isinstance(file, YawArmFile):
         if file.housings is None:
             raise lacking(model, "housings")
@@ -90,7 +96,7 @@ def check_masses(model: ArmModel, *, flexible: bool) -> None:
     """Check that an arm's file has all tables that a plant with masses needs.
 
     Raises:
-        ArmError: a table is missing; the message names it.
+        ArmError: a table is missing, or a part has no mass; the message names it.
     """
     if model.servo is None:
         raise lacking(model, "servo")

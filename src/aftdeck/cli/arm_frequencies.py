@@ -9,15 +9,18 @@ from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError
 from aftdeck.lines import print_line
 from aftdeck.plant.multibody.frequencies import frequencies
-from aftdeck.plant.usual_payload import usual_payload
+from aftdeck.plant.usual_payload import PAYLOAD_MASS, usual_payload
+from aftdeck.scenario.changes import value_of
 from aftdeck.simulation.constants.multibody import orbiter_in_l
 from aftdeck.units import Mass
 from aftdeck.worksite.file.load import load_worksite
+from aftdeck.worksite.file.schema import ORBITER_MASS
 from aftdeck.worksite.model import OrbiterMass
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from aftdeck.bounds import Bounds
     from aftdeck.kinematics.arm import Arm
 
 AXES = ("arm", "pitch", "yaw")
@@ -37,7 +40,7 @@ def print_frequencies(
 
     Raises:
         ArmError: the arm has no table `flexibility`.
-        InputError: an angle is not finite, a mass is not above 0, or an option lacks the option that it refers to.
+        InputError: an angle is not finite, a mass is not plausible, or an option lacks the option that it refers to.
     """
     if not all(map(math.isfinite, angles)):
         raise InputError(f"--pose: angles have to be finite, got {' '.join(map(str, angles))}")
@@ -47,11 +50,13 @@ def print_frequencies(
         raise InputError("--orbiter-mass needs --free")
     payload = orbiter = None
     if payload_mass is not None:
-        payload = usual_payload(_mass("--payload-mass", payload_mass), AXES.index(payload_axis or "pitch"))
+        payload = usual_payload(
+            _mass("--payload-mass", payload_mass, PAYLOAD_MASS), AXES.index(payload_axis or "pitch")
+        )
     if free:
         usual = load_worksite("orbiter").orbiter
         assert usual is not None, "the orbiter's worksite has an orbiter"
-        mass = usual.mass if orbiter_mass is None else _mass("--orbiter-mass", orbiter_mass)
+        mass = usual.mass if orbiter_mass is None else _mass("--orbiter-mass", orbiter_mass, ORBITER_MASS)
         x, y, z = (moment * mass / usual.mass for moment in usual.inertia)
         orbiter = orbiter_in_l(arm.model.mount, OrbiterMass(mass, (x, y, z), usual.centre))
     found = frequencies(arm.model, angles, payload=payload, orbiter=orbiter).tolist()
@@ -62,20 +67,12 @@ def print_frequencies(
         print_line(f"{number:>3}  {frequency:>10.4f} Hz")
 
 
-def _mass(option: str, text: str) -> float:
+def _mass(option: str, text: str, bounds: Bounds) -> float:
     """Return the mass that an option gives, as in a file [kg]."""
     try:
-        value = Mass.read(float(text) if _is_number(text) else text)
+        value = Mass.read(value_of(text))
     except ValueError as error:
         raise InputError(f"{option}: {error}") from None
-    if value <= 0.0:
-        raise InputError(f"{option}: a mass has to be above 0, got {text}")
+    if why := bounds.problem(value, Mass.unit):
+        raise InputError(f"{option}: {why}")
     return float(value)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True

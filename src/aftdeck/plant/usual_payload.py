@@ -5,12 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.bodies.mass_properties import MassProperties, cylinder
-from aftdeck.units import FOOT, POUND
+from aftdeck.bounds import Bounds
+from aftdeck.units import FOOT, POUND, Mass
 
 HEAVIEST = 65_000 * POUND
 """Mass of the heaviest payload of the Shuttle [kg]; the published frequencies with a heavy payload fit it (derived)."""
 LONGEST, WIDEST = 60 * FOOT, 15 * FOOT
 """Length and diameter of the heaviest payload, a cylinder that fills the payload bay [m] (firm)."""
+
+PAYLOAD_MASS = Bounds(1e-3, Mass.bounds.greatest, "a payload of less than a gram does not act on an arm", Mass.unit)
+"""Masses of payloads that a plant with masses can move [kg]."""
 
 
 def usual_payload(mass: float, axis: int = 0) -> MassProperties:

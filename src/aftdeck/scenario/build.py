@@ -8,6 +8,8 @@ from aftdeck.arms.masses import check_masses
 from aftdeck.errors import ArmError, ScenarioError
 from aftdeck.files import Problem, Where
 from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.payload import Payload
+from aftdeck.plant.usual_payload import PAYLOAD_MASS
 from aftdeck.scenario.attached import Grasp
 from aftdeck.scenario.chosen_payloads import present_cargo
 from aftdeck.scenario.fit import misfits
@@ -73,7 +75,7 @@ def build(
         )
     grasp = Grasp(payload, cargo=bool(cargo))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
-    _check_plant(problems, spec, arm, cargo)
+    _check_plant(problems, spec, arm, cargo, grasp.payloads)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
@@ -181,7 +183,9 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
         )
 
 
-def _check_plant(problems: Problems, spec: ScenarioFile, arm: Arm, cargo: tuple[Cargo, ...]) -> None:
+def _check_plant(
+    problems: Problems, spec: ScenarioFile, arm: Arm, cargo: tuple[Cargo, ...], payloads: Sequence[Payload]
+) -> None:
     """Check that the plant can move the arm and all payloads."""
     if spec.plant == "kinematic":
         return
@@ -189,6 +193,9 @@ def _check_plant(problems: Problems, spec: ScenarioFile, arm: Arm, cargo: tuple[
         check_masses(arm.model, flexible=spec.plant == "flexible")
     except ArmError as error:
         problems.add(("plant",), str(error))
+    for payload in payloads:
+        if why := PAYLOAD_MASS.problem(payload.mass, ""):
+            problems.add(("plant",), f"{spec.plant!r} cannot move a payload of this mass: {why}")
     if cargo:
         problems.add(
             ("plant",),

@@ -29,16 +29,17 @@ def parse_change(text: str) -> tuple[Where, object]:
             f"limits.por.translation='1 ft/s' or phase[0].rate=vernier; got {text!r}"
         )
     where = tuple(int(i) if i else name for name, i in re.findall(r"([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]", key))
-    return where, _parsed(value.strip())
+    return where, value_of(value.strip())
 
 
 def change_text(where: Where, value: object) -> str:
     """Return a change as the text ``KEY=VALUE``, from which `parse_change` returns the same location and value."""
-    plain = isinstance(value, str) and value == value.strip() and _parsed(value) == value
+    plain = isinstance(value, str) and value == value.strip() and value_of(value) == value
     return f"{place(where)}={value if plain else _toml(value)}"
 
 
-def _parsed(value: str) -> object:
+def value_of(value: str) -> object:
+    """Return the value that a text states: as TOML if it is valid TOML, otherwise the text."""
     try:
         read = tomllib.loads(f"value = {value}")
     except (ValueError, RecursionError):

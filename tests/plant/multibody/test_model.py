@@ -20,7 +20,7 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.plant.multibody.build import arm_spec
 from aftdeck.plant.multibody.view import View
-from aftdeck.units import POUND
+from aftdeck.units import POUND, Mass
 
 ARMS = [("srms", False), ("srms", True), ("concept-1972", False)]
 
@@ -121,6 +121,17 @@ def test_arm_without_the_numbers_of_a_plant_says_which_table_is_missing(name: st
         lacking = replace(lacking, **without)
     with pytest.raises(ArmError, match=table):
         arm_spec(lacking, flexible=flexible, orbiter=None)
+
+
+@pytest.mark.parametrize(("name", "part"), [("srms", "upper_boom"), ("srms", "shoulder"), ("concept-1972", "hand")])
+def test_arm_with_a_part_without_mass_is_named_for_a_plant_with_masses(name: str, part: str) -> None:
+    model = load_model(name)
+    parts = model.source.masses.parts
+    without: Any = msgspec.structs.replace(parts.value, **{part: Mass(0.0)})
+    masses: Any = msgspec.structs.replace(model.source.masses, parts=msgspec.structs.replace(parts, value=without))
+    lacking = replace(model, source=msgspec.structs.replace(model.source, masses=masses))
+    with pytest.raises(ArmError, match=part):
+        arm_spec(lacking, flexible=False, orbiter=None)
 
 
 def test_only_the_shuttle_s_arm_is_flexible() -> None:

@@ -219,14 +219,15 @@ class TranslationFile(Table, frozen=True, kw_only=True):
         positive(speed=self.speed, reached_in=self.reached_in)
 
 
-OrbiterMass = Annotated[Mass, Bounds(1.0, 1e6, "an empty orbiter has 85 t, the ISS 420 t")]
+ORBITER_MASS = Bounds(1.0, 1e6, "an empty orbiter has 85 t, the ISS 420 t")
+"""Plausible mass of an orbiter [kg]."""
 OrbiterInertia = Annotated[MomentOfInertia, Bounds(1e-3, 1e10, "the orbiter has 1e6 to 1e7 kg m2, the ISS about 1e8")]
 
 
 class OrbiterFile(Table, frozen=True, kw_only=True):
     """Mass of the orbiter, which carries the arm; a plant with masses needs it."""
 
-    mass: OrbiterMass
+    mass: Annotated[Mass, ORBITER_MASS]
     inertia: tuple[OrbiterInertia, OrbiterInertia, OrbiterInertia]
     """Moments of inertia about roll, pitch and yaw axis, through the centre of mass."""
     centre: Point
