@@ -26,7 +26,6 @@ LAWS = {1: "position", 2: "closed loop", 3: "open loop"}
 LOADS = (0, 15_000, 32_000, 65_000)
 """Masses of the payload [lb]."""
 PLANTS = ("kinematic", "rigid", "flexible")
-_MILLI = 1e3
 
 
 class Row(NamedTuple):
@@ -104,10 +103,10 @@ def main() -> None:
         for pounds in LOADS:
             for plant in PLANTS:
                 row = flight(law, pounds, plant)
-                off = "–" if mode == 1 else _pair(row.off, _MILLI, 1)
+                off = "–" if mode == 1 else _pair(row.off, 1e3, 1)
                 turn = _pair(row.turn, math.degrees(1.0), 3)
                 print(
-                    f"| {mode} | {pounds:,} | {plant} | {row.time:.1f} | {off} | {_pair(row.miss, _MILLI, 1)} "
+                    f"| {mode} | {pounds:,} | {plant} | {row.time:.1f} | {off} | {_pair(row.miss, 1e3, 1)} "
                     f"| {turn} | {row.late:.0f} |",
                     flush=True,
                 )

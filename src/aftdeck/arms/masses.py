@@ -19,6 +19,7 @@ import numpy as np
 
 from aftdeck.arms.blocks import Block, blocks_of
 from aftdeck.arms.drives import HousingsFile, SlidesFile
+from aftdeck.arms.dynamics import Flexibility, Servo
 from aftdeck.arms.geometry import STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.model import HeadingArmFile, YawArmFile
@@ -85,10 +86,10 @@ def masses_of(model: ArmModel) -> ArmMasses:
         )
     if isinstance(file, YawArmFile):
         if file.housings is None:
-            raise lacking(model, "housings")
+            raise _lacking(model, "housings")
         return _of_yaw_arm(model, file, file.housings)
     if file.slides is None:
-        raise lacking(model, "slides")
+        raise _lacking(model, "slides")
     return _of_heading_arm(model, file, file.slides)
 
 
@@ -98,14 +99,27 @@ def check_masses(model: ArmModel, *, flexible: bool) -> None:
     Raises:
         ArmError: a table is missing, or a part has no mass; the message names it.
     """
-    if model.servo is None:
-        raise lacking(model, "servo")
-    if flexible and model.flexibility is None:
-        raise lacking(model, "flexibility")
+    servo_needed(model)
+    if flexible:
+        flexibility_needed(model)
     masses_of(model)
 
 
-def lacking(model: ArmModel, table: str) -> ArmError:
+def servo_needed(model: ArmModel) -> Servo:
+    """Return an arm's servos; raise an ArmError if its file has none."""
+    if model.servo is None:
+        raise _lacking(model, "servo")
+    return model.servo
+
+
+def flexibility_needed(model: ArmModel) -> Flexibility:
+    """Return an arm's springs; raise an ArmError if its file has none."""
+    if model.flexibility is None:
+        raise _lacking(model, "flexibility")
+    return model.flexibility
+
+
+def _lacking(model: ArmModel, table: str) -> ArmError:
     """Return the error for an arm whose file lacks a table that a plant with masses needs."""
     plant = "flexible" if table == "flexibility" else "rigid or flexible"
     return ArmError(f"the arm {model.name!r} cannot have a {plant} plant: its file has no table [{table}]")

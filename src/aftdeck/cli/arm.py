@@ -39,7 +39,7 @@ class FrameChoice(StrEnum):
 
 
 class PayloadAxis(StrEnum):
-    """Axes along which a payload at the tip of the straight arm can lie."""
+    """Names of frame 7's axes 1, 2, 3 at the tip of the straight arm; a payload can lie along each of them."""
 
     arm = "arm"
     pitch = "pitch"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from aftdeck.cli.arm import PayloadAxis
 from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError
 from aftdeck.lines import print_line
@@ -23,15 +24,12 @@ if TYPE_CHECKING:
     from aftdeck.bounds import Bounds
     from aftdeck.kinematics.arm import Arm
 
-AXES = ("arm", "pitch", "yaw")
-"""Names of frame 7's axes 1, 2, 3 at the tip of the straight arm."""
-
 
 def print_frequencies(
     arm: Arm,
     angles: Sequence[float],
     payload_mass: str | None,
-    payload_axis: str | None,
+    payload_axis: PayloadAxis | None,
     free: bool,
     orbiter_mass: str | None,
     as_json: bool,
@@ -50,9 +48,8 @@ def print_frequencies(
         raise InputError("--orbiter-mass needs --free")
     payload = orbiter = None
     if payload_mass is not None:
-        payload = usual_payload(
-            _mass("--payload-mass", payload_mass, PAYLOAD_MASS), AXES.index(payload_axis or "pitch")
-        )
+        axis = list(PayloadAxis).index(payload_axis or PayloadAxis.pitch)
+        payload = usual_payload(_mass("--payload-mass", payload_mass, PAYLOAD_MASS), axis)
     if free:
         usual = load_worksite("orbiter").orbiter
         assert usual is not None, "the orbiter's worksite has an orbiter"

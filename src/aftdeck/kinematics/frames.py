@@ -74,7 +74,7 @@ def place_frames(joints: Array, angles: Array, stand: float, prong: float, rows:
         _write(rows[i], at, a, b, c)
     if rows.shape[0] > _CHAINED:
         _write(rows[_CHAINED], (0.0, 0.0, -stand), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-        _write(rows[_CHAINED + 1], _moved(at, b, prong), a, b, c)
+        place_prong(prong, rows)
 
 
 @law

@@ -334,9 +334,9 @@ class ScenarioFile(_Part, frozen=True):
     strict: bool = False
     guards: bool | None = None
     arrive_within: Length | None = None
-    """Radius of the end sphere of the automatic modes; by default 0.1 mm, and 2 mm on a plant with masses."""
+    """Radius of the end sphere of the automatic modes; the default depends on the plant (`build.END_SPHERE`)."""
     arrive_within_angle: Angle | None = None
-    """Angle of the end sphere; by default 0.001 deg, and 0.02 deg on a plant with masses."""
+    """Angle of the end sphere; the default depends on the plant."""
     fly_by_within: Length = Length(0.5)
     fly_by_angle: Angle = Angle(0.2)
     law: Literal["position", "closed loop", "open loop"] = "closed loop"

@@ -16,18 +16,13 @@ def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: 
 
     The orbiter is at its present position. Each payload moves with its present carrier. Links and joints do not bend.
     """
-    frames = np.empty_like(state.worksite.frames)
-    place_everything(*state.worksite.places(flight.site), angles, stand, prong, FOLLOWING, frames)
-    return frames
+    return _placed(flight, state, angles, stand, prong, FOLLOWING)
 
 
 def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
     """Return the poses of all frames in L, (F, 12), with the prong at `prong` [m] and everything else unchanged."""
-    plant, frames = state.plant, np.empty_like(state.worksite.frames)
-    place_everything(
-        *state.worksite.places(flight.site), plant.angles, plant.stand.position, prong, plant.frames, frames
-    )
-    return frames
+    plant = state.plant
+    return _placed(flight, state, plant.angles, plant.stand.position, prong, plant.frames)
 
 
 def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -> Array:
@@ -38,3 +33,10 @@ def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -
     plant, period = state.plant, flight.scenario.control_period
     angles, stand = plant.angles + rates * period, plant.stand.after(flight.telescope, telescope, period)
     return frames_at(flight, state, angles, stand, state.worksite.prong.position)
+
+
+def _placed(flight: Flight, state: State, angles: Array, stand: float, prong: float, true: Array) -> Array:
+    """Return the poses of all frames, as `place_everything` computes them."""
+    frames = np.empty_like(state.worksite.frames)
+    place_everything(*state.worksite.places(flight.site), angles, stand, prong, true, frames)
+    return frames

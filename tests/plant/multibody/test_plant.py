@@ -130,7 +130,7 @@ def _momentum(view: View) -> Array:
     return momentum
 
 
-def test_center_of_mass_of_the_whole_system_does_not_move() -> None:
+def test_centre_of_mass_of_the_whole_system_does_not_move() -> None:
     sim = Simulation(scenario("rigid", orbiter="free"))
     before = present(sim).data.subtree_com[0].copy()
     for _ in range(1000):

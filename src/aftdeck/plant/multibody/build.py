@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.masses import lacking
+from aftdeck.arms.masses import servo_needed
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.plant.multibody.chain import add_arm, set_mass
@@ -68,12 +68,9 @@ def attach(spec: Any, payload: MassProperties) -> None:
 
 
 def _add_actuators(spec: Any, model: ArmModel) -> None:
-    servo, slides = model.servo, model.slides
-    if servo is None:
-        raise lacking(model, "servo")
+    servo, slides = servo_needed(model), model.slides
     for i, name in enumerate(model.joints):
-        drive = _rate_servo(spec, f"servo.{name}", f"motor.{name}", servo.gain[i], servo.torque_limit[i], SERVOS)
-        drive.group = SERVOS
+        _rate_servo(spec, f"servo.{name}", f"motor.{name}", servo.gain[i], servo.torque_limit[i], SERVOS)
         brake = _actuator(spec, f"brake.{name}", f"motor.{name}", servo.holding_torque[i], BRAKES)
         brake.gainprm[0] = BRAKE_STIFFNESS
         brake.biasprm[:3] = [0.0, -BRAKE_STIFFNESS, -BRAKE_DAMPING]
@@ -82,11 +79,10 @@ def _add_actuators(spec: Any, model: ArmModel) -> None:
         _rate_servo(spec, "drive.prong", "prong", slides.prong_gain, slides.prong_force, SLIDES)
 
 
-def _rate_servo(spec: Any, name: str, joint: str, gain: float, most: float, group: int) -> Any:
+def _rate_servo(spec: Any, name: str, joint: str, gain: float, most: float, group: int) -> None:
     actuator = _actuator(spec, name, joint, most, group)
     actuator.gainprm[0] = gain
     actuator.biasprm[:3] = [0.0, 0.0, -gain]
-    return actuator
 
 
 def _actuator(spec: Any, name: str, joint: str, most: float, group: int) -> Any:

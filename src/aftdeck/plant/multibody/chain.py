@@ -11,10 +11,9 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from aftdeck.arms.dynamics import Flexibility
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.masses import ArmMasses, Boom, check_masses, masses_of
+from aftdeck.arms.masses import Boom, flexibility_needed, masses_of, servo_needed
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, joined
 
@@ -41,11 +40,8 @@ class _Chain:
     """Arm that is being added to a specification."""
 
     def __init__(self, model: ArmModel, *, flexible: bool) -> None:
-        check_masses(model, flexible=flexible)
-        assert model.servo is not None, "`check_masses` rejects an arm without servos"
-        self._model, self._servo = model, model.servo
-        self._masses: ArmMasses = masses_of(model)
-        self._springs: Flexibility | None = model.flexibility if flexible else None
+        self._model, self._servo, self._masses = model, servo_needed(model), masses_of(model)
+        self._springs = flexibility_needed(model) if flexible else None
 
     def add_to(self, parent: Body) -> Body:
         frames, linkage = self._model.linkage.frames, self._model.linkage

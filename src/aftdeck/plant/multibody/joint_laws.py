@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies.pose import POSE, relative
 from aftdeck.elementary import nearest
 from aftdeck.law import law
 
@@ -64,10 +67,10 @@ def command_brakes(braked: bool, motors: Indices, qpos: Array, held: Array, brak
 @law
 def measure_joints(
     motors: Indices,
-    gearboxes: Indices,
     motor_rates: Indices,
     qpos: Array,
     qvel: Array,
+    gearboxes: Indices,
     encoder: Array,
     tachometer: Array,
     angles: Array,
@@ -77,10 +80,10 @@ def measure_joints(
 
     Args:
         motors: (6,) places of the motors in MuJoCo's positions.
-        gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
         motor_rates: (6,) places of the motors in MuJoCo's velocities.
         qpos: MuJoCo's positions.
         qvel: MuJoCo's velocities.
+        gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
         encoder: (6,) steps of the angles [rad].
         tachometer: (6,) steps of the rates [rad/s].
         angles: (6,) output [rad].
@@ -103,7 +106,7 @@ def measure_torques(
     motor_rates: Indices,
     qpos: Array,
     qvel: Array,
-    stiffness: Array,
+    stiffness: float,
     held: Array,
     torques: Array,
     overdriven: Mask,
@@ -118,7 +121,7 @@ def measure_torques(
         motor_rates: (6,) places of the motors in MuJoCo's velocities.
         qpos: MuJoCo's positions.
         qvel: MuJoCo's velocities.
-        stiffness: (6,) stiffness of the brakes [N m/rad].
+        stiffness: stiffness of a brake [N m/rad].
         held: (6,) angles that the brakes hold [rad]; updated. `NONE` while the brakes are off.
         torques: (6,) output [N m].
         overdriven: (6,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
@@ -128,7 +131,7 @@ def measure_torques(
         torques[i] = torque
         overdriven[i] = abs(torque) >= AT_LIMIT * most[i] and qvel[motor_rates[i]] * torque < 0.0
         if held[i] == held[i]:
-            give = most[i] / stiffness[i]
+            give = most[i] / stiffness
             held[i] = min(max(held[i], angle - give), angle + give)
 
 
@@ -143,11 +146,7 @@ def poses_in_base(base: Array, bodies: Indices, xpos: Array, xmat: Array, rows: 
         xmat: (b, 9) MuJoCo's rotations of all bodies, row by row.
         rows: (n, 12) output.
     """
+    pose = np.empty(POSE)
     for n in range(bodies.shape[0]):
-        at, turn, row = xpos[bodies[n]], xmat[bodies[n]], rows[n]
-        x, y, z = at[0] - base[0], at[1] - base[1], at[2] - base[2]
-        for i in range(3):
-            a, b, c = base[3 + i], base[6 + i], base[9 + i]
-            row[i] = a * x + b * y + c * z
-            for j in range(3):
-                row[3 + 3 * i + j] = a * turn[j] + b * turn[3 + j] + c * turn[6 + j]
+        pose[:3], pose[3:] = xpos[bodies[n]], xmat[bodies[n]]
+        relative(base, pose, rows[n])

@@ -13,7 +13,7 @@ import mujoco
 import numpy as np
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.masses import lacking
+from aftdeck.arms.masses import servo_needed
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.errors import SimulationError
@@ -48,11 +48,10 @@ class MultibodyPlant:
             period: control period [s].
             strict: whether the steering's acceleration limits count from the measured rates, as published.
         """
-        if arm.servo is None:
-            raise lacking(arm, "servo")
+        servo = servo_needed(arm)
         self._steps = math.ceil(period / STEP - 1e-9)
         self._views = [View(model, arm) for model in models]
-        self._servos = [Servos(view, arm.joints, arm.servo) for view in self._views]
+        self._servos = [Servos(view, arm.joints, servo) for view in self._views]
         for view in self._views:
             view.model.opt.timestep = period / self._steps
             view.limit(arm.limits.hard)

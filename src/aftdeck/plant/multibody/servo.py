@@ -12,6 +12,7 @@ import numpy as np
 
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
+from aftdeck.plant.multibody.build import BRAKE_STIFFNESS, BRAKES, SERVOS
 from aftdeck.plant.multibody.joint_laws import command_brakes, command_servos, measure_joints, measure_torques
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies
@@ -25,11 +26,7 @@ class Servos:
         self._view, self._servo = view, servo
         self._drives = np.array([model.actuator(f"servo.{name}").id for name in joints])
         self._brakes = np.array([model.actuator(f"brake.{name}").id for name in joints])
-        self._stiffness = model.actuator_gainprm[self._brakes, 0].copy()
-        self._off = {
-            True: 1 << int(model.actuator_group[self._drives[0]]),  # with the brakes on, the servos are off
-            False: 1 << int(model.actuator_group[self._brakes[0]]),
-        }
+        self._off = {True: 1 << SERVOS, False: 1 << BRAKES}  # with the brakes on, the servos are off
         self._force, self._ctrl = view.data.actuator_force, view.data.ctrl
 
     def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
@@ -57,18 +54,8 @@ class Servos:
         """
         view, servo = self._view, self._servo
         places = view.motors, view.motor_rates, view.qpos, view.qvel
-        measure_joints(
-            view.motors,
-            view.gearboxes,
-            view.motor_rates,
-            view.qpos,
-            view.qvel,
-            servo.encoder_step,
-            servo.tachometer_step,
-            angles,
-            rates,
-        )
+        measure_joints(*places, view.gearboxes, servo.encoder_step, servo.tachometer_step, angles, rates)
         acting, most = (self._brakes, servo.holding_torque) if brakes else (self._drives, servo.torque_limit)
         measure_torques(
-            acting, self._force, most, *places, self._stiffness, bodies.brakes, bodies.torques, bodies.overdriven
+            acting, self._force, most, *places, BRAKE_STIFFNESS, bodies.brakes, bodies.torques, bodies.overdriven
         )

@@ -20,8 +20,6 @@ from aftdeck.state_part import encoded
 from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
 
-_NO_MASSES = {"kinematic": "", "rigid": "rehearsed without masses", "flexible": "rehearsed without masses"}
-"""Part of a verdict's text, by plant."""
 STEPS = 50
 """Number of steps that are rehearsed in one control step; their computation takes 1 to 3 ms."""
 
@@ -131,7 +129,8 @@ def _verdict(flight: Flight, checking: Checking) -> Check:
     good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)
     best = next((tried for tried in good if tried.way.law == first.way.law), None)
     if best is not None:
-        parts = [f"GOOD: {best.seconds:.0f} s", _NO_MASSES[flight.scenario.plant], best.text, best.near]
+        without = "rehearsed without masses" if flight.plant.has_servos else ""
+        parts = [f"GOOD: {best.seconds:.0f} s", without, best.text, best.near]
         return Check(True, ", ".join(part for part in parts if part), best.seconds, "", best.way.joints)
     when = "" if first.cause == "miss" else f", after {first.seconds:.0f} s"
     why = f"FAIL: {first.text}{when}"
