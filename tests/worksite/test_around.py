@@ -7,7 +7,7 @@ import pytest
 
 import aftdeck
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import pose_of, row_of
+from aftdeck.bodies.pose import HERE, pose_of, row_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
@@ -50,7 +50,7 @@ def test_frames_follow_their_carriers(name: str) -> None:
         place_frames(site.arm.joints, angles, stand, prong, own)
         bent = rng.random() < 0.5
         own += rng.normal(size=own.shape) if bent else 0.0
-        place_everything(*args, own if bent else FOLLOWING, frames)
+        place_everything(*args, own if bent else FOLLOWING, np.array(HERE), frames)
         if bent and arm == 9:  # the concept arm's prong moves along y of the hand
             own[8, 3:], own[8, :3] = own[6, 3:], own[6, :3] + prong * own[6, [4, 7, 10]]
         away = np.concatenate([site.axes @ moved, np.zeros(9)])

@@ -1,4 +1,4 @@
-"""Mass, centre of mass and inertia of rigid bodies: uniform spheres, cylinders and boxes, and joined bodies."""
+"""Mass, centre of mass and inertia of rigid bodies: uniform spheres, cylinders, prisms and boxes, and joined bodies."""
 
 from __future__ import annotations
 
@@ -52,6 +52,15 @@ def cylinder(mass: float, radius: float, begin: ArrayLike, end: ArrayLike) -> Ma
     across = mass * (3.0 * radius**2 + length**2) / 12.0
     along = 0.5 * mass * radius**2
     return MassProperties(mass, 0.5 * (a + b), across * np.eye(3) + (along - across) * np.outer(axis, axis))
+
+
+def prism(mass: float, across: float, sides: int, begin: ArrayLike, end: ArrayLike) -> MassProperties:
+    """Return a uniform regular prism whose axis extends from one point (3,) to another [m].
+
+    `across` is the distance between opposite corners [m]. The moments of inertia are those of the cylinder with the same polar moment of the cross-section.
+    """
+    square = (0.5 * across) ** 2 * (2.0 + np.cos(2.0 * np.pi / sides)) / 3.0
+    return cylinder(mass, float(np.sqrt(square)), begin, end)
 
 
 def box(mass: float, low: ArrayLike, high: ArrayLike) -> MassProperties:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.plant.linear_actuator import Travel
-from aftdeck.plant.plant import Accuracy
+from aftdeck.plant.plant import Accuracy, Hold
 from aftdeck.plant.state import PlantState
 
 
@@ -55,10 +56,12 @@ class KinematicPlant(NamedTuple):
         """False: joints follow their commanded rates exactly."""
         return False
 
-    def begin(self, state: PlantState, attached: int) -> None:
+    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array) -> None:
         """Do nothing: there are no bodies."""
 
-    def move(self, state: PlantState, rates: Array, drive: float, *, brakes: bool, attached: int) -> None:
+    def move(
+        self, state: PlantState, rates: Array, drive: float, holds: Sequence[Hold], *, brakes: bool, attached: int
+    ) -> None:
         """Move joints and telescope at the commanded rates for one control period (`Plant.move`)."""
         follow(rates, self.period, self.stops, state.angles, state.rates, state.commanded)
         state.stand.move(self.travel, drive, self.period)

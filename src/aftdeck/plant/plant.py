@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from collections.abc import Sequence
+from typing import Literal, NamedTuple, Protocol
 
 from aftdeck.arrays import Array
 from aftdeck.plant.state import PlantState
@@ -22,6 +23,24 @@ class Accuracy(NamedTuple):
     length: float
 
 
+class Hold(NamedTuple):
+    """Connection of a payload of the worksite to the arm, to the orbiter or to space, in one control period.
+
+    Attributes:
+        payload: index of the payload.
+        by: what holds the payload: the last joint's frame, the orbiter, or space.
+        pose: (12,) pose in which the payload is held: in the last joint's frame, in L, or in the frame that is fixed in
+            space and coincided with L at the start of the run.
+        closed: 1 if the payload is held in `pose`. A smaller value is the position of the snare ring while it closes
+            about the pin: the snares then only damp the motion of payload and end effector relative to each other.
+    """
+
+    payload: int
+    by: Literal["hand", "orbiter", "space"]
+    pose: Array
+    closed: float = 1.0
+
+
 class Plant(Protocol):
     """Model of the arm between steering and worksite (JSC-12628: integration driver with body and servo models).
 
@@ -39,21 +58,26 @@ class Plant(Protocol):
         The arm then needs time to come to rest, and the servos hold the joints while no rate is commanded.
         """
 
-    def begin(self, state: PlantState, attached: int) -> None:
+    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array) -> None:
         """Set up the bodies for the joint angles, joint rates and telescope of `state`.
 
         Args:
             state: state with angles, rates and the telescope's position; its bodies are set.
             attached: number, from 1, of the payload that the arm carries; 0 for none.
+            poses: (c, 12) poses of the worksite's payloads in L.
+            motions: (c, 6) motions of the worksite's payloads, as `Bodies.motions`.
         """
 
-    def move(self, state: PlantState, rates: Array, drive: float, *, brakes: bool, attached: int) -> None:
+    def move(
+        self, state: PlantState, rates: Array, drive: float, holds: Sequence[Hold], *, brakes: bool, attached: int
+    ) -> None:
         """Move arm and telescope for one control period, and measure the joints.
 
         Args:
             state: changed in place.
             rates: (6,) commanded joint rates [rad/s].
             drive: drive of the telescope, -1 to +1; + lengthens it.
+            holds: all connections of the worksite's payloads.
             brakes: whether the brakes of all joints are on.
             attached: number, from 1, of the payload that the arm carries; 0 for none.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
-from aftdeck.bodies.pose import POSE
+from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.plant.linear_actuator import Slide
 from aftdeck.state_part import StatePart
 
@@ -24,7 +24,12 @@ class Bodies(StatePart):
         reference: (6,) rates from which the steering's acceleration limits count [rad/s].
         torques: (6,) torques of motors and brakes about the joints, at the end of the step [N m].
         overdriven: (6,) 1 for joints that turn against a motor or brake at its greatest torque.
-        orbiter: (12,) pose of L, relative to its pose at the start of the run.
+        payloads: (c, 12) poses of the worksite's payloads, in the frame that is fixed in space and coincided with L at
+            the start of the run.
+        motions: (c, 6) their motions: angular velocity in the payload's axes [rad/s], then velocity of its centre in
+            the axes of the same frame [m/s].
+        held: (c, 3) forces at the payloads' centres by which end effector, orbiter and space hold them, at the end of
+            the step [N].
     """
 
     physics: Array
@@ -34,7 +39,9 @@ class Bodies(StatePart):
     reference: Array
     torques: Array
     overdriven: Mask
-    orbiter: Array
+    payloads: Array
+    motions: Array
+    held: Array
 
 
 class PlantState(StatePart):
@@ -45,6 +52,8 @@ class PlantState(StatePart):
         rates: (6,) joint rates, as the tachometers measure them [rad/s].
         commanded: (6,) angles that the joints would have without stops, from all commanded rates so far [rad].
         stand: telescope; its position is the shoulder's height above L's origin.
+        base: (12,) pose of L in the frame that is fixed in space and coincided with L at the start of the run. On the
+            kinematic plant, L does not turn, and the worksite counts its displacement.
         bodies: state of the bodies; None on the kinematic plant, whose bodies are where the joint angles place them.
     """
 
@@ -52,6 +61,7 @@ class PlantState(StatePart):
     rates: Array
     commanded: Array
     stand: Slide
+    base: Array
     bodies: Bodies | None = None
 
     @property
@@ -72,4 +82,4 @@ class PlantState(StatePart):
 
 def new_plant_state() -> PlantState:
     """Return a state with all joints at rest at zero, without bodies."""
-    return PlantState(np.zeros(6), np.zeros(6), np.zeros(6), Slide(0.0))
+    return PlantState(np.zeros(6), np.zeros(6), np.zeros(6), Slide(0.0), np.array(HERE))

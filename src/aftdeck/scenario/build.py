@@ -193,15 +193,9 @@ def _check_plant(
         check_masses(arm.model, flexible=spec.plant == "flexible")
     except ArmError as error:
         problems.add(("plant",), str(error))
-    for payload in payloads:
-        if why := PAYLOAD_MASS.problem(payload.mass, ""):
+    for mass in [*(payload.mass for payload in payloads), *(payload.mass for payload in cargo)]:
+        if why := PAYLOAD_MASS.problem(mass, ""):
             problems.add(("plant",), f"{spec.plant!r} cannot move a payload of this mass: {why}")
-    if cargo:
-        problems.add(
-            ("plant",),
-            f"{spec.plant!r} moves only payloads that the scenario attaches ([payload]); payloads of the worksite "
-            "([[cargo]]) need plant = 'kinematic'",
-        )
 
 
 def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:

@@ -25,16 +25,14 @@ from aftdeck.units import (
     AngularRate,
     Length,
     Mass,
-    MomentOfInertia,
     Speed,
     Time,
 )
 from aftdeck.worksite.file.cargo_file import StartFile
+from aftdeck.worksite.file.tables import Inertia
 
 Stick = Annotated[float, Bounds(-1.0, 1.0, "1 is the full deflection")]
 Sticks = tuple[Stick, Stick, Stick]
-_Moment = Annotated[MomentOfInertia, Bounds(1e-9, 1e10, "the ISS has about 1e8 kg m2")]
-Inertia = tuple[_Moment, _Moment, _Moment]
 SixAngles = tuple[Angle, Angle, Angle, Angle, Angle, Angle]
 Point = tuple[Length, Length, Length]
 Velocity = tuple[Speed, Speed, Speed]
@@ -126,11 +124,16 @@ class Initial(_Part, frozen=True):
 
 
 class CargoSpec(_Part, frozen=True):
-    """A payload of the worksite's file that is present in the run. `start` and `mass` replace that file's values."""
+    """A payload of the worksite's file that is present in the run.
+
+    `start`, `mass` and `inertia` replace that file's values. If `mass` is given without `inertia`, the moments of
+    inertia change in proportion to it.
+    """
 
     name: Text
     start: StartFile | None = None
     mass: Mass | None = None
+    inertia: Inertia | None = None
 
 
 class InitialiseSpec(_Part, frozen=True):

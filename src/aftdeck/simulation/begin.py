@@ -82,7 +82,6 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     plant.angles[:], plant.rates[:] = start.angles, start.rates
     plant.stand.position = start.stand
     plant.commanded[:] = start.angles
-    flight.plant.begin(plant, state.script.attached)
     observed = np.empty(OBSERVED)
     observe(scenario.arm.model.links, start.angles, start.rates, observed)
     state.command[MASTER : MASTER + 6] = state.command[KEPT : KEPT + 6] = start.angles
@@ -112,6 +111,9 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
         worksite.cargo[k].seat = ""
         attach(flight, state, k)
         frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
+    poses = frames[site.space_row + 1 :].copy()
+    motions = np.array([np.zeros(6) if one is None else one.motion for one in worksite.floating]).reshape(-1, 6)
+    flight.plant.begin(plant, state.script.attached, poses, motions)
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active
     worksite.watch.update(frames, frames, scenario.control_period)

@@ -10,6 +10,7 @@ from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
+from aftdeck.simulation.payloads.holds import holds
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
 from aftdeck.steering.course import start_motion
@@ -61,7 +62,14 @@ def move_plant(flight: Flight, state: State, rates: Array, telescope: float) -> 
         SimulationError: the model diverged, and an operator supplies the inputs.
     """
     try:
-        flight.plant.move(state.plant, rates, telescope, brakes=state.panel.brakes, attached=state.script.attached)
+        flight.plant.move(
+            state.plant,
+            rates,
+            telescope,
+            holds(flight, state),
+            brakes=state.panel.brakes,
+            attached=state.script.attached,
+        )
     except SimulationError as error:
         if not state.by_script:
             raise

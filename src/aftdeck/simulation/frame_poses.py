@@ -38,5 +38,5 @@ def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -
 def _placed(flight: Flight, state: State, angles: Array, stand: float, prong: float, true: Array) -> Array:
     """Return the poses of all frames, as `place_everything` computes them."""
     frames = np.empty_like(state.worksite.frames)
-    place_everything(*state.worksite.places(flight.site), angles, stand, prong, true, frames)
+    place_everything(*state.worksite.places(flight.site), angles, stand, prong, true, state.plant.base, frames)
     return frames

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from aftdeck.bodies.pose import HERE
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Rehearsed
@@ -31,7 +32,8 @@ def resume(flight: Flight, saved: bytes) -> State:
         ClearanceMonitor: lambda: ClearanceMonitor(flight.site.layout),
     }
     like = new_state(flight, nothing)
-    flight.plant.begin(like.plant, 0)
+    payloads = len(flight.site.cargo)
+    flight.plant.begin(like.plant, 0, np.tile(HERE, (payloads, 1)), np.zeros((payloads, 6)))
     state = decoded(like, saved, lambda kind: empty[kind]())
     update_steering(flight, state)
     restore_clearances(flight, state)

@@ -14,6 +14,7 @@ from aftdeck.simulation.motion.motion_inhibit import sliding_payload
 from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.free_contact import drifted
+from aftdeck.simulation.payloads.holds import follow_bodies
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.seating import seat
 from aftdeck.simulation.payloads.task_phases import change_task
@@ -32,10 +33,13 @@ def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
     worksite = state.worksite
     _move_orbiter(flight, state, inputs)
     _move_prong(flight, state)
-    for k, floating in enumerate(worksite.floating):
-        if floating is not None:
-            worksite.floating[k] = drifted(flight, state, k, floating)
-            worksite.update_carrier(flight.site, k)
+    if state.plant.bodies is None:
+        for k, floating in enumerate(worksite.floating):
+            if floating is not None:
+                worksite.floating[k] = drifted(flight, state, k, floating)
+                worksite.update_carrier(flight.site, k)
+    else:
+        follow_bodies(flight, state, state.plant.bodies)
     before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
     _update_contacts(flight, state)
     _log_contacts(flight, state, before)
@@ -57,6 +61,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
         plant.stand.position,
         worksite.prong.position,
         plant.frames,
+        plant.base,
         *layout.packed,
         watch.active,
         watch.counts,
@@ -96,6 +101,8 @@ def _try_translation(flight: Flight, state: State, command: Array) -> str:
     site, worksite, rule = flight.site, state.worksite, flight.site.worksite.translation
     if rule is None:
         return "orbiter translation refused: this worksite has none"
+    if state.plant.bodies is not None:
+        return "orbiter translation refused: on a plant with masses, the orbiter has no jets"
     held, velocity = worksite.held, worksite.orbiter_velocity
     if held is not None and worksite.cargo[held].seat and site.in_space(worksite.cargo[held].seat):
         velocity[:] = 0.0

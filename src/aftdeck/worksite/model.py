@@ -143,6 +143,8 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     title: str
     mass: float
     """Mass [kg]."""
+    inertia: Vec3
+    """Moments of inertia about the payload's axes, through its centre [kg m2]; products of inertia are zero."""
     shapes: tuple[Shape, ...]
     """Shapes that draw the payload."""
     solids: tuple[Solid, ...]

@@ -5,6 +5,7 @@ The world's axes are those of L at the start of the run. There is no gravity.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import mujoco
@@ -15,6 +16,7 @@ from aftdeck.arms.masses import servo_needed
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.plant.multibody.chain import add_arm, set_mass
+from aftdeck.plant.multibody.payloads import add_payloads
 
 STEP = 0.002
 """Greatest duration of one step of MuJoCo [s].
@@ -27,8 +29,10 @@ BRAKE_STIFFNESS, BRAKE_DAMPING = 1e6, 2e5
 """Stiffness [N m/rad] and damping [N m s/rad] of a brake that holds: 0.06 deg at its holding torque (assumed)."""
 
 
-def arm_spec(model: ArmModel, *, flexible: bool, orbiter: MassProperties | None) -> Any:
-    """Return MuJoCo's specification of an arm.
+def arm_spec(
+    model: ArmModel, *, flexible: bool, orbiter: MassProperties | None, payloads: Sequence[MassProperties] = ()
+) -> Any:
+    """Return MuJoCo's specification of an arm, and of the payloads at the worksite.
 
     Joints: ``motor.NAME`` and, if flexible, ``gearbox.NAME`` for each joint; ``telescope`` and ``prong`` if the arm has
     them. Actuators: ``servo.NAME``, ``brake.NAME``, ``drive.telescope``, ``drive.prong``. Bodies: the arm's frames,
@@ -39,6 +43,7 @@ def arm_spec(model: ArmModel, *, flexible: bool, orbiter: MassProperties | None)
         model: the arm.
         flexible: whether gearboxes, booms and base bend.
         orbiter: the orbiter that carries the arm and reacts to its motion, in L; None if the arm's base is fixed.
+        payloads: mass properties of the worksite's payloads, each in its own frame (`multibody.payloads`).
 
     Raises:
         ArmError: the arm's file lacks a table that this model needs.
@@ -58,6 +63,7 @@ def arm_spec(model: ArmModel, *, flexible: bool, orbiter: MassProperties | None)
     tip = [float(model.links[4]), 0.0, 0.0]
     last.add_site(name="tip", pos=tip)
     last.add_body(name="payload", pos=tip)
+    add_payloads(spec, payloads, model.linkage.frames[-1], parent.name)
     _add_actuators(spec, model)
     return spec
 

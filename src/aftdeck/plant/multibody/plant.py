@@ -7,6 +7,7 @@ each control period, commanded joint rates come out of steering, and measured an
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import mujoco
@@ -19,9 +20,10 @@ from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.errors import SimulationError
 from aftdeck.plant.linear_actuator import Travel
 from aftdeck.plant.multibody.build import STEP
+from aftdeck.plant.multibody.payloads import HOLDERS, Payloads
 from aftdeck.plant.multibody.servo import Servos
 from aftdeck.plant.multibody.view import View
-from aftdeck.plant.plant import Accuracy
+from aftdeck.plant.plant import Accuracy, Hold
 from aftdeck.plant.state import Bodies, PlantState
 
 mujoco.set_mju_user_warning(lambda text: None)  # otherwise MuJoCo writes a file into the user's folder
@@ -29,7 +31,7 @@ _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
 
 class MultibodyPlant:
-    """Arm of rigid or flexible bodies on a fixed or free orbiter.
+    """Arm of rigid or flexible bodies on a fixed or free orbiter, and the worksite's payloads.
 
     There is one model for each payload that the scenario attaches, and one without a payload. All have the same degrees
     of freedom. The bodies' state is in the `PlantState`; MuJoCo's data is a workspace that receives the state before
@@ -55,6 +57,7 @@ class MultibodyPlant:
         for view in self._views:
             view.model.opt.timestep = period / self._steps
             view.limit(arm.limits.hard)
+        self._payloads = [Payloads(view.model, view.data) for view in self._views]
         self._travel, self._period, self._strict = travel, period, strict
 
     @property
@@ -67,11 +70,12 @@ class MultibodyPlant:
         """True."""
         return True
 
-    def begin(self, state: PlantState, attached: int) -> None:
+    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array) -> None:
         """Place the bodies at the state's joint angles, unbent, with the joints' rates (`Plant.begin`)."""
         view = self._views[attached]
         mujoco.mj_resetData(view.model, view.data)
         view.set_joints(state.angles, state.rates, state.stand.position)
+        self._payloads[attached].place(poses, motions)
         state.bodies = Bodies(
             physics=np.empty(mujoco.mj_stateSize(view.model, _STATE)),
             holds=np.full(6, np.nan),
@@ -80,17 +84,23 @@ class MultibodyPlant:
             reference=state.rates.copy(),
             torques=np.zeros(6),
             overdriven=np.zeros(6, np.uint8),
-            orbiter=np.array(HERE),
+            payloads=poses.copy(),
+            motions=motions.copy(),
+            held=np.zeros((len(poses), len(HOLDERS))),
         )
-        self._store(view, state.bodies)
+        state.base[:] = HERE
+        self._store(attached, state)
 
-    def move(self, state: PlantState, rates: Array, drive: float, *, brakes: bool, attached: int) -> None:
+    def move(
+        self, state: PlantState, rates: Array, drive: float, holds: Sequence[Hold], *, brakes: bool, attached: int
+    ) -> None:
         """Move the bodies for one control period, with the commanded rates held (`Plant.move`)."""
         bodies = state.bodies
         assert bodies is not None, "`begin` sets the bodies"
         view, servos = self._views[attached], self._servos[attached]
         model, data, stand = view.model, view.data, state.stand
         mujoco.mj_setState(model, data, bodies.physics, _STATE)
+        self._payloads[attached].connect(holds)
         servos.command(bodies, state.angles, rates, brakes=brakes)
         view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
         mujoco.mj_step(model, data, nstep=self._steps)
@@ -98,15 +108,18 @@ class MultibodyPlant:
             raise SimulationError(
                 f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
             )
-        self._store(view, bodies)
+        self._store(attached, state)
         servos.measure(bodies, state.angles, state.rates, brakes=brakes)
         bodies.reference[:] = state.rates if self._strict else rates
         state.commanded += rates * self._period
         height = view.height
         stand.velocity, stand.position = (height - stand.position) / self._period, height
 
-    def _store(self, view: View, bodies: Bodies) -> None:
+    def _store(self, attached: int, state: PlantState) -> None:
         """Store MuJoCo's state and the poses that belong to it."""
+        view, bodies = self._views[attached], state.bodies
+        assert bodies is not None, "`begin` sets the bodies"
         mujoco.mj_getState(view.model, view.data, bodies.physics, _STATE)
         mujoco.mj_kinematics(view.model, view.data)  # after a step, MuJoCo's poses are those before the step
-        view.write_poses(bodies.frames, bodies.orbiter)
+        view.write_poses(bodies.frames, state.base)
+        self._payloads[attached].write(bodies)

@@ -27,7 +27,8 @@ def multibody_plant(scenario: Scenario) -> MultibodyPlant:
 def _compiled(scenario: Scenario, arm: ArmModel, payload: Payload | None) -> Any:
     mass = scenario.worksite.orbiter
     orbiter = orbiter_in_l(arm.mount, mass) if scenario.free_orbiter and mass is not None else None
-    spec = arm_spec(arm, flexible=scenario.plant == "flexible", orbiter=orbiter)
+    payloads = [MassProperties(one.mass, np.zeros(3), np.diag(one.inertia)) for one in scenario.cargo]
+    spec = arm_spec(arm, flexible=scenario.plant == "flexible", orbiter=orbiter, payloads=payloads)
     if payload is not None:
         centre = payload.rotation @ payload.centre
         attach(spec, in_tip_frame(payload.mass, centre, payload.rotation, payload.inertia))

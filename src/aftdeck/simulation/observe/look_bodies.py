@@ -39,7 +39,7 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     if bodies is None:
         return None
     position, orientation, torques, at, axes = body_numbers(
-        state.worksite.frames[site.last_joint], site.hand, bodies.torques, bodies.orbiter
+        state.worksite.frames[site.last_joint], site.hand, bodies.torques, state.plant.base
     )
     miss = None
     if target is not None:

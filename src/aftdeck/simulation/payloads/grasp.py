@@ -10,7 +10,7 @@ from itertools import chain
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, relative
+from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.kinematics.payload import PACKED, Payload
 from aftdeck.matrices import length, product
 from aftdeck.simulation.constants.flight import Flight
@@ -164,6 +164,8 @@ def start_free_flight(flight: Flight, state: State, k: int, from_space: bool) ->
     now = motion(worksite.before[row], worksite.frames[row], flight.scenario.control_period)
     pose = worksite.frames[row].copy()
     pose[:3] += site.scene[:3] - worksite.frames[site.space_row, :3]
+    if state.plant.bodies is not None:
+        compose(state.plant.base, worksite.frames[row], pose)
     turn = product(pose[3:].reshape(3, 3).T, np.array([now.wx, now.wy, now.wz]))
     velocity = np.array([now.vx, now.vy, now.vz]) + product(site.axes, worksite.orbiter_velocity)
     if from_space:

@@ -11,6 +11,8 @@ import numpy as np
 from aftdeck.arms.geometry import frozen
 from aftdeck.arrays import Array
 from aftdeck.bodies.cover import prism
+from aftdeck.bodies.mass_properties import cylinder
+from aftdeck.bodies.mass_properties import prism as uniform_prism
 from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
@@ -55,6 +57,7 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
         name=file.name,
         title=file.title,
         mass=float(file.mass),
+        inertia=_inertia(file),
         shapes=tuple(shape for piece in pieces for shape in piece.shapes) + file.shapes,
         solids=tuple(
             solid
@@ -71,6 +74,18 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
         if file.limit_cycle is None
         else LimitCycle(*map(frozen, (file.limit_cycle.deadband, file.limit_cycle.rate, file.limit_cycle.start))),
     )
+
+
+def _inertia(file: CargoFile) -> Vec3:
+    """Return the moments of inertia about the payload's axes: given, or those of a uniform body [kg m2]."""
+    if file.inertia is not None:
+        return _plain(file.inertia)
+    body, mass, end = file.body, float(file.mass), np.array([0.5 * file.body.length, 0.0, 0.0])
+    if isinstance(body, PrismBody):
+        own = uniform_prism(mass, float(body.across), body.sides, -end, end)
+    else:
+        own = cylinder(mass, float(body.radius), -end, end)
+    return _plain(tuple(np.diag(own.inertia).tolist()))
 
 
 def part_of(cargo: str, fitting: str) -> str:

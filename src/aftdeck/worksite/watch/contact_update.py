@@ -6,7 +6,7 @@ A group is a monitored pair of parts.
 from __future__ import annotations
 
 from aftdeck.arrays import Array, Indices, Mask
-from aftdeck.bodies.pose import compose
+from aftdeck.bodies.pose import HERE, compose, relative
 from aftdeck.kinematics.frames import place_frames, place_prong
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import Measured, measure_groups, minimum_clearance_group
@@ -26,6 +26,7 @@ def place_everything(
     stand: float,
     prong: float,
     true: Array,
+    base: Array,
     frames: Array,
 ) -> None:
     """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each payload.
@@ -43,6 +44,8 @@ def place_everything(
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
         true: (n, 12) poses of the arm's frames in L, without the prong's; (0, 12) if they follow from the joint angles.
+        base: (12,) pose of L in the frame that is fixed in space and coincided with L at the start, apart from
+            `orbiter`.
         frames: (F, 12) output: poses in L.
     """
     space = len(frames) - len(carrier) - 1
@@ -56,14 +59,32 @@ def place_everything(
     for i in range(3):
         frames[space, i] -= axes[i, 0] * orbiter[0] + axes[i, 1] * orbiter[1] + axes[i, 2] * orbiter[2]
     for c in range(len(carrier)):
-        row = frames[space + 1 + c]
         if carrier[c] >= 0:
-            compose(frames[carrier[c]], rides[c], row)
             continue
+        row = frames[space + 1 + c]
         for k in range(POSE):
             row[k] = rides[c, k]
         for i in range(3):
             row[i] += frames[space, i] - scene[i]
+    _see_from(base, carrier, frames)
+    for c in range(len(carrier)):
+        if carrier[c] >= 0:
+            compose(frames[carrier[c]], rides[c], frames[space + 1 + c])
+
+
+@law
+def _see_from(base: Array, carrier: Indices, frames: Array) -> None:
+    """Convert the poses of ``space`` and of the floating payloads to the axes of L, if L has turned or moved."""
+    moves = False
+    for k in range(POSE):
+        moves = moves or base[k] != HERE[k]
+    if not moves:
+        return
+    space = len(frames) - len(carrier) - 1
+    for row in range(space, len(frames)):
+        if row == space or carrier[row - space - 1] < 0:
+            there = frames[row].copy()
+            relative(base, there, frames[row])
 
 
 @law
@@ -78,6 +99,7 @@ def update_contacts(
     stand: float,
     prong: float,
     true: Array,
+    base: Array,
     solids: Array,
     frame: Indices,
     pairs: Indices,
@@ -110,7 +132,7 @@ def update_contacts(
         because compiled code builds plain tuples in less time than named tuples.
     """
     before[:] = now
-    place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, true, now)
+    place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, true, base, now)
     layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     own = Measured(at, placed, bound, likely, memory, found)
     measure_groups(layout, own, active, counts, before, now, period, within)

@@ -1,0 +1,83 @@
+"""Payloads on a plant with masses: what holds them, and where the plant has moved them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.arrays import Array, Indices
+from aftdeck.bodies.pose import POSE, compose, relative
+from aftdeck.law import law
+from aftdeck.plant.plant import Hold
+from aftdeck.plant.state import Bodies
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.payloads.grasp import nearest_fixture, pose_in_hand
+from aftdeck.simulation.state import State
+from aftdeck.worksite.capture.grapple import in_envelope
+from aftdeck.worksite.conditions import all_hold
+
+
+def holds(flight: Flight, state: State) -> list[Hold]:
+    """Return all connections of the worksite's payloads; [] on the kinematic plant, which moves no payloads.
+
+    End effector and berth hold a payload in the poses that carriage and latches have reached. A payload that both hold
+    is pulled by both: the latches draw it in, and the arm gives way.
+    """
+    if state.plant.bodies is None:
+        return []
+    site, worksite, found = flight.site, state.worksite, []
+    for k, payload in enumerate(worksite.cargo):
+        if payload.grasp is not None:
+            found.append(Hold(k, "hand", np.array(payload.grasp)))
+        if (berth := site.berth(k, payload.seat)) is not None:
+            seated, pose = np.empty(POSE), np.empty(POSE)
+            compose(berth.place, np.array(payload.offset_in_seat), seated)
+            compose(site.scene, seated, pose)
+            found.append(Hold(k, "space" if berth.row == site.space_row else "orbiter", pose))
+    snare = worksite.snare
+    if worksite.held is None and snare.motion == "capture" and snare.ring < 1.0 and (k := _snared(flight, state)) >= 0:
+        found.append(Hold(k, "hand", pose_in_hand(flight, state, k), snare.ring))
+    return found
+
+
+def _snared(flight: Flight, state: State) -> int:
+    """Return the payload whose pin is inside the capture envelope, where closing snares touch it; -1 for none."""
+    near, snares = nearest_fixture(flight, state, math.inf), flight.site.snares
+    if near is None or snares is None:
+        return -1
+    k, fixture = near
+    return k if all_hold(in_envelope(fixture, snares.envelope)) else -1
+
+
+def follow_bodies(flight: Flight, state: State, bodies: Bodies) -> None:
+    """Set the payloads of the worksite to the poses and motions to which the plant has moved them."""
+    site, worksite, plant = flight.site, state.worksite, state.plant
+    for k, floating in enumerate(worksite.floating):
+        if floating is not None:
+            floating.pose[:], floating.motion[:] = bodies.payloads[k], bodies.motions[k]
+    ride(site.scene, plant.base, plant.frames, worksite.carrier, bodies.payloads, worksite.poses_in_carrier)
+
+
+@law
+def ride(scene: Array, base: Array, true: Array, carrier: Indices, poses: Array, rides: Array) -> None:
+    """Write the poses of payloads in the frames that carry them.
+
+    Args:
+        scene: (12,) the orbiter's frame in L.
+        base: (12,) pose of L in the frame that is fixed in space and coincided with L at the start.
+        true: (n, 12) poses of the arm's frames in L.
+        carrier: (c,) as in `place_everything`.
+        poses: (c, 12) poses of the payloads, in the frame of `base`.
+        rides: (c, 12) output: as in `place_everything`.
+    """
+    seen = np.empty(POSE)
+    for c in range(len(carrier)):
+        row = carrier[c]
+        if row < 0:
+            rides[c] = poses[c]
+        elif row == len(true) + 1:  # space
+            relative(scene, poses[c], rides[c])
+        else:
+            relative(base, poses[c], seen)
+            relative(scene if row == 0 else true[row - 1], seen, rides[c])
