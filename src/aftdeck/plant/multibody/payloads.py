@@ -72,7 +72,8 @@ class Payloads:
         self._welds = [
             {holder: int(model.equality(f"{holder}.{k}").id) for holder in HOLDERS} for k in range(self.count)
         ]
-        self._table = np.array([[welds[holder] for holder in HOLDERS] for welds in self._welds], dtype=np.int64)
+        table = [[welds[holder] for holder in HOLDERS] for welds in self._welds]
+        self._table = np.array(table, dtype=np.int64).reshape(-1, len(HOLDERS))
         model.eq_data[:, _ANCHOR], model.eq_data[:, _TORQUE] = 0.0, 1.0
 
     def place(self, poses: Array, motions: Array) -> None:
@@ -99,6 +100,8 @@ class Payloads:
     def write(self, bodies: Bodies) -> None:
         """Write the payloads' poses, motions and holding forces from MuJoCo's present ones."""
         data = self._data
+        if self.count == 0:
+            return
         _write(
             self._bodies, self._rates, data.xpos, data.xmat, data.qvel, self._table, data.efc_type, data.efc_id,
             data.efc_force, data.ne, bodies.payloads, bodies.motions, bodies.held,
