@@ -57,7 +57,8 @@ def cylinder(mass: float, radius: float, begin: ArrayLike, end: ArrayLike) -> Ma
 def prism(mass: float, across: float, sides: int, begin: ArrayLike, end: ArrayLike) -> MassProperties:
     """Return a uniform regular prism whose axis extends from one point (3,) to another [m].
 
-    `across` is the distance between opposite corners [m]. The moments of inertia are those of the cylinder with the same polar moment of the cross-section.
+    `across` is the distance between opposite corners [m]. The moments of inertia are those of the cylinder with
+    the same polar moment of the cross-section.
     """
     square = (0.5 * across) ** 2 * (2.0 + np.cos(2.0 * np.pi / sides)) / 3.0
     return cylinder(mass, float(np.sqrt(square)), begin, end)

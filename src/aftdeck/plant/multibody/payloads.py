@@ -24,6 +24,9 @@ HOLDERS = ("hand", "orbiter", "space")
 """What can hold a payload, in the order of the columns of `Bodies.held`."""
 STIFF = (0.05, 1.0)
 """Time constant [s] and damping ratio [1] of a weld that holds a payload in a pose (assumed)."""
+FIRM = (0.999, 0.9999, 0.001, 0.5, 2.0)
+"""MuJoCo's impedance of a weld. With its default values, a light, strongly driven end effector would pull out of the
+grasp of a heavy payload (derived)."""
 NO_SPRING = 1e-6
 """Stiffness of a weld that only damps [1/s2]; MuJoCo needs a value above zero."""
 SLACK, TAUT = 0.4, 8.0
@@ -56,6 +59,7 @@ def add_payloads(spec: Any, payloads: Sequence[MassProperties], hand: str, orbit
                 name1=name,
                 name2=f"cargo.{k}",
                 active=False,
+                solimp=FIRM,
             )
 
 
