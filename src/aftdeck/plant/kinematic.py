@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.plant.linear_actuator import Travel
-from aftdeck.plant.plant import Accuracy, Hold
+from aftdeck.plant.plant import Accuracy, Surroundings
 from aftdeck.plant.state import PlantState
 
 
@@ -56,11 +55,16 @@ class KinematicPlant(NamedTuple):
         """False: joints follow their commanded rates exactly."""
         return False
 
-    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array) -> None:
+    @property
+    def has_contact_forces(self) -> bool:
+        """False: nothing has a mass."""
+        return False
+
+    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Do nothing: there are no bodies."""
 
     def move(
-        self, state: PlantState, rates: Array, drive: float, holds: Sequence[Hold], *, brakes: bool, attached: int
+        self, state: PlantState, rates: Array, drive: float, around: Surroundings, *, brakes: bool, attached: int
     ) -> None:
         """Move joints and telescope at the commanded rates for one control period (`Plant.move`)."""
         follow(rates, self.period, self.stops, state.angles, state.rates, state.commanded)

@@ -5,8 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, NamedTuple, Protocol
 
-from aftdeck.arrays import Array
+import numpy as np
+
+from aftdeck.arrays import Array, Indices
 from aftdeck.plant.state import PlantState
+
+MOST_PAIRS = 256
+"""Greatest number of pairs of solids that can be near each other at the same time, on a plant with contact forces."""
+NOTHING_NEAR: Indices = np.empty((0, 3), dtype=np.int64)
+"""Value of `Surroundings.near` if no solids are near each other."""
 
 
 class Accuracy(NamedTuple):
@@ -33,12 +40,28 @@ class Hold(NamedTuple):
             space and coincided with L at the start of the run.
         closed: 1 if the payload is held in `pose`. A smaller value is the position of the snare ring while it closes
             about the pin: the snares then only damp the motion of payload and end effector relative to each other.
+        give: time constant with which a displaced payload returns to `pose`, without overshoot [s].
     """
 
     payload: int
     by: Literal["hand", "orbiter", "space"]
     pose: Array
     closed: float = 1.0
+    give: float = 0.1
+
+
+class Surroundings(NamedTuple):
+    """What acts on the bodies besides servos and brakes, in one control period.
+
+    Attributes:
+        holds: all connections of the worksite's payloads.
+        near: (p, 3) pairs of solids that can touch: the pair of parts and the two solids, as in the worksite's layout.
+        prong: position of the prong, for an arm that has one [m].
+    """
+
+    holds: Sequence[Hold] = ()
+    near: Indices = NOTHING_NEAR
+    prong: float = 0.0
 
 
 class Plant(Protocol):
@@ -58,7 +81,11 @@ class Plant(Protocol):
         The arm then needs time to come to rest, and the servos hold the joints while no rate is commanded.
         """
 
-    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array) -> None:
+    @property
+    def has_contact_forces(self) -> bool:
+        """Whether parts in contact push each other apart, so that a contact need not inhibit the arm's motion."""
+
+    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Set up the bodies for the joint angles, joint rates and telescope of `state`.
 
         Args:
@@ -66,10 +93,11 @@ class Plant(Protocol):
             attached: number, from 1, of the payload that the arm carries; 0 for none.
             poses: (c, 12) poses of the worksite's payloads in L.
             motions: (c, 6) motions of the worksite's payloads, as `Bodies.motions`.
+            prong: position of the prong, for an arm that has one [m].
         """
 
     def move(
-        self, state: PlantState, rates: Array, drive: float, holds: Sequence[Hold], *, brakes: bool, attached: int
+        self, state: PlantState, rates: Array, drive: float, around: Surroundings, *, brakes: bool, attached: int
     ) -> None:
         """Move arm and telescope for one control period, and measure the joints.
 
@@ -77,7 +105,7 @@ class Plant(Protocol):
             state: changed in place.
             rates: (6,) commanded joint rates [rad/s].
             drive: drive of the telescope, -1 to +1; + lengthens it.
-            holds: all connections of the worksite's payloads.
+            around: what acts on the bodies besides servos and brakes.
             brakes: whether the brakes of all joints are on.
             attached: number, from 1, of the payload that the arm carries; 0 for none.
 

@@ -2,15 +2,31 @@
 
 from __future__ import annotations
 
+import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.plant.linear_actuator import Slide
 from aftdeck.state_part import StatePart
+from aftdeck.tuples import Vec3
 
 FOLLOWING = np.zeros((0, POSE))
 """Poses of an arm's frames that follow from the joint angles."""
+
+
+class Touch(msgspec.Struct, frozen=True, array_like=True):
+    """Force between two parts in contact.
+
+    Attributes:
+        group: index of the pair of parts in the worksite's layout.
+        force: force on the second part, in L [N]; the force on the first part is opposite.
+        place: point at which it acts, in L [m].
+    """
+
+    group: int
+    force: Vec3
+    place: Vec3
 
 
 class Bodies(StatePart):
@@ -30,6 +46,10 @@ class Bodies(StatePart):
             the axes of the same frame [m/s].
         held: (c, 3) forces at the payloads' centres by which end effector, orbiter and space hold them, at the end of
             the step [N].
+        held_peaks: (c, 3) greatest forces since the end effector, the orbiter or space began to hold the payload [N].
+        held_for: (c, 3) time since then [s]; infinite if it holds the payload from the start of the run.
+        touches: forces between parts in contact, at the end of the step.
+        touch_peaks: greatest force of each contact since the parts touched [N], by the index of the pair.
     """
 
     physics: Array
@@ -42,6 +62,10 @@ class Bodies(StatePart):
     payloads: Array
     motions: Array
     held: Array
+    held_peaks: Array
+    held_for: Array
+    touches: tuple[Touch, ...] = ()
+    touch_peaks: dict[int, float] = msgspec.field(default_factory=dict)
 
 
 class PlantState(StatePart):

@@ -96,6 +96,7 @@ def build(
         seed=spec.seed,
         plant=spec.plant,
         free_orbiter=spec.dynamics.orbiter == "free",
+        inhibit=spec.dynamics.inhibit,
         duration=float(spec.duration),
         ticks=round(spec.duration / spec.control_period),
         control_period=float(spec.control_period),

@@ -160,6 +160,7 @@ class Scenario:
         seed: random seed.
         plant: model that turns commanded rates into motion.
         free_orbiter: whether the orbiter reacts to the arm's motion, on a plant with masses.
+        inhibit: whether detrimental contacts inhibit motion also on a plant with contact forces.
         duration: longest simulated time [s].
         ticks: longest simulated time [control periods].
         control_period: duration of a control step [s].
@@ -207,6 +208,7 @@ class Scenario:
     seed: int
     plant: Plant
     free_orbiter: bool
+    inhibit: bool
     duration: float
     ticks: int
     control_period: float

@@ -209,9 +209,11 @@ class DynamicsSpec(_Part, frozen=True):
     """Properties of a plant with masses; the kinematic plant ignores them.
 
     `orbiter` is `free` if the orbiter reacts to the arm's motion, and `fixed` if it keeps its position and attitude.
+    `inhibit` tells whether a detrimental contact also inhibits the arm, as on the kinematic plant.
     """
 
     orbiter: Literal["free", "fixed"] = "free"
+    inhibit: bool = False
 
 
 class AttachedSpec(_Part, frozen=True):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from aftdeck.bodies.pose import HERE, POSE, compose
@@ -16,6 +18,7 @@ from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.payloads.alignment import count
+from aftdeck.simulation.payloads.forces import held_by
 from aftdeck.simulation.payloads.grasp import attach, set_effector, update_steering
 from aftdeck.simulation.payloads.objective import holding
 from aftdeck.simulation.payloads.relations import permitted
@@ -113,7 +116,10 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
         frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
     poses = frames[site.space_row + 1 :].copy()
     motions = np.array([np.zeros(6) if one is None else one.motion for one in worksite.floating]).reshape(-1, 6)
-    flight.plant.begin(plant, state.script.attached, poses, motions)
+    flight.plant.begin(plant, state.script.attached, poses, motions, worksite.prong.position)
+    if plant.bodies is not None:
+        for k, one in enumerate(worksite.cargo):
+            plant.bodies.held_for[k] = [math.inf if by else 0.0 for by in held_by(site, one)]
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active
     worksite.watch.update(frames, frames, scenario.control_period)

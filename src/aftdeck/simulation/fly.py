@@ -10,7 +10,7 @@ from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
-from aftdeck.simulation.payloads.holds import holds
+from aftdeck.simulation.payloads.surroundings import surroundings
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
 from aftdeck.steering.course import start_motion
@@ -66,7 +66,7 @@ def move_plant(flight: Flight, state: State, rates: Array, telescope: float) -> 
             state.plant,
             rates,
             telescope,
-            holds(flight, state),
+            surroundings(flight, state),
             brakes=state.panel.brakes,
             attached=state.script.attached,
         )

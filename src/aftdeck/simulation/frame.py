@@ -144,6 +144,23 @@ class Placed(NamedTuple):
     orientation: Annotated[Rows, field_meta("attitude of the body", "1", "L")]
 
 
+class Force(NamedTuple):
+    """Force between two parts in contact."""
+
+    a: Annotated[str, field_meta("first part")]
+    b: Annotated[str, field_meta("second part")]
+    force: Annotated[Vec3, field_meta("force on the second part", "N", "L", decimals=3)]
+    position: Annotated[Vec3, field_meta("point at which it acts", "m", "L")]
+
+
+class Holding(NamedTuple):
+    """Force by which something holds a payload of the worksite."""
+
+    payload: Annotated[str, field_meta("name of the payload")]
+    by: Annotated[Literal["end effector", "orbiter", "space"], field_meta("what holds the payload")]
+    force: Annotated[float, field_meta("force at the payload's centre", "N", decimals=3)]
+
+
 class Dynamics(msgspec.Struct, frozen=True, gc=False):
     """Motion of the bodies behind the joints: what the encoders do not show, on a plant with masses.
 
@@ -162,6 +179,8 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
         field_meta("joints, 0 to 5, that turn against a motor or brake at its greatest torque"),
     ]
     orbiter: Annotated[Placed, field_meta("pose of L, relative to its pose at the start of the run", "m, 1", "L")]
+    contacts: Annotated[tuple[Force, ...], field_meta("forces between parts in contact")]
+    holds: Annotated[tuple[Holding, ...], field_meta("forces that hold the worksite's payloads")]
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):

@@ -33,7 +33,7 @@ def resume(flight: Flight, saved: bytes) -> State:
     }
     like = new_state(flight, nothing)
     payloads = len(flight.site.cargo)
-    flight.plant.begin(like.plant, 0, np.tile(HERE, (payloads, 1)), np.zeros((payloads, 6)))
+    flight.plant.begin(like.plant, 0, np.tile(HERE, (payloads, 1)), np.zeros((payloads, 6)), 0.0)
     state = decoded(like, saved, lambda kind: empty[kind]())
     update_steering(flight, state)
     restore_clearances(flight, state)

@@ -13,10 +13,11 @@ from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.motion_inhibit import sliding_payload
 from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.payloads.capture import capture
+from aftdeck.simulation.payloads.forces import peak_text, watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
-from aftdeck.simulation.payloads.holds import follow_bodies
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.seating import seat
+from aftdeck.simulation.payloads.surroundings import follow_bodies
 from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.acquisition import PRONG
@@ -40,6 +41,7 @@ def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
                 worksite.update_carrier(flight.site, k)
     else:
         follow_bodies(flight, state, state.plant.bodies)
+        watch_forces(flight, state, state.plant.bodies)
     before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
     _update_contacts(flight, state)
     _log_contacts(flight, state, before)
@@ -74,8 +76,8 @@ def _update_contacts(flight: Flight, state: State) -> None:
     )
     if touching or changed:
         worksite.permitted[:] = permitted(site, watch, worksite.frames)
-        contacts.essential[:] = site.essential_while(sliding_payload(state), worksite.permitted)
-    contacts.judge(touching, changed, site.by_prong, worksite.task)
+        contacts.essential[:] = site.essential_while(sliding_payload(flight, state), worksite.permitted)
+    contacts.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
@@ -108,7 +110,7 @@ def _try_translation(flight: Flight, state: State, command: Array) -> str:
         velocity[:] = 0.0
         return "orbiter translation refused: the arm holds a docked payload; RELEASE or UNLATCH it"
     period, detrimental = flight.scenario.control_period, 1 - worksite.contacts.essential
-    if not (worksite.logged_contacts and np.any(detrimental & (worksite.contacts.count == FRAMES))):
+    if not (flight.inhibits and worksite.logged_contacts and np.any(detrimental & (worksite.contacts.count == FRAMES))):
         translate(worksite.orbiter, velocity, command, rule.speed, rule.reached_in, period)
         return ""
     without, here = frames_with_prong_at(flight, state, worksite.prong.position), worksite.orbiter.copy()
@@ -162,7 +164,7 @@ def _log_contacts(flight: Flight, state: State, before: Inhibit) -> None:
         touching = sorted(contact.group for contact in standing)
         for group in sorted(set(worksite.logged_contacts) - set(touching)):
             a, b = flight.site.layout.named(group)
-            log(flight, state, "contact", "info", f"{a} clear of {b}")
+            log(flight, state, "contact", "info", f"{a} clear of {b}{peak_text(state.plant.bodies, group)}")
         worksite.logged_contacts = tuple(touching)
     if now == before and not now.arm and not worksite.advice:
         return

@@ -15,7 +15,7 @@ import pytest
 
 import aftdeck
 from aftdeck.arrays import Array
-from aftdeck.errors import InputError, ScenarioError, SimulationError
+from aftdeck.errors import InputError, SimulationError
 from aftdeck.plant.multibody.plant import MultibodyPlant
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies
@@ -320,12 +320,6 @@ def test_kinematic_run_and_its_station_import_no_mujoco() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
-
-
-def test_worksite_payloads_need_the_kinematic_plant() -> None:
-    for name in ("srms-deploy", "concept-1972"):
-        with pytest.raises(ScenarioError, match="cargo"):
-            Simulation(aftdeck.load_scenario(name, {("plant",): "rigid"}))
 
 
 def test_concept_arm_and_its_telescope_move(tmp_path: Path) -> None:

@@ -1152,6 +1152,10 @@ export interface Dynamics {
   readonly overdriven: readonly number[];
   /** pose of L, relative to its pose at the start of the run [m, 1], along the axes of L */
   readonly orbiter: readonly [position: Vec3, orientation: Rows];
+  /** forces between parts in contact */
+  readonly contacts: readonly (readonly [a: string, b: string, force: Vec3, position: Vec3])[];
+  /** forces that hold the worksite's payloads */
+  readonly holds: readonly (readonly [payload: string, by: 'end effector' | 'orbiter' | 'space', force: number])[];
 }
 
 /** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */

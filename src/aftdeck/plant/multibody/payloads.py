@@ -22,11 +22,12 @@ from aftdeck.plant.state import Bodies
 
 HOLDERS = ("hand", "orbiter", "space")
 """What can hold a payload, in the order of the columns of `Bodies.held`."""
-STIFF = (0.05, 1.0)
-"""Time constant [s] and damping ratio [1] of a weld that holds a payload in a pose (assumed)."""
-FIRM = (0.999, 0.9999, 0.001, 0.5, 2.0)
+FIRM = (0.95, 0.95, 0.001, 0.5, 2.0)
 """MuJoCo's impedance of a weld. With its default values, a light, strongly driven end effector would pull out of the
 grasp of a heavy payload (derived)."""
+LOOSE = (0.01, 0.01, 0.001, 0.5, 2.0)
+"""MuJoCo's impedance of closing snares. With a small impedance, the weld is a damper: its force is in proportion to the
+relative velocity, and it does not hinder the servos."""
 NO_SPRING = 1e-6
 """Stiffness of a weld that only damps [1/s2]; MuJoCo needs a value above zero."""
 SLACK, TAUT = 0.4, 8.0
@@ -59,7 +60,6 @@ def add_payloads(spec: Any, payloads: Sequence[MassProperties], hand: str, orbit
                 name1=name,
                 name2=f"cargo.{k}",
                 active=False,
-                solimp=FIRM,
             )
 
 
@@ -99,7 +99,9 @@ class Payloads:
             data[_PLACE] = hold.pose[:3]
             mujoco.mju_mat2Quat(data[_TURN], hold.pose[3:])
             damping = SLACK + TAUT * hold.closed**3
-            model.eq_solref[weld] = STIFF if hold.closed == 1.0 else (-NO_SPRING, -damping)
+            held = hold.closed == 1.0
+            model.eq_solref[weld] = (hold.give, 1.0) if held else (-NO_SPRING, -damping)
+            model.eq_solimp[weld] = FIRM if held else LOOSE
 
     def write(self, bodies: Bodies) -> None:
         """Write the payloads' poses, motions and holding forces from MuJoCo's present ones."""

@@ -7,7 +7,6 @@ each control period, commanded joint rates come out of steering, and measured an
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import mujoco
@@ -20,10 +19,11 @@ from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.errors import SimulationError
 from aftdeck.plant.linear_actuator import Travel
 from aftdeck.plant.multibody.build import STEP
+from aftdeck.plant.multibody.contacts import ContactPairs
 from aftdeck.plant.multibody.payloads import HOLDERS, Payloads
 from aftdeck.plant.multibody.servo import Servos
 from aftdeck.plant.multibody.view import View
-from aftdeck.plant.plant import Accuracy, Hold
+from aftdeck.plant.plant import Accuracy, Surroundings
 from aftdeck.plant.state import Bodies, PlantState
 
 mujoco.set_mju_user_warning(lambda text: None)  # otherwise MuJoCo writes a file into the user's folder
@@ -57,6 +57,7 @@ class MultibodyPlant:
         for view in self._views:
             view.model.opt.timestep = period / self._steps
             view.limit(arm.limits.hard)
+        self._contacts = [ContactPairs(view.model, view.data) for view in self._views]
         self._payloads = [Payloads(view.model, view.data) for view in self._views]
         self._travel, self._period, self._strict = travel, period, strict
 
@@ -70,11 +71,16 @@ class MultibodyPlant:
         """True."""
         return True
 
-    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array) -> None:
+    @property
+    def has_contact_forces(self) -> bool:
+        """True."""
+        return True
+
+    def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Place the bodies at the state's joint angles, unbent, with the joints' rates (`Plant.begin`)."""
         view = self._views[attached]
         mujoco.mj_resetData(view.model, view.data)
-        view.set_joints(state.angles, state.rates, state.stand.position)
+        view.set_joints(state.angles, state.rates, state.stand.position, prong)
         self._payloads[attached].place(poses, motions)
         state.bodies = Bodies(
             physics=np.empty(mujoco.mj_stateSize(view.model, _STATE)),
@@ -87,12 +93,14 @@ class MultibodyPlant:
             payloads=poses.copy(),
             motions=motions.copy(),
             held=np.zeros((len(poses), len(HOLDERS))),
+            held_peaks=np.zeros((len(poses), len(HOLDERS))),
+            held_for=np.zeros((len(poses), len(HOLDERS))),
         )
         state.base[:] = HERE
         self._store(attached, state)
 
     def move(
-        self, state: PlantState, rates: Array, drive: float, holds: Sequence[Hold], *, brakes: bool, attached: int
+        self, state: PlantState, rates: Array, drive: float, around: Surroundings, *, brakes: bool, attached: int
     ) -> None:
         """Move the bodies for one control period, with the commanded rates held (`Plant.move`)."""
         bodies = state.bodies
@@ -100,9 +108,11 @@ class MultibodyPlant:
         view, servos = self._views[attached], self._servos[attached]
         model, data, stand = view.model, view.data, state.stand
         mujoco.mj_setState(model, data, bodies.physics, _STATE)
-        self._payloads[attached].connect(holds)
+        self._payloads[attached].connect(around.holds)
+        self._contacts[attached].select(around.near)
         servos.command(bodies, state.angles, rates, brakes=brakes)
         view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
+        view.drive_prong(around.prong, self._period)
         mujoco.mj_step(model, data, nstep=self._steps)
         if view.diverged():
             raise SimulationError(
@@ -123,3 +133,4 @@ class MultibodyPlant:
         mujoco.mj_kinematics(view.model, view.data)  # after a step, MuJoCo's poses are those before the step
         view.write_poses(bodies.frames, state.base)
         self._payloads[attached].write(bodies)
+        bodies.touches = self._contacts[attached].touches(state.base)

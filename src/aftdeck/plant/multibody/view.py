@@ -7,7 +7,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from aftdeck.arms.geometry import STAND
+from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.joint_laws import poses_in_base
@@ -41,6 +41,8 @@ class View:
         self._orbiter = _find(model, mujoco.mjtObj.mjOBJ_BODY, "orbiter")
         self._telescope = int(model.joint("telescope").qposadr[0]) if STAND in arm.frames else -1
         self._drive = model.actuator("drive.telescope").id if STAND in arm.frames else -1
+        self._prong = int(model.joint("prong").qposadr[0]) if PRONG in arm.frames else -1
+        self._grip = model.actuator("drive.prong").id if PRONG in arm.frames else -1
         self._height = float(arm.links[0])
         self.rows = len(self._frames)
         self._warnings = [self.data.warning[kind] for kind in _DIVERGED]
@@ -52,11 +54,16 @@ class View:
         """Height of the shoulder above L's origin [m]."""
         return self._height + (float(self.data.qpos[self._telescope]) if self._telescope >= 0 else 0.0)
 
-    def set_joints(self, angles: Array, rates: Array, height: float) -> None:
-        """Set angles [rad] and rates [rad/s] of the motors and the height of the shoulder [m]; nothing is bent."""
+    def set_joints(self, angles: Array, rates: Array, height: float, prong: float = 0.0) -> None:
+        """Set angles [rad] and rates [rad/s] of the motors, height of the shoulder and position of the prong [m].
+
+        Nothing is bent.
+        """
         self.data.qpos[self.motors], self.data.qvel[self.motor_rates] = angles, rates
         if self._telescope >= 0:
             self.data.qpos[self._telescope] = height - self._height
+        if self._prong >= 0:
+            self.data.qpos[self._prong] = prong
 
     def limit(self, stops: Array) -> None:
         """Limit the motors' angles to the hard stops (6, 2) [rad]."""
@@ -67,6 +74,11 @@ class View:
         """Set the commanded speed of the telescope; + lengthens it [m/s]."""
         if self._drive >= 0:
             self.data.ctrl[self._drive] = speed
+
+    def drive_prong(self, position: float, period: float) -> None:
+        """Drive the prong so that it reaches a position [m] after a time [s]."""
+        if self._grip >= 0:
+            self.data.ctrl[self._grip] = (position - float(self.data.qpos[self._prong])) / period
 
     def diverged(self) -> bool:
         """Return whether a step since the last call diverged, which MuJoCo only counts."""

@@ -50,6 +50,11 @@ class Flight:
     soft: tuple[Pair, ...]
     hard: tuple[Pair, ...]
 
+    @property
+    def inhibits(self) -> bool:
+        """Whether a detrimental contact inhibits motion: without contact forces, or if the scenario asks for it."""
+        return self.scenario.inhibit or not self.plant.has_contact_forces
+
     @cached_property
     def rehearsed(self) -> Flight:
         """The same constants with the kinematic plant, on which CMD CK rehearses."""
@@ -63,10 +68,11 @@ def run_constants(scenario: Scenario) -> Flight:
     def pairs(limits: Array) -> tuple[Pair, ...]:
         return tuple((float(low), float(high)) for low, high in limits)
 
+    site = site_of(scenario)
     return Flight(
         scenario,
-        plant_of(scenario),
-        site_of(scenario),
+        plant_of(scenario, site),
+        site,
         Cameras(scenario),
         travel_of_stand(model),
         travel_of_prong(model.equipment.prong),

@@ -6,25 +6,29 @@ from typing import Any
 
 import numpy as np
 
-from aftdeck.arms.load import ArmModel
+from aftdeck.bodies.hexahedron import unpack
 from aftdeck.bodies.mass_properties import MassProperties
-from aftdeck.frames import Mount
+from aftdeck.bodies.pose import pose_of
+from aftdeck.frames import Mount, Pose
 from aftdeck.kinematics.payload import Payload
 from aftdeck.plant.linear_actuator import travel_of_stand
 from aftdeck.plant.multibody.build import arm_spec, attach, in_tip_frame
+from aftdeck.plant.multibody.contacts import add_solids
 from aftdeck.plant.multibody.plant import MultibodyPlant
 from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.constants.site import Site
 from aftdeck.worksite.model import OrbiterMass
 
 
-def multibody_plant(scenario: Scenario) -> MultibodyPlant:
+def multibody_plant(scenario: Scenario, site: Site) -> MultibodyPlant:
     """Return the plant of a scenario with the plant ``rigid`` or ``flexible``; `scenario.build` has checked it."""
     arm = scenario.arm.model
-    models = [_compiled(scenario, arm, payload) for payload in (None, *scenario.own_payloads)]
+    models = [_compiled(scenario, site, payload) for payload in (None, *scenario.own_payloads)]
     return MultibodyPlant(models, arm, travel_of_stand(arm), scenario.control_period, strict=scenario.strict)
 
 
-def _compiled(scenario: Scenario, arm: ArmModel, payload: Payload | None) -> Any:
+def _compiled(scenario: Scenario, site: Site, payload: Payload | None) -> Any:
+    arm = scenario.arm.model
     mass = scenario.worksite.orbiter
     orbiter = orbiter_in_l(arm.mount, mass) if scenario.free_orbiter and mass is not None else None
     payloads = [MassProperties(one.mass, np.zeros(3), np.diag(one.inertia)) for one in scenario.cargo]
@@ -32,7 +36,19 @@ def _compiled(scenario: Scenario, arm: ArmModel, payload: Payload | None) -> Any
     if payload is not None:
         centre = payload.rotation @ payload.centre
         attach(spec, in_tip_frame(payload.mass, centre, payload.rotation, payload.inertia))
+    _add_solids(spec, site)
     return spec.compile()
+
+
+def _add_solids(spec: Any, site: Site) -> None:
+    """Add the solids of the arm, of the worksite and of its payloads, each in the body of its frame."""
+    layout, here, scene = site.layout, Pose(np.zeros(3), np.eye(3)), pose_of(site.scene)
+    homes = {name: (spec.body(name), here) for name in site.arm.names}
+    homes["orbiter"] = spec.body("orbiter") or spec.worldbody, scene
+    homes["space"] = spec.worldbody, scene
+    homes |= {payload.name: (spec.body(f"cargo.{k}"), here) for k, payload in enumerate(site.cargo)}
+    frames = [layout.frames[frame] for frame in layout.frame.tolist()]
+    add_solids(spec, [unpack(solid) for solid in layout.solids], frames, homes)
 
 
 def orbiter_in_l(mount: Mount, orbiter: OrbiterMass) -> MassProperties:

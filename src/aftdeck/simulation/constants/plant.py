@@ -6,15 +6,16 @@ from aftdeck.plant.kinematic import KinematicPlant
 from aftdeck.plant.linear_actuator import travel_of_stand
 from aftdeck.plant.plant import Plant
 from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.constants.site import Site
 
 
-def plant_of(scenario: Scenario) -> Plant:
+def plant_of(scenario: Scenario, site: Site) -> Plant:
     """Return the plant that the scenario names. Only a plant with masses imports MuJoCo."""
     if scenario.plant == "kinematic":
         return kinematic_plant(scenario)
     from aftdeck.simulation.constants.multibody import multibody_plant
 
-    return multibody_plant(scenario)
+    return multibody_plant(scenario, site)
 
 
 def kinematic_plant(scenario: Scenario) -> KinematicPlant:

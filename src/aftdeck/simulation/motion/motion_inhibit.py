@@ -34,7 +34,7 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
     """
     worksite = state.worksite
     worksite.halt = ""
-    sliding = sliding_payload(state)
+    sliding = sliding_payload(flight, state)
     worksite.contacts.essential[:] = flight.site.essential_while(sliding, worksite.permitted)
     rates = state.steering[RATES : RATES + 6]
     moved = telescope or any(rates.tolist())
@@ -84,8 +84,13 @@ def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Ma
     return own, own & (1 - worksite.permitted)
 
 
-def sliding_payload(state: State) -> int | None:
-    """Return the payload that slides along walls: the held payload in modes 1 to 7, else None."""
+def sliding_payload(flight: Flight, state: State) -> int | None:
+    """Return the payload that slides along walls: the held payload in modes 1 to 7, else None.
+
+    None if contacts do not inhibit motion: the forces of a contact then keep the payload out of the walls.
+    """
+    if not flight.inhibits:
+        return None
     return state.worksite.held if MODES[state.panel.mode].kind in ("automatic", "manual") else None
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 
 from aftdeck.arrays import Array
@@ -9,12 +11,16 @@ from aftdeck.bodies.pose import POSE, compose, rows, vec3
 from aftdeck.frames import angle_between
 from aftdeck.law import law
 from aftdeck.matrices import distance
+from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame import Dynamics, Placed
+from aftdeck.simulation.constants.site import Site
+from aftdeck.simulation.frame import Dynamics, Force, Holding, Placed
 from aftdeck.simulation.observe.frame_numbers import six
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Rows, Six, Vec3
 
+_HOLDERS: tuple[Literal["end effector", "orbiter", "space"], ...] = ("end effector", "orbiter", "space")
+"""Names of the columns of `Bodies.held`."""
 _NONE: tuple[int, ...] = ()
 
 
@@ -45,4 +51,26 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     if target is not None:
         miss = distance(target.position, position), angle_between(target.rotation, orientation)
     overdriven = tuple(np.flatnonzero(bodies.overdriven).tolist()) if bodies.overdriven.any() else _NONE
-    return Dynamics(position, orientation, miss, torques, overdriven, Placed(at, axes))
+    return Dynamics(
+        position,
+        orientation,
+        miss,
+        torques,
+        overdriven,
+        Placed(at, axes),
+        _contacts(site, bodies),
+        _holds(site, bodies),
+    )
+
+
+def _contacts(site: Site, bodies: Bodies) -> tuple[Force, ...]:
+    """Return the forces between parts in contact."""
+    return tuple(Force(*site.layout.named(touch.group), touch.force, touch.place) for touch in bodies.touches)
+
+
+def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
+    """Return the forces that hold payloads."""
+    return tuple(
+        Holding(site.cargo[k].name, _HOLDERS[holder], float(bodies.held[k, holder]))
+        for k, holder in zip(*np.nonzero(bodies.held), strict=True)
+    )

@@ -34,7 +34,7 @@ def work_of(flight: Flight, state: State) -> Work:
     if worksite.logged_contacts:
         standing = worksite.contacts.standing(site.layout, worksite.watch.found, flight.scenario.arm.model.units)
         contacts = tuple(near_of(flight, state, worksite.watch.found, contact.group) for contact in standing)
-        reasons = tuple(contact.text for contact in standing if contact.inhibits)
+        reasons = tuple(contact.text for contact in standing if contact.inhibits and inhibit.arm)
     objective, conditions = present_objective(flight, state)
     return Work(
         task=worksite.task,

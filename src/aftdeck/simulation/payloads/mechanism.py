@@ -14,6 +14,7 @@ def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> 
 
     The stop is logged once. Contacts with walls along which the payload can slide count too, because a mechanism does
     not slide the payload. Essential contacts in a permitted relative position do not count.
+    False if contacts do not inhibit motion: their forces then act on the payload.
 
     Args:
         flight: constants of the run.
@@ -23,6 +24,8 @@ def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> 
         what: name of the mechanism, for the log.
     """
     site, worksite = flight.site, state.worksite
+    if not flight.inhibits:
+        return False
     after = worksite.frames.copy()
     after[site.cargo_row(k)] = pose
     group = worst_new_contact(worksite.watch, worksite.contacts.arm & (1 - worksite.permitted), after)

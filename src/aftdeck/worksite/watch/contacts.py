@@ -139,7 +139,7 @@ class Contacts(StatePart):
         counted = count_frames(found, self.count)
         return self.judge(counted.touching, counted.changed, prong, mode)
 
-    def judge(self, touching: bool, changed: bool, prong: Mask, mode: int) -> Inhibit:
+    def judge(self, touching: bool, changed: bool, prong: Mask, mode: int, *, inhibits: bool = True) -> Inhibit:
         """Compute the flags from the present counts and the result of `count_frames`; store and return them.
 
         Args:
@@ -147,9 +147,10 @@ class Contacts(StatePart):
             changed: a count changed.
             prong: (g,) 1 for groups of the prong; all 0 for an arm without a prong.
             mode: the report's mode, 1 to 4.
+            inhibits: whether detrimental contacts inhibit motion. If not, the flags `arm` and `finger` stay off.
         """
         arm, finger = False, False
-        if touching:
+        if touching and inhibits:
             arm, finger = two_frames(self.count, self.essential, self.arm, prong, mode)
         self.inhibit = Inhibit(bool(arm), bool(finger), bool(changed))
         return self.inhibit

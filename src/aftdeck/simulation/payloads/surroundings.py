@@ -1,4 +1,4 @@
-"""Payloads on a plant with masses: what holds them, and where the plant has moved them."""
+"""Worksite on a plant with masses: what holds the payloads, which solids can touch, and where the payloads move."""
 
 from __future__ import annotations
 
@@ -8,24 +8,52 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import POSE, compose, relative
+from aftdeck.errors import SimulationError
 from aftdeck.law import law
-from aftdeck.plant.plant import Hold
+from aftdeck.plant.plant import MOST_PAIRS, Hold, Surroundings
 from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.payloads.grasp import nearest_fixture, pose_in_hand
 from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.conditions import all_hold
+from aftdeck.worksite.watch.near import near_pairs
+
+_GIVES = {"port": 0.5, "retention": 0.1}
+"""Time constants with which docking ports and bay latches return a payload to its place [s]; with a port's, a payload
+that arrives at 0.2 m/s moves 4 cm past it (assumed)."""
+NOTHING = Surroundings()
+"""Surroundings on a plant without masses."""
 
 
-def holds(flight: Flight, state: State) -> list[Hold]:
-    """Return all connections of the worksite's payloads; [] on the kinematic plant, which moves no payloads.
+def surroundings(flight: Flight, state: State) -> Surroundings:
+    """Return what acts on the bodies in the next control period, besides servos and brakes."""
+    if state.plant.bodies is None:
+        return NOTHING
+    return Surroundings(_holds(flight, state), _near(flight, state), state.worksite.prong.position)
+
+
+def _near(flight: Flight, state: State) -> Indices:
+    """Return the pairs of solids that can touch in the next control period.
+
+    Raises:
+        SimulationError: more pairs are near each other than the plant can test.
+    """
+    watch, layout, near = state.worksite.watch, flight.site.layout, np.empty((MOST_PAIRS, 3), np.int64)
+    count = near_pairs(watch.active, watch.found, flight.within, layout.begins, layout.pairs, watch.placed, near)
+    if count > MOST_PAIRS:
+        raise SimulationError(
+            f"{count} pairs of solids are near each other; this plant can compute the forces of at most {MOST_PAIRS}"
+        )
+    return near[:count]
+
+
+def _holds(flight: Flight, state: State) -> list[Hold]:
+    """Return all connections of the worksite's payloads.
 
     End effector and berth hold a payload in the poses that carriage and latches have reached. A payload that both hold
     is pulled by both: the latches draw it in, and the arm gives way.
     """
-    if state.plant.bodies is None:
-        return []
     site, worksite, found = flight.site, state.worksite, []
     for k, payload in enumerate(worksite.cargo):
         if payload.grasp is not None:
@@ -34,7 +62,9 @@ def holds(flight: Flight, state: State) -> list[Hold]:
             seated, pose = np.empty(POSE), np.empty(POSE)
             compose(berth.place, np.array(payload.offset_in_seat), seated)
             compose(site.scene, seated, pose)
-            found.append(Hold(k, "space" if berth.row == site.space_row else "orbiter", pose))
+            found.append(
+                Hold(k, "space" if berth.row == site.space_row else "orbiter", pose, give=_GIVES[berth.seat.kind])
+            )
     snare = worksite.snare
     if worksite.held is None and snare.motion == "capture" and snare.ring < 1.0 and (k := _snared(flight, state)) >= 0:
         found.append(Hold(k, "hand", pose_in_hand(flight, state, k), snare.ring))
