@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import HERE
 from aftdeck.plant.kinematic import KinematicPlant
 from aftdeck.plant.linear_actuator import Slide, Travel
+from aftdeck.plant.plant import Surroundings
 from aftdeck.plant.state import PlantState
 
 FREE = np.array([[-np.inf, np.inf]] * 6)
@@ -18,11 +20,11 @@ TRAVEL = Travel(2.0, 5.0, 0.5)
 
 def start(*angles: float) -> PlantState:
     at = np.array(angles or (0.0,) * 6)
-    return PlantState(at, np.zeros(6), at.copy(), Slide(3.0))
+    return PlantState(at, np.zeros(6), at.copy(), Slide(3.0), np.array(HERE))
 
 
 def move(state: PlantState, rates: Array, period: float, drive: float = 0.0, stops: Array = FREE) -> None:
-    KinematicPlant(stops, TRAVEL, period).move(state, rates, drive, brakes=False, attached=0)
+    KinematicPlant(stops, TRAVEL, period).move(state, rates, drive, Surroundings(), brakes=False, attached=0)
 
 
 def test_joints_move_by_rate_times_period() -> None:

@@ -29,7 +29,7 @@ def _boxes_near(a: Array, b: Array, within: float) -> bool:
 def near_pairs(
     active: Mask, found: Array, within: float, begins: Indices, pairs: Indices, placed: Array, near: Indices
 ) -> int:
-    """Find the pairs of solids whose bounding spheres and boxes are nearer than `within`, in all groups that are nearer.
+    """Find the pairs of solids whose bounding spheres and boxes are nearer than `within`, in groups that are nearer.
 
     The boxes are along the axes of L.
 
