@@ -67,14 +67,30 @@ def test_ideal_servos_follow_the_kinematic_arm(law: str) -> None:
     assert np.abs(found[:steps] - expected[:steps]).max() < 2e-4
 
 
-@pytest.mark.parametrize("mode", ["ORB UNL", "END EFF", "SINGLE", "DIRECT"])
+@pytest.mark.parametrize("mode", ["ORB UNL", "END EFF", "ORB LD", "PL", "SINGLE", "DIRECT"])
 def test_ideal_servos_follow_the_sticks(mode: str) -> None:
-    sticks = "joint = 'elbow_pitch'\ndrive = 0.7" if mode in ("SINGLE", "DIRECT") else "translation = [0.5, -0.3, 0.2]"
+    sticks = "translation = [0.5, -0.3, 0.2]\nrotation = [0.2, 0.3, -0.1]"
+    if mode in ("SINGLE", "DIRECT"):
+        sticks = "joint = 'elbow_pitch'\ndrive = 0.7"
     body = f"[[phase]]\nmode = '{mode}'\n{sticks}\nduration = '6 s'\n"
     body += "[[phase]]\nmode = 'ORB UNL'\nduration = '4 s'\n"
-    _, expected = flown(scenario("kinematic", body))
-    _, found = flown(ideal(scenario("rigid", body)))
+    pounds = 5000.0 if mode in ("ORB LD", "PL") else 0.0
+    _, expected = flown(scenario("kinematic", body, pounds=pounds))
+    _, found = flown(ideal(scenario("rigid", body, pounds=pounds)))
     assert np.abs(found - expected).max() < (1e-3 if mode == "DIRECT" else 2e-4)
+
+
+def test_ideal_servos_follow_the_master_arm() -> None:
+    tips = []
+    for given in (scenario("kinematic", head="mode = 'MASTER'"), ideal(scenario("rigid", head="mode = 'MASTER'"))):
+        sim, found = Simulation(given), []
+        for step in range(400):
+            turned = tuple((AT_BAY + 0.02 * np.sin(0.01 * step)).tolist())
+            frame = sim.step(Inputs(master=turned))
+            found.append(frame.position if frame.dynamics is None else frame.dynamics.position)
+        tips.append(np.array(found))
+    assert np.ptp(tips[0], axis=0).max() > 0.05
+    assert np.abs(tips[1] - tips[0]).max() < 1e-3
 
 
 @pytest.mark.parametrize(
@@ -121,6 +137,25 @@ def test_momentum_of_arm_and_orbiter_stays_zero(plant: str) -> None:
     assert math.dist(frame.dynamics.orbiter.position, (0.0, 0.0, 0.0)) > 0.01  # the orbiter reacts
     assert np.abs(translational).max() < 0.02
     assert np.abs(angular).max() < 1e-4 * np.abs(of_payload).max()
+
+
+def test_exact_integrator_keeps_the_momentum_to_rounding() -> None:
+    """Runge-Kutta steps of 1 ms, without dry friction and torque limits: the live integrator's loss is its own error."""
+    sim = Simulation(scenario("rigid", orbiter="free", pounds=15_000.0))
+    view = present(sim)
+    view.model.dof_frictionloss[:], view.model.actuator_forcelimited[:] = 0.0, False
+    view.model.opt.integrator, view.model.opt.timestep = mujoco.mjtIntegrator.mjINT_RK4, 1e-3
+    largest = 0.0
+    for second in range(60):
+        for joint, rate in zip("012345", (0.004, -0.005, 0.006, 0.01, -0.01, 0.02), strict=True):
+            view.data.ctrl[2 * int(joint)] = rate if second < 40 else 0.0
+        mujoco.mj_step(view.model, view.data, nstep=1000)
+        mujoco.mj_subtreeVel(view.model, view.data)
+        largest = max(largest, float(np.abs(_momentum(view)).max()))
+        linear = view.data.subtree_linvel[0] * view.model.body_subtreemass[0]
+    assert largest > 100.0
+    assert np.abs(view.data.subtree_angmom[0]).max() < 1e-9 * largest
+    assert np.abs(linear).max() < 1e-9 * view.model.body_subtreemass[0]
 
 
 def _momentum(view: View) -> Array:
