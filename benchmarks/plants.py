@@ -18,11 +18,12 @@ from aftdeck.frames import oriend
 from aftdeck.kinematics.arm import load_arm
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.run import Simulation
+from aftdeck.steering.mode import LawChoice
 
 START = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
 BY = np.array([2.0, 1.5, -1.65])
 """Displacement of the tip in L: 3.0 m."""
-LAWS = {1: "position", 2: "closed loop", 3: "open loop"}
+LAWS: dict[int, LawChoice] = {1: "position", 2: "closed loop", 3: "open loop"}
 LOADS = (0, 15_000, 32_000, 65_000)
 """Masses of the payload [lb]."""
 PLANTS = ("kinematic", "rigid", "flexible")
@@ -39,7 +40,7 @@ class Row(NamedTuple):
     """Time after the end of the motion until the true tip stays within 10 mm of its last position [s]."""
 
 
-def flight(law: str, pounds: float, plant: str) -> Row:
+def flight(law: LawChoice, pounds: float, plant: str) -> Row:
     """Make one motion and return its result."""
     tip = load_arm("srms").forward(START)
     target = tip.position + BY

@@ -8,7 +8,9 @@ from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.plant.linear_actuator import Travel
 from aftdeck.plant.plant import Accuracy, Surroundings
+from aftdeck.plant.spread import NO_SPREAD, Spread
 from aftdeck.plant.state import PlantState
+from aftdeck.steering.mode import LawChoice
 
 
 @law
@@ -59,6 +61,10 @@ class KinematicPlant(NamedTuple):
     def has_contact_forces(self) -> bool:
         """False: nothing has a mass."""
         return False
+
+    def spread(self, law: LawChoice, *, loaded: bool) -> Spread:
+        """Return no difference: the rehearsal is the motion."""
+        return NO_SPREAD
 
     def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Do nothing: there are no bodies."""

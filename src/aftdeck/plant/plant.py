@@ -8,7 +8,9 @@ from typing import Literal, NamedTuple, Protocol
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
+from aftdeck.plant.spread import Spread
 from aftdeck.plant.state import PlantState
+from aftdeck.steering.mode import LawChoice
 
 MOST_PAIRS = 256
 """Greatest number of pairs of solids that can be near each other at the same time, on a plant with contact forces."""
@@ -84,6 +86,9 @@ class Plant(Protocol):
     @property
     def has_contact_forces(self) -> bool:
         """Whether parts in contact push each other apart, so that a contact need not inhibit the arm's motion."""
+
+    def spread(self, law: LawChoice, *, loaded: bool) -> Spread:
+        """Return by how much an automatic motion differs from its rehearsal on the kinematic plant."""
 
     def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Set up the bodies for the joint angles, joint rates and telescope of `state`.

@@ -140,7 +140,7 @@ def test_momentum_of_arm_and_orbiter_stays_zero(plant: str) -> None:
 
 
 def test_exact_integrator_keeps_the_momentum_to_rounding() -> None:
-    """Runge-Kutta steps of 1 ms, without dry friction and torque limits: the live integrator's loss is its own error."""
+    """Runge-Kutta steps of 1 ms, without dry friction and torque limits: the loss of the live integrator is its own."""
     sim = Simulation(scenario("rigid", orbiter="free", pounds=15_000.0))
     view = present(sim)
     view.model.dof_frictionloss[:], view.model.actuator_forcelimited[:] = 0.0, False

@@ -7,7 +7,7 @@ each control period, commanded joint rates come out of steering, and measured an
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Literal
 
 import mujoco
 import numpy as np
@@ -24,7 +24,9 @@ from aftdeck.plant.multibody.payloads import HOLDERS, Payloads
 from aftdeck.plant.multibody.servo import Servos
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.plant import Accuracy, Surroundings
+from aftdeck.plant.spread import Spread, spread_of
 from aftdeck.plant.state import Bodies, PlantState
+from aftdeck.steering.mode import LawChoice
 
 mujoco.set_mju_user_warning(lambda text: None)  # otherwise MuJoCo writes a file into the user's folder
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
@@ -59,6 +61,7 @@ class MultibodyPlant:
             view.limit(arm.limits.hard)
         self._contacts = [ContactPairs(view.model, view.data) for view in self._views]
         self._payloads = [Payloads(view.model, view.data) for view in self._views]
+        self._kind: Literal["rigid", "flexible"] = "flexible" if len(self._views[0].gearboxes) else "rigid"
         self._travel, self._period, self._strict = travel, period, strict
 
     @property
@@ -75,6 +78,10 @@ class MultibodyPlant:
     def has_contact_forces(self) -> bool:
         """True."""
         return True
+
+    def spread(self, law: LawChoice, *, loaded: bool) -> Spread:
+        """Return the greatest differences that were measured (`plant.spread`)."""
+        return spread_of(self._kind, law, loaded=loaded)
 
     def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Place the bodies at the state's joint angles, unbent, with the joints' rates (`Plant.begin`)."""

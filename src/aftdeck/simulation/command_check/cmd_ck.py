@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.errors import AftdeckError
+from aftdeck.plant.spread import NO_SPREAD
 from aftdeck.simulation.command_check.rehearsal import Rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Check
@@ -13,12 +14,13 @@ from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payl
 from aftdeck.simulation.operator.check_request import premises
 from aftdeck.simulation.operator.sequence import begin
 from aftdeck.simulation.operator.ways import ways
-from aftdeck.simulation.parts.checking import Checking
+from aftdeck.simulation.parts.checking import Checking, Tried
 from aftdeck.simulation.resume import resume
 from aftdeck.simulation.state import State
 from aftdeck.state_part import encoded
 from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
+from aftdeck.worksite.conditions import quantity_text
 
 STEPS = 50
 """Number of steps that are rehearsed in one control step; their computation takes 1 to 3 ms."""
@@ -119,24 +121,34 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
 def _verdict(flight: Flight, checking: Checking) -> Check:
     """Return the verdict from the results of all rehearsed ways.
 
-    The rehearsal has no masses; on a plant with masses, the text says so.
+    The rehearsal has no masses; on a plant with masses, the text states by how much the motion can differ.
 
     GOOD if one or more motions by the selected steering law succeeded; the verdict describes the quickest of them. Else
     FAIL, with the reason why the first motion failed. If a motion in mode 1 (by joints) succeeded, the text of FAIL
     names this motion.
     """
-    first = checking.tried[0]
+    first, start = checking.tried[0], _start(flight, checking)
+    assert start is not None, "a rehearsal has a start state"
     good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)
     best = next((tried for tried in good if tried.way.law == first.way.law), None)
     if best is not None:
-        without = "rehearsed without masses" if flight.plant.has_servos else ""
-        parts = [f"GOOD: {best.seconds:.0f} s", without, best.text, best.near]
+        parts = [f"GOOD: {best.seconds:.0f} s", _with_masses(flight, start, best), best.text, best.near]
         return Check(True, ", ".join(part for part in parts if part), best.seconds, "", best.way.joints)
     when = "" if first.cause == "miss" else f", after {first.seconds:.0f} s"
     why = f"FAIL: {first.text}{when}"
     if good:
         why = f"FAIL in a straight line; GOOD by joints: {good[0].seconds:.0f} s. In the line: {first.text}{when}"
     return Check(False, why, first.seconds, first.cause)
+
+
+def _with_masses(flight: Flight, start: State, tried: Tried) -> str:
+    """Return by how much the motion can differ from its rehearsal, as text; "" on the kinematic plant."""
+    spread = flight.plant.spread(tried.way.law, loaded=start.carried.payload is not None)
+    if spread == NO_SPREAD:
+        return ""
+    off = quantity_text(spread.miss, "m", flight.scenario.arm.model.units)
+    later = f"{tried.seconds * (1.0 + spread.longer):.0f} s and " if spread.longer else ""
+    return f"with masses up to {later}{off} off"
 
 
 def _log_failed_ways(flight: Flight, state: State, checking: Checking) -> None:

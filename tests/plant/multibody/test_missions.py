@@ -1,0 +1,25 @@
+"""Built-in missions on plants with masses: each script reaches its end."""
+
+from __future__ import annotations
+
+import pytest
+
+from aftdeck.scenario.load import built_in, load_scenario
+from aftdeck.simulation.run import Simulation
+
+SCRIPTED = [name for name in built_in() if load_scenario(name).phases]
+MISSIONS = [(name, "rigid") for name in SCRIPTED] + [
+    (name, "flexible") for name in SCRIPTED if load_scenario(name).arm.name == "srms"
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "plant"), MISSIONS)
+def test_mission_reaches_the_end_of_its_script(name: str, plant: str) -> None:
+    sim, lines = Simulation(load_scenario(name, {("plant",): plant})), []
+    while not sim.ended:
+        sim.advance()
+        lines += [event.text for event in sim._state.events]
+    assert sim.ended == "completed", lines[-8:]
+    held = [event for event in lines if "greatest force" in event and "holds" in event]
+    assert bool(held) == any("acquired" in event for event in lines)
