@@ -13,15 +13,20 @@ from aftdeck.plant.multibody.plant import MultibodyPlant
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.payloads.surroundings import surroundings
 from aftdeck.simulation.run import Simulation
 from benchmarks.measure import Figure
 
 NAME = "loaded"
 """Scenario: 32,000 lb over the bay; the orbiter is free."""
+BAY, AT_LATCHES = "srms-berth", 150.0
+"""Scenario whose payload is between the guides of the bay's latches at this time [s]."""
 STEPS, WARM, REPEATS = 1500, 100, 5
 STICKS = Inputs(translation=(0.3, 0.2, -0.4), rotation=(0.1, 0.0, 0.2))
 TIMES_REAL = {"rigid": 90.0, "flexible": 50.0}
-"""Promised speeds, as multiples of real time."""
+"""Promised speeds in free space, as multiples of real time."""
+TIMES_AT_LATCHES = {"rigid": 40.0, "flexible": 30.0}
+"""Promised speeds over the bay and in contact."""
 MORE = 1.3
 """Promised ratio of a recorded step to the sum of MuJoCo's bare steps and the recorded kinematic step."""
 
@@ -44,7 +49,29 @@ def dynamics() -> list[Figure]:
             Figure(f"{plant}, bare MuJoCo", bare, "us", None, "mj_step of the same model for one control period"),
             Figure(f"{plant}, ratio", whole / (bare + recorded), "1", MORE, "recorded / (bare + recorded kinematic)"),
         ]
+    for plant, times in TIMES_AT_LATCHES.items():
+        step, pairs = _at_latches(plant)
+        note = f"{period / step:.0f} times real time; promised {times:g}, {pairs} pairs of solids near"
+        figures.append(Figure(f"{plant}, step with frame at the latches", step, "us", period / times, note))
     return figures
+
+
+def _at_latches(plant: str) -> tuple[float, int]:
+    """Return the mean time of a step with its frame [us] while a payload is pressed into its guides.
+
+    The second value is the number of pairs of solids near each other.
+    """
+    sim = Simulation(load_scenario(BAY, {("plant",): plant}))
+    while sim.look().time_s < AT_LATCHES:
+        sim.advance()
+    down = Inputs(mode="ORB LD", translation=(0.2, 0.1, 1.0))
+    for _ in range(STEPS):
+        sim.step(down)
+    start = time.perf_counter()
+    for _ in range(STEPS):
+        sim.step(down)
+    mean = (time.perf_counter() - start) / STEPS * 1e6
+    return mean, len(surroundings(sim._flight, sim._state).near)
 
 
 def _flown(plant: str) -> tuple[float, float, Simulation]:
@@ -73,7 +100,7 @@ def _flown(plant: str) -> tuple[float, float, Simulation]:
 def _bare(sim: Simulation) -> float:
     """Return the time of MuJoCo's steps of one control period [us], best of `REPEATS`."""
     plant, state = cast(MultibodyPlant, sim._flight.plant), sim._state
-    view, best = plant._views[state.script.attached], float("inf")
+    view, best = plant._apart[state.script.attached].view, float("inf")
     assert state.plant.bodies is not None
     for _ in range(REPEATS):
         mujoco.mj_setState(view.model, view.data, state.plant.bodies.physics, mujoco.mjtState.mjSTATE_INTEGRATION)

@@ -12,7 +12,7 @@ from aftdeck.plant.spread import Spread
 from aftdeck.plant.state import PlantState
 from aftdeck.steering.mode import LawChoice
 
-MOST_PAIRS = 256
+MOST_PAIRS = 128
 """Greatest number of pairs of solids that can be near each other at the same time, on a plant with contact forces."""
 NOTHING_NEAR: Indices = np.empty((0, 3), dtype=np.int64)
 """Value of `Surroundings.near` if no solids are near each other."""

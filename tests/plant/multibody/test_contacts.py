@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from typing import cast
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -12,6 +14,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import unpack
 from aftdeck.bodies.solid import Solid
 from aftdeck.plant.multibody.contacts import _as_box
+from aftdeck.plant.multibody.plant import MultibodyPlant
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -137,6 +140,26 @@ def test_saved_run_continues_to_the_last_bit_in_contact() -> None:
     assert sim.save() == other.save()
 
 
+def test_reported_forces_are_those_of_mujoco() -> None:
+    sim = thrown([0.05, 0.03, -0.2])
+    while not any(np.linalg.norm(touch.force) > 10.0 for touch in bodies_of(sim).touches):
+        sim.step(Inputs())
+    view = cast(MultibodyPlant, sim._flight.plant)._near[0].view
+    own, world = np.empty(6), np.zeros(3)
+    for i in range(view.data.ncon):
+        mujoco.mj_contactForce(view.model, view.data, i, own)
+        flyer = view.model.geom_bodyid[view.data.contact.geom[i, 1]] == view.model.body("cargo.0").id
+        world += (1.0 if flyer else -1.0) * own[:3] @ view.data.contact.frame[i].reshape(3, 3)
+    site, found = sim._flight.site, np.zeros(3)
+    for touch in bodies_of(sim).touches:
+        first = site.layout.frames[site.layout.between_frames[touch.group, 0]] == "free flyer"
+        found += np.array(touch.force) * (-1.0 if first else 1.0)
+    assert float(np.linalg.norm(world)) > 1.0
+    assert sim._state.plant.base[3:].reshape(3, 3) @ found == pytest.approx(
+        world, abs=1e-9 * float(np.linalg.norm(world))
+    )
+
+
 def test_near_pairs_are_those_of_a_plain_search() -> None:
     rng = np.random.default_rng(4)
     cube = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(8)]) - 0.5
@@ -155,13 +178,16 @@ def test_near_pairs_are_those_of_a_plain_search() -> None:
         for g in range(len(layout.groups)):
             if watch.active[g] and watch.found[g, CLEARANCE] < 0.3:
                 for i, j in layout.pairs[layout.begins[g] : layout.begins[g + 1]].tolist():
-                    a, b = unpack(layout.solids[i]), unpack(layout.solids[j])
-                    away = np.linalg.norm(a.mean(axis=0) - b.mean(axis=0))
-                    apart = max((a.min(axis=0) - b.max(axis=0)).max(), (b.min(axis=0) - a.max(axis=0)).max())
-                    if away < 0.3 + math.sqrt(3.0) and apart < 0.3:
+                    if _gap(unpack(layout.solids[i]), unpack(layout.solids[j])) < 0.3:
                         expected.add((g, i, j))
         assert {tuple(row) for row in near[:count].tolist()} == expected
         assert near_pairs(watch.active, watch.found, 0.3, layout.begins, layout.pairs, watch.placed, near[:1]) == count
+
+
+def _gap(a: Array, b: Array) -> float:
+    """Return the distance of two boxes along the same axes, from their vertices [m]."""
+    apart = np.maximum(np.maximum(a.min(axis=0) - b.max(axis=0), b.min(axis=0) - a.max(axis=0)), 0.0)
+    return float(np.linalg.norm(apart))
 
 
 def test_boxes_are_recognised_and_other_hexahedra_are_not() -> None:

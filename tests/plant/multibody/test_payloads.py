@@ -71,7 +71,7 @@ def bodies_of(sim: Simulation) -> Bodies:
 
 def momentum(sim: Simulation) -> tuple[Array, Array]:
     """Return momentum [N s] and angular momentum about the common centre of mass [N m s] of all bodies."""
-    view = cast(MultibodyPlant, sim._flight.plant)._views[0]
+    view = cast(MultibodyPlant, sim._flight.plant)._apart[0].view
     mujoco.mj_setState(view.model, view.data, bodies_of(sim).physics, STATE)
     mujoco.mj_forward(view.model, view.data)
     mujoco.mj_subtreeVel(view.model, view.data)

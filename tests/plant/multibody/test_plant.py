@@ -38,7 +38,7 @@ def parts(sim: Simulation) -> tuple[MultibodyPlant, View, Bodies]:
     """Return plant, workspace and bodies of a simulation without a payload, or with its first one."""
     plant, state = cast(MultibodyPlant, sim._flight.plant), sim._state
     assert state.plant.bodies is not None
-    return plant, plant._views[state.script.attached], state.plant.bodies
+    return plant, plant._apart[state.script.attached].view, state.plant.bodies
 
 
 def push(sim: Simulation, force: Array) -> None:
@@ -283,9 +283,11 @@ def test_script_attaches_and_detaches_a_payload() -> None:
     )
     sim, _ = flown(given)
     assert sim.ended == "completed"
-    masses = [view.model.body_mass[view.model.body("payload").id] for view in parts(sim)[0]._views]
-    assert masses == pytest.approx([0.0, 15_000 * 0.45359237])
-    assert len({view.model.nv for view in parts(sim)[0]._views}) == 1
+    plant = parts(sim)[0]
+    views = [one.view for one in (*plant._apart, *plant._near)]
+    masses = [view.model.body_mass[view.model.body("payload").id] for view in views]
+    assert masses == pytest.approx(2 * [0.0, 15_000 * 0.45359237])
+    assert len({view.model.nv for view in views}) == 1
 
 
 def test_state_with_other_bodies_is_rejected() -> None:

@@ -13,8 +13,8 @@ import mujoco
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
-from aftdeck.bodies.pose import POSE, relative
 from aftdeck.frames import Pose
+from aftdeck.law import law
 from aftdeck.matrices import lengths, product
 from aftdeck.plant.plant import MOST_PAIRS
 from aftdeck.plant.state import Touch
@@ -87,11 +87,8 @@ class ContactPairs:
         order = np.argsort([int(names[k].removeprefix("solid.")) for k in self._geoms.tolist()])
         self._geoms = self._geoms[order]
         self._never = [names.index("never.0"), names.index("never.1")]
-        self._used = model.npair
-        self._groups: dict[tuple[int, int], tuple[int, float]] = {}
+        model.pair_geom1[:], model.pair_geom2[:] = self._never
         self._near = np.empty((0, 3), dtype=np.int64)
-        self._force = np.empty(6)
-        self.select(self._near)
 
     def select(self, near: Indices) -> None:
         """Name the pairs of solids that MuJoCo tests from now on.
@@ -102,16 +99,9 @@ class ContactPairs:
         model, count = self._model, len(near)
         if count == len(self._near) and np.array_equal(near, self._near):
             return
-        self._near = near.copy()
-        model.pair_geom1[: self._used], model.pair_geom2[: self._used] = self._never
+        used, self._near = len(self._near), near.copy()
+        model.pair_geom1[:used], model.pair_geom2[:used] = self._never
         model.pair_geom1[:count], model.pair_geom2[:count] = self._geoms[near[:, 1]], self._geoms[near[:, 2]]
-        self._used = count
-        self._groups = {}
-        for group, a, b in near.tolist():
-            first, second = int(self._geoms[a]), int(self._geoms[b])
-            self._groups[first, second], self._groups[second, first] = (group, 1.0), (group, -1.0)
-        contact = int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
-        model.opt.disableflags = model.opt.disableflags & ~contact if count else model.opt.disableflags | contact
 
     def touches(self, base: Array) -> tuple[Touch, ...]:
         """Return the contacts of the last step of MuJoCo, one for each pair of parts.
@@ -119,31 +109,94 @@ class ContactPairs:
         Args:
             base: (12,) pose of L in the world.
         """
-        model, data = self._model, self._data
+        data = self._data
         if data.ncon == 0:
             return ()
-        sums: dict[int, list[Array]] = {}
-        places, axes, geoms = data.contact.pos, data.contact.frame, data.contact.geom
-        for i in range(data.ncon):
-            mujoco.mj_contactForce(model, data, i, self._force)
-            group, sign = self._groups[int(geoms[i, 0]), int(geoms[i, 1])]
-            force = sign * (self._force[:3] @ axes[i].reshape(3, 3))
-            sums.setdefault(group, []).append(np.concatenate([force, float(np.linalg.norm(force)) * places[i]]))
-        return tuple(_touch(group, np.array(found), base) for group, found in sorted(sums.items()))
+        found, sums = data.contact, np.empty((data.ncon, SUM))
+        count = _sum_forces(
+            found.geom, found.efc_address, found.friction, found.frame, found.pos,
+            data.efc_force, self._near, self._geoms, base, sums,
+        )  # fmt: skip
+        return tuple(_touch(row) for row in sums[:count].tolist())
 
 
-def _touch(group: int, found: Array, base: Array) -> Touch:
-    """Return the sum of a group's contacts, converted to L.
+SUM = 7
+"""Number of values in a row of `_sum_forces`: the group, the force in L [N], and the point at which it acts [m]."""
+
+
+def _touch(row: list[float]) -> Touch:
+    """Return a row of `_sum_forces` as a contact."""
+    return Touch(int(row[0]), (row[1], row[2], row[3]), (row[4], row[5], row[6]))
+
+
+@law
+def _sum_forces(
+    geoms: Indices,
+    address: Indices,
+    friction: Array,
+    frames: Array,
+    places: Array,
+    edges: Array,
+    near: Indices,
+    geom_of: Indices,
+    base: Array,
+    sums: Array,
+) -> int:
+    """Sum the forces of all contacts of each group.
+
+    MuJoCo states a contact's force by the four edges of a friction pyramid: along the normal plus or minus the friction
+    coefficient times each tangent.
 
     Args:
-        group: the group.
-        found: (k, 6) for each contact, the force [N], and its magnitude times its point [N m].
+        geoms: (k, 2) geometries of each contact.
+        address: (k,) index of the first of the contact's edges in `edges`; negative if there is no force.
+        friction: (k, 5) friction coefficients; the first two are those of the tangents.
+        frames: (k, 9) normal, from the first to the second geometry, and two tangents, in the world.
+        places: (k, 3) points in the world [m].
+        edges: forces along the edges [N].
+        near: (p, 3) as `Surroundings.near`.
+        geom_of: (n,) geometry of each solid.
         base: (12,) pose of L in the world.
+        sums: (k, 7) output: group, force on the group's second part and point, both in L.
+
+    Returns:
+        Number of groups.
     """
-    size = lengths(found[:, :3]).sum()
-    there, here = np.empty(POSE), np.empty(POSE)
-    there[:3] = found[:, 3:].sum(axis=0) / size if size > 0.0 else base[:3]
-    there[3:] = base[3:]
-    relative(base, there, here)
-    x, y, z = (base[3:].reshape(3, 3).T @ found[:, :3].sum(axis=0)).tolist()
-    return Touch(group, (x, y, z), (float(here[0]), float(here[1]), float(here[2])))
+    count = 0
+    weights = np.zeros(len(geoms))
+    for c in range(len(geoms)):
+        if address[c] < 0:
+            continue
+        f = edges[address[c] : address[c] + 4]
+        normal = f[0] + f[1] + f[2] + f[3]
+        first, second = friction[c, 0] * (f[0] - f[1]), friction[c, 1] * (f[2] - f[3])
+        group, sign = _group_of(geoms[c, 0], geoms[c, 1], near, geom_of)
+        row = 0
+        while row < count and sums[row, 0] != group:
+            row += 1
+        if row == count:
+            sums[row], weights[row], count = 0.0, 0.0, count + 1
+            sums[row, 0] = group
+        weights[row] += normal
+        for i in range(3):
+            force = sign * (normal * frames[c, i] + first * frames[c, 3 + i] + second * frames[c, 6 + i])
+            away = normal * (places[c, i] - base[i])
+            for j in range(3):  # from the world's axes to those of L
+                sums[row, 1 + j] += base[3 + 3 * i + j] * force
+                sums[row, 4 + j] += base[3 + 3 * i + j] * away
+    for row in range(count):
+        for j in range(3):
+            sums[row, 4 + j] = sums[row, 4 + j] / weights[row] if weights[row] > 0.0 else 0.0
+    return count
+
+
+@law
+def _group_of(a: int, b: int, near: Indices, geom_of: Indices) -> tuple[int, float]:
+    """Return the group of a contact of two geometries; 1 if `a` belongs to the group's first part, else -1."""
+    for p in range(len(near)):
+        first, second = geom_of[near[p, 1]], geom_of[near[p, 2]]
+        if first == a and second == b:
+            return near[p, 0], 1.0
+        if first == b and second == a:
+            return near[p, 0], -1.0
+    return -1, 1.0

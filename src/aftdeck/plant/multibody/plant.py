@@ -7,7 +7,8 @@ each control period, commanded joint rates come out of steering, and measured an
 from __future__ import annotations
 
 import math
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import Any, Literal, NamedTuple
 
 import mujoco
 import numpy as np
@@ -32,37 +33,56 @@ mujoco.set_mju_user_warning(lambda text: None)  # otherwise MuJoCo writes a file
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
 
+class _Model(NamedTuple):
+    """One model with its workspace, and the parts of the plant that use it.
+
+    Attributes:
+        view: model and workspace.
+        servos: servos and brakes.
+        payloads: payloads of the worksite.
+        contacts: solids that can touch; None if the model has none.
+    """
+
+    view: View
+    servos: Servos
+    payloads: Payloads
+    contacts: ContactPairs | None
+
+
 class MultibodyPlant:
     """Arm of rigid or flexible bodies on a fixed or free orbiter, and the worksite's payloads.
 
-    There is one model for each payload that the scenario attaches, and one without a payload. All have the same degrees
-    of freedom. The bodies' state is in the `PlantState`; MuJoCo's data is a workspace that receives the state before
+    There are two models for each payload that the scenario attaches, and two without a payload: one without solids,
+    which is faster and used while no solids are near each other, and one with them. All have the same degrees of
+    freedom. The bodies' state is in the `PlantState`; MuJoCo's data is a workspace that receives the state before
     each step, so that a copied or restored state continues exactly.
     """
 
     def __init__(
-        self, models: list[Any], arm: ArmModel, travel: Travel, period: float, *, strict: bool = False
+        self, models: Sequence[tuple[Any, Any]], arm: ArmModel, travel: Travel, period: float, *, strict: bool = False
     ) -> None:
         """Set up the plant.
 
         Args:
-            models: compiled models: without a payload, then with each payload.
+            models: compiled models, each without and with solids: first without a payload, then with each payload.
             arm: the arm.
             travel: range and rate of the telescope.
             period: control period [s].
             strict: whether the steering's acceleration limits count from the measured rates, as published.
         """
-        servo = servo_needed(arm)
         self._steps = math.ceil(period / STEP - 1e-9)
-        self._views = [View(model, arm) for model in models]
-        self._servos = [Servos(view, arm.joints, servo) for view in self._views]
-        for view in self._views:
-            view.model.opt.timestep = period / self._steps
-            view.limit(arm.limits.hard)
-        self._contacts = [ContactPairs(view.model, view.data) for view in self._views]
-        self._payloads = [Payloads(view.model, view.data) for view in self._views]
-        self._kind: Literal["rigid", "flexible"] = "flexible" if len(self._views[0].gearboxes) else "rigid"
+        self._apart = [self._model(one, arm, period, solids=False) for one, _ in models]
+        self._near = [self._model(one, arm, period, solids=True) for _, one in models]
+        self._kind: Literal["rigid", "flexible"] = "flexible" if len(self._apart[0].view.gearboxes) else "rigid"
         self._travel, self._period, self._strict = travel, period, strict
+
+    def _model(self, model: Any, arm: ArmModel, period: float, *, solids: bool) -> _Model:
+        """Return a compiled model with its workspace."""
+        view = View(model, arm)
+        model.opt.timestep = period / self._steps
+        view.limit(arm.limits.hard)
+        contacts = ContactPairs(model, view.data) if solids else None
+        return _Model(view, Servos(view, arm.joints, servo_needed(arm)), Payloads(model, view.data), contacts)
 
     @property
     def accuracy(self) -> Accuracy:
@@ -85,10 +105,11 @@ class MultibodyPlant:
 
     def begin(self, state: PlantState, attached: int, poses: Array, motions: Array, prong: float) -> None:
         """Place the bodies at the state's joint angles, unbent, with the joints' rates (`Plant.begin`)."""
-        view = self._views[attached]
+        one = self._apart[attached]
+        view = one.view
         mujoco.mj_resetData(view.model, view.data)
         view.set_joints(state.angles, state.rates, state.stand.position, prong)
-        self._payloads[attached].place(poses, motions)
+        one.payloads.place(poses, motions)
         state.bodies = Bodies(
             physics=np.empty(mujoco.mj_stateSize(view.model, _STATE)),
             holds=np.full(6, np.nan),
@@ -104,7 +125,7 @@ class MultibodyPlant:
             held_for=np.zeros((len(poses), len(HOLDERS))),
         )
         state.base[:] = HERE
-        self._store(attached, state)
+        _store(one, state)
 
     def move(
         self, state: PlantState, rates: Array, drive: float, around: Surroundings, *, brakes: bool, attached: int
@@ -112,11 +133,13 @@ class MultibodyPlant:
         """Move the bodies for one control period, with the commanded rates held (`Plant.move`)."""
         bodies = state.bodies
         assert bodies is not None, "`begin` sets the bodies"
-        view, servos = self._views[attached], self._servos[attached]
+        one = (self._near if len(around.near) else self._apart)[attached]
+        view, servos = one.view, one.servos
         model, data, stand = view.model, view.data, state.stand
         mujoco.mj_setState(model, data, bodies.physics, _STATE)
-        self._payloads[attached].connect(around.holds)
-        self._contacts[attached].select(around.near)
+        one.payloads.connect(around.holds)
+        if one.contacts is not None:
+            one.contacts.select(around.near)
         servos.command(bodies, state.angles, rates, brakes=brakes)
         view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
         view.drive_prong(around.prong, self._period)
@@ -125,19 +148,20 @@ class MultibodyPlant:
             raise SimulationError(
                 f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
             )
-        self._store(attached, state)
+        _store(one, state)
         servos.measure(bodies, state.angles, state.rates, brakes=brakes)
         bodies.reference[:] = state.rates if self._strict else rates
         state.commanded += rates * self._period
         height = view.height
         stand.velocity, stand.position = (height - stand.position) / self._period, height
 
-    def _store(self, attached: int, state: PlantState) -> None:
-        """Store MuJoCo's state and the poses that belong to it."""
-        view, bodies = self._views[attached], state.bodies
-        assert bodies is not None, "`begin` sets the bodies"
-        mujoco.mj_getState(view.model, view.data, bodies.physics, _STATE)
-        mujoco.mj_kinematics(view.model, view.data)  # after a step, MuJoCo's poses are those before the step
-        view.write_poses(bodies.frames, state.base)
-        self._payloads[attached].write(bodies)
-        bodies.touches = self._contacts[attached].touches(state.base)
+
+def _store(one: _Model, state: PlantState) -> None:
+    """Store MuJoCo's state and the poses that belong to it."""
+    view, bodies = one.view, state.bodies
+    assert bodies is not None, "`begin` sets the bodies"
+    mujoco.mj_getState(view.model, view.data, bodies.physics, _STATE)
+    mujoco.mj_kinematics(view.model, view.data)  # after a step, MuJoCo's poses are those before the step
+    view.write_poses(bodies.frames, state.base)
+    one.payloads.write(bodies)
+    bodies.touches = () if one.contacts is None else one.contacts.touches(state.base)

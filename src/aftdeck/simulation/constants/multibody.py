@@ -23,11 +23,15 @@ from aftdeck.worksite.model import OrbiterMass
 def multibody_plant(scenario: Scenario, site: Site) -> MultibodyPlant:
     """Return the plant of a scenario with the plant ``rigid`` or ``flexible``; `scenario.build` has checked it."""
     arm = scenario.arm.model
-    models = [_compiled(scenario, site, payload) for payload in (None, *scenario.own_payloads)]
+    models = [
+        (_compiled(scenario, site, payload, solids=False), _compiled(scenario, site, payload, solids=True))
+        for payload in (None, *scenario.own_payloads)
+    ]
     return MultibodyPlant(models, arm, travel_of_stand(arm), scenario.control_period, strict=scenario.strict)
 
 
-def _compiled(scenario: Scenario, site: Site, payload: Payload | None) -> Any:
+def _compiled(scenario: Scenario, site: Site, payload: Payload | None, *, solids: bool) -> Any:
+    """Return the compiled model with one payload of the scenario, or without."""
     arm = scenario.arm.model
     mass = scenario.worksite.orbiter
     orbiter = orbiter_in_l(arm.mount, mass) if scenario.free_orbiter and mass is not None else None
@@ -36,7 +40,8 @@ def _compiled(scenario: Scenario, site: Site, payload: Payload | None) -> Any:
     if payload is not None:
         centre = payload.rotation @ payload.centre
         attach(spec, in_tip_frame(payload.mass, centre, payload.rotation, payload.inertia))
-    _add_solids(spec, site)
+    if solids:
+        _add_solids(spec, site)
     return spec.compile()
 
 

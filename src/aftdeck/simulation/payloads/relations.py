@@ -11,9 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
-from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.pose import POSE, pose_of, relative
-from aftdeck.bodies.repeated_test import measure
 from aftdeck.frames import oriend_rows
 from aftdeck.matrices import length
 from aftdeck.simulation.constants.berths import Berth
@@ -25,6 +24,7 @@ from aftdeck.worksite.seats.berthing import inside, places
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.near import touching_pairs
 
 
 def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
@@ -93,10 +93,11 @@ def _in_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, berth:
 def _touching(site: Site, placed: Array, meeting: Meeting) -> set[int]:
     """Return the indices of the pair's trunnions that are in contact."""
     layout, found = site.layout, set()
-    for i, j in layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]].tolist():
-        trunnion = meeting.trunnions[i if i in meeting.trunnions else j]
-        if measure(placed[i], placed[j], np.zeros(PAIR)) <= CONTACT:
-            found.add(trunnion)
+    pairs = layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]]
+    touching = np.empty(len(pairs), np.uint8)
+    touching_pairs(placed, pairs, touching)
+    for i, j in pairs[touching != 0].tolist():
+        found.add(meeting.trunnions[i if i in meeting.trunnions else j])
     return found
 
 

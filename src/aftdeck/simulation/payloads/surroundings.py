@@ -22,6 +22,9 @@ from aftdeck.worksite.watch.near import near_pairs
 _GIVES = {"port": 0.5, "retention": 0.1}
 """Time constants with which docking ports and bay latches return a payload to its place [s]; with a port's, a payload
 that arrives at 0.2 m/s moves 4 cm past it (assumed)."""
+NEAR = 0.02
+"""Distance below which two solids can touch in the next control period [m]. A part that approaches faster than 1 m/s
+can penetrate another by the rest of its way before the contact acts (assumed)."""
 NOTHING = Surroundings()
 """Surroundings on a plant without masses."""
 
@@ -40,7 +43,7 @@ def _near(flight: Flight, state: State) -> Indices:
         SimulationError: more pairs are near each other than the plant can test.
     """
     watch, layout, near = state.worksite.watch, flight.site.layout, np.empty((MOST_PAIRS, 3), np.int64)
-    count = near_pairs(watch.active, watch.found, flight.within, layout.begins, layout.pairs, watch.placed, near)
+    count = near_pairs(watch.active, watch.found, NEAR, layout.begins, layout.pairs, watch.placed, near)
     if count > MOST_PAIRS:
         raise SimulationError(
             f"{count} pairs of solids are near each other; this plant can compute the forces of at most {MOST_PAIRS}"

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.hexahedron import VERTICES
+from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.repeated_test import measure
 from aftdeck.bodies.vector import dot, minus, vector_at
 from aftdeck.law import law
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import CENTRE, RADIUS
+
+_ROUNDING = 1e-6
+"""Margin by which two boxes may be apart although their solids are in contact [m]: more than rounding errors."""
 
 
 @law
@@ -29,9 +36,7 @@ def _boxes_near(a: Array, b: Array, within: float) -> bool:
 def near_pairs(
     active: Mask, found: Array, within: float, begins: Indices, pairs: Indices, placed: Array, near: Indices
 ) -> int:
-    """Find the pairs of solids whose bounding spheres and boxes are nearer than `within`, in groups that are nearer.
-
-    The boxes are along the axes of L.
+    """Find the pairs of solids that are nearer than `within`, in all groups.
 
     Args:
         active: (g,) 1 for groups that are monitored.
@@ -45,7 +50,7 @@ def near_pairs(
     Returns:
         Number of pairs found, which can be greater than p.
     """
-    count = 0
+    count, pair = 0, np.zeros(PAIR)
     for g in range(len(active)):
         if active[g] == 0 or found[g, CLEARANCE] >= within:
             continue
@@ -54,7 +59,24 @@ def near_pairs(
             away, reach = minus(vector_at(b, CENTRE), vector_at(a, CENTRE)), within + a[RADIUS] + b[RADIUS]
             if dot(away, away) > reach * reach or not _boxes_near(a, b, within):
                 continue
+            if measure(a, b, pair) >= within:
+                continue
             if count < len(near):
                 near[count, 0], near[count, 1], near[count, 2] = g, pairs[k, 0], pairs[k, 1]
             count += 1
     return count
+
+
+@law
+def touching_pairs(placed: Array, pairs: Indices, touching: Mask) -> None:
+    """Find which pairs of solids are in contact.
+
+    Args:
+        placed: (n, 52) the solids in L.
+        pairs: (m, 2) the pairs.
+        touching: (m,) output: 1 for a pair in contact.
+    """
+    pair = np.zeros(PAIR)
+    for k in range(len(pairs)):
+        a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
+        touching[k] = 1 if _boxes_near(a, b, _ROUNDING) and measure(a, b, pair) <= CONTACT else 0
