@@ -71,7 +71,7 @@ def _at_latches(plant: str) -> tuple[float, int]:
     for _ in range(STEPS):
         sim.step(down)
     mean = (time.perf_counter() - start) / STEPS * 1e6
-    return mean, len(surroundings(sim._flight, sim._state).near)
+    return mean, len(surroundings(sim._flight, sim._state, down).near)
 
 
 def _flown(plant: str) -> tuple[float, float, Simulation]:

@@ -12,6 +12,10 @@ from aftdeck.plant.spread import Spread
 from aftdeck.plant.state import PlantState
 from aftdeck.steering.mode import LawChoice
 
+NO_COMMAND = np.full(3, np.nan)
+"""Value of `Surroundings.velocity` without a command."""
+LEAST_PULSE = 0.08
+"""Least time for which a jet is on when the orbiter translates [s]; the Shuttle's jets have it (firm)."""
 MOST_PAIRS = 128
 """Greatest number of pairs of solids that can be near each other at the same time, on a plant with contact forces."""
 NOTHING_NEAR: Indices = np.empty((0, 3), dtype=np.int64)
@@ -59,11 +63,16 @@ class Surroundings(NamedTuple):
         holds: all connections of the worksite's payloads.
         near: (p, 3) pairs of solids that can touch: the pair of parts and the two solids, as in the worksite's layout.
         prong: position of the prong, for an arm that has one [m].
+        velocity: (3,) commanded velocity of the orbiter in space, along forward, starboard and down [m/s]; NaN for an
+            axis that is not commanded.
+        torques: for payloads with attitude control, the torque of their jets in the payload's axes [N m].
     """
 
     holds: Sequence[Hold] = ()
     near: Indices = NOTHING_NEAR
     prong: float = 0.0
+    velocity: Array = NO_COMMAND
+    torques: Sequence[tuple[int, Array]] = ()
 
 
 class Plant(Protocol):

@@ -48,6 +48,10 @@ class Bodies(StatePart):
             the step [N].
         held_peaks: (c, 3) greatest forces since the end effector, the orbiter or space began to hold the payload [N].
         held_for: (c, 3) time since then [s]; infinite if it holds the payload from the start of the run.
+        orbiter_velocity: (3,) velocity of the orbiter's centre of mass in space, in L's axes [m/s]; 0 if it is fixed.
+        pulses: (6,) time left of the least pulses of the orbiter's jets, about and along forward, starboard and down;
+            its sign is that of the torque or the force [s].
+        fired: (6,) time for which these jets have fired so far [s].
         touches: forces between parts in contact, at the end of the step.
         touch_peaks: greatest force of each contact since the parts touched [N], by the index of the pair.
     """
@@ -64,6 +68,9 @@ class Bodies(StatePart):
     held: Array
     held_peaks: Array
     held_for: Array
+    orbiter_velocity: Array
+    pulses: Array
+    fired: Array
     touches: tuple[Touch, ...] = ()
     touch_peaks: dict[int, float] = msgspec.field(default_factory=dict)
 

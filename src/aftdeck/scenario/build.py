@@ -75,7 +75,7 @@ def build(
         )
     grasp = Grasp(payload, cargo=bool(cargo))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
-    _check_plant(problems, spec, arm, cargo, grasp.payloads)
+    _check_plant(problems, spec, arm, worksite, cargo, grasp.payloads)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
@@ -95,7 +95,7 @@ def build(
         worksite=worksite,
         seed=spec.seed,
         plant=spec.plant,
-        free_orbiter=spec.dynamics.orbiter == "free",
+        orbiter=spec.dynamics.orbiter or ("fixed" if worksite.orbiter is None else "free"),
         inhibit=spec.dynamics.inhibit,
         duration=float(spec.duration),
         ticks=round(spec.duration / spec.control_period),
@@ -185,7 +185,12 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
 
 
 def _check_plant(
-    problems: Problems, spec: ScenarioFile, arm: Arm, cargo: tuple[Cargo, ...], payloads: Sequence[Payload]
+    problems: Problems,
+    spec: ScenarioFile,
+    arm: Arm,
+    worksite: Worksite | None,
+    cargo: tuple[Cargo, ...],
+    payloads: Sequence[Payload],
 ) -> None:
     """Check that the plant can move the arm and all payloads."""
     if spec.plant == "kinematic":
@@ -194,9 +199,24 @@ def _check_plant(
         check_masses(arm.model, flexible=spec.plant == "flexible")
     except ArmError as error:
         problems.add(("plant",), str(error))
+    _check_orbiter(problems, spec, worksite)
     for mass in [*(payload.mass for payload in payloads), *(payload.mass for payload in cargo)]:
         if why := PAYLOAD_MASS.problem(mass, ""):
             problems.add(("plant",), f"{spec.plant!r} cannot move a payload of this mass: {why}")
+
+
+def _check_orbiter(problems: Problems, spec: ScenarioFile, worksite: Worksite | None) -> None:
+    """Check that the worksite has what the orbiter's motion needs."""
+    if worksite is None or spec.dynamics.orbiter not in ("free", "held"):
+        return
+    lacking = "table [orbiter]" if worksite.orbiter is None else ""
+    if worksite.orbiter is not None and worksite.orbiter.jets is None and spec.dynamics.orbiter == "held":
+        lacking = "table [orbiter.jets]"
+    if lacking:
+        problems.add(
+            ("dynamics", "orbiter"),
+            f"{spec.dynamics.orbiter!r} needs the {lacking}; the worksite {worksite.name!r} does not have it",
+        )
 
 
 def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:

@@ -12,7 +12,7 @@ from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
-from aftdeck.scenario.schema import FreeContact, Plant, PorOverride, Rate, Until
+from aftdeck.scenario.schema import FreeContact, Orbiter, Plant, PorOverride, Rate, Until
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.steering.mode import MODES, LawChoice
 from aftdeck.worksite.model import Cargo, Worksite
@@ -159,7 +159,7 @@ class Scenario:
         worksite: the worksite.
         seed: random seed.
         plant: model that turns commanded rates into motion.
-        free_orbiter: whether the orbiter reacts to the arm's motion, on a plant with masses.
+        orbiter: motion of the orbiter on a plant with masses.
         inhibit: whether detrimental contacts inhibit motion also on a plant with contact forces.
         duration: longest simulated time [s].
         ticks: longest simulated time [control periods].
@@ -207,7 +207,7 @@ class Scenario:
     worksite: Worksite
     seed: int
     plant: Plant
-    free_orbiter: bool
+    orbiter: Orbiter
     inhibit: bool
     duration: float
     ticks: int

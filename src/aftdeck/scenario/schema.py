@@ -205,14 +205,19 @@ class LimitsOverride(RatesOverride, frozen=True):
     reach: SixRanges | None = None
 
 
+Orbiter = Literal["free", "held", "fixed"]
+"""Motion of the orbiter on a plant with masses."""
+
+
 class DynamicsSpec(_Part, frozen=True):
     """Properties of a plant with masses; the kinematic plant ignores them.
 
-    `orbiter` is `free` if the orbiter reacts to the arm's motion, and `fixed` if it keeps its position and attitude.
+    `orbiter` is `free` if the orbiter reacts to the arm's motion and drifts, `held` if jets hold its attitude besides,
+    and `fixed` if it keeps its position and attitude. Without `orbiter`, it is free if its mass is known, else fixed.
     `inhibit` tells whether a detrimental contact also inhibits the arm, as on the kinematic plant.
     """
 
-    orbiter: Literal["free", "fixed"] = "free"
+    orbiter: Orbiter | None = None
     inhibit: bool = False
 
 

@@ -51,11 +51,11 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     telescope = limit_motion(flight, state, inputs.telescope)
 
     # move the plant, then the worksite: contacts, captures, berths
-    move_plant(flight, state, rates, telescope)
+    move_plant(flight, state, inputs, rates, telescope)
     update_worksite(flight, state, inputs)
 
 
-def move_plant(flight: Flight, state: State, rates: Array, telescope: float) -> None:
+def move_plant(flight: Flight, state: State, inputs: Inputs, rates: Array, telescope: float) -> None:
     """Move the plant. If its model diverges, nothing moves, and a script ends with "fault".
 
     Raises:
@@ -66,7 +66,7 @@ def move_plant(flight: Flight, state: State, rates: Array, telescope: float) -> 
             state.plant,
             rates,
             telescope,
-            surroundings(flight, state),
+            surroundings(flight, state, inputs),
             brakes=state.panel.brakes,
             attached=state.script.attached,
         )

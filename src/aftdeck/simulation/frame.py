@@ -179,6 +179,9 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
         field_meta("joints, 0 to 5, that turn against a motor or brake at its greatest torque"),
     ]
     orbiter: Annotated[Placed, field_meta("pose of L, relative to its pose at the start of the run", "m, 1", "L")]
+    fired: Annotated[
+        Six, field_meta("time for which the orbiter's jets have fired, about and along forward, starboard, down", "s")
+    ]
     contacts: Annotated[tuple[Force, ...], field_meta("forces between parts in contact")]
     holds: Annotated[tuple[Holding, ...], field_meta("forces that hold the worksite's payloads")]
 

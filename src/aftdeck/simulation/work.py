@@ -5,6 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.matrices import product
+from aftdeck.plant.plant import LEAST_PULSE
+from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_with_prong_at
 from aftdeck.simulation.inputs import Inputs
@@ -15,6 +18,7 @@ from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.forces import peak_text, watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
+from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.seating import seat
 from aftdeck.simulation.payloads.surroundings import follow_bodies
@@ -101,14 +105,14 @@ def _try_translation(flight: Flight, state: State, command: Array) -> str:
         The reason why the orbiter cannot translate; "" if it can.
     """
     site, worksite, rule = flight.site, state.worksite, flight.site.worksite.translation
-    if rule is None:
-        return "orbiter translation refused: this worksite has none"
-    if state.plant.bodies is not None:
-        return "orbiter translation refused: on a plant with masses, the orbiter has no jets"
-    held, velocity = worksite.held, worksite.orbiter_velocity
-    if held is not None and worksite.cargo[held].seat and site.in_space(worksite.cargo[held].seat):
+    velocity = worksite.orbiter_velocity
+    if why := translation_rejection(flight, state):
         velocity[:] = 0.0
-        return "orbiter translation refused: the arm holds a docked payload; RELEASE or UNLATCH it"
+        return why
+    assert rule is not None, "`translation_rejection` rejects a translation without a rule"
+    if state.plant.bodies is not None:
+        _follow_translation(flight, state, state.plant.bodies, command)
+        return ""
     period, detrimental = flight.scenario.control_period, 1 - worksite.contacts.essential
     if not (flight.inhibits and worksite.logged_contacts and np.any(detrimental & (worksite.contacts.count == FRAMES))):
         translate(worksite.orbiter, velocity, command, rule.speed, rule.reached_in, period)
@@ -123,6 +127,17 @@ def _try_translation(flight: Flight, state: State, command: Array) -> str:
     worksite.orbiter[:], velocity[:] = here, 0.0
     a, b = site.layout.named(group)
     return f"orbiter translation refused: {a} would penetrate {b} further"
+
+
+def _follow_translation(flight: Flight, state: State, bodies: Bodies, command: Array) -> None:
+    """Set the velocity of the translation to that of the bodies; 0 for an axis that has come to rest.
+
+    The orbiter's displacement is part of the plant's state.
+    """
+    velocity, rule = state.worksite.orbiter_velocity, flight.site.worksite.translation
+    assert rule is not None, "an orbiter that translates has a rule"
+    velocity[:] = product(flight.site.axes.T, bodies.orbiter_velocity)
+    velocity[(command == 0.0) & (np.abs(velocity) < rule.speed / rule.reached_in * LEAST_PULSE)] = 0.0
 
 
 def _move_prong(flight: Flight, state: State) -> None:

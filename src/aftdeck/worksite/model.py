@@ -247,6 +247,19 @@ class Translation(msgspec.Struct, frozen=True):
     """Time to reach the speed from rest [s]."""
 
 
+class Jets(msgspec.Struct, frozen=True):
+    """Jets that hold the orbiter's attitude."""
+
+    torque: Vec3
+    """Torque about roll, pitch and yaw axis [N m]."""
+    least_pulse: float
+    """Least time for which a jet is on [s]."""
+    angle: float
+    """Greatest angle about each axis at which no jet acts [rad]."""
+    rate: float
+    """Greatest rate about each axis at which no jet acts [rad/s]."""
+
+
 class OrbiterMass(msgspec.Struct, frozen=True):
     """Mass properties of the orbiter."""
 
@@ -256,6 +269,8 @@ class OrbiterMass(msgspec.Struct, frozen=True):
     """Moments of inertia about roll, pitch and yaw axis, through the centre of mass [kg m2]."""
     centre: Vec3
     """Centre of mass: structural Xo, Yo, Zo [m]."""
+    jets: Jets | None = None
+    """Jets that hold its attitude; None if it has none."""
 
 
 class Worksite(msgspec.Struct, frozen=True, eq=False):

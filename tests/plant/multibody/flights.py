@@ -24,7 +24,7 @@ def scenario(
 ) -> Scenario:
     """Return a scenario in empty space; its payload's centre is at the tip."""
     payload = f"[payload]\nmass = '{pounds} lb'\n" if pounds else ""
-    worksite = "orbiter" if orbiter == "free" else "space"
+    worksite = "space" if orbiter == "fixed" else "orbiter"
     text = (
         f"title = 'a flight'\nworksite = '{worksite}'\nplant = '{plant}'\nduration = '600 s'\n{head}\n"
         f"[dynamics]\norbiter = '{orbiter}'\n[initial]\n{initial}\n{payload}{body}\n"

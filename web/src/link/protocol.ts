@@ -1152,6 +1152,8 @@ export interface Dynamics {
   readonly overdriven: readonly number[];
   /** pose of L, relative to its pose at the start of the run [m, 1], along the axes of L */
   readonly orbiter: readonly [position: Vec3, orientation: Rows];
+  /** time for which the orbiter's jets have fired, about and along forward, starboard, down [s] */
+  readonly fired: Six;
   /** forces between parts in contact */
   readonly contacts: readonly (readonly [a: string, b: string, force: Vec3, position: Vec3])[];
   /** forces that hold the worksite's payloads */

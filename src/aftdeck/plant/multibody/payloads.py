@@ -103,6 +103,13 @@ class Payloads:
             model.eq_solref[weld] = (hold.give, 1.0) if held else (-NO_SPRING, -damping)
             model.eq_solimp[weld] = FIRM if held else LOOSE
 
+    def push(self, torques: Sequence[tuple[int, Array]]) -> None:
+        """Set the torques of the payloads' own jets, in their axes, for one control period [N m]."""
+        applied = self._data.xfrc_applied
+        applied[self._bodies] = 0.0
+        for k, torque in torques:
+            applied[self._bodies[k], 3:] = self._data.xmat[self._bodies[k]].reshape(3, 3) @ torque
+
     def write(self, bodies: Bodies) -> None:
         """Write the payloads' poses, motions and holding forces from MuJoCo's present ones."""
         data = self._data

@@ -21,6 +21,7 @@ from aftdeck.errors import SimulationError
 from aftdeck.plant.linear_actuator import Travel
 from aftdeck.plant.multibody.build import STEP
 from aftdeck.plant.multibody.contacts import ContactPairs
+from aftdeck.plant.multibody.jets import Jets, Thrusters
 from aftdeck.plant.multibody.payloads import HOLDERS, Payloads
 from aftdeck.plant.multibody.servo import Servos
 from aftdeck.plant.multibody.view import View
@@ -41,12 +42,14 @@ class _Model(NamedTuple):
         servos: servos and brakes.
         payloads: payloads of the worksite.
         contacts: solids that can touch; None if the model has none.
+        jets: the orbiter's jets; None if it is fixed.
     """
 
     view: View
     servos: Servos
     payloads: Payloads
     contacts: ContactPairs | None
+    jets: Jets | None
 
 
 class MultibodyPlant:
@@ -59,7 +62,14 @@ class MultibodyPlant:
     """
 
     def __init__(
-        self, models: Sequence[tuple[Any, Any]], arm: ArmModel, travel: Travel, period: float, *, strict: bool = False
+        self,
+        models: Sequence[tuple[Any, Any]],
+        arm: ArmModel,
+        travel: Travel,
+        period: float,
+        *,
+        thrusters: Thrusters | None = None,
+        strict: bool = False,
     ) -> None:
         """Set up the plant.
 
@@ -68,8 +78,10 @@ class MultibodyPlant:
             arm: the arm.
             travel: range and rate of the telescope.
             period: control period [s].
+            thrusters: the orbiter's jets; None if it is fixed.
             strict: whether the steering's acceleration limits count from the measured rates, as published.
         """
+        self._thrusters = thrusters
         self._steps = math.ceil(period / STEP - 1e-9)
         self._apart = [self._model(one, arm, period, solids=False) for one, _ in models]
         self._near = [self._model(one, arm, period, solids=True) for _, one in models]
@@ -82,7 +94,8 @@ class MultibodyPlant:
         model.opt.timestep = period / self._steps
         view.limit(arm.limits.hard)
         contacts = ContactPairs(model, view.data) if solids else None
-        return _Model(view, Servos(view, arm.joints, servo_needed(arm)), Payloads(model, view.data), contacts)
+        jets = None if self._thrusters is None else Jets(model, view.data, self._thrusters)
+        return _Model(view, Servos(view, arm.joints, servo_needed(arm)), Payloads(model, view.data), contacts, jets)
 
     @property
     def accuracy(self) -> Accuracy:
@@ -123,6 +136,9 @@ class MultibodyPlant:
             held=np.zeros((len(poses), len(HOLDERS))),
             held_peaks=np.zeros((len(poses), len(HOLDERS))),
             held_for=np.zeros((len(poses), len(HOLDERS))),
+            orbiter_velocity=np.zeros(3),
+            pulses=np.zeros(6),
+            fired=np.zeros(6),
         )
         state.base[:] = HERE
         _store(one, state)
@@ -138,6 +154,9 @@ class MultibodyPlant:
         model, data, stand = view.model, view.data, state.stand
         mujoco.mj_setState(model, data, bodies.physics, _STATE)
         one.payloads.connect(around.holds)
+        one.payloads.push(around.torques)
+        if one.jets is not None:
+            one.jets.fire(state.base, bodies, around.velocity, self._period)
         if one.contacts is not None:
             one.contacts.select(around.near)
         servos.command(bodies, state.angles, rates, brakes=brakes)
@@ -164,4 +183,6 @@ def _store(one: _Model, state: PlantState) -> None:
     mujoco.mj_kinematics(view.model, view.data)  # after a step, MuJoCo's poses are those before the step
     view.write_poses(bodies.frames, state.base)
     one.payloads.write(bodies)
+    if one.jets is not None:
+        one.jets.write(state.base, bodies)
     bodies.touches = () if one.contacts is None else one.contacts.touches(state.base)

@@ -14,7 +14,9 @@ from aftdeck.kinematics.payload import Payload
 from aftdeck.plant.linear_actuator import travel_of_stand
 from aftdeck.plant.multibody.build import arm_spec, attach, in_tip_frame
 from aftdeck.plant.multibody.contacts import add_solids
+from aftdeck.plant.multibody.jets import Thrusters
 from aftdeck.plant.multibody.plant import MultibodyPlant
+from aftdeck.plant.plant import LEAST_PULSE
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.constants.site import Site
 from aftdeck.worksite.model import OrbiterMass
@@ -27,14 +29,33 @@ def multibody_plant(scenario: Scenario, site: Site) -> MultibodyPlant:
         (_compiled(scenario, site, payload, solids=False), _compiled(scenario, site, payload, solids=True))
         for payload in (None, *scenario.own_payloads)
     ]
-    return MultibodyPlant(models, arm, travel_of_stand(arm), scenario.control_period, strict=scenario.strict)
+    return MultibodyPlant(
+        models,
+        arm,
+        travel_of_stand(arm),
+        scenario.control_period,
+        thrusters=_thrusters(scenario, site),
+        strict=scenario.strict,
+    )
+
+
+def _thrusters(scenario: Scenario, site: Site) -> Thrusters | None:
+    """Return the orbiter's jets; None if the orbiter is fixed."""
+    orbiter, rule = scenario.worksite.orbiter, scenario.worksite.translation
+    if scenario.orbiter == "fixed" or orbiter is None:
+        return None
+    force = 0.0 if rule is None else orbiter.mass * rule.speed / rule.reached_in
+    jets = orbiter.jets
+    if scenario.orbiter == "free" or jets is None:
+        return Thrusters(site.axes, np.zeros(3), LEAST_PULSE, 0.0, 0.0, force)
+    return Thrusters(site.axes, np.array(jets.torque), jets.least_pulse, jets.angle, jets.rate, force)
 
 
 def _compiled(scenario: Scenario, site: Site, payload: Payload | None, *, solids: bool) -> Any:
     """Return the compiled model with one payload of the scenario, or without."""
     arm = scenario.arm.model
     mass = scenario.worksite.orbiter
-    orbiter = orbiter_in_l(arm.mount, mass) if scenario.free_orbiter and mass is not None else None
+    orbiter = orbiter_in_l(arm.mount, mass) if scenario.orbiter != "fixed" and mass is not None else None
     payloads = [MassProperties(one.mass, np.zeros(3), np.diag(one.inertia)) for one in scenario.cargo]
     spec = arm_spec(arm, flexible=scenario.plant == "flexible", orbiter=orbiter, payloads=payloads)
     if payload is not None:

@@ -25,18 +25,21 @@ _NONE: tuple[int, ...] = ()
 
 
 @law
-def body_numbers(hand: Array, tip: Array, torques: Array, base: Array) -> tuple[Vec3, Rows, Six, Vec3, Rows]:
-    """Return position and attitude of the tip, torques, and position and attitude of L.
+def body_numbers(
+    hand: Array, tip: Array, torques: Array, base: Array, fired: Array
+) -> tuple[Vec3, Rows, Six, Vec3, Rows, Six]:
+    """Return position and attitude of the tip, torques, position and attitude of L, and firing times.
 
     Args:
         hand: (12,) pose of the last joint's frame in L.
         tip: (12,) pose of the tip in this frame.
         torques: (6,) torques [N m].
         base: (12,) pose of L, relative to its pose at the start of the run.
+        fired: (6,) times for which the orbiter's jets have fired [s].
     """
     at = np.empty(POSE)
     compose(hand, tip, at)
-    return vec3(at, 0), rows(at, 3), six(torques, 0), vec3(base, 0), rows(base, 3)
+    return vec3(at, 0), rows(at, 3), six(torques, 0), vec3(base, 0), rows(base, 3), six(fired, 0)
 
 
 def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
@@ -44,8 +47,8 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     bodies, site, target = state.plant.bodies, flight.site, state.panel.target
     if bodies is None:
         return None
-    position, orientation, torques, at, axes = body_numbers(
-        state.worksite.frames[site.last_joint], site.hand, bodies.torques, state.plant.base
+    position, orientation, torques, at, axes, fired = body_numbers(
+        state.worksite.frames[site.last_joint], site.hand, bodies.torques, state.plant.base, bodies.fired
     )
     miss = None
     if target is not None:
@@ -58,6 +61,7 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
         torques,
         overdriven,
         Placed(at, axes),
+        fired,
         _contacts(site, bodies),
         _holds(site, bodies),
     )

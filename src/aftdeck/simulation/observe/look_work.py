@@ -8,6 +8,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.pose import vec3
 from aftdeck.bodies.separation import named
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
@@ -48,8 +49,8 @@ def work_of(flight: Flight, state: State) -> Work:
         conditions=conditions,
         hand=_hand(flight, state),
         stand=state.plant.stand.position if site.prong else None,
-        orbiter=_in_l(site, worksite.orbiter),
-        orbiter_velocity=_in_l(site, worksite.orbiter_velocity),
+        orbiter=_displacement(site, state),
+        orbiter_velocity=_velocity(site, state),
         cargo=tuple(_cargo(flight, state, k) for k in range(len(site.cargo))),
         master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
     )
@@ -63,6 +64,20 @@ def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
     found = watch.found[:, CLEARANCE]
     groups = np.flatnonzero(np.isfinite(found))
     return tuple(near_of(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
+
+
+def _displacement(site: Site, state: State) -> Vec3:
+    """Return the displacement of the orbiter since the start, in L's axes at the start [m]."""
+    if state.plant.bodies is None:
+        return _in_l(site, state.worksite.orbiter)
+    return vec3(state.plant.base, 0)
+
+
+def _velocity(site: Site, state: State) -> Vec3:
+    """Return the velocity of the orbiter in L's axes [m/s]; on a plant with masses, that of its centre of mass."""
+    if state.plant.bodies is None:
+        return _in_l(site, state.worksite.orbiter_velocity)
+    return vec3(state.plant.bodies.orbiter_velocity, 0)
 
 
 def _in_l(site: Site, along: Array) -> Vec3:

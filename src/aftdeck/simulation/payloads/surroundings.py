@@ -13,7 +13,9 @@ from aftdeck.law import law
 from aftdeck.plant.plant import MOST_PAIRS, Hold, Surroundings
 from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.payloads.grasp import nearest_fixture, pose_in_hand
+from aftdeck.simulation.payloads.jets import attitude_torques, translation_command
 from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.conditions import all_hold
@@ -29,11 +31,17 @@ NOTHING = Surroundings()
 """Surroundings on a plant without masses."""
 
 
-def surroundings(flight: Flight, state: State) -> Surroundings:
+def surroundings(flight: Flight, state: State, inputs: Inputs) -> Surroundings:
     """Return what acts on the bodies in the next control period, besides servos and brakes."""
     if state.plant.bodies is None:
         return NOTHING
-    return Surroundings(_holds(flight, state), _near(flight, state), state.worksite.prong.position)
+    return Surroundings(
+        _holds(flight, state),
+        _near(flight, state),
+        state.worksite.prong.position,
+        translation_command(flight, state, inputs),
+        attitude_torques(flight, state),
+    )
 
 
 def _near(flight: Flight, state: State) -> Indices:

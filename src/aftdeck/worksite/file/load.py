@@ -19,7 +19,7 @@ from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
 from aftdeck.worksite.file.check import bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
 from aftdeck.worksite.file.housing import Housed, housed
-from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, PortFile, SnareFile, WorksiteFile
+from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, OrbiterFile, PortFile, SnareFile, WorksiteFile
 from aftdeck.worksite.file.seats import disc, seat_of
 from aftdeck.worksite.file.solids import as_solids, drawn, moved, solids_of
 from aftdeck.worksite.model import (
@@ -28,6 +28,7 @@ from aftdeck.worksite.model import (
     Body,
     Cargo,
     Essential,
+    Jets,
     OrbiterMass,
     Seat,
     SnareCapture,
@@ -166,9 +167,20 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         translation=None
         if file.translation is None
         else Translation(float(file.translation.speed), float(file.translation.reached_in)),
-        orbiter=None
-        if file.orbiter is None
-        else OrbiterMass(float(file.orbiter.mass), _plain(file.orbiter.inertia), _plain(file.orbiter.centre)),
+        orbiter=None if file.orbiter is None else _orbiter(file.orbiter),
+    )
+
+
+def _orbiter(file: OrbiterFile) -> OrbiterMass:
+    """Return the orbiter's mass properties and jets."""
+    jets = file.jets
+    return OrbiterMass(
+        float(file.mass),
+        _plain(file.inertia),
+        _plain(file.centre),
+        None
+        if jets is None
+        else Jets(_plain(jets.torque), float(jets.least_pulse), float(jets.angle), float(jets.rate)),
     )
 
 

@@ -15,7 +15,7 @@ from aftdeck.bodies.camera_file import CameraFile, DriveFile
 from aftdeck.bodies.mass_properties import impossible
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Material, Shape
-from aftdeck.units import Angle, Length, Mass, MomentOfInertia, Speed, Time
+from aftdeck.units import Angle, AngularRate, Length, Mass, MomentOfInertia, Speed, Time, Torque
 from aftdeck.worksite.file.cargo_file import CargoFile
 from aftdeck.worksite.file.solid_file import SolidFile
 from aftdeck.worksite.file.tables import Placed, Point, Range, Table, Text, ordered, positive
@@ -224,6 +224,27 @@ ORBITER_MASS = Bounds(1.0, 1e6, "an empty orbiter has 85 t, the ISS 420 t")
 OrbiterInertia = Annotated[MomentOfInertia, Bounds(1e-3, 1e10, "the orbiter has 1e6 to 1e7 kg m2, the ISS about 1e8")]
 
 
+JetTorque = Annotated[Torque, Bounds(1e-6, 1e9, "the orbiter's vernier jets give about 1e3 N m, its primary jets 1e5")]
+
+
+class JetsFile(Table, frozen=True, kw_only=True):
+    """Jets that hold the orbiter's attitude: each axis has its own, which are on or off."""
+
+    torque: tuple[JetTorque, JetTorque, JetTorque]
+    """Torque about roll, pitch and yaw axis."""
+    least_pulse: Time
+    """Least time for which a jet is on."""
+    angle: Angle
+    """Deadband: greatest angle about each axis at which no jet acts."""
+    rate: AngularRate
+    """Deadband: greatest rate about each axis at which no jet acts."""
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Reject values that are not above zero (ValueError)."""
+        positive(least_pulse=self.least_pulse, angle=self.angle, rate=self.rate)
+
+
 class OrbiterFile(Table, frozen=True, kw_only=True):
     """Mass of the orbiter, which carries the arm; a plant with masses needs it."""
 
@@ -232,6 +253,7 @@ class OrbiterFile(Table, frozen=True, kw_only=True):
     """Moments of inertia about roll, pitch and yaw axis, through the centre of mass."""
     centre: Point
     """Centre of mass: structural Xo, Yo, Zo."""
+    jets: JetsFile | None = None
     source: Text
 
     def __post_init__(self) -> None:

@@ -1,0 +1,76 @@
+"""Commands of jets on a plant with masses: translation of the orbiter, and attitude control of free flyers."""
+
+from __future__ import annotations
+
+from math import nan
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.frames import oriend_rows
+from aftdeck.matrices import product
+from aftdeck.plant.plant import NO_COMMAND
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.state import State
+from aftdeck.tuples import Rows
+
+BAND, RATE = slice(0, 3), slice(3, 6)
+"""Parts of a packed limit cycle (`worksite.free_flight.LimitCycle`)."""
+
+
+def translation_rejection(flight: Flight, state: State) -> str:
+    """Return why the orbiter cannot translate; "" if it can."""
+    site, worksite = flight.site, state.worksite
+    if site.worksite.translation is None:
+        return "orbiter translation refused: this worksite has none"
+    if state.plant.bodies is not None and flight.scenario.orbiter == "fixed":
+        return "orbiter translation refused: the scenario fixes the orbiter (dynamics.orbiter)"
+    held = worksite.held
+    if held is not None and worksite.cargo[held].seat and site.in_space(worksite.cargo[held].seat):
+        return "orbiter translation refused: the arm holds a docked payload; RELEASE or UNLATCH it"
+    return ""
+
+
+def translation_command(flight: Flight, state: State, inputs: Inputs) -> Array:
+    """Return the commanded velocity of the orbiter along its axes (3,) [m/s]; NaN for an axis that is not commanded.
+
+    After a command, an axis stays commanded to rest until it has come to rest.
+    """
+    rule, worksite = flight.site.worksite.translation, state.worksite
+    braking = worksite.orbiter_velocity
+    if not any(inputs.orbiter) and not braking.any():
+        return NO_COMMAND
+    if rule is None or translation_rejection(flight, state):
+        braking[:] = 0.0
+        return NO_COMMAND
+    return np.array(
+        [
+            along * rule.speed if along else (0.0 if moves else nan)
+            for along, moves in zip(inputs.orbiter, braking.tolist(), strict=True)
+        ]
+    )
+
+
+def attitude_torques(flight: Flight, state: State) -> list[tuple[int, Array]]:
+    """Return the torques of free flyers with attitude control, in their axes [N m].
+
+    When an angle leaves its deadband, the jets turn the rate of this axis around within one control period.
+    """
+    found, bodies = [], state.plant.bodies
+    for k, floating in enumerate(state.worksite.floating):
+        if floating is None or floating.cycle is None or bodies is None:
+            continue
+        turned = product(floating.reference.T, bodies.payloads[k, 3:].reshape(3, 3)).tolist()
+        rows: Rows = (tuple(turned[0]), tuple(turned[1]), tuple(turned[2]))
+        rates, torque = bodies.motions[k, :3].tolist(), np.zeros(3)
+        cycle = floating.cycle
+        for axis, angle in enumerate(oriend_rows(rows)):
+            band, rate = float(cycle[BAND][axis]), abs(float(cycle[RATE][axis]))
+            wanted = -rate if angle > band else rate if angle < -band else rates[axis]
+            if (angle > band and rates[axis] > wanted) or (angle < -band and rates[axis] < wanted):
+                inertia = flight.site.cargo[k].inertia[axis]
+                torque[axis] = inertia * (wanted - rates[axis]) / flight.scenario.control_period
+        if torque.any():
+            found.append((k, torque))
+    return found
