@@ -53,6 +53,8 @@ class PhasePlan:
         master: angles of the master arm [rad]; None for no change.
         effector: position of the end effector switch; None for no change.
         latch: latch button pressed as the phase begins; None for no button.
+        brakes: position of the switch BRAKES; None for no change.
+        safing: position of the switch SAFING; None for no change.
         stand_at: length to which the telescope moves [m]; None for no change.
         orbiter: translation commands of the orbiter along its three axes, each in [-1, 1].
         limits: limits during the phase; None for the scenario's limits.
@@ -79,6 +81,8 @@ class PhasePlan:
     master: tuple[float, float, float, float, float, float] | None
     effector: Literal["stop", "close", "open"] | None
     latch: Literal["latch", "unlatch"] | None
+    brakes: bool | None
+    safing: bool | None
     stand_at: float | None
     orbiter: tuple[float, float, float]
     limits: RateLimits | None

@@ -98,6 +98,8 @@ def _phase_plan(
         master=None if phase.master is None else cast("Six", tuple(float(angle) for angle in phase.master)),
         effector=phase.effector,
         latch=phase.latch,
+        brakes=phase.brakes,
+        safing=phase.safing,
         stand_at=_stand(problems, arm, phase, where),
         orbiter=phase.orbiter,
         limits=limits,

@@ -275,9 +275,9 @@ class Phase(_Part, frozen=True):
     operator instead of the script, the scenario's limits apply. A `payload` (PA, T_78, r_87) is attached from the
     beginning of this phase until a later phase gives another `payload` or `detached`.
 
-    In every mode a phase may set the `effector` switch, press `latch`, move the telescope to `stand_at`, translate the
-    `orbiter`, and wait `until` an event has occurred. With `stand_at` or `until`, `duration` is the longest time
-    allowed.
+    In every mode a phase may set the `effector` switch and the switches BRAKES (`brakes`) and SAFING (`safing`), press
+    `latch`, move the telescope to `stand_at`, translate the `orbiter`, and wait `until` an event has occurred. With
+    `stand_at` or `until`, `duration` is the longest time allowed.
     """
 
     mode: int | Text
@@ -297,6 +297,8 @@ class Phase(_Part, frozen=True):
     master: SixAngles | None = None
     effector: Literal["stop", "close", "open"] | None = None
     latch: Literal["latch", "unlatch"] | None = None
+    brakes: bool | None = None
+    safing: bool | None = None
     stand_at: Length | None = None
     orbiter: Sticks = (0.0, 0.0, 0.0)
     limits: RatesOverride = RatesOverride()

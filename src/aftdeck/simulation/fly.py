@@ -8,6 +8,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.motion_inhibit import limit_motion
+from aftdeck.simulation.motion.stopping import watch_stop
 from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.payloads.surroundings import surroundings
@@ -52,6 +53,8 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
 
     # move the plant, then the worksite: contacts, captures, berths
     move_plant(flight, state, inputs, rates, telescope)
+    if state.plant.bodies is not None:
+        watch_stop(flight, state, state.plant.bodies)
     update_worksite(flight, state, inputs)
 
 

@@ -30,17 +30,17 @@ OVER_THE_BAY = [7.3, 0.0, 3.7]
 
 
 def thrown(velocity: list[float], **dynamics: object) -> Simulation:
-    """Return a run in which the concept's free flyer moves through the bay without rotation [m/s]."""
+    """Return a run in which the concept's payload moves through the bay without rotation [m/s]."""
     start = {"position": OVER_THE_BAY, "velocity": velocity}
     changes: dict[tuple[str | int, ...], object] = {
         ("plant",): "rigid",
         ("phase",): [],
         ("initialise",): {},
-        ("cargo",): [{"name": "free flyer", "mass": MASS, "start": start}],
+        ("cargo",): [{"name": "payload", "mass": MASS, "start": start}],
         ("duration",): "300 s",
     }
     return Simulation(
-        aftdeck.load_scenario("free-flyer", changes | {("dynamics", key): value for key, value in dynamics.items()})
+        aftdeck.load_scenario("concept-1972", changes | {("dynamics", key): value for key, value in dynamics.items()})
     )
 
 
@@ -54,7 +54,7 @@ def bounce() -> tuple[Simulation, list[Array], list[Array]]:
         sim.step(Inputs())
         total = np.zeros(3)
         for touch in bodies_of(sim).touches:
-            first = site.layout.frames[site.layout.between_frames[touch.group, 0]] == "free flyer"
+            first = site.layout.frames[site.layout.between_frames[touch.group, 0]] == "payload"
             total += np.array(touch.force) * (-1.0 if first else 1.0)
         forces.append(total)
         momenta.append(MASS * bodies_of(sim).motions[0, 3:])
@@ -97,7 +97,7 @@ def test_thrown_body_does_not_pass_the_floor_and_its_contact_is_named_with_its_f
         lines += [event.text for event in frame.events if event.kind == "contact" and "greatest force" in event.text]
         assert not frame.work.arm_inhibit
     assert deepest > -0.03
-    assert any("free flyer" in pair for pair in named)
+    assert any("payload" in pair for pair in named)
     assert lines
 
 
@@ -152,7 +152,7 @@ def test_reported_forces_are_those_of_mujoco() -> None:
         world += (1.0 if flyer else -1.0) * own[:3] @ view.data.contact.frame[i].reshape(3, 3)
     site, found = sim._flight.site, np.zeros(3)
     for touch in bodies_of(sim).touches:
-        first = site.layout.frames[site.layout.between_frames[touch.group, 0]] == "free flyer"
+        first = site.layout.frames[site.layout.between_frames[touch.group, 0]] == "payload"
         found += np.array(touch.force) * (-1.0 if first else 1.0)
     assert float(np.linalg.norm(world)) > 1.0
     assert sim._state.plant.base[3:].reshape(3, 3) @ found == pytest.approx(

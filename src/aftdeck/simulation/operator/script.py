@@ -107,6 +107,8 @@ def _first_inputs(flight: Flight, state: State, phase: PhasePlan, target: Target
         master=phase.master,
         effector=phase.effector,
         latch=phase.latch,
+        brakes=phase.brakes,
+        safing=phase.safing,
         telescope=sticks.telescope,
         orbiter=phase.orbiter,
     )
