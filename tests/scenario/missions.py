@@ -19,8 +19,9 @@ MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy", "t
 """Built-in scenarios with a whole task at a worksite, longer than the others."""
 SCRIPTED = tuple(name for name in built_in() if name != "concept-1972")
 """Built-in scenarios with a script."""
-FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in MISSIONS else name for name in SCRIPTED]
-"""The scripted scenarios as test parameters; the missions are marked slow."""
+LONG = {*MISSIONS, "flight-test", "flight-test-loaded"}
+FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SCRIPTED]
+"""The scripted scenarios as test parameters; missions and flight tests are marked slow."""
 TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
 """Kinds of log lines that mark the progress of a mission."""
 ACQUIRE, RELEASE, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"

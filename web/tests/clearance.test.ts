@@ -58,6 +58,13 @@ test('contacts that inhibit are listed first, the deepest one on top', () => {
     sign: -1,
     position: '',
   };
+  const dynamics = {
+    contacts: [{ a: 'palm', b: 'payload top', force: [300, 0, -161], position: [0, 0, 0] }],
+    holds: [
+      { payload: 'payload', by: 'end effector', force: 81.4 },
+      { payload: 'payload', by: 'orbiter', force: 0.3 },
+    ],
+  } as unknown as NonNullable<Frame['dynamics']>;
   const touching = work({
     contacts: [
       near({ a: 'prong', essential: true, clearance: 0 }),
@@ -65,11 +72,16 @@ test('contacts that inhibit are listed first, the deepest one on top', () => {
       near({ b: 'payload top', clearance: -0.02 }),
     ],
   });
-  const lines = linesOf({ work: touching, ways_out: [way] }, [], SI, KEYS);
+  const lines = linesOf({ work: touching, ways_out: [way], dynamics: null }, [], SI, KEYS);
   expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
   expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
   expect(lines[2]?.text).toBe('Escape: THC −Z (Q)');
   expect(lines[3]?.text).toBe('Essential contact: prong – bar');
+  const forces = linesOf({ work: touching, ways_out: [], dynamics }, [], SI, KEYS).map(({ text }) => text);
+  expect(forces.filter((text) => text.includes('N'))).toEqual([
+    'Palm touches payload top, 2.0 cm deep, 340 N',
+    'End effector holds payload, 81 N',
+  ]);
 });
 
 test('conditions keep their order if each of them has a cell', () => {

@@ -144,7 +144,7 @@ class Placed(NamedTuple):
     orientation: Annotated[Rows, field_meta("attitude of the body", "1", "L")]
 
 
-class Force(NamedTuple):
+class Force(msgspec.Struct, frozen=True, gc=False):
     """Force between two parts in contact."""
 
     a: Annotated[str, field_meta("first part")]
@@ -153,7 +153,7 @@ class Force(NamedTuple):
     position: Annotated[Vec3, field_meta("point at which it acts", "m", "L")]
 
 
-class Holding(NamedTuple):
+class Holding(msgspec.Struct, frozen=True, gc=False):
     """Force by which something holds a payload of the worksite."""
 
     payload: Annotated[str, field_meta("name of the payload")]

@@ -20,7 +20,7 @@ export type Vec3 = readonly [number, number, number];
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
-export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
+export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
 export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';
@@ -1155,9 +1155,31 @@ export interface Dynamics {
   /** time for which the orbiter's jets have fired, about and along forward, starboard, down [s] */
   readonly fired: Six;
   /** forces between parts in contact */
-  readonly contacts: readonly (readonly [a: string, b: string, force: Vec3, position: Vec3])[];
+  readonly contacts: readonly Force[];
   /** forces that hold the worksite's payloads */
-  readonly holds: readonly (readonly [payload: string, by: 'end effector' | 'orbiter' | 'space', force: number])[];
+  readonly holds: readonly Holding[];
+}
+
+/** Force between two parts in contact. */
+export interface Force {
+  /** first part */
+  readonly a: string;
+  /** second part */
+  readonly b: string;
+  /** force on the second part [N], along the axes of L */
+  readonly force: Vec3;
+  /** point at which it acts [m], along the axes of L */
+  readonly position: Vec3;
+}
+
+/** Force by which something holds a payload of the worksite. */
+export interface Holding {
+  /** name of the payload */
+  readonly payload: string;
+  /** what holds the payload */
+  readonly by: 'end effector' | 'orbiter' | 'space';
+  /** force at the payload's centre [N] */
+  readonly force: number;
 }
 
 /** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */

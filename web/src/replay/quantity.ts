@@ -46,6 +46,8 @@ export function shown(quantity: Quantity, units: Units): Shown {
       return { unit: '°', perSi: DEGREE, text: (value) => degrees(value, 1, value < 0) };
     case 'turn rate':
       return { unit: '°/s', perSi: DEGREE, text: (value) => degrees(value, 2, false) };
+    case 'force':
+      return scaled('N', 1, 0);
     case 'milliseconds':
       return scaled('ms', 1, 0);
     case 'words':

@@ -78,8 +78,8 @@ def _report(flight: Flight, state: State, stop: Stop, tip: Vec3, *, rests: bool)
     away = distance(tip, stop.place)
     went, farther, left = (quantity_text(value, "m", units) for value in (away, stop.greatest - away, stop.left))
     until = stop.window if rests else state.tick
-    how = "at rest" if rests else f"still oscillates by {left},"
+    how = "at rest" if rests else f"swings by {left}"
     text = (
-        f"tip {how} {(until - stop.began) * period:.1f} s after {stop.cause}: moved by {went}, up to {farther} farther"
+        f"tip {how} {(until - stop.began) * period:.1f} s after {stop.cause}, {went} on; went up to {farther} farther"
     )
     log(flight, state, "stop", "info", text)

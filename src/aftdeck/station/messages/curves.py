@@ -20,6 +20,7 @@ Quantity = Literal[
     "angle",
     "speed",
     "turn rate",
+    "force",
     "milliseconds",
     "words",
 ]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.frame import Force, Frame, Holding
 from aftdeck.simulation.log import joint_label
 from aftdeck.station.messages.curves import Curve, Quantity, Strip
 from aftdeck.tuples import Six
@@ -80,7 +80,46 @@ def sources(scenario: Scenario) -> tuple[Source, ...]:
         Source("THC", "share", (("commanded", lambda f, _: _deflection(f.translation)),)),
         Source("RHC", "share", (("commanded", lambda f, _: _deflection(f.rotation)),)),
         Source("Stick to picture", "milliseconds", (("actual", lambda _, latency: latency),)),
+        *_dynamics(scenario),
     )
+
+
+def _dynamics(scenario: Scenario) -> tuple[Source, ...]:
+    """Return the strips of a plant with masses; () on the kinematic plant."""
+    servo = scenario.arm.model.servo
+    if scenario.plant == "kinematic" or servo is None:
+        return ()
+    limits = servo.torque_limit.tolist()
+    return (
+        Source(
+            "Joint torque",
+            "part of limit",
+            (("actual", lambda f, _: _greatest(abs(a) / b for a, b in zip(_torques(f), limits, strict=False))),),
+            limit=1.0,
+            shown=True,
+        ),
+        Source(
+            "Contact force", "force", (("actual", lambda f, _: _greatest(_size(one.force) for one in _touching(f))),)
+        ),
+        Source("Holding force", "force", (("actual", lambda f, _: _greatest(one.force for one in _holding(f))),)),
+    )
+
+
+def _torques(frame: Frame) -> Sequence[float]:
+    return () if frame.dynamics is None else frame.dynamics.torques
+
+
+def _touching(frame: Frame) -> Sequence[Force]:
+    return () if frame.dynamics is None else frame.dynamics.contacts
+
+
+def _holding(frame: Frame) -> Sequence[Holding]:
+    return () if frame.dynamics is None else frame.dynamics.holds
+
+
+def _greatest(values: Iterable[float]) -> float:
+    """Return the greatest of some values that are not negative; 0 for none."""
+    return max(values, default=0.0)
 
 
 def readings(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:

@@ -15,7 +15,7 @@ export interface Line {
 export interface Touching {
   readonly element: HTMLElement;
   /** Writes the lines of a frame; returns whether any of them is a caution or a warning. */
-  set(frame: Pick<Frame, 'work' | 'ways_out'>, units: Units, names: Names): boolean;
+  set(frame: Pick<Frame, 'work' | 'ways_out' | 'dynamics'>, units: Units, names: Names): boolean;
 }
 
 export function touching({ joints }: Pick<Welcome, 'joints'>): Touching {
@@ -39,31 +39,55 @@ export function touching({ joints }: Pick<Welcome, 'joints'>): Touching {
   };
 }
 
-/** Returns a line for each detrimental contact (deepest first), each escape direction, and all essential contacts. */
+/** Least force that is displayed [N]. */
+const LEAST_FORCE = 5;
+
+/** Returns a line for each detrimental contact (deepest first), each escape direction, all essential contacts, and the
+ * forces that hold payloads. */
 export function linesOf(
-  { work: { contacts }, ways_out }: { readonly work: Pick<Work, 'contacts'> } & Pick<Frame, 'ways_out'>,
+  {
+    work: { contacts },
+    ways_out,
+    dynamics,
+  }: { readonly work: Pick<Work, 'contacts'> } & Pick<Frame, 'ways_out' | 'dynamics'>,
   joints: Welcome['joints'],
   { gap }: Units,
   names: Names,
 ): readonly Line[] {
+  const force = (a: string, b: string) =>
+    newtons(Math.hypot(...(dynamics?.contacts.find((one) => one.a === a && one.b === b)?.force ?? [0])));
   const harmful = contacts
     .filter(({ essential }) => !essential)
     .sort((a, b) => a.clearance - b.clearance)
     .map(({ a, b, clearance }) => {
       const deep = clearance < 0 ? `, ${small(-clearance, gap)} ${gap.name} deep` : '';
-      return `${a} touches ${b}${deep}`;
+      return `${a} touches ${b}${deep}${force(a, b)}`;
     });
   const ways = ways_out
     .filter(({ cause }) => cause === 'contact')
     .map((way) => `Escape: ${wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names)}`);
-  const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}`);
+  const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}${force(a, b)}`);
+  const holding = (dynamics?.holds ?? [])
+    .filter((each) => each.force >= LEAST_FORCE)
+    .map(
+      ({ payload, by, force: held }): Line => ({
+        text: `${sentence(by)} holds ${payload}${newtons(held)}`,
+        level: 'info',
+      }),
+    );
   return [
     ...harmful.map((text): Line => ({ text: sentence(text), level: 'warning' })),
     ...ways.map((text): Line => ({ text, level: 'caution' })),
     ...essential
       .slice(0, 1)
       .map((): Line => ({ text: `Essential contact: ${essential.join(', ')}`, level: 'info' })),
+    ...holding,
   ];
+}
+
+/** Returns a force with two digits, after a comma; empty if it is too small to be displayed. */
+function newtons(force: number): string {
+  return force < LEAST_FORCE ? '' : `, ${String(Number(force.toPrecision(2)))} N`;
 }
 
 function sentence(text: string): string {
