@@ -10,11 +10,12 @@ from pathlib import Path
 
 import pytest
 
-from aftdeck.errors import ScenarioError
+from aftdeck.errors import CommandError, ScenarioError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.load import HERE, about, built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.schema import Plant
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
@@ -113,6 +114,42 @@ def test_arm_stops_while_another_scenario_is_prepared(station: Station, monkeypa
         assert page.wait_for(Welcome).scenario == OTHER
 
 
+def test_scenario_restarts_on_another_plant_and_its_recording_knows_it(tmp_path: Path) -> None:
+    with served(Session(scenario(), record=tmp_path)) as station, station.page() as page:
+        scenarios = page.wait_for(to_page.Scenarios)
+        page.wait_for(to_page.Role, lambda role: role.flying)
+        page.wait_for(Frame, lambda frame: frame.tick > 5)
+        page.send(from_page.FlyScenario(page.next_seq(), scenarios.flown, "rigid"))
+        assert page.wait_for(Welcome, lambda welcome: welcome.plant == "rigid").scenario == "first-flight"
+        page.wait_for(Frame, lambda frame: frame.tick > 20 and frame.dynamics is not None)
+        page.send(from_page.FlyScenario(page.next_seq(), scenarios.flown, "kinematic"))
+        page.wait_for(Welcome, lambda welcome: welcome.plant == "kinematic")
+        page.wait_for(Frame, lambda frame: frame.tick > 20 and frame.dynamics is None)
+        page.send(from_page.FlyScenario(page.next_seq(), scenarios.flown, "kinematic"))
+        assert re.match("'First flight' .*Restart", page.rejection())
+    recorded = [Recording(path).opening for path in files(tmp_path)]
+    assert [tuple(start.changes) for start in recorded] == [(), ("plant=rigid",), ("plant=kinematic",)]
+    assert all(verify(path).equal for path in files(tmp_path))
+
+
+def test_own_file_restarts_on_another_plant() -> None:
+    choice = ScenarioList(own_file())
+    other = choice.load(0, "flexible")
+    assert (other.title, other.plant) == ("My own flight", "flexible")
+    with pytest.raises(CommandError):
+        choice.choose(0, "kinematic")
+    choice.choose(0, "rigid")
+
+
+def test_plant_that_a_scenario_cannot_have_is_refused_and_the_run_continues() -> None:
+    with served(Session(load_scenario("concept-1972"))) as station, station.page() as page:
+        scenarios = page.wait_for(to_page.Scenarios)
+        page.wait_for(to_page.Role, lambda role: role.flying)
+        page.send(from_page.FlyScenario(page.next_seq(), scenarios.flown, "flexible"))
+        assert "flexibility" in page.rejection()
+        page.wait_for(Frame, lambda frame: frame.dynamics is None)
+
+
 def test_each_scenario_is_recorded_into_its_own_file(tmp_path: Path) -> None:
     with served(Session(scenario(), record=tmp_path)) as station, station.page() as page:
         page.wait_for(Frame, lambda frame: frame.tick > 20)
@@ -137,7 +174,7 @@ def test_invalid_choice_is_rejected_and_the_run_continues(station: Station, monk
         page.send(from_page.FlyScenario(page.next_seq(), before.flown))
         assert re.match("'First flight' .*Restart", page.rejection())
 
-        def broken(self: ScenarioList, chosen: int) -> Scenario:
+        def broken(self: ScenarioList, chosen: int, plant: Plant | None) -> Scenario:
             raise ScenarioError(["singular.toml: is gone"])
 
         monkeypatch.setattr(ScenarioList, "load", broken)

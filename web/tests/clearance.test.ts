@@ -80,7 +80,7 @@ test('contacts that inhibit are listed first, the deepest one on top', () => {
   const forces = linesOf({ work: touching, ways_out: [], dynamics }, [], SI, KEYS).map(({ text }) => text);
   expect(forces.filter((text) => text.includes('N'))).toEqual([
     'Palm touches payload top, 2.0 cm deep, 340 N',
-    'End effector holds payload, 81 N',
+    'Grasp, 81 N',
   ]);
 });
 

@@ -15,10 +15,10 @@ export type LawChoice = 'position' | 'closed loop' | 'open loop';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
+export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type Six = readonly [number, number, number, number, number, number];
 export type Vec3 = readonly [number, number, number];
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
-export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -459,12 +459,18 @@ export interface Restart {
   readonly seq: number;
 }
 
-/** Run another scenario. The server completes and keeps the recording of the present run. */
+/**
+ * Run another scenario, or the same one on another plant.
+ *
+ * The server completes and keeps the recording of the present run.
+ */
 export interface FlyScenario {
   readonly type: 'fly_scenario';
   readonly seq: number;
   /** Index in `Scenarios.scenarios`. */
   readonly number: number;
+  /** Plant; null for that of the scenario's file. */
+  readonly plant: Plant | null;
 }
 
 /** Set the end effector switch: the prong closes or opens; the snares capture or release. */

@@ -146,7 +146,7 @@ def _with_masses(flight: Flight, start: State, tried: Tried) -> str:
     spread = flight.plant.spread(tried.way.law, loaded=start.carried.payload is not None)
     if spread == NO_SPREAD:
         return ""
-    off = quantity_text(spread.miss, "m", flight.scenario.arm.model.units)
+    off = quantity_text(spread.miss, "m", flight.scenario.arm.model.units, figures=2)
     later = f"{tried.seconds * (1.0 + spread.longer):.0f} s and " if spread.longer else ""
     return f"with masses up to {later}{off} off"
 

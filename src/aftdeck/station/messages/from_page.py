@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.scenario.light import Lighting
+from aftdeck.scenario.schema import Plant
 from aftdeck.station.messages.kinds import (
     Binding,
     ControllerKind,
@@ -256,11 +257,16 @@ class Restart(WireMessage, frozen=True, tag="restart"):
 
 
 class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
-    """Run another scenario. The server completes and keeps the recording of the present run."""
+    """Run another scenario, or the same one on another plant.
+
+    The server completes and keeps the recording of the present run.
+    """
 
     seq: Seq
     number: Annotated[int, msgspec.Meta(ge=0)]
     """Index in `Scenarios.scenarios`."""
+    plant: Plant | None = None
+    """Plant; null for that of the scenario's file."""
 
 
 class DriveCamera(WireMessage, frozen=True, tag="drive_camera"):

@@ -212,7 +212,7 @@ class Page:
             case from_page.SetLight():
                 session.light(message)
             case from_page.FlyScenario():
-                self.pages.fly(message.number, self)
+                self.pages.fly(message.number, message.plant, self)
             case _:
                 session.command(message)
 

@@ -11,6 +11,7 @@ from threading import Thread
 from typing import Protocol
 
 from aftdeck.errors import AftdeckError
+from aftdeck.scenario.schema import Plant
 from aftdeck.station.messages import to_page
 from aftdeck.station.server.control_roles import ANSWER_WITHIN, ControlRoles
 from aftdeck.station.server.scenario_list import ScenarioList
@@ -68,23 +69,27 @@ class Pages:
         self.fresh.set()
         self.fresh = asyncio.Event()
 
-    def fly(self, number: int, page: Connected) -> None:
-        """Prepare another scenario, and run it when it is ready; until then the sticks of the present run are centred.
+    def fly(self, number: int, plant: Plant | None, page: Connected) -> None:
+        """Prepare another scenario, or the same one on another plant, and run it when it is ready.
+
+        Until then the sticks of the present run are centred.
 
         Raises:
             CommandError: the scenario cannot be chosen.
         """
-        self.choice.choose(number)
+        self.choice.choose(number, plant)
         self.session.set_unattended("another scenario")
         self.wake()
-        self.change = asyncio.create_task(self._change(number, page))
+        self.change = asyncio.create_task(self._change(number, plant, page))
 
-    async def _change(self, number: int, page: Connected) -> None:
+    async def _change(self, number: int, plant: Plant | None, page: Connected) -> None:
         """Replace the present session by a session of another scenario; after an error, keep the present session."""
         before, choice = self.driver, self.choice
         try:
-            self.driver = Driver(await _make_in_daemon_thread(lambda: before.session.another(choice.load(number))))
-            choice.flown = number
+            self.driver = Driver(
+                await _make_in_daemon_thread(lambda: before.session.another(choice.load(number, plant)))
+            )
+            choice.flown, choice.plant = number, self.driver.session.scenario.plant
             self.wake()
             await asyncio.to_thread(before.close)  # the old recording must be finished before the new one begins
             self.start()

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from aftdeck.errors import CommandError
+from aftdeck.files import Where
+from aftdeck.recording.bundle import opening, scenario_of
 from aftdeck.scenario.load import about, built_in, load_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.schema import Plant
 from aftdeck.station.messages import to_page
 
 FIRST = ("tutorial", "first-flight")
@@ -17,6 +20,7 @@ class ScenarioList:
     Attributes:
         scenarios: entries of the list.
         flown: number of the scenario that is running.
+        plant: plant of the present run.
         coming: number of the scenario that is being prepared; None if no scenario is being prepared.
     """
 
@@ -29,33 +33,42 @@ class ScenarioList:
             infos.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, given=True))
         self.scenarios = tuple(infos)
         self.flown = names.index(given.name) if own else 0
+        self.plant = given.plant
         self.coming: int | None = None
 
     def message(self) -> to_page.Scenarios:
         """Return the message with the list, for the pages."""
         return to_page.Scenarios(self.scenarios, self.flown, self.coming)
 
-    def choose(self, number: int) -> None:
+    def choose(self, number: int, plant: Plant | None = None) -> None:
         """Choose the scenario to prepare and run next.
 
         Raises:
-            CommandError: the scenario is running already, its number does not exist, or another is being prepared.
+            CommandError: the scenario is running already on this plant, its number does not exist, or another is being
+                prepared.
         """
         if number >= len(self.scenarios):
             raise CommandError(f"scenarios are numbered 0 to {len(self.scenarios) - 1}, got {number}")
         if self.coming is not None:
             raise CommandError(f"{self.scenarios[self.coming].title!r} is being prepared: wait until it runs")
-        if number == self.flown:
+        if number == self.flown and plant in (None, self.plant):
             raise CommandError(
                 f"{self.scenarios[number].title!r} is running already: press Restart to run it from the beginning"
             )
         self.coming = number
 
-    def load(self, number: int) -> Scenario:
+    def load(self, number: int, plant: Plant | None = None) -> Scenario:
         """Load a scenario of the list, and return it.
 
+        Args:
+            number: number of the scenario.
+            plant: the plant; None for that of the scenario's file.
+
         Raises:
-            ScenarioError: the scenario cannot be read.
+            ScenarioError: the scenario cannot be read, or cannot have this plant.
         """
         info = self.scenarios[number]
-        return self._given if info.given and self._given is not None else load_scenario(info.name)
+        changes: dict[Where, object] = {} if plant is None else {("plant",): plant}
+        if not info.given or self._given is None:
+            return load_scenario(info.name, changes)
+        return scenario_of(opening(self._given, 0, 0), changes) if changes else self._given

@@ -70,8 +70,8 @@ export function linesOf(
   const holding = (dynamics?.holds ?? [])
     .filter((each) => each.force >= LEAST_FORCE)
     .map(
-      ({ payload, by, force: held }): Line => ({
-        text: `${sentence(by)} holds ${payload}${newtons(held)}`,
+      ({ by, force: held }): Line => ({
+        text: `${by === 'end effector' ? 'Grasp' : 'Berth'}${newtons(held)}`,
         level: 'info',
       }),
     );

@@ -1,6 +1,6 @@
 /** The list of scenarios below the scenario's name, and the question before the user leaves a run. */
 
-import type { Frame, Scenarios } from '../../link/protocol';
+import type { Frame, Plant, Scenarios } from '../../link/protocol';
 import { button, el, setPressed, setText } from '../parts/dom';
 import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
@@ -9,6 +9,8 @@ import type { Desk } from '../parts/part';
 const TURNED = 1e-3;
 /** A page that connects later than this after the start of a run cannot know whether the arm has moved [s]. */
 const BEGUN_S = 1;
+
+const PLANTS: readonly Plant[] = ['kinematic', 'rigid', 'flexible'];
 
 export interface ScenarioChoice {
   /** The list, for the rail. */
@@ -29,13 +31,13 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
   let first: Frame | null = null;
   let flown = false;
   let recorded = false;
-  let asked = 0;
+  let asked: { readonly number: number; readonly plant: Plant | null } = { number: 0, plant: null };
   const list = el('div', { class: 'choices scenarios', role: 'group', 'aria-label': 'Scenarios' });
   const drop = dropDown(welcome.title, `${welcome.title}: ${welcome.text}`, list);
   drop.element.classList.add('scenario');
   const words = el('p', { role: 'status' });
   const fly = button({}, ['Leave and fly it'], () => {
-    send({ type: 'fly_scenario', number: asked });
+    send({ type: 'fly_scenario', ...asked });
     question.hidden = true;
   });
   const stay = button({}, ['Stay'], () => {
@@ -48,21 +50,34 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     fly,
     stay,
   );
-  const take = (number: number) => {
+  const take = (number: number, plant: Plant | null = null) => {
     const info = known?.scenarios[number];
     drop.open(false);
     if (!info) return;
-    if (!info.given) chosen(info.name);
-    if (number === known?.flown) return;
-    asked = number;
+    if (!info.given && plant === null) chosen(info.name);
+    if (number === known?.flown && (plant === null || plant === welcome.plant)) return;
+    asked = { number, plant };
     if (!flown) {
-      send({ type: 'fly_scenario', number });
+      send({ type: 'fly_scenario', ...asked });
       return;
     }
-    setText(words, leaving(welcome.title, info.title, recorded));
+    const next = plant === null ? info.title : `${info.title}, ${plant} plant`;
+    setText(words, leaving(welcome.title, next, recorded));
     question.hidden = false;
     fly.focus();
   };
+  /** Returns the choice of the plant on which the present scenario restarts. */
+  const plants = (number: number) =>
+    el(
+      'div',
+      { class: 'plants', role: 'group', 'aria-label': 'Plant' },
+      el('span', {}, 'Restart on the plant'),
+      ...PLANTS.map((plant) => {
+        const choice = button({}, [plant], () => take(number, plant));
+        setPressed(choice, plant === welcome.plant);
+        return choice;
+      }),
+    );
   return {
     element: drop.element,
     question,
@@ -74,7 +89,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
         setPressed(row, number === now.flown);
         return row;
       });
-      list.replaceChildren(...rows);
+      list.replaceChildren(...rows, plants(now.flown));
       const coming = now.coming === null ? undefined : now.scenarios[now.coming];
       question.hidden = !coming;
       for (const key of [fly, stay]) key.hidden = coming !== undefined;
