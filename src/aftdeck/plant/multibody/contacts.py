@@ -49,7 +49,8 @@ def add_solids(
         vertices = product(own, pose.rotation.T) + pose.position
         box = _as_box(vertices)
         if box is None:
-            spec.add_mesh(name=f"solid.{i}", uservert=vertices.ravel())
+            mesh = spec.add_mesh(name=f"solid.{i}", uservert=vertices.ravel())
+            mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL  # otherwise MuJoCo rejects the smallest solids
             geom = body.add_geom(name=f"solid.{i}", type=mujoco.mjtGeom.mjGEOM_MESH, meshname=f"solid.{i}")
         else:
             geom = body.add_geom(name=f"solid.{i}", type=mujoco.mjtGeom.mjGEOM_BOX, **box)

@@ -39,9 +39,11 @@ def watch_forces(flight: Flight, state: State, bodies: Bodies) -> None:
             bodies.held_for[k, holder] = before + period
             if before < REPORTED_AFTER <= before + period:
                 _report(flight, state, k, holder, float(bodies.held_peaks[k, holder]))
-    peaks = bodies.touch_peaks
+    peaks, touching = bodies.touch_peaks, {touch.group for touch in bodies.touches}
     for touch in bodies.touches:
         peaks[touch.group] = max(peaks.get(touch.group, 0.0), length(touch.force))
+    for group in peaks.keys() - touching - set(state.worksite.logged_contacts):
+        del peaks[group]  # a contact that was too short for a log line
 
 
 def _report(flight: Flight, state: State, k: int, holder: int, force: float) -> None:
