@@ -23,11 +23,12 @@ WINDOW = 4.0
 def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     """Measure the stop of the arm after each command, and log it when the tip is at rest or at the next command.
 
-    A command ends when the sticks return to zero, when an automatic motion ends, or by BRAKES or SAFING.
+    A command ends when the sticks return to zero, when an automatic motion ends, or by BRAKES or SAFING. If the next
+    command follows within `WINDOW`, nothing is logged.
     """
     driven, stop = _is_driven(state), bodies.stop
     if driven:
-        if stop is not None:
+        if stop is not None and (state.tick - stop.began) * flight.scenario.control_period >= WINDOW:
             _report(flight, state, stop, _tip(flight, bodies), rests=False)
         bodies.stop = None
     elif bodies.driven:
@@ -76,10 +77,9 @@ def _report(flight: Flight, state: State, stop: Stop, tip: Vec3, *, rests: bool)
     """Log a stop: distance and time, or the oscillation that is left when the next command begins."""
     units, period = flight.scenario.arm.model.units, flight.scenario.control_period
     away = distance(tip, stop.place)
-    went, farther, left = (quantity_text(value, "m", units) for value in (away, stop.greatest - away, stop.left))
+    farther = max(stop.greatest - away, 0.0)
+    went, beyond, left = (quantity_text(value, "m", units) for value in (away, farther, stop.left))
     until = stop.window if rests else state.tick
     how = "at rest" if rests else f"swings by {left}"
-    text = (
-        f"tip {how} {(until - stop.began) * period:.1f} s after {stop.cause}, {went} on; went up to {farther} farther"
-    )
+    text = f"tip {how} {(until - stop.began) * period:.1f} s after {stop.cause}, {went} on; went up to {beyond} farther"
     log(flight, state, "stop", "info", text)
