@@ -21,9 +21,9 @@ from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.conditions import all_hold
 from aftdeck.worksite.watch.near import near_pairs
 
-_GIVES = {"port": 0.5, "retention": 0.1}
+_GIVES = {"port": 0.2, "retention": 0.1}
 """Time constants with which docking ports and bay latches return a payload to its place [s]; with a port's, a payload
-that arrives at 0.2 m/s moves 4 cm past it (assumed)."""
+that arrives at 0.2 m/s moves 15 mm past it (assumed)."""
 NEAR = 0.02
 """Distance below which two solids can touch in the next control period [m]. A part that approaches faster than 1 m/s
 can penetrate another by the rest of its way before the contact acts (assumed)."""
