@@ -41,3 +41,36 @@ def test_joint_table_with_torques_fits(open_page: OpenPage, width: int, height: 
     flight.page.locator(".joints .torque").first.wait_for()
     assert_tidy(flight)
     assert_readable(flight)
+
+
+FARTHER = """() => {
+    const { bodies, lastFrame } = window.__aftdeck;
+    const at = (name) => {
+        const i = bodies.findIndex((body) => body.name === name);
+        const place = lastFrame.display.poses.slice(7 * i, 7 * i + 3);
+        return Math.hypot(...bodies[i].at.map((each, axis) => each - place[axis]));
+    };
+    return [at('arm.base'), at('arm.wrist_roll'), at('payload')];
+}"""
+"""Distances of the drawn bodies from their true places [m]."""
+PICTURE_M = 0.01
+"""Greatest motion of the loaded arm between the last picture and the last frame of the read-outs [m]."""
+
+
+def test_key_draws_bending_larger(flight: Flight) -> None:
+    flight.hold("q")
+    flight.until("Math.abs(frame.dynamics.bends[0].rotation[1]) > 1e-4")
+    assert max(flight.script(FARTHER)) < PICTURE_M
+    flight.press("NumpadMultiply")
+    flight.page.locator(".burned.time", has_text="BEND × 50").first.wait_for()
+    flight.polled()
+    base, wrist, payload = flight.script(FARTHER)
+    assert base == 0.0
+    assert wrist > 5.0 * PICTURE_M
+    assert payload > 5.0 * PICTURE_M
+    assert flight.page.locator(".joints h2 button[aria-pressed=true]").inner_text().endswith("× 50")
+    flight.press("NumpadMultiply")
+    flight.page.locator(".burned.time", has_text="live").first.wait_for()
+    flight.polled()
+    assert max(flight.script(FARTHER)) < PICTURE_M
+    flight.release("q")

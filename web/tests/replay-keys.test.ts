@@ -11,6 +11,7 @@ const NOTHING = {
   stepCamera: none,
   otherMonitor: none,
   plane: none,
+  bending: none,
   matrix: none,
   split: none,
   asFlown: none,

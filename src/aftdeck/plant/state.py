@@ -61,6 +61,7 @@ class Bodies(StatePart):
         holds: (6,) angles that the servos hold while their joints are not commanded [rad]; NaN for a commanded joint.
         brakes: (6,) angles at which the brakes hold the joints [rad]; NaN while the brakes are off.
         frames: (n, 12) true poses of the arm's frames in L, in the order of `ArmModel.frames`.
+        bends: (b, 6) bends of base and booms (`kinematics.bending`), in the order of `flexures_of`; (0, 6) if rigid.
         reference: (6,) rates from which the steering's acceleration limits count [rad/s].
         torques: (6,) torques of motors and brakes about the joints, at the end of the step [N m].
         overdriven: (6,) 1 for joints that turn against a motor or brake at its greatest torque.
@@ -86,6 +87,7 @@ class Bodies(StatePart):
     holds: Array
     brakes: Array
     frames: Array
+    bends: Array
     reference: Array
     torques: Array
     overdriven: Mask

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from aftdeck.arms.flexures import Flexure, flexures_of
 from aftdeck.arms.limits import JointRates
 from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
@@ -248,6 +249,11 @@ class Scenario:
     text: str
     changes: tuple[str, ...]
     cautions: tuple[Problem, ...]
+
+    @property
+    def flexures(self) -> tuple[Flexure, ...]:
+        """Parts of the arm that bend on the scenario's plant."""
+        return flexures_of(self.arm.model) if self.plant == "flexible" else ()
 
     @property
     def initial_angles(self) -> np.ndarray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, quaternion
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
@@ -19,7 +20,7 @@ class ScenePoses:
 
     def __init__(self, scenario: Scenario) -> None:
         mount, origin = scenario.arm.model.mount, np.array(scenario.worksite.origin)
-        self.arm = ArmPoses(scenario.arm.model, origin)
+        self.arm = ArmPoses(scenario.arm.model, origin, scenario.flexures)
         self._turn = product(SCENE_FROM_PANEL_AXES, mount.rotation)
         self._origin = product(SCENE_FROM_PANEL_AXES, mount.origin) - origin
         self._bodies = [
@@ -33,7 +34,7 @@ class ScenePoses:
     def at(self, frame: Frame) -> list[float]:
         """Return seven numbers for each body: x, y, z [m], then the quaternion w, x, y, z."""
         poses = self.worksite(frame)
-        poses += self.arm.at(np.array(frame.angles), frame.work.stand, self.prong(frame))
+        poses += self.arm.at(np.array(frame.angles), frame.work.stand, self.prong(frame), bends_in(frame))
         if self._payload and frame.payload is not None:
             poses += self.pose(*frame.payload)
         for cargo in frame.work.cargo:
@@ -68,3 +69,20 @@ class ScenePoses:
         """Convert a pose in L to seven numbers in the scene."""
         position_in_scene = product(self._turn, np.array(position)) + self._origin
         return [*position_in_scene.tolist(), *quaternion(product(self._turn, np.array(orientation)))]
+
+    def point(self, position: Vec3) -> Vec3:
+        """Convert a point in L to the scene [m]."""
+        x, y, z = (product(self._turn, np.array(position)) + self._origin).tolist()
+        return x, y, z
+
+    def vector(self, components: Vec3) -> Vec3:
+        """Convert a vector's components in L to those in the scene."""
+        x, y, z = product(self._turn, np.array(components)).tolist()
+        return x, y, z
+
+
+def bends_in(frame: Frame) -> Array | None:
+    """Return the bends (b, 6) of the arm's parts in a frame; None if nothing bends."""
+    if frame.dynamics is None or not frame.dynamics.bends:
+        return None
+    return np.array([(*bend.displacement, *bend.rotation) for bend in frame.dynamics.bends])

@@ -7,11 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from aftdeck.arms.flexures import Flexure
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.elementary import sincos
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN
+from aftdeck.kinematics.bending import bend_frames
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.kinematics.linkage import L1
 from aftdeck.law import law
@@ -31,9 +33,10 @@ class ArmPoses:
     Args:
         model: the arm.
         origin: (3,) the scene's origin in structural coordinates Xo, Yo, Zo [m].
+        flexures: the parts that bend.
     """
 
-    def __init__(self, model: ArmModel, origin: Array = SCENE_ORIGIN) -> None:
+    def __init__(self, model: ArmModel, origin: Array = SCENE_ORIGIN, flexures: Sequence[Flexure] = ()) -> None:
         self._frames, self._axes = frames_of(model), model.linkage.axes
         self._stand = float(model.links[L1])
         prong = model.equipment.prong
@@ -42,16 +45,24 @@ class ArmPoses:
         self._base = np.concatenate([point_in_scene(model.mount.origin, origin), turn.ravel()])
         self._rows = self._frames.rows()
         self._poses = np.empty((len(self._rows), 7))
+        self._carriers = np.array([part.frame for part in flexures], dtype=np.int64)
+        self._ends = np.array([part.end for part in flexures]).reshape(-1, 3)
+        self._telescope = model.frames.index(STAND) if STAND in model.frames else -1
 
-    def at(self, angles: Array, stand: float | None = None, prong: float | None = None) -> list[float]:
+    def at(
+        self, angles: Array, stand: float | None = None, prong: float | None = None, bends: Array | None = None
+    ) -> list[float]:
         """Return seven numbers per frame (x, y, z [m], w, x, y, z).
 
         Args:
             angles: (6,) joint angles [rad].
             stand: height of the shoulder above L's origin [m]; None for the height in the arm's model.
             prong: y2 of the prong's inner face [m]; None for the open prong.
+            bends: (b, 6) bends of the parts that bend (`kinematics.bending`); None for an unbent arm.
         """
         place_frames(self._frames.joints, angles, *self._telescope_and_prong(stand, prong), self._rows)
+        if bends is not None:
+            bend_frames(self._carriers, self._ends, bends, self._rows, self._telescope)
         sevens(self._base, self._rows, self._poses)
         flat: list[float] = self._poses.ravel().tolist()
         return flat

@@ -161,6 +161,17 @@ class Holding(msgspec.Struct, frozen=True, gc=False):
     force: Annotated[float, field_meta("force at the payload's centre", "N", decimals=3)]
 
 
+class Bend(msgspec.Struct, frozen=True, gc=False):
+    """How far a part of the arm is bent: the motion of its end relative to the straight part.
+
+    Its components are in the frame that carries the part: L for the base, the frame of the joint for a boom.
+    """
+
+    part: Annotated[str, field_meta("name of the part: `base`, `upper_boom` or `lower_boom`")]
+    displacement: Annotated[Vec3, field_meta("displacement of the part's end", "m", "part")]
+    rotation: Annotated[Vec3, field_meta("rotation vector of the part's end", "rad", "part")]
+
+
 class Dynamics(msgspec.Struct, frozen=True, gc=False):
     """Motion of the bodies behind the joints: what the encoders do not show, on a plant with masses.
 
@@ -184,6 +195,7 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
     ]
     contacts: Annotated[tuple[Force, ...], field_meta("forces between parts in contact")]
     holds: Annotated[tuple[Holding, ...], field_meta("forces that hold the worksite's payloads")]
+    bends: Annotated[tuple[Bend, ...], field_meta("bends of base and booms; empty if the arm is rigid")]
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):

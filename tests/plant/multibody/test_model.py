@@ -17,6 +17,7 @@ from aftdeck.arms.model import YawArmFile
 from aftdeck.arrays import Array
 from aftdeck.errors import ArmError
 from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.bending import BEND
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.plant.multibody.build import arm_spec
 from aftdeck.plant.multibody.view import View
@@ -46,7 +47,9 @@ def test_unbent_arm_is_where_the_laws_place_it(name: str, flexible: bool) -> Non
         expected, found, base = frames.rows(), np.empty((view.rows, 12)), np.zeros(12)
         base[[3, 7, 11]] = 1.0
         place_frames(frames.joints, angles, stand, 0.0, expected)
-        view.write_poses(found, base)
+        bends = np.empty((view.flexures, BEND))
+        view.write_poses(found, bends, base)
+        assert bends == pytest.approx(0.0, abs=1e-12)
         assert found == pytest.approx(expected, abs=1e-12)
         tip = Arm(model.at(stand) if model.equipment.telescope else model).forward(angles)
         assert view.data.site("tip").xpos == pytest.approx(tip.position, abs=1e-12)

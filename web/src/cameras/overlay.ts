@@ -1,10 +1,16 @@
-/** Overlay of a monitor's picture: lens, axes, minimum clearance, contacts. */
+/** Overlay of a monitor's picture: lens, axes, minimum clearance, contacts and their forces. */
 
-import type { ClosestPoints, Frame } from '../link/protocol';
+import type { ClosestPoints, Frame, Vec3 } from '../link/protocol';
 import type { GapLine, Touch } from '../panel/monitors/gap-overlay';
 import type { Picture } from '../panel/monitors/picture';
+import type { PushArrow } from '../panel/monitors/push-overlay';
 import type { Scene } from '../scene';
 import type { View } from '../scene/drawn';
+
+/** Least force that is drawn [N]; parts that only touch push each other with less. */
+const LEAST_N = 0.5;
+/** Length of an arrow for a force of 100 N, and the greatest length [m]; an arrow grows with the square root. */
+const [HUNDRED_N, LONGEST] = [0.6, 2.5];
 
 export interface Over {
   readonly frame: Frame;
@@ -20,6 +26,7 @@ export function overlay(scene: Scene, picture: Picture, view: View, over: Over):
   picture.setAxes(scene.cameras.directions(view.camera, [w, x, y, z]));
   const line = gap && gapLine(scene, view, gap, caution);
   picture.setGap(line, touches(scene, view, frame), view.rect);
+  picture.setPushes(pushes(scene, view, frame));
 }
 
 function gapLine(scene: Scene, { camera, rect }: View, gap: ClosestPoints, caution: boolean): GapLine | null {
@@ -41,5 +48,20 @@ function touches(scene: Scene, { camera, rect }: View, { work, display }: Frame)
     return at.visible
       ? [{ at: { x: at.x * width, y: at.y * height }, essential: work.contacts[i]?.essential ?? false }]
       : [];
+  });
+}
+
+/** Returns the arrows of the contact forces. An arrow begins at the contact and points along the force on the second part. */
+function pushes(scene: Scene, { camera, rect }: View, { display }: Frame): readonly PushArrow[] {
+  const { width, height } = rect;
+  return display.pushes.flatMap(({ point, force }) => {
+    const newtons = Math.hypot(...force);
+    if (newtons < LEAST_N) return [];
+    const length = Math.min(LONGEST, HUNDRED_N * Math.sqrt(newtons / 100)) / newtons;
+    const end = point.map((each, i) => each + length * (force[i] ?? 0)) as unknown as Vec3;
+    const ends = scene.cameras.segment(camera, width / height, point, end);
+    if (!ends) return [];
+    const [from, to] = ends.map(({ x, y }) => ({ x: x * width, y: y * height }));
+    return from && to ? [{ from, to, newtons }] : [];
   });
 }

@@ -49,6 +49,7 @@ export class Pictures {
   private readonly all: AllCameras;
   private readonly panes: Panes;
   private plane = false;
+  private exaggerated = false;
   private open = false;
   private count = 0;
   private orbits = 0;
@@ -144,6 +145,19 @@ export class Pictures {
     return this.plane;
   }
 
+  /** Whether bending is drawn exaggerated. */
+  get exaggerates(): boolean {
+    return this.exaggerated;
+  }
+
+  /** Draws bending exaggerated, or as it is; returns whether it is exaggerated now. */
+  toggleBending(): boolean {
+    this.exaggerated = !this.exaggerated;
+    for (const { halves } of this.monitors.both)
+      for (const half of halves) half.exaggerated = this.exaggerated;
+    return this.exaggerated;
+  }
+
   /** Whether the pictures drawn last are not on the page yet. Meanwhile no other pictures are drawn. */
   get drawing(): boolean {
     return this.finish !== null;
@@ -158,7 +172,7 @@ export class Pictures {
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
-    this.scene.setPoses(frame.display.poses);
+    this.scene.setPoses(frame, this.exaggerated);
     this.scene.cameras.put(frame.views);
     const round = this.round && this.survey.place(this.round, gap);
     if (round) this.scene.cameras.follow(round);
@@ -171,7 +185,7 @@ export class Pictures {
     const panes = this.panes.all(this.open);
     const wiped = this.panes.takeLayout(panes, this.open);
     if (wiped) this.scene.wipe();
-    const state = `${frame.tick} ${this.orbits} ${this.plane} ${this.appearance.early}`;
+    const state = `${frame.tick} ${this.orbits} ${this.plane} ${this.exaggerated} ${this.appearance.early}`;
     const stops = (name: string) => this.scene.stops(name);
     const drawn = this.panes.due(panes, state, stops, this.open, this.count, wiped);
     const due = drawn.due.map((pane) => [pane, this.viewOf(pane)] as const);

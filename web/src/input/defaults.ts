@@ -51,6 +51,7 @@ const KEYBOARD = {
   Backquote: 'fly orbiter',
   KeyM: 'acknowledge',
   KeyF: 'plane',
+  NumpadMultiply: 'bending',
   KeyX: 'otherMonitor',
   Comma: 'cameraStep -',
   Period: 'cameraStep +',

@@ -24,6 +24,7 @@ export type Action =
         | 'matrix'
         | 'acknowledge'
         | 'plane'
+        | 'bending'
         | 'slow camera'
         | 'fly orbiter'
         | 'light'
@@ -111,6 +112,7 @@ const ACTIONS: readonly Use[] = [
   once('fly orbiter', 'THC to orbiter', { name: 'fly orbiter' }),
   once('acknowledge', 'acknowledge', { name: 'acknowledge' }),
   once('plane', 'separating plane', { name: 'plane' }),
+  once('bending', 'bending, exaggerated', { name: 'bending' }),
   once('otherMonitor', 'other monitor', { name: 'otherMonitor' }),
   once('cameraStep -', 'previous camera', { name: 'cameraStep', by: -1 }),
   once('cameraStep +', 'next camera', { name: 'cameraStep', by: 1 }),

@@ -546,6 +546,8 @@ export interface Welcome {
   readonly joints: readonly JointInfo[];
   readonly modes: readonly ModeInfo[];
   readonly bodies: readonly BodyInfo[];
+  /** Parts of the arm that bend, from the base to the wrist; empty if nothing bends. */
+  readonly flexures: readonly FlexureInfo[];
   /** Indices of the bodies whose poses are in `Ahead.poses`. */
   readonly ghost: readonly number[];
   readonly cameras: readonly Camera[];
@@ -612,6 +614,14 @@ export interface ModeInfo {
 export interface BodyInfo {
   readonly name: string;
   readonly shapes: readonly Shape[];
+}
+
+/** Part of the arm that bends: the base or a boom; its bend is in `Dynamics.bends`, at the same index. */
+export interface FlexureInfo {
+  /** Index in `Welcome.bodies` of the body that carries the part. */
+  readonly body: number;
+  /** Place of the part's end in this body, as long as the part is straight [m]; zero for the base. */
+  readonly end: Vec3;
 }
 
 /** Television camera, window eye or engineering view on a body, with its initial setting. */
@@ -1164,6 +1174,8 @@ export interface Dynamics {
   readonly contacts: readonly Force[];
   /** forces that hold the worksite's payloads */
   readonly holds: readonly Holding[];
+  /** bends of base and booms; empty if the arm is rigid */
+  readonly bends: readonly Bend[];
 }
 
 /** Force between two parts in contact. */
@@ -1186,6 +1198,20 @@ export interface Holding {
   readonly by: 'end effector' | 'orbiter' | 'space';
   /** force at the payload's centre [N] */
   readonly force: number;
+}
+
+/**
+ * How far a part of the arm is bent: the motion of its end relative to the straight part.
+ *
+ * Its components are in the frame that carries the part: L for the base, the frame of the joint for a boom.
+ */
+export interface Bend {
+  /** name of the part: `base`, `upper_boom` or `lower_boom` */
+  readonly part: string;
+  /** displacement of the part's end [m], along the axes of part */
+  readonly displacement: Vec3;
+  /** rotation vector of the part's end [rad], along the axes of part */
+  readonly rotation: Vec3;
 }
 
 /** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */
@@ -1225,6 +1251,8 @@ export interface Display {
   readonly gap: ClosestPoints | null;
   /** Closest points of each contact, in the order of `Work.contacts`. */
   readonly contacts: readonly ClosestPoints[];
+  /** Forces between parts in contact, in the order of `Dynamics.contacts`. */
+  readonly pushes: readonly Push[];
   /** Newest look-ahead; null before the first one. */
   readonly ahead: Ahead | null;
   /** Orientation of the control frame in the scene frame; the page draws these axes in the pictures. */
@@ -1268,6 +1296,14 @@ export interface ClosestPoints {
   readonly plane: Vec3;
   /** Unit normal of this plane, from a to b; zero if the parts overlap. */
   readonly normal: Vec3;
+}
+
+/** Force between two parts in contact, in the scene frame. */
+export interface Push {
+  /** Point at which the force acts [m]. */
+  readonly point: Vec3;
+  /** Force on the second part [N]. */
+  readonly force: Vec3;
 }
 
 /**

@@ -98,6 +98,7 @@ export function buildParts(
   const controlPage = new ControlPage(desk);
   const groups = deskGroups(desk, events, {
     plane: () => operations.togglePlane(),
+    bending: () => operations.toggleBending(),
     controlPage: () => controlPage.toggle(),
     flyOrbiter: (on) => operations.flyOrbiter(on),
     strips: () => operations.tearOff('strips'),

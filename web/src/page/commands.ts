@@ -23,6 +23,7 @@ export interface Acting {
   holdRate(): void;
   acknowledge(): void;
   showPlane(): void;
+  showBending(): void;
   flyOrbiter(): void;
 }
 
@@ -82,6 +83,9 @@ export function act(action: Action, by: Acting): void {
       break;
     case 'plane':
       by.showPlane();
+      break;
+    case 'bending':
+      by.showBending();
       break;
     case 'fly orbiter':
       by.flyOrbiter();

@@ -9,6 +9,7 @@ import { BLOCKED, type Torn, tearOff } from '../windows/opened';
 import { act } from './commands';
 import type { Parts } from './parts';
 
+const RIGID = 'Nothing bends: the plant is not flexible.';
 const OBSERVING = 'Observing: only the operator can do that.';
 
 export class Operations {
@@ -70,6 +71,14 @@ export class Operations {
     windows.update();
   }
 
+  /** Draws bending exaggerated, or as it is. */
+  toggleBending(): void {
+    const { groups, log, pictures, welcome, windows } = this.parts;
+    if (welcome.flexures.length === 0) log.say(RIGID);
+    else groups.setBending(pictures.toggleBending());
+    windows.update();
+  }
+
   /** Shows all cameras in place of monitors and desk; clearance and lamps stay visible. */
   showMatrix(on: boolean): void {
     setClass(this.root, 'all-cameras', on);
@@ -110,6 +119,7 @@ export class Operations {
       holdRate: () => this.send({ type: 'rate_hold' }),
       acknowledge: () => this.acknowledge(),
       showPlane: () => this.togglePlane(),
+      showBending: () => this.toggleBending(),
       flyOrbiter: () => this.flyOrbiter(!operator.sticks.flyingOrbiter),
     });
   }

@@ -44,10 +44,10 @@ export class WindowLink {
    * keys pressed in the windows act on the page.
    */
   update(): void {
-    const { showsPlane: plane } = this.pictures;
+    const { showsPlane: plane, exaggerates: bending } = this.pictures;
     const { shown: monitors } = this.pictures.monitors;
     const { flying: takesKeys } = this.control.role;
-    this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys });
+    this.windows.say({ kind: 'page', monitors, plane, bending, units: this.units(), takesKeys });
   }
 
   /** Tells the windows that the page is closing. */

@@ -17,12 +17,21 @@ export class FlownDesk {
 
   constructor(private readonly index: PlaybackIndex) {
     const desk: Desk = { welcome: index.welcome, send() {}, say() {} };
-    this.groups = deskGroups(desk, this.events, { plane() {}, controlPage() {}, flyOrbiter() {} });
+    this.groups = deskGroups(desk, this.events, {
+      plane() {},
+      bending() {},
+      controlPage() {},
+      flyOrbiter() {},
+    });
     this.element = el(
       'section',
       { class: 'desk', 'aria-label': 'Desk of the recorded run', inert: '' },
       ...this.groups.elements,
     );
+  }
+
+  setBending(on: boolean): void {
+    this.groups.setBending(on);
   }
 
   setPlane(on: boolean): void {

@@ -13,6 +13,7 @@ export interface ReplayKeys {
   stepCamera(by: 1 | -1): void;
   otherMonitor(): void;
   plane(): void;
+  bending(): void;
   matrix(): void;
   split(): void;
   asFlown(): void;
@@ -42,6 +43,7 @@ export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardE
     KeyX: () => keys.otherMonitor(),
     KeyD: () => keys.desk(),
     KeyF: () => keys.plane(),
+    KeyB: () => keys.bending(),
     KeyC: () => keys.matrix(),
     KeyZ: () => keys.split(),
     KeyA: () => keys.asFlown(),

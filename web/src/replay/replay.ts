@@ -115,6 +115,10 @@ export class Replay {
         this.desk.setPlane(this.pictures.togglePlane());
         this.windows.tell();
       },
+      bending: () => {
+        if (index.welcome.flexures.length > 0) this.desk.setBending(this.pictures.toggleBending());
+        this.windows.tell();
+      },
       asFlown: () => this.showAsFlown(),
       zoom: (way) => this.zoom(way),
       close: () => this.transport.open(false),
@@ -169,13 +173,14 @@ export class Replay {
 
   /** Returns whether the pictures must be drawn again, because the frame, a camera or the window's size has changed. */
   private isNew(frame: Frame): boolean {
-    const { canvas, monitors, showsPlane, matrixOpen, moved } = this.pictures;
+    const { canvas, monitors, showsPlane, exaggerates, matrixOpen, moved } = this.pictures;
     const { clientWidth, clientHeight } = canvas;
     const state = [
       frame.tick,
       clientWidth,
       clientHeight,
       showsPlane,
+      exaggerates,
       matrixOpen,
       moved,
       ...monitors.shown,

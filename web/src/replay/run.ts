@@ -13,7 +13,7 @@ const HINTS = [
   'Left, right: one second; with Shift, one frame.',
   'Up, down: speed. [ ]: previous, next event.',
   '1–9, 0 , . cameras · X monitor · Z split · C all',
-  'A cameras as flown · D desk · F plane',
+  'A cameras as flown · D desk · F plane · B bending',
   '+ − time axis',
 ];
 

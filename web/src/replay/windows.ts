@@ -22,11 +22,11 @@ export class ReplayWindows {
     window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }));
   }
 
-  /** Sends the page's state to the windows: cameras, separating plane and units. */
+  /** Sends the page's state to the windows: cameras, separating plane, bending and units. */
   tell(): void {
-    const { showsPlane: plane } = this.pictures;
+    const { showsPlane: plane, exaggerates: bending } = this.pictures;
     const { shown: monitors } = this.pictures.monitors;
-    this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys: true });
+    this.windows.say({ kind: 'page', monitors, plane, bending, units: this.units(), takesKeys: true });
   }
 
   /** Sends the playhead if it has changed since the last message. */

@@ -11,8 +11,10 @@ import {
   Vector3,
 } from 'three';
 import type { BodyInfo, Group, Light, Shape, Vec3 } from '../link/protocol';
+import { type Bend, bendPoints } from './bend';
 import type { Quality } from './drawn';
 import type { Materials } from './materials';
+import { refine } from './refine';
 import { surfaceOf } from './shapes';
 import { Surface } from './surface';
 
@@ -47,7 +49,9 @@ class Batch {
     for (let i = 0; i < surface.positions.length; i += 3) this.colours.push(colour.r, colour.g, colour.b);
   }
 
-  geometry(): BufferGeometry {
+  /** `along`: direction in which the surface will bend; null if it is rigid. */
+  geometry(along: Vector3 | null): BufferGeometry {
+    if (along) refine(this.surface, this.colours, along);
     const { positions, normals, uvs, indices } = this.surface;
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
@@ -60,12 +64,15 @@ class Batch {
   }
 }
 
-/** A rigid body: its shapes merged into one mesh for each material. */
+/** A body: its shapes merged into one mesh for each material. It is rigid, or a boom that bends. */
 export class Body {
   readonly group = new Object3D();
   readonly lights: PlacedLight[] = [];
+  /** Positions of the vertices of each mesh while the body is straight; empty if it is rigid. */
+  private readonly straight: Float32Array[] = [];
 
-  constructor(info: BodyInfo, materials: Materials, quality: Quality) {
+  /** `end`: end of the boom, if the body bends; null if it is rigid. */
+  constructor(info: BodyInfo, materials: Materials, quality: Quality, end: Vec3 | null = null) {
     this.group.name = info.name;
     this.group.matrixAutoUpdate = false;
     const batches = new Map<string, Batch>();
@@ -78,7 +85,11 @@ export class Body {
       batch.add(surfaceOf(shape, quality), motion, look.colour);
     }
     for (const [name, batch] of batches) {
-      const mesh = new Mesh(batch.geometry(), materials.material(name));
+      const mesh = new Mesh(batch.geometry(end && new Vector3(...end).normalize()), materials.material(name));
+      if (end) {
+        this.straight.push(mesh.geometry.getAttribute('position').array.slice() as Float32Array);
+        mesh.frustumCulled = false; // its bounds are those of the straight boom
+      }
       mesh.name = name;
       mesh.castShadow = mesh.receiveShadow = materials.solid(name);
       mesh.matrixAutoUpdate = false;
@@ -97,6 +108,23 @@ export class Body {
     turn.set(poses[first + 4] ?? 0, poses[first + 5] ?? 0, poses[first + 6] ?? 0, poses[first + 3] ?? 1);
     this.group.matrix.compose(place, turn, ONE);
     this.group.updateMatrixWorld(true);
+  }
+
+  /** Move the body by a motion in the scene. */
+  move(motion: Matrix4): void {
+    this.group.matrix.premultiply(motion);
+    this.group.updateMatrixWorld(true);
+  }
+
+  /** Bend the meshes of a boom, which ends at `end` while it is straight [m]. */
+  bend(end: Vec3, bend: Bend): void {
+    this.group.children.forEach((child, i) => {
+      const straight = this.straight[i];
+      if (!straight || !(child instanceof Mesh)) return;
+      const position = child.geometry.getAttribute('position');
+      bendPoints(straight, position.array as Float32Array, end, bend);
+      position.needsUpdate = true;
+    });
   }
 
   /** Name, number of triangles, and position of the body in the scene. */

@@ -1,6 +1,7 @@
 import { Color, Scene as Stage, Vector3, type WebGLRenderer } from 'three';
-import type { ClosestPoints, Lighting, Vec3, Welcome } from '../link/protocol';
+import type { ClosestPoints, Frame, Lighting, Vec3, Welcome } from '../link/protocol';
 import type { Drawing } from '../page/quality';
+import { Bending, EXAGGERATION } from './bending';
 import { Body, type DrawnBody, lampCount } from './bodies';
 import { Cameras } from './cameras';
 import type { Rect, View } from './drawn';
@@ -18,6 +19,8 @@ import { Television } from './television';
 
 /** Number of values for each body in `Display.poses`. */
 const POSE = 7;
+/** Name of the body of the scenario's own payload. */
+const OWN_PAYLOAD = 'payload';
 /** Colour between the pictures, equal to the page's background. */
 const MARGIN = '#0c0d0e';
 const MARGIN_COLOUR = new Color(MARGIN);
@@ -36,6 +39,7 @@ export class Scene {
   private readonly stage = new Stage();
   private readonly materials: Materials;
   private readonly bodies: readonly Body[];
+  private readonly bending: Bending;
   private readonly illumination: Illumination;
   private readonly exposures: Exposures;
   private readonly gap: Gap;
@@ -57,11 +61,13 @@ export class Scene {
     this.relay = software ? new Relay(this.renderer, canvas) : null;
     const lambert = new LambertLight(lampCount(welcome.bodies));
     const materials = new Materials(quality, lambert);
-    const bodies = welcome.bodies.map((body) => new Body(body, materials, quality));
+    const booms = new Map(welcome.flexures.map(({ body, end }) => [body, end]));
+    const bodies = welcome.bodies.map((body, i) => new Body(body, materials, quality, booms.get(i)));
     for (const { group } of bodies) stage.add(group);
     stage.matrixWorldAutoUpdate = false;
     this.materials = materials;
     this.bodies = bodies;
+    this.bending = new Bending(welcome, bodies);
     this.cameras = new Cameras(welcome.cameras, bodies);
     this.sight = new Sight(this.cameras, bodies);
     const { conditions } = welcome;
@@ -88,11 +94,16 @@ export class Scene {
     return this.bodies.map((body) => body.drawn);
   }
 
-  /** Sets the poses of all `Welcome.bodies`, in this order. A pose is x, y, z [m], w, x, y, z in the scene frame. */
-  setPoses(poses: readonly number[]): void {
+  /**
+   * Sets the poses of all bodies to those in a frame's `display.poses`, and bends the booms. A pose is x, y, z [m],
+   * w, x, y, z in the scene frame.
+   */
+  setPoses({ display: { poses }, dynamics, work }: Frame, exaggerated: boolean): void {
     this.bodies.forEach((body, i) => {
       body.setPose(poses, POSE * i);
     });
+    const held = [OWN_PAYLOAD, ...work.cargo.flatMap(({ held, name }) => (held ? [name] : []))];
+    this.bending.show(dynamics?.bends ?? [], exaggerated ? EXAGGERATION : 1, held);
     this.illumination.follow();
   }
 

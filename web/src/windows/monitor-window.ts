@@ -114,10 +114,11 @@ export class Display {
   }
 
   /** Applies the page's state. */
-  private follow({ monitors, plane, units }: PageState): void {
+  private follow({ monitors, plane, bending, units }: PageState): void {
     this.hearing = true;
     this.units = units;
     if (plane !== this.pictures.showsPlane) this.pictures.togglePlane();
+    if (bending !== this.pictures.exaggerates) this.pictures.toggleBending();
     monitors.forEach((names, i) => {
       this.pictures.monitors.show(i, names);
     });
@@ -139,5 +140,6 @@ export class Display {
     else if (action.name === 'cameraStep') this.pictures.monitors.step(action.by);
     else if (action.name === 'split') this.pictures.monitors.toggleSplit();
     else if (action.name === 'plane') this.pictures.togglePlane();
+    else if (action.name === 'bending') this.pictures.toggleBending();
   }
 }

@@ -11,6 +11,8 @@ export interface PageState {
   readonly kind: 'page';
   readonly monitors: readonly (readonly string[])[];
   readonly plane: boolean;
+  /** Whether bending is drawn exaggerated. */
+  readonly bending: boolean;
   readonly units: UnitName;
   /** Whether keys pressed in the windows act on the page: true if the page is in control, or plays back a recording. */
   readonly takesKeys: boolean;

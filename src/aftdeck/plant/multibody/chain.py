@@ -11,6 +11,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
+from aftdeck.arms.flexures import Flexure
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.masses import Boom, flexibility_needed, masses_of, servo_needed
@@ -34,6 +35,13 @@ def add_arm(parent: Body, model: ArmModel, *, flexible: bool) -> Body:
         ArmError: the arm's file lacks a table that this model needs.
     """
     return _Chain(model, flexible=flexible).add_to(parent)
+
+
+def end_body(part: Flexure) -> tuple[str, Array]:
+    """Return the name of the body that is fixed to the end of a part that bends, and the place of the end in it [m]."""
+    if not part.end.any():
+        return part.part, np.zeros(3)
+    return f"{part.part}.{len(GAUSS)}", (1.0 - GAUSS[-1]) * part.end
 
 
 class _Chain:

@@ -9,6 +9,7 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE, relative
 from aftdeck.elementary import nearest
+from aftdeck.kinematics.bending import measure_bend
 from aftdeck.law import law
 
 NONE = math.nan
@@ -150,3 +151,34 @@ def poses_in_base(base: Array, bodies: Indices, xpos: Array, xmat: Array, rows: 
     for n in range(bodies.shape[0]):
         pose[:3], pose[3:] = xpos[bodies[n]], xmat[bodies[n]]
         relative(base, pose, rows[n])
+
+
+@law
+def bends_of(
+    frames: Indices,
+    carriers: Indices,
+    beyond: Indices,
+    xpos: Array,
+    xmat: Array,
+    own: Array,
+    ends: Array,
+    bends: Array,
+) -> None:
+    """Write the bends of the arm's parts from MuJoCo's present poses.
+
+    Args:
+        frames: (n,) numbers of the bodies of the arm's frames.
+        carriers: (b,) index in `frames` of the frame that carries each part.
+        beyond: (b,) number of the body that is fixed to each part's end.
+        xpos: (b, 3) MuJoCo's positions of all bodies in the world [m].
+        xmat: (b, 9) MuJoCo's rotations of all bodies, row by row.
+        own: (b, 3) place of each part's end in the body that is fixed to it [m].
+        ends: (b, 3) place of each straight part's end in the frame that carries it [m].
+        bends: (b, 6) output.
+    """
+    carrier, end = np.empty(POSE), np.empty(POSE)
+    for n in range(carriers.shape[0]):
+        body = frames[carriers[n]]
+        carrier[:3], carrier[3:] = xpos[body], xmat[body]
+        end[:3], end[3:] = xpos[beyond[n]], xmat[beyond[n]]
+        measure_bend(carrier, end, own[n], ends[n], bends[n])

@@ -18,6 +18,7 @@ from aftdeck.arms.masses import servo_needed
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.errors import SimulationError
+from aftdeck.kinematics.bending import BEND
 from aftdeck.plant.linear_actuator import Travel
 from aftdeck.plant.multibody.build import STEP
 from aftdeck.plant.multibody.contacts import ContactPairs
@@ -128,6 +129,7 @@ class MultibodyPlant:
             holds=np.full(6, np.nan),
             brakes=np.full(6, np.nan),
             frames=np.empty((view.rows, POSE)),
+            bends=np.zeros((view.flexures, BEND)),
             reference=state.rates.copy(),
             torques=np.zeros(6),
             overdriven=np.zeros(6, np.uint8),
@@ -181,7 +183,7 @@ def _store(one: _Model, state: PlantState) -> None:
     assert bodies is not None, "`begin` sets the bodies"
     mujoco.mj_getState(view.model, view.data, bodies.physics, _STATE)
     mujoco.mj_kinematics(view.model, view.data)  # after a step, MuJoCo's poses are those before the step
-    view.write_poses(bodies.frames, state.base)
+    view.write_poses(bodies.frames, bodies.bends, state.base)
     one.payloads.write(bodies)
     if one.jets is not None:
         one.jets.write(state.base, bodies)

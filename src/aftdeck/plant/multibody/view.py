@@ -7,10 +7,12 @@ from typing import Any
 import mujoco
 import numpy as np
 
+from aftdeck.arms.flexures import flexures_of
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
-from aftdeck.plant.multibody.joint_laws import poses_in_base
+from aftdeck.plant.multibody.chain import end_body
+from aftdeck.plant.multibody.joint_laws import bends_of, poses_in_base
 
 _DIVERGED = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
 
@@ -22,6 +24,7 @@ class View:
         model: the compiled model.
         data: MuJoCo's workspace.
         rows: number of the arm's frames.
+        flexures: number of the arm's parts that bend.
         motors: (6,) places of the motors' angles in MuJoCo's positions.
         gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
         motor_rates: (6,) places of the motors' rates in MuJoCo's velocities.
@@ -45,6 +48,13 @@ class View:
         self._grip = model.actuator("drive.prong").id if PRONG in arm.frames else -1
         self._height = float(arm.links[0])
         self.rows = len(self._frames)
+        parts = flexures_of(arm) if len(self.gearboxes) else ()
+        self.flexures = len(parts)
+        ends = [end_body(part) for part in parts]
+        self._carriers = np.array([part.frame for part in parts], dtype=np.int64)
+        self._beyond = np.array([model.body(name).id for name, _ in ends], dtype=np.int64)
+        self._own = np.array([own for _, own in ends]).reshape(-1, 3)
+        self._ends = np.array([part.end for part in parts]).reshape(-1, 3)
         self._warnings = [self.data.warning[kind] for kind in _DIVERGED]
         self.qpos, self.qvel = self.data.qpos, self.data.qvel
         self._xpos, self._xmat = self.data.xpos, self.data.xmat
@@ -88,16 +98,19 @@ class View:
                 warning.number = 0
         return found
 
-    def write_poses(self, frames: Array, base: Array) -> None:
-        """Write poses from MuJoCo's present ones: of the arm's frames, and of L.
+    def write_poses(self, frames: Array, bends: Array, base: Array) -> None:
+        """Write poses from MuJoCo's present ones: of the arm's frames, its bent parts, and L.
 
         Args:
             frames: (n, 12) output: true poses of the arm's frames, in L.
+            bends: (b, 6) output: bends of base and booms; (0, 6) if the model is rigid.
             base: (12,) output: pose of L, relative to its pose at the start of the run.
         """
         if self._orbiter >= 0:
             base[:3], base[3:] = self._xpos[self._orbiter], self._xmat[self._orbiter]
         poses_in_base(base, self._frames, self._xpos, self._xmat, frames)
+        if self.flexures:
+            bends_of(self._frames, self._carriers, self._beyond, self._xpos, self._xmat, self._own, self._ends, bends)
         if self._telescope >= 0:  # the frame of the first joint does not rise with the telescope
             frames[1, :3] = 0.0
 

@@ -14,7 +14,7 @@ from aftdeck.matrices import distance
 from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
-from aftdeck.simulation.frame import Dynamics, Force, Holding, Placed
+from aftdeck.simulation.frame import Bend, Dynamics, Force, Holding, Placed
 from aftdeck.simulation.observe.frame_numbers import six
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Rows, Six, Vec3
@@ -64,11 +64,14 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
         fired,
         _contacts(site, bodies),
         _holds(site, bodies),
+        _bends(site, bodies),
     )
 
 
 def _contacts(site: Site, bodies: Bodies) -> tuple[Force, ...]:
     """Return the forces between parts in contact."""
+    if not bodies.touches:
+        return ()
     return tuple(Force(*site.layout.named(touch.group), touch.force, touch.place) for touch in bodies.touches)
 
 
@@ -78,3 +81,11 @@ def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
         Holding(site.cargo[k].name, _HOLDERS[holder], float(bodies.held[k, holder]))
         for k, holder in zip(*np.nonzero(bodies.held), strict=True)
     )
+
+
+def _bends(site: Site, bodies: Bodies) -> tuple[Bend, ...]:
+    """Return the bends of base and booms."""
+    if len(bodies.bends) == 0:
+        return ()
+    numbers = zip(site.flexures, bodies.bends.tolist(), strict=True)
+    return tuple(Bend(part.part, (a, b, c), (d, e, f)) for part, (a, b, c, d, e, f) in numbers)

@@ -17,7 +17,7 @@ from aftdeck.simulation import frame as sim
 from aftdeck.simulation.observe import look_ahead
 from aftdeck.station.conversion.fixture import Fixtures
 from aftdeck.station.lamps import lit_lamps
-from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Resolution, with_display
+from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Push, Resolution, with_display
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Six, Vec3
 from aftdeck.worksite.report import Near
@@ -88,6 +88,7 @@ class Displays:
             lamps=lit_lamps(self._scenario, frame, delays),
             gap=None if work.nearest is None else self._gap(work.nearest),
             contacts=tuple([self._gap(near) for near in work.contacts]),
+            pushes=self._pushes(frame),
             ahead=ahead,
             axes=quaternion(SCENE_FROM_PANEL_AXES @ control),
             poses=tuple(self._poses.at(frame)),
@@ -141,6 +142,11 @@ class Displays:
             return None
         shown = self._mount.to("panel", Pose(np.array(goal.position), np.array(goal.rotation) @ self._hand))
         return Aim(_vec3(shown.position), panel_attitude(shown.rotation))
+
+    def _pushes(self, frame: sim.Frame) -> tuple[Push, ...]:
+        """Return the forces between parts in contact."""
+        contacts = () if frame.dynamics is None else frame.dynamics.contacts
+        return tuple(Push(self._poses.point(each.position), self._poses.vector(each.force)) for each in contacts)
 
     def _gap(self, near: Near) -> ClosestPoints:
         a, b = (self._scene_axes @ np.array(point) + self._scene_origin for point in (near.point_a, near.point_b))

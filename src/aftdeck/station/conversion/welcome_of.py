@@ -10,7 +10,16 @@ from aftdeck.scene.bodies import bodies_of
 from aftdeck.simulation.operator.master import AXES, axes_of
 from aftdeck.station.conversion.payload_table import payload_table, stored_sequences
 from aftdeck.station.messages import kinds
-from aftdeck.station.messages.welcome import BodyInfo, JointInfo, ModeInfo, SeatInfo, StandInfo, Welcome, WorkInfo
+from aftdeck.station.messages.welcome import (
+    BodyInfo,
+    FlexureInfo,
+    JointInfo,
+    ModeInfo,
+    SeatInfo,
+    StandInfo,
+    Welcome,
+    WorkInfo,
+)
 from aftdeck.steering.mode import MODES, Mode
 from aftdeck.version import __version__
 
@@ -58,6 +67,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         conditions=conditions(),
         lamps=scenario.lamps,
         bodies=bodies,
+        flexures=_flexures(scenario),
         ghost=_ghost(scenario, len(bodies)),
         cameras=cameras_of(scenario),
         payloads=payload_table(scenario),
@@ -78,6 +88,15 @@ def _work(scenario: Scenario) -> WorkInfo:
         parts=tuple(scenario.parts),
         caution=scenario.caution,
         warning=scenario.warning,
+    )
+
+
+def _flexures(scenario: Scenario) -> tuple[FlexureInfo, ...]:
+    """Return the parts of the arm that bend."""
+    first = len(scenario.worksite.bodies)
+    return tuple(
+        FlexureInfo(first + part.frame, (float(part.end[0]), float(part.end[1]), float(part.end[2])))
+        for part in scenario.flexures
     )
 
 

@@ -44,6 +44,15 @@ class ClosestPoints(msgspec.Struct, frozen=True, gc=False):
     """Unit normal of this plane, from a to b; zero if the parts overlap."""
 
 
+class Push(msgspec.Struct, frozen=True, gc=False):
+    """Force between two parts in contact, in the scene frame."""
+
+    point: Vec3
+    """Point at which the force acts [m]."""
+    force: Vec3
+    """Force on the second part [N]."""
+
+
 class Ahead(msgspec.Struct, frozen=True):
     """Look-ahead: predicted state of the arm after some seconds with the present stick command.
 
@@ -113,6 +122,8 @@ class Display(msgspec.Struct, frozen=True):
     """Closest points of `Work.nearest`."""
     contacts: tuple[ClosestPoints, ...]
     """Closest points of each contact, in the order of `Work.contacts`."""
+    pushes: tuple[Push, ...]
+    """Forces between parts in contact, in the order of `Dynamics.contacts`."""
     ahead: Ahead | None
     """Newest look-ahead; null before the first one."""
     axes: Quat

@@ -63,6 +63,15 @@ class BodyInfo(msgspec.Struct, frozen=True):
     shapes: tuple[Shape, ...]
 
 
+class FlexureInfo(msgspec.Struct, frozen=True):
+    """Part of the arm that bends: the base or a boom; its bend is in `Dynamics.bends`, at the same index."""
+
+    body: int
+    """Index in `Welcome.bodies` of the body that carries the part."""
+    end: Vec3
+    """Place of the part's end in this body, as long as the part is straight [m]; zero for the base."""
+
+
 class StandInfo(msgspec.Struct, frozen=True):
     """Telescope under an arm: minimum and maximum length, and rate."""
 
@@ -163,6 +172,8 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     joints: tuple[JointInfo, ...]
     modes: tuple[ModeInfo, ...]
     bodies: tuple[BodyInfo, ...]
+    flexures: tuple[FlexureInfo, ...]
+    """Parts of the arm that bend, from the base to the wrist; empty if nothing bends."""
     ghost: tuple[int, ...]
     """Indices of the bodies whose poses are in `Ahead.poses`."""
     cameras: tuple[Camera, ...]

@@ -47,7 +47,10 @@ const FLYING: readonly Row[] = [
 ];
 
 /** Returns the rows for this arm's end effector, the worksite and the panel: functions, and their effects. */
-export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): readonly Row[] {
+export function working({
+  work: { hand, stand },
+  flexures,
+}: Pick<Welcome, 'flexures' | 'work'>): readonly Row[] {
   const prong: readonly Row[] = [
     [['close'], 'held 0.3 s: the prong closes'],
     [['open'], 'held 1 s: the prong opens'],
@@ -62,6 +65,7 @@ export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): reado
     [['latch'], 'held 1 s: latch the payload in its berth, or unlatch'],
     [['safing', 'position hold'], 'safing, position hold; again: off'],
     [['plane'], 'separating plane in the pictures'],
+    ...(flexures.length > 0 ? ([[['bending'], 'bending exaggerated in the pictures']] as const) : []),
     [['acknowledge'], 'acknowledge the master alarm'],
     [['control page'], 'PDRS control: target, stored points, payloads'],
     ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),

@@ -23,6 +23,8 @@ import { thc } from './thc';
 export interface DeskListener {
   /** Shows or hides the separating plane. */
   plane(): void;
+  /** Draws bending exaggerated, or as it is. */
+  bending(): void;
   /** Opens or closes the page PDRS control. */
   controlPage(): void;
   /** Assigns the THC to the orbiter, or to the arm. */
@@ -37,6 +39,7 @@ export interface Groups {
   readonly mode: ModeGroup;
   readonly target: TargetGroup;
   setPlane(on: boolean): void;
+  setBending(on: boolean): void;
   grip(action: GripAction): void;
   /** Switches SAFING on, or cancels it. */
   safe(): void;
@@ -62,7 +65,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
   const still = brakesSafing(desk);
   const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc()];
-  const own = joints(desk);
+  const own = joints(desk, () => listener.bending());
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
   const last = singularity(desk);
   const parts = [...upper, still, effector, acting, cargo, ahead, conditions, last];
@@ -101,6 +104,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     mode,
     target,
     setPlane: (on) => clearance.setPlane(on),
+    setBending: (on) => own.setBending(on),
     grip: (action) => (action.grip === 'brakes' ? still : effector).grip(action),
     safe: () => still.safe(),
     holdPosition: () => still.hold(),

@@ -1,15 +1,22 @@
 /** Joint angles between their limits, and joint rates as fractions of their limits. */
 
 import type { Limit } from '../../link/protocol';
+import { EXAGGERATION } from '../../scene/bending';
 import { degrees } from '../../words/format';
 import { loadBar, rateBar } from '../parts/bar';
-import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../parts/dom';
+import { button, el, group, setAbout, setAttribute, setClass, setPressed, setText, svg } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 import { jointBar, range } from './joint-bar';
 import { place } from './joint-scale';
 import { standRow } from './stand';
 
-export function joints(desk: Desk): Part {
+export interface JointsGroup extends Part {
+  /** Marks the button of exaggerated bending; `on`: whether the pictures exaggerate it. */
+  setBending(on: boolean): void;
+}
+
+/** `bending` draws bending exaggerated, or as it is. */
+export function joints(desk: Desk, bending: () => void): JointsGroup {
   const rows = desk.welcome.joints.map((joint) => {
     // A hollow mark above the bar. It hides the pointer's stem if both have the same position.
     const commanded = svg('path', { class: 'commanded', d: 'M-3.8 0 H3.8 L0 6.4 Z' });
@@ -63,8 +70,13 @@ export function joints(desk: Desk): Part {
     ),
   );
   setClass(element, 'loaded', loaded);
+  const bendKey = button({ class: 'more', title: BENDING }, [`Bend × ${EXAGGERATION}`], bending);
+  if (desk.welcome.flexures.length > 0) element.querySelector('h2')?.append(bendKey);
   return {
     element,
+    setBending(on) {
+      setPressed(bendKey, on);
+    },
     bars({ frame }) {
       stand?.point(frame.work.stand ?? 0);
       rows.forEach(({ joint, scale, commanded, bar, torque }, i) => {
@@ -97,6 +109,7 @@ export function joints(desk: Desk): Part {
   };
 }
 
+const BENDING = 'Draw the bending of the arm larger than it is';
 const TORQUE = "Torque of motor or brake, as a fraction of the motor's greatest torque";
 
 const SHORT: Readonly<Record<Limit['kind'], string>> = {

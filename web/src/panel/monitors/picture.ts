@@ -5,12 +5,14 @@ import type { Turning } from '../../input/camera-hand';
 import { type Age, isStale } from '../../link/delay-line';
 import type { Camera, Frame, Vec3 } from '../../link/protocol';
 import { inset } from '../../page/room';
+import { EXAGGERATION } from '../../scene/bending';
 import { timeCode } from '../../words/format';
 import { lensWords } from '../../words/lens';
 import { el, setAttribute, setClass, setStyle, setText, svg } from '../parts/dom';
 import { axesOverlay } from './axes';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
+import { type PushArrow, pushOverlay } from './push-overlay';
 
 /** Rotation of an engineering view by a drag across the whole picture [rad]. */
 const DRAGGED = Math.PI;
@@ -51,7 +53,10 @@ export class Picture {
   private readonly stale = el('p', { class: 'stale' });
   private readonly pane = el('div', { class: 'pane', 'aria-hidden': 'true' });
   private readonly axes = axesOverlay();
+  private readonly pushes = pushOverlay();
   private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
+  /** Whether the picture shows exaggerated bending. */
+  exaggerated = false;
   private corners: { readonly of: Size; readonly touched: boolean; readonly boxes: readonly Box[] } | null =
     null;
   private shown: Camera;
@@ -75,6 +80,7 @@ export class Picture {
         this.hint,
         el('span', { class: 'barred' }, WATCHED),
       ),
+      this.pushes.element,
       ...this.gap.elements,
       this.stale,
     );
@@ -124,6 +130,11 @@ export class Picture {
     this.gap.show(line, touches, picture);
   }
 
+  /** Draws the forces between parts in contact, at picture rate. */
+  setPushes(arrows: readonly PushArrow[]): void {
+    this.pushes.show(arrows);
+  }
+
   /** Writes the minimum clearance; `seen`: whether each end of the line is visible in this picture. */
   setGapText(text: string, seen: readonly [boolean, boolean]): void {
     this.gap.setText(text, seen);
@@ -136,7 +147,8 @@ export class Picture {
     const old = age === null ? '' : `${age.s.toFixed(1)} s old`;
     const how = age === null ? 'recorded' : stale || age.set > 0 ? old : 'live';
     const locked = frame.display.lighting.locked.some(({ camera }) => camera === this.shown.name);
-    setText(this.age, locked ? `EXP LOCK  ${how}` : how);
+    const marks = [this.exaggerated ? `BEND × ${EXAGGERATION}` : '', locked ? 'EXP LOCK' : '', how];
+    setText(this.age, marks.filter((mark) => mark !== '').join('  '));
     setText(this.stale, stale ? old : '');
     setClass(this.element, 'is-stale', stale);
   }
