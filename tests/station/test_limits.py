@@ -130,6 +130,14 @@ def test_garbled_request_gets_no_500_and_no_traceback(
     assert not tracebacks
 
 
+def test_answer_in_preparation_is_dropped_if_the_body_is_invalid(recording: Station, tracebacks: list[str]) -> None:
+    with socket.create_connection(("127.0.0.1", recording.port), WAIT_S) as link:
+        link.sendall(GARBLED["bad chunks"])  # request and body arrive at once, before the answer is prepared
+        assert link.recv(65536).startswith(b"HTTP/1.1 400")
+    time.sleep(0.2)
+    assert not tracebacks
+
+
 @pytest.mark.parametrize("number", ["9" * 5000, "-1", "1e3", "%D9%A1", "99"])
 def test_number_of_a_block_that_does_not_exist_is_not_found(
     recording: Station, number: str, tracebacks: list[str]

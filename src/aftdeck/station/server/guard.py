@@ -81,7 +81,12 @@ class GuardedHttp(H11Protocol):
             self._begin_limit(SENT_WITHIN if self.transport.get_write_buffer_size() else REQUEST_WITHIN)
 
     def send_400_response(self, msg: str) -> None:
-        """Answer an invalid request; while another answer is being sent, only close the connection."""
+        """Answer an invalid request; while another answer is being sent, only close the connection.
+
+        If the body of the request is invalid, its answer may still be in preparation; this answer is dropped.
+        """
+        if self.busy:
+            self.cycle.disconnected = True
         try:
             super().send_400_response(msg)
         except h11.LocalProtocolError:
