@@ -11,16 +11,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import HERE, row_of
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
 from aftdeck.worksite.conditions import Condition, all_hold, condition_text, failing, rejection_text
 from aftdeck.worksite.log_line import LogLine
 from aftdeck.worksite.seats.berthing import (
+    OFFSET,
     Guide,
     SeatTolerances,
     in_guides,
-    places,
+    offsets,
     prepare,
     ready_to_latch,
     retained,
@@ -39,10 +41,12 @@ TRUNNIONS = np.array([PORT.seat, STARBOARD.seat, KEEL.seat]) - np.array([2.5, 0.
 STOWED = Pose(np.array([2.5, 0.0, 0.0]), np.eye(3))
 
 
-def payload(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | None = None) -> tuple[Array, Pose]:
-    """Return the trunnions in the guides' frame, and the payload's pose relative to its stowed pose."""
+def payload(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | None = None) -> tuple[Array, Array]:
+    """Return the trunnions' offsets from their seats, and the payload's pose relative to its stowed pose."""
     left = Pose(np.array(offset), np.eye(3) if turn is None else turn)
-    return places(TRUNNIONS, Pose(STOWED.position + left.position, left.rotation)), left
+    at, found = row_of(Pose(STOWED.position + left.position, left.rotation)), np.empty((len(TRUNNIONS), OFFSET))
+    offsets(np.array(HERE), at, TRUNNIONS, GUIDES.seats, GUIDES.axes, found)
+    return found, row_of(left)
 
 
 def ready(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | None = None) -> tuple[Condition, ...]:
@@ -114,7 +118,8 @@ def test_failed_switch_prevents_ready_to_latch() -> None:
 @settings(deadline=None)
 @given(st.floats(0.0, 0.1), st.floats(0.0, 0.03))
 def test_payload_released_near_its_stowed_pose_is_retained(distance: float, angle: float) -> None:
-    found = retained(Pose(np.array([0.0, 0.6 * distance, -0.8 * distance]), rotation_y(angle)), TOLERANCES)
+    left = Pose(np.array([0.0, 0.6 * distance, -0.8 * distance]), rotation_y(angle))
+    found = retained(row_of(left), TOLERANCES)
     if min(abs(distance - 0.05), abs(angle - radians(1.0))) > 1e-9:
         assert all_hold(found) == (distance <= 0.05 and angle <= radians(1.0))
 

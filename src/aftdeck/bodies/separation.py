@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -116,6 +117,7 @@ def read(pair: Array) -> Separation:
     )
 
 
+@lru_cache(maxsize=1 << 8)
 def named(bits: int) -> str:
     """Return the name of the smallest feature that contains every vertex v whose bit 2**(v - 1) is set."""
     vertices = {v for v in range(1, 9) if bits >> (v - 1) & 1}

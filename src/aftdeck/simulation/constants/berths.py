@@ -12,7 +12,7 @@ from aftdeck.bodies.pose import row_of
 from aftdeck.matrices import product
 from aftdeck.worksite.file.cargo import part_of
 from aftdeck.worksite.model import Cargo, Seat
-from aftdeck.worksite.seats.berthing import Guide, Guides, SeatTolerances, prepare
+from aftdeck.worksite.seats.berthing import OFFSET, Guide, Guides, SeatTolerances, offsets, prepare
 from aftdeck.worksite.seats.docking import DockingTolerances
 
 KEEL = "keel"
@@ -44,6 +44,19 @@ class Berth:
     docking: DockingTolerances
     guides: Guides | None
     tolerances: SeatTolerances
+
+    def trunnions(self, frames: Array, cargo_row: int, trunnions: Array) -> Array:
+        """Return the offsets (n, 4) of a payload's trunnions from their seats (`berthing.offsets`).
+
+        Args:
+            frames: (F, 12) poses of all frames in L.
+            cargo_row: row of the payload's frame.
+            trunnions: (n, 3) centres of the trunnions in the payload's frame [m].
+        """
+        assert self.guides is not None, "the berth has guides"
+        found = np.empty((len(trunnions), OFFSET))
+        offsets(frames[self.row], frames[cargo_row], trunnions, self.guides.seats, self.guides.axes, found)
+        return found
 
     @property
     def latches_automatically(self) -> bool:

@@ -44,15 +44,14 @@ class Meeting:
         cargo: index of the payload to which one of the parts belongs.
         relation: name of the relative position in which the two parts may touch.
         depth: permitted penetration depth, and permitted distance past the plane of contact, such as a port's face [m].
-        trunnions: for each solid of the payload's trunnions, the index of its trunnion; the key is the solid's index
-            in the layout. Empty if the relation is not "guides".
+        trunnions: (m,) index of the trunnion that belongs to each pair of solids; (0,) if the relation is not "guides".
     """
 
     group: int
     cargo: int
     relation: Relation
     depth: float
-    trunnions: dict[int, int]
+    trunnions: Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -249,8 +248,10 @@ def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> t
         frames = {layout.frames[layout.part_frame[layout.part(part)]] for part in essential.parts}
         for k, payload in enumerate(cargo):
             if payload.name in frames:
-                trunnions = _trunnions(layout, payload) if essential.relation == "guides" else {}
+                own = _trunnions(layout, payload) if essential.relation == "guides" else {}
                 for group in np.flatnonzero(among(layout, [essential.parts])).tolist():
+                    pairs = layout.pairs[layout.begins[group] : layout.begins[group + 1]].tolist() if own else ()
+                    trunnions = np.array([own[i if i in own else j] for i, j in pairs], dtype=np.int64)
                     found.append(Meeting(group, k, essential.relation, essential.depth, trunnions))
     return tuple(found)
 

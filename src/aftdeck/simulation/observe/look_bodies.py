@@ -21,7 +21,6 @@ from aftdeck.tuples import Rows, Six, Vec3
 
 _HOLDERS: tuple[Literal["end effector", "orbiter", "space"], ...] = ("end effector", "orbiter", "space")
 """Names of the columns of `Bodies.held`."""
-_NONE: tuple[int, ...] = ()
 
 
 @law
@@ -53,7 +52,7 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     miss = None
     if target is not None:
         miss = distance(target.position, position), angle_between(target.rotation, orientation)
-    overdriven = tuple(np.flatnonzero(bodies.overdriven).tolist()) if bodies.overdriven.any() else _NONE
+    overdriven = tuple(joint for joint, is_driven in enumerate(bodies.overdriven.tolist()) if is_driven)
     return Dynamics(
         position,
         orientation,
@@ -78,8 +77,10 @@ def _contacts(site: Site, bodies: Bodies) -> tuple[Force, ...]:
 def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
     """Return the forces that hold payloads."""
     return tuple(
-        Holding(site.cargo[k].name, _HOLDERS[holder], float(bodies.held[k, holder]))
-        for k, holder in zip(*np.nonzero(bodies.held), strict=True)
+        Holding(site.cargo[k].name, holder, force)
+        for k, forces in enumerate(bodies.held.tolist())
+        for holder, force in zip(_HOLDERS, forces, strict=True)
+        if force
     )
 
 

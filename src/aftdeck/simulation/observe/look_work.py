@@ -33,9 +33,11 @@ def work_of(flight: Flight, state: State) -> Work:
     contacts: tuple[Near, ...] = ()
     reasons: tuple[str, ...] = ()
     if worksite.logged_contacts:
-        standing = worksite.contacts.standing(site.layout, worksite.watch.found, flight.scenario.arm.model.units)
-        contacts = tuple(near_of(flight, state, worksite.watch.found, contact.group) for contact in standing)
-        reasons = tuple(contact.text for contact in standing if contact.inhibits and inhibit.arm)
+        found = worksite.watch.found
+        contacts = tuple(near_of(flight, state, found, group) for group in worksite.contacts.groups(found))
+        if inhibit.arm:
+            standing = worksite.contacts.standing(site.layout, found, flight.scenario.arm.model.units)
+            reasons = tuple(contact.text for contact in standing if contact.inhibits)
     objective, conditions = present_objective(flight, state)
     return Work(
         task=worksite.task,

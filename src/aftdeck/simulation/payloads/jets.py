@@ -39,7 +39,7 @@ def translation_command(flight: Flight, state: State, inputs: Inputs) -> Array:
     """
     rule, worksite = flight.site.worksite.translation, state.worksite
     braking = worksite.orbiter_velocity
-    if not any(inputs.orbiter) and not braking.any():
+    if not any(inputs.orbiter) and not any(braking.tolist()):
         return NO_COMMAND
     if rule is None or translation_rejection(flight, state):
         braking[:] = 0.0
@@ -71,6 +71,6 @@ def attitude_torques(flight: Flight, state: State) -> list[tuple[int, Array]]:
             if (angle > band and rates[axis] > wanted) or (angle < -band and rates[axis] < wanted):
                 inertia = flight.site.cargo[k].inertia[axis]
                 torque[axis] = inertia * (wanted - rates[axis]) / flight.scenario.control_period
-        if torque.any():
+        if any(torque.tolist()):
             found.append((k, torque))
     return found

@@ -10,21 +10,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array, Mask
-from aftdeck.bodies.pair import CONTACT
-from aftdeck.bodies.pose import POSE, pose_of, relative
+from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.frames import oriend_rows
+from aftdeck.law import law
 from aftdeck.matrices import length
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.site import Meeting, Site
 from aftdeck.simulation.payloads.grasp import fixture_in_hand
 from aftdeck.simulation.payloads.seating import approached
 from aftdeck.worksite.capture.acquisition import FIXED, PALM, PRONG
-from aftdeck.worksite.seats.berthing import inside, places
+from aftdeck.worksite.seats.berthing import inside
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
-from aftdeck.worksite.watch.near import touching_pairs
+from aftdeck.worksite.watch.near import touch
 
 
 def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
@@ -76,29 +76,55 @@ def _at_port(site: Site, frames: Array, k: int, berth: Berth, depth: float) -> b
     return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= berth.docking.distance)
 
 
-def trunnions_at(site: Site, frames: Array, k: int, berth: Berth) -> Array:
-    """Return the positions (n, 3) of a payload's trunnions in the frame to which a berth is fixed [m]."""
-    in_frame = np.empty(POSE)
-    relative(frames[berth.row], frames[site.cargo_row(k)], in_frame)
-    return places(site.cargo[k].trunnions, pose_of(in_frame))
-
-
 def _in_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, berth: Berth) -> bool:
     """Return whether every trunnion in contact is inside the mouth of its own V-guide."""
-    assert berth.guides is not None
-    room = inside(trunnions_at(site, frames, meeting.cargo, berth), berth.guides)
-    return all(room[trunnion] >= -meeting.depth for trunnion in _touching(site, placed, meeting))
+    guides, layout, k = berth.guides, site.layout, meeting.cargo
+    assert guides is not None
+    return guided(
+        berth.trunnions(frames, site.cargo_row(k), site.cargo[k].trunnions),
+        guides.opening,
+        guides.throat,
+        guides.height,
+        guides.play,
+        placed,
+        layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]],
+        meeting.trunnions,
+        meeting.depth,
+    )
 
 
-def _touching(site: Site, placed: Array, meeting: Meeting) -> set[int]:
-    """Return the indices of the pair's trunnions that are in contact."""
-    layout, found = site.layout, set()
-    pairs = layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]]
-    touching = np.empty(len(pairs), np.uint8)
-    touching_pairs(placed, pairs, touching)
-    for i, j in pairs[touching != 0].tolist():
-        found.add(meeting.trunnions[i if i in meeting.trunnions else j])
-    return found
+@law
+def guided(
+    found: Array,
+    opening: Array,
+    throat: Array,
+    height: Array,
+    play: Array,
+    placed: Array,
+    pairs: Indices,
+    trunnions: Indices,
+    depth: float,
+) -> bool:
+    """Return whether every trunnion in contact is inside the mouth of its own V-guide.
+
+    Args:
+        found: (n, 4) result of `berthing.offsets`.
+        opening: `Guides.opening`.
+        throat: `Guides.throat`.
+        height: `Guides.height`.
+        play: `Guides.play`.
+        placed: (s, 52) all solids in L.
+        pairs: (m, 2) pairs of solids of trunnions and guides.
+        trunnions: (m,) trunnion to which each pair belongs.
+        depth: permitted penetration depth [m].
+    """
+    pair = np.zeros(PAIR)
+    for k in range(len(pairs)):
+        if inside(trunnions[k], found, opening, throat, height, play) >= -depth:
+            continue
+        if touch(placed[pairs[k, 0]], placed[pairs[k, 1]], pair):
+            return False
+    return True
 
 
 def _in_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, pose_of, relative
+from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.matrices import length
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.flight import Flight
@@ -22,7 +22,7 @@ from aftdeck.simulation.payloads.latch_command import NEAR, Pressed, addressed, 
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.state import State
 from aftdeck.worksite.conditions import Condition, all_hold, failure_text, quantity_text
-from aftdeck.worksite.seats.berthing import in_guides, places, ready_to_latch, retained
+from aftdeck.worksite.seats.berthing import in_guides, ready_to_latch, retained
 from aftdeck.worksite.seats.docking import DISTANCE, FOUND, approach, docking
 from aftdeck.worksite.seats.draw_in import remaining
 from aftdeck.worksite.seats.latches import Latches, advance
@@ -268,9 +268,8 @@ def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condit
         return docking(approached(berth, state.worksite.frames, flight.site.cargo_row(k)), berth.docking)
     off = _offset(flight, state, k, berth)
     if berth.guides is None:
-        return retained(pose_of(off), berth.tolerances)
-    inside = np.empty(POSE)
-    relative(state.worksite.frames[berth.row], state.worksite.frames[flight.site.cargo_row(k)], inside)
-    trunnions = places(flight.site.cargo[k].trunnions, pose_of(inside))
+        return retained(off, berth.tolerances)
+    site = flight.site
+    trunnions = berth.trunnions(state.worksite.frames, site.cargo_row(k), site.cargo[k].trunnions)
     guided = in_guides(trunnions, berth.guides)
-    return (*guided, *ready_to_latch(trunnions, pose_of(off), berth.guides, berth.tolerances))
+    return (*guided, *ready_to_latch(trunnions, off, berth.guides, berth.tolerances))

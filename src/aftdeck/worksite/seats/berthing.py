@@ -12,18 +12,19 @@ Not modelled: the force of a guide on a trunnion. The two switches of a latch di
 from __future__ import annotations
 
 from collections.abc import Sequence, Set
-from math import inf
+from math import inf, sqrt
 from typing import NamedTuple
 
 import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, relative, rows, vec3
 from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
-from aftdeck.frames import Pose, angle_between
+from aftdeck.frames import angle_between
 from aftdeck.law import law
-from aftdeck.matrices import dots, length, lengths, product
+from aftdeck.matrices import length, product
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.conditions import Condition, within
 
@@ -64,6 +65,28 @@ class SeatTolerances(msgspec.Struct, frozen=True):
     """Angle of the rotation from the stowed attitude, about any axis [rad]; SSV has 1 deg [I]."""
 
 
+class Says(NamedTuple):
+    """Texts about a trunnion and its guide.
+
+    The last four are pairs of templates: the first of a pair is for positive values, the second for negative ones.
+
+    Attributes:
+        in_guide: name of the condition that the trunnion is in its guide.
+        ready: name of the condition that the latch is ready.
+        height: for the trunnion's height.
+        aside: for its offset along `Guide.along`.
+        askew: for its offset along its own axis.
+        seat: for its distance from its seat.
+    """
+
+    in_guide: str
+    ready: str
+    height: tuple[str, str]
+    aside: tuple[str, str]
+    askew: tuple[str, str]
+    seat: tuple[str, str]
+
+
 class Guides(NamedTuple):
     """Guides of a berth, with their directions and dimensions as arrays.
 
@@ -75,9 +98,7 @@ class Guides(NamedTuple):
         throat: (n,) `Guide.throat` of each guide [m].
         height: (n,) `Guide.height` of each guide [m].
         play: (n,) `Guide.play` of each guide [m].
-        says: for each guide, three pairs of text templates: for a trunnion's height, for its offset along
-            `Guide.along`, and for its offset along its own axis. The first template of a pair is for positive values,
-            the second for negative values.
+        says: for each guide, its texts.
     """
 
     guides: tuple[Guide, ...]
@@ -87,7 +108,7 @@ class Guides(NamedTuple):
     throat: Array
     height: Array
     play: Array
-    says: tuple[tuple[tuple[str, str], tuple[str, str], tuple[str, str]], ...]
+    says: tuple[Says, ...]
 
 
 def prepare(guides: Sequence[Guide]) -> Guides:
@@ -112,36 +133,48 @@ def prepare(guides: Sequence[Guide]) -> Guides:
     return Guides(tuple(guides), seats, axes, opening, throat, height, play, says)
 
 
-def _templates(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]:
-    """Return the text templates for a trunnion's position in the guide `name`; see `Guides.says`."""
+def _templates(name: str) -> Says:
+    """Return the texts about the guide `name`."""
     trunnion = f"{name} trunnion"
     aside = f"{trunnion} {{}} from its guide's middle"
     askew = f"{trunnion} {{}} from its guide, along the trunnion"
-    return (f"{trunnion} {{}} above its seat", f"{trunnion} {{}} below its seat"), (aside, aside), (askew, askew)
+    return Says(
+        f"{trunnion} in guide",
+        f"{name} latch ready",
+        (f"{trunnion} {{}} above its seat", f"{trunnion} {{}} below its seat"),
+        (aside, aside),
+        (askew, askew),
+        (f"{trunnion} {{}} from its seat", ""),
+    )
 
 
-def places(trunnions: Array, payload: Pose) -> Array:
-    """Return the trunnions' centres (n, 3) in the frame in which the payload's pose is given [m].
+ALONG, ACROSS, UP, AWAY, OFFSET = range(5)
+"""Columns of a trunnion's offset from its seat: along, across and up in the guide's axes, and the distance [m]; then
+their number."""
+
+
+@law
+def offsets(seat: Array, payload: Array, trunnions: Array, seats: Array, axes: Array, found: Array) -> None:
+    """Write the offset of each trunnion from its seat.
 
     Args:
-        trunnions: (n, 3) centres in the payload's frame [m].
-        payload: pose of the payload.
+        seat: (12,) pose in L of the frame in which the guides are given.
+        payload: (12,) pose of the payload's frame in L.
+        trunnions: (n, 3) centres of the trunnions in the payload's frame, in the order of the guides [m].
+        seats: `Guides.seats`.
+        axes: `Guides.axes`.
+        found: (n, 4) output.
     """
-    return np.asarray(payload.position + product(trunnions, payload.rotation.T))
-
-
-def inside(trunnions: Array, guides: Guides) -> Array:
-    """Return (n,) the distance of each trunnion's centre from the nearest limit of its guide; negative outside [m].
-
-    The distances are measured along the guide's directions: up, along and across.
-
-    Args:
-        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        guides: guides of the berth.
-    """
-    along, across, up = _local(trunnions, guides)
-    room = guides.throat + np.maximum(up, 0.0) * guides.opening
-    return np.asarray(np.min([up, guides.height - up, room - np.abs(along), guides.play - np.abs(across)], axis=0))
+    at, off = np.empty(POSE), np.empty(3)
+    relative(seat, payload, at)
+    for n in range(len(trunnions)):
+        for i in range(3):
+            row = 3 + 3 * i
+            turned = at[row] * trunnions[n, 0] + at[row + 1] * trunnions[n, 1] + at[row + 2] * trunnions[n, 2]
+            off[i] = at[i] + turned - seats[n, i]
+        for i in range(3):
+            found[n, i] = axes[n, i, 0] * off[0] + axes[n, i, 1] * off[1] + axes[n, i, 2] * off[2]
+        found[n, AWAY] = sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2])
 
 
 class Over(NamedTuple):
@@ -161,75 +194,64 @@ class Over(NamedTuple):
 
 
 @law
-def over(
-    seat: Array, payload: Array, trunnions: Array, seats: Array, axes: Array, opening: Array, throat: Array,
-    height: Array, play: Array,
-) -> Over:  # fmt: skip
+def over(found: Array, opening: Array, throat: Array, height: Array, play: Array) -> Over:
     """Return the position of a payload's trunnions relative to the guides of a berth.
 
     Args:
-        seat: (12,) pose in L of the frame in which the guides are given.
-        payload: (12,) pose of the payload's frame in L.
-        trunnions: (n, 3) centres of the trunnions in the payload's frame, in the order of the guides [m].
-        seats: `Guides.seats`.
-        axes: `Guides.axes`: along, across and up.
+        found: (n, 4) result of `offsets`.
         opening: `Guides.opening`.
         throat: `Guides.throat`.
         height: `Guides.height`.
         play: `Guides.play`.
     """
     least, most, room = np.inf, -np.inf, np.inf
-    place, local = np.empty(3), np.empty(3)
-    for n in range(len(trunnions)):
-        for i in range(3):
-            place[i] = payload[i] - seat[i]
-            for j in range(3):
-                place[i] += payload[3 + 3 * i + j] * trunnions[n, j]
-        for i in range(3):
-            local[i] = seat[3 + i] * place[0] + seat[6 + i] * place[1] + seat[9 + i] * place[2] - seats[n, i]
-        along, across, up = 0.0, 0.0, 0.0
-        for i in range(3):
-            along += axes[n, 0, i] * local[i]
-            across += axes[n, 1, i] * local[i]
-            up += axes[n, 2, i] * local[i]
-        wide = throat[n] + min(max(up, 0.0), height[n]) * opening[n]
+    for n in range(len(found)):
+        up = found[n, UP]
         least, most = min(least, up), max(most, up)
-        room = min(room, wide - abs(along), play[n] - abs(across))
+        wide = throat[n] + min(max(up, 0.0), height[n]) * opening[n]
+        room = min(room, wide - abs(found[n, ALONG]), play[n] - abs(found[n, ACROSS]))
     return Over(least, most, room)
 
 
-def _local(trunnions: Array, guides: Guides) -> Array:
-    """Return the trunnions' offsets (3, n) from their seats in the guides' axes: along, across, up [m]."""
-    return dots(guides.axes, (trunnions - guides.seats)[:, None]).T
+@law
+def inside(n: int, found: Array, opening: Array, throat: Array, height: Array, play: Array) -> float:
+    """Return the distance of trunnion n from the nearest limit of its guide; negative outside [m].
+
+    The distance is measured along the guide's directions: up, along and across. The arguments are those of `over`.
+    """
+    up = found[n, UP]
+    room = throat[n] + max(up, 0.0) * opening[n] - abs(found[n, ALONG])
+    least: float = min(up, height[n] - up, room, play[n] - abs(found[n, ACROSS]))
+    return least
 
 
-def in_guides(trunnions: Array, guides: Guides) -> tuple[Condition, ...]:
+def in_guides(found: Array, guides: Guides) -> tuple[Condition, ...]:
     """Return for each trunnion the condition that it is inside its guide.
 
     Each condition reports the trunnion's height or one of its two offsets: the value with the least margin.
 
     Args:
-        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
+        found: (n, 4) result of `offsets`.
         guides: guides of the berth.
     """
-    local, opened = _local(trunnions, guides).T.tolist(), guides.opening.tolist()
-    found = []
-    for guide, opening, says, (along, across, up) in zip(guides.guides, opened, guides.says, local, strict=True):
+    conditions = []
+    for guide, opening, says, (along, across, up, _) in zip(
+        guides.guides, guides.opening.tolist(), guides.says, found.tolist(), strict=True
+    ):
         room = guide.throat + max(up, 0.0) * opening
         height, aside, askew = min(up, guide.height - up), room - abs(along), guide.play - abs(across)
-        name = f"{guide.name} trunnion in guide"
         if height <= aside and height <= askew:
-            found.append(within(name, up, 0.0, guide.height, "m", says[0]))
+            conditions.append(within(says.in_guide, up, 0.0, guide.height, "m", says.height))
         elif aside <= askew:
-            found.append(within(name, along, -room, room, "m", says[1]))
+            conditions.append(within(says.in_guide, along, -room, room, "m", says.aside))
         else:
-            found.append(within(name, across, -guide.play, guide.play, "m", says[2]))
-    return tuple(found)
+            conditions.append(within(says.in_guide, across, -guide.play, guide.play, "m", says.askew))
+    return tuple(conditions)
 
 
 def ready_to_latch(
-    trunnions: Array,
-    payload: Pose,
+    found: Array,
+    left: Array,
     guides: Guides,
     tolerances: SeatTolerances,
     failed: Set[str] = frozenset(),
@@ -240,59 +262,56 @@ def ready_to_latch(
     switch of the latch has failed, the condition reports the failed switch instead.
 
     Args:
-        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        payload: the payload's remaining offset and rotation, as a pose relative to its seated pose.
+        found: (n, 4) result of `offsets`.
+        left: (12,) the payload's remaining offset and rotation, as a pose relative to its seated pose.
         guides: guides of the berth.
         tolerances: tolerances of the berth.
         failed: names of failed switches, for example ``forward port B``.
     """
-    off = lengths(trunnions - guides.seats).tolist()
-    found = []
-    for guide, distance in zip(guides.guides, off, strict=True):
-        name, says = f"{guide.name} latch ready", f"{guide.name} trunnion {{}} from its seat"
-        seated = within(name, distance, -inf, tolerances.distance, "m", (says, ""))
-        if seated.holds and (dark := [switch for switch in SWITCHES if f"{guide.name} {switch}" in failed]):
+    conditions = []
+    for guide, says, distance in zip(guides.guides, guides.says, found[:, AWAY].tolist(), strict=True):
+        seated = within(says.ready, distance, -inf, tolerances.distance, "m", says.seat)
+        if failed and seated.holds and (dark := [switch for switch in SWITCHES if f"{guide.name} {switch}" in failed]):
             text = f"{guide.name} latch: switch {' and '.join(dark)} shows nothing"
             shows, needed = float(len(SWITCHES) - len(dark)), float(len(SWITCHES))
-            found.append(Condition(name, False, shows, needed, "", shows - needed, text))
+            conditions.append(Condition(says.ready, False, shows, needed, "", shows - needed, text))
         else:
-            found.append(seated)
-    return (*found, _turn(payload, tolerances))
+            conditions.append(seated)
+    return (*conditions, _turn(left, tolerances))
 
 
 def switches(
-    trunnions: Array, guides: Guides, tolerances: SeatTolerances, failed: Set[str] = frozenset()
+    found: Array, guides: Guides, tolerances: SeatTolerances, failed: Set[str] = frozenset()
 ) -> tuple[tuple[bool, bool], ...]:
     """Return for each latch whether its switches A and B show ready-for-latch, as on DISP 97.
 
     The arguments are those of `ready_to_latch`.
     """
-    off = lengths(trunnions - guides.seats).tolist()
     return tuple(
         (
             distance <= tolerances.distance and f"{guide.name} {SWITCHES[0]}" not in failed,
             distance <= tolerances.distance and f"{guide.name} {SWITCHES[1]}" not in failed,
         )
-        for guide, distance in zip(guides.guides, off, strict=True)
+        for guide, distance in zip(guides.guides, found[:, AWAY].tolist(), strict=True)
     )
 
 
-def retained(payload: Pose, tolerances: SeatTolerances) -> tuple[Condition, ...]:
+def retained(left: Array, tolerances: SeatTolerances) -> tuple[Condition, ...]:
     """Return the conditions under which a payload that is released in a bay berth stays in the berth.
 
     Args:
-        payload: the offset of the payload's centre and its rotation, as a pose relative to its seated pose.
+        left: (12,) the offset of the payload's centre and its rotation, as a pose relative to its seated pose.
         tolerances: tolerances of the berth.
     """
-    distance = length(payload.position.tolist())
+    distance = length(vec3(left, 0))
     return (
         within("payload stowed", distance, -inf, tolerances.distance, "m", _PLACE_SAYS),
-        _turn(payload, tolerances),
+        _turn(left, tolerances),
     )
 
 
-def _turn(payload: Pose, tolerances: SeatTolerances) -> Condition:
-    angle = angle_between(payload.rotation.tolist(), _STOWED)
+def _turn(left: Array, tolerances: SeatTolerances) -> Condition:
+    angle = angle_between(rows(left, 3), _STOWED)
     return within("payload's attitude", angle, -inf, tolerances.angle, "rad", _TURN_SAYS)
 
 

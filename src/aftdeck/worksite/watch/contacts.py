@@ -157,11 +157,13 @@ class Contacts(StatePart):
 
     def standing(self, layout: Layout, found: Array, units: Units) -> tuple[Contact, ...]:
         """Return all contacts of the last step, deepest first, with texts in the operator's units."""
-        groups = np.flatnonzero(self.count)
-        return tuple(
-            self._contact(int(g), layout, found, units)
-            for g in groups[np.argsort(found[groups, CLEARANCE], kind="stable")]
-        )
+        return tuple(self._contact(group, layout, found, units) for group in self.groups(found))
+
+    def groups(self, found: Array) -> list[int]:
+        """Return the groups that are in contact, deepest first; `found` is `ClearanceMonitor.found` (g, 15)."""
+        touching: list[int] = np.flatnonzero(self.count).tolist()
+        depths = found[touching, CLEARANCE].tolist()
+        return [group for _, group in sorted(zip(depths, touching, strict=True))]
 
     def _contact(self, group: int, layout: Layout, found: Array, units: Units) -> Contact:
         a, b = layout.named(group)

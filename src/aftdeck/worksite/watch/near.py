@@ -68,15 +68,12 @@ def near_pairs(
 
 
 @law
-def touching_pairs(placed: Array, pairs: Indices, touching: Mask) -> None:
-    """Find which pairs of solids are in contact.
+def touch(a: Array, b: Array, pair: Array) -> bool:
+    """Return whether two solids are in contact.
 
     Args:
-        placed: (n, 52) the solids in L.
-        pairs: (m, 2) the pairs.
-        touching: (m,) output: 1 for a pair in contact.
+        a: (52,) the first solid, in L.
+        b: (52,) the second solid, in L.
+        pair: workspace of `measure`.
     """
-    pair = np.zeros(PAIR)
-    for k in range(len(pairs)):
-        a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
-        touching[k] = 1 if _boxes_near(a, b, _ROUNDING) and measure(a, b, pair) <= CONTACT else 0
+    return _boxes_near(a, b, _ROUNDING) and measure(a, b, pair) <= CONTACT
