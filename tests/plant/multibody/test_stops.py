@@ -134,7 +134,30 @@ def test_brake_stops_one_joint_as_its_holding_torque_and_friction_do() -> None:
     payload = f"[payload]\nmass = {mass}\ninertia = [{moment}, {moment}, {moment}]\n"
     sim = Simulation(scenario("rigid", payload, initial=joints))
     found = [sim.step(Inputs(brakes=True) if step == 0 else Inputs()).angles[0] for step in range(1000)]
-    assert max(found) == pytest.approx(inertia * rate**2 / (2.0 * torque), rel=0.02)
+    assert max(found) == pytest.approx(inertia * rate**2 / (2.0 * torque), rel=0.01)
+
+
+def test_setting_and_releasing_the_brakes_each_begin_a_stop_of_their_own() -> None:
+    sim, causes = Simulation(scenario("flexible")), []
+    for inputs, steps in (
+        (STEP, 250),
+        (Inputs(), 250),
+        (Inputs(brakes=True), 250),
+        (Inputs(brakes=False), 250),
+        (STEP, 2),
+    ):
+        for step in range(steps):
+            frame = sim.step(inputs if step == 0 or inputs == STEP else Inputs())
+            causes += [
+                event.text.split(" after ")[1].split(" at ")[0] for event in frame.events if event.kind == "stop"
+            ]
+    assert causes == ["the command", "BRAKES", "BRAKES off"]
+
+
+def test_release_of_the_brakes_at_rest_is_not_logged() -> None:
+    sim = stopped("rigid", ENDS["brakes"]).sim
+    frames = [sim.step(Inputs(brakes=False)), *(sim.step(Inputs()) for _ in range(400))]
+    assert not [event for frame in frames for event in frame.events if event.kind == "stop"]
 
 
 def test_kinematic_arm_logs_no_stop() -> None:
