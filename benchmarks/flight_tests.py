@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from typing import NamedTuple
 
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.load import load_scenario
@@ -10,40 +12,83 @@ from aftdeck.simulation.run import Simulation
 
 TESTS = {"flight-test": "none", "flight-test-loaded": "32,000 lb"}
 """Scenarios, and their payloads."""
-
-
-CAUSES = {"brakes": "BRAKES", "safing": "SAFING", "command": "the command ended"}
+CAUSES = {"brakes": "BRAKES", "command": "the command", "safing": "SAFING"}
 """Words of the log about the cause of a stop, by the last word of a step's name."""
+LINE = re.compile(
+    r"tip (?:at rest|swings (?P<left>[\d.]+) mm,) (?P<seconds>[\d.]+) s after (?P<cause>.+?) at (?P<speed>[\d.]+) m/s: "
+    r"(?P<moved>[\d.]+) mm on, (?P<farther>[\d.]+) farther, swung (?P<swung>[\d.]+)"
+)
+"""Log line of a stop of an arm with SI units."""
 
 
-def stops(name: str, plant: str) -> list[tuple[str, str]]:
-    """Run a flight test; return for each stop the name of its step and the text of its log line.
+class Measured(NamedTuple):
+    """Measurements of a stop.
+
+    Attributes:
+        cause: event that began the stop.
+        seconds: time until the tip was at rest, or until the measurement ended [s].
+        speed: speed of the tip when the stop began [m/s].
+        moved: distance of the tip's last place from its place when the stop began [m].
+        farther: distance by which the tip was at most farther away [m].
+        swung: greatest distance from its last place, after it had turned back [m].
+        left: oscillation that is left [m]; None if the tip is at rest.
+    """
+
+    cause: str
+    seconds: float
+    speed: float
+    moved: float
+    farther: float
+    swung: float
+    left: float | None
+
+
+def measured(text: str) -> Measured:
+    """Return the measurements in a log line in SI units."""
+    found = LINE.fullmatch(text)
+    assert found is not None, text
+    moved, farther, swung, left = (float(found[name] or "nan") / 1e3 for name in ("moved", "farther", "swung", "left"))
+    speed, seconds = float(found["speed"]), float(found["seconds"])
+    return Measured(found["cause"], seconds, speed, moved, farther, swung, None if found["left"] is None else left)
+
+
+def stops(name: str, plant: str) -> list[tuple[str, Measured]]:
+    """Run a flight test; return for each stop the name of its step and the measurements.
 
     The stops of the motions between the configurations are left out.
     """
     given = load_scenario(name, {("plant",): plant})
-    sim, found = Simulation(replace(given, arm=Arm(replace(given.arm.model, units="SI")))), []
-    steps: dict[str, str] = {}
+    sim = Simulation(replace(given, arm=Arm(replace(given.arm.model, units="SI"))))
+    step, cause, found = "", "", []
     while not sim.ended:
         sim.advance()
         for event in sim._state.events:
+            if event.kind == "stop" and step and measured(event.text).cause == cause:
+                found.append((step, measured(event.text)))
+                step = ""
             if event.kind == "phase" and "stopped by" in event.text:
-                step = event.text.split("'")[1]
-                steps[step.split()[-1]] = step
-            if event.kind == "stop":
-                cause = next(cause for cause, words in CAUSES.items() if words in event.text)
-                if cause in steps:
-                    found.append((steps.pop(cause), event.text))
+                _, step, _ = event.text.split("'")
+                cause = CAUSES[step.rsplit(maxsplit=1)[1]]
     return found
 
 
 def main() -> None:
     """Print the table."""
-    print("| payload | plant | step | result |\n|---|---|---|---|")
+    print("| payload | plant | step, stopped by | at, mm/s | moved, mm | farther, mm | swung, mm | end |")
+    print("|---|---|---|---|---|---|---|---|")
     for name, payload in TESTS.items():
         for plant in ("rigid", "flexible"):
-            for step, text in stops(name, plant):
-                print(f"| {payload} | {plant} | {step} | {text} |")
+            for step, stop in stops(name, plant):
+                sizes = (stop.speed, stop.moved, stop.farther, stop.swung)
+                numbers = " | ".join(_millimetres(size) for size in sizes)
+                how = "at rest" if stop.left is None else f"swings by {_millimetres(stop.left)} mm"
+                title = step.replace(", stopped by", ",")
+                print(f"| {payload} | {plant} | {title} | {numbers} | {how} after {stop.seconds:.1f} s |")
+
+
+def _millimetres(size: float) -> str:
+    """Return a length or a speed in millimetres, rounded to 1, or to 0.1 below 10."""
+    return f"{size * 1e3:.0f}" if size >= 0.01 else f"{size * 1e3:.1f}"
 
 
 if __name__ == "__main__":

@@ -109,6 +109,8 @@ def _inputs(rng: random.Random, *, first: bool) -> Inputs:
         joint=rng.randrange(6) if first else None,
         effector=rng.choice(("close", "open")) if rng.random() < 0.1 else None,
         latch=rng.choice(("latch", "unlatch")) if rng.random() < 0.1 else None,
+        brakes=rng.random() < 0.5 if rng.random() < 0.05 else None,
+        safing=rng.random() < 0.5 if rng.random() < 0.05 else None,
         orbiter=(x, y, z),
     )
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 _COMMENT = re.compile(r'("(?:[^"\\\n]|\\.)*")|#[^\n]*')
 _KEY = re.compile(r"(?<![\w.\"'-])[A-Za-z_][\w-]*(?=\s*=)")
 _HEADER = re.compile(r"(?m)^\[+[^\]\n]+\]+[ \t]*$")
+_PHASE = re.compile(r"(?m)^\[\[phase\]\]\n")
 _LINE = re.compile(r"(?m)^[^\n]+\n")
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _STRING = re.compile(r'"(?:[^"\\\n]|\\.)*"')
@@ -29,6 +30,10 @@ VALUES = (
     '"\\u202e"', '"' + "x" * 200_000 + '"', "[" * 60 + "]" * 60, "{ a = " * 60 + "1" + " }" * 60,
     '"= ' + "(" * 140 + "1" + ")" * 140 + '"', '"= ' + "-" * 290 + '1"', '"= 1e999 * 0"', *NUMBERS,
 )  # fmt: skip
+PHASE_KEYS = (
+    "brakes = true", "brakes = false", "safing = true", "safing = false", 'until = "at rest"\nduration = "0.5 s"',
+)  # fmt: skip
+"""Keys of a script's phase that few built-in files have."""
 CHARACTERS = "[]{}=\",.#\n\t -\\'\x00\x1b\x7f\u202e\ufeff\U0001f680é0eE"
 
 Change = Callable[[str, random.Random], str]
@@ -43,10 +48,10 @@ def mutant(text: str, rng: random.Random) -> str:
 
 
 def mild_mutant(text: str, rng: random.Random) -> str:
-    """Return a text with one to three changed numbers, which a loader accepts more often than other mutants."""
+    """Return a text with one to three small changes, which a loader accepts more often than those of other mutants."""
     text = without_comments(text)
     for _ in range(rng.choice((1, 1, 2, 3))):
-        text = rng.choice((_scaled, _scaled, _scaled, _other_number, _without_line))(text, rng)
+        text = rng.choice((_scaled, _scaled, _scaled, _other_number, _without_line, _with_phase_key))(text, rng)
     return text
 
 
@@ -66,6 +71,15 @@ def _replaced(pattern: re.Pattern[str], new: Callable[[str], str]) -> Change:
         return text[: match.start()] + new(match[0]) + text[match.end() :]
 
     return change
+
+
+def _with_phase_key(text: str, rng: random.Random) -> str:
+    """Add a key to a phase of the script: to the first one in half of the cases, because runs are short."""
+    starts = [match.end() for match in _PHASE.finditer(text)]
+    if not starts:
+        return text
+    at = rng.choice((starts[0], rng.choice(starts)))
+    return text[:at] + rng.choice(PHASE_KEYS) + "\n" + text[at:]
 
 
 def _misspelt(text: str, rng: random.Random) -> str:
@@ -166,6 +180,6 @@ def _other_characters(text: str, rng: random.Random) -> str:
 CHANGES: tuple[Change, ...] = (
     _misspelt, _misspelt, _other_key, _without_line, _twice, _moved, _without_table, _other_header, _other_value,
     _other_value, _wrapped, _other_length, _scaled, _scaled, _scaled, _other_number, _other_number, _other_unit,
-    _other_string, _other_characters,
+    _other_string, _other_characters, _with_phase_key,
 )  # fmt: skip
 """Changes of `mutant`; those listed more than once are made more often."""

@@ -22,7 +22,7 @@ from aftdeck.recording.run import record
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
 from tests.recording.flown import bay, messages, record_random_run, record_steps, rewritten
-from tests.scenario.missions import SCRIPTED
+from tests.scenario.missions import SCRIPTED, VERY_LONG
 
 QUICK = ("uncradle", "sequence")
 SCRIPT = """seed = 4
@@ -73,7 +73,7 @@ def test_scripted_run_verifies(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name in SCRIPTED if name not in QUICK])
+@pytest.mark.parametrize("name", [name for name in SCRIPTED if name not in (*QUICK, VERY_LONG)])
 def test_each_of_the_slow_scripted_runs_verifies(name: str, tmp_path: Path) -> None:
     check_equal(name, tmp_path / "run.mcap")
 

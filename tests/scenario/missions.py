@@ -19,9 +19,11 @@ MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy", "t
 """Built-in scenarios with a whole task at a worksite, longer than the others."""
 SCRIPTED = tuple(name for name in built_in() if name != "concept-1972")
 """Built-in scenarios with a script."""
-LONG = {*MISSIONS, "flight-test", "flight-test-loaded"}
-FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SCRIPTED]
-"""The scripted scenarios as test parameters; missions and flight tests are marked slow."""
+VERY_LONG = "flight-test-loaded"
+"""A flight of 40 minutes; `tests.plant.multibody.test_flight_tests` flies it, and few other tests do."""
+LONG = {*MISSIONS, "flight-test", VERY_LONG}
+FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SCRIPTED if name != VERY_LONG]
+"""The scripted scenarios as test parameters; missions and the flight test are marked slow."""
 TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
 """Kinds of log lines that mark the progress of a mission."""
 ACQUIRE, RELEASE, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"

@@ -12,7 +12,7 @@ import aftdeck
 from aftdeck.errors import InputError
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import SavedSimulation
-from tests.scenario.missions import FLOWN, MISSIONS, SCRIPTED
+from tests.scenario.missions import FLOWN, LONG, SCRIPTED
 from tests.steering.flying import BAY, fly, scenario
 from tests.steering.random_runs import equipped, inputs, start
 
@@ -72,7 +72,7 @@ def test_two_simulations_are_independent() -> None:
 @pytest.mark.parametrize(
     ("name", "encode"),
     [
-        *((name, "as it is") for name in SCRIPTED if name not in MISSIONS),
+        *((name, "as it is") for name in SCRIPTED if name not in LONG),
         ("first-flight", "msgpack"),
         ("uncradle", "json"),
     ],

@@ -8,6 +8,7 @@ import numpy as np
 from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.plant.linear_actuator import Slide
+from aftdeck.plant.stop import TipMotion
 from aftdeck.state_part import StatePart
 from aftdeck.tuples import Vec3
 
@@ -27,30 +28,6 @@ class Touch(msgspec.Struct, frozen=True, array_like=True):
     group: int
     force: Vec3
     place: Vec3
-
-
-class Stop(StatePart):
-    """Measurement of how the arm comes to rest.
-
-    Attributes:
-        cause: what ended the motion, as text for the log.
-        began: tick at which it ended.
-        place: true position of the tip at that time, in L [m].
-        greatest: greatest distance of the tip from there so far [m].
-        window: tick at which the present window of observation began.
-        low: (3,) least coordinates of the tip in this window, in L [m].
-        high: (3,) greatest coordinates of the tip in this window, in L [m].
-        left: range of the tip's positions in the last whole window [m].
-    """
-
-    cause: str
-    began: int
-    place: Vec3
-    greatest: float
-    window: int
-    low: Array
-    high: Array
-    left: float = 0.0
 
 
 class Bodies(StatePart):
@@ -77,8 +54,7 @@ class Bodies(StatePart):
         pulses: (6,) time left of the least pulses of the orbiter's jets, about and along forward, starboard and down;
             its sign is that of the torque or the force [s].
         fired: (6,) time for which these jets have fired so far [s].
-        driven: whether the operator or an automatic motion moved the arm in the last step.
-        stop: measurement of the stop in progress; None if there is none.
+        tip: motion of the tip, and its stop.
         touches: forces between parts in contact, at the end of the step.
         touch_peaks: greatest force of each contact since the parts touched [N], by the index of the pair.
     """
@@ -99,8 +75,7 @@ class Bodies(StatePart):
     orbiter_velocity: Array
     pulses: Array
     fired: Array
-    driven: bool = False
-    stop: Stop | None = None
+    tip: TipMotion = msgspec.field(default_factory=TipMotion)
     touches: tuple[Touch, ...] = ()
     touch_peaks: dict[int, float] = msgspec.field(default_factory=dict)
 

@@ -150,6 +150,10 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
         problems.add(where, f"mode {mode.position} needs the master arm's angles")
     if (phase.until is not None or phase.stand_at is not None) and phase.duration is None:
         problems.add(where, "until and stand_at need a duration: the longest time allowed")
+    if phase.until == "at rest" and mode.kind != "manual":
+        problems.add(
+            (*where, "until"), f"'at rest' is for a manual mode, in which the sticks move the arm; got {mode.position}"
+        )
     if mode.kind == "single":
         _check_single(problems, arm, phase, mode, joint, where)
 

@@ -46,8 +46,10 @@ Row = tuple[Component, Component, Component]
 SixStartRates = tuple[AngularRate, AngularRate, AngularRate, AngularRate, AngularRate, AngularRate]
 """Rate of each joint at the start, in either direction."""
 Rate = Literal["coarse", "vernier"]
-Until = Literal["captured", "released", "latched", "unlatched"]
-"""Events for which a phase may wait: a payload is captured, released, latched in its berth, or unlatched."""
+PayloadEvent = Literal["captured", "released", "latched", "unlatched"]
+"""Events of the payloads: one is captured, released, latched in its berth, or unlatched."""
+Until = PayloadEvent | Literal["at rest"]
+"""Events for which a phase may wait: one of a payload, or that the arm is at rest (manual modes)."""
 Plant = Literal["kinematic", "rigid", "flexible"]
 """Models that turn commanded rates into motion: without masses, with rigid bodies, with bending booms and gearboxes."""
 FreeContact = Literal["stop", "reflect"]
@@ -277,7 +279,8 @@ class Phase(_Part, frozen=True):
 
     In every mode a phase may set the `effector` switch and the switches BRAKES (`brakes`) and SAFING (`safing`), press
     `latch`, move the telescope to `stand_at`, translate the `orbiter`, and wait `until` an event has occurred. With
-    `stand_at` or `until`, `duration` is the longest time allowed.
+    `stand_at` or `until`, `duration` is the longest time allowed. `until = "at rest"` waits until the tip is at rest
+    after a command; without masses, the arm is at rest at once.
     """
 
     mode: int | Text

@@ -6,8 +6,10 @@ import pytest
 
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation.run import Simulation
+from benchmarks.flight_tests import TESTS
 
-SCRIPTED = [name for name in built_in() if load_scenario(name).phases]
+SCRIPTED = [name for name in built_in() if load_scenario(name).phases and name not in TESTS]
+"""Built-in scenarios with a script, except the flight tests (`test_flight_tests`)."""
 MISSIONS = [(name, "rigid") for name in SCRIPTED] + [
     (name, "flexible") for name in SCRIPTED if load_scenario(name).arm.name == "srms"
 ]

@@ -6,52 +6,61 @@ import numpy as np
 
 from aftdeck.bodies.pose import POSE, compose, vec3
 from aftdeck.matrices import distance
-from aftdeck.plant.state import Bodies, Stop
+from aftdeck.plant.state import Bodies
+from aftdeck.plant.stop import Stop
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.log import log
+from aftdeck.simulation.motion.tip_rest import (
+    WINDOW,
+    final_place,
+    new_stop,
+    observe,
+    swing_about,
+    swing_left,
+    window_began,
+)
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import DRIVE, MOTION_ACTIVE, STICKS
 from aftdeck.tuples import Vec3
+from aftdeck.units import INCH
 from aftdeck.worksite.conditions import quantity_text
 
-AT_REST = 5e-3
-"""Range of the tip's positions within `WINDOW` at which the tip counts as at rest [m] (assumed)."""
-WINDOW = 4.0
-"""Time for which the tip's positions are compared [s]: longer than a period of the unloaded flexible arm (assumed)."""
+RELEASED = "BRAKES off"
+"""Cause of a stop that begins when the brakes are released."""
+_DECIMALS = {"in": 2, "mm": 1}
+"""Number of decimals of a length in the log."""
 
 
 def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
-    """Measure the stop of the arm after each command, and log it when the tip is at rest or at the next command.
+    """Measure the stop of the arm after each command, and log it when the tip is at rest or when the stop ends.
 
-    A command ends when the sticks return to zero, when an automatic motion ends, or by BRAKES or SAFING. If the next
-    command follows within `WINDOW`, nothing is logged.
+    A command ends when the sticks return to zero, when an automatic motion ends, or by BRAKES or SAFING. A stop ends
+    with the next command, and when the brakes are set or released; then a new one begins. If it ends within `WINDOW`,
+    nothing is logged. A release of the brakes that moves the tip by less than `tip_rest.AT_REST` is not logged.
     """
-    driven, stop = _is_driven(state), bodies.stop
-    if driven:
-        if stop is not None and (state.tick - stop.began) * flight.scenario.control_period >= WINDOW:
-            _report(flight, state, stop, _tip(flight, bodies), rests=False)
-        bodies.stop = None
-    elif bodies.driven:
-        tip = _tip(flight, bodies)
-        bodies.stop = Stop(_cause(state), state.tick, tip, 0.0, state.tick, np.array(tip), np.array(tip))
-    elif stop is not None:
-        _continue(flight, state, bodies, stop)
-    bodies.driven = driven
+    motion, period = bodies.tip, flight.scenario.control_period
+    tip, before = _tip(flight, bodies), motion.place
+    driven, braked, stop = _is_driven(state), state.panel.brakes, motion.stop
+    switched = braked != motion.braked
+    if stop is not None and (driven or switched):
+        if (state.tick - stop.began) * period >= WINDOW:
+            _report(flight, state, stop, state.tick, rests=False)
+        motion.stop = None
+    if not driven and (motion.driven or (switched and (stop is not None or not braked))):
+        loaded = state.carried.payload is not None
+        place = tip if before is None else before
+        motion.stop = new_stop(_cause(state), state.tick - 1, place, motion.speed, period, loaded=loaded)
+    if motion.stop is not None and observe(motion.stop, state.tick, tip):
+        _report_rest(flight, state, motion.stop)
+        motion.stop = None
+    motion.speed = 0.0 if before is None else distance(tip, before) / period
+    motion.place, motion.driven, motion.braked = tip, driven, braked
 
 
-def _continue(flight: Flight, state: State, bodies: Bodies, stop: Stop) -> None:
-    """Continue a measurement; end it when the tip was at rest for a whole window."""
-    tip = _tip(flight, bodies)
-    stop.greatest = max(stop.greatest, distance(tip, stop.place))
-    np.minimum(stop.low, tip, out=stop.low)
-    np.maximum(stop.high, tip, out=stop.high)
-    if (state.tick - stop.window) * flight.scenario.control_period < WINDOW:
-        return
-    stop.left = distance(stop.low.tolist(), stop.high.tolist())
-    if stop.left < AT_REST:
-        bodies.stop = None
-        _report(flight, state, stop, tip, rests=True)
-    stop.window, stop.low[:], stop.high[:] = state.tick, tip, tip
+def is_at_rest(state: State) -> bool:
+    """Return whether no command moves the arm and its last stop has ended. The kinematic arm stops at once."""
+    bodies = state.plant.bodies
+    return not _is_driven(state) and (bodies is None or bodies.tip.stop is None)
 
 
 def _tip(flight: Flight, bodies: Bodies) -> Vec3:
@@ -65,21 +74,43 @@ def _is_driven(state: State) -> bool:
     """Return whether a stick or an automatic motion commands the arm, and no switch stops it."""
     if state.panel.brakes or state.panel.safing:
         return False
-    return bool(state.command[MOTION_ACTIVE] or state.command[DRIVE] or state.command[STICKS : STICKS + 6].any())
+    command = state.command
+    return bool(command[MOTION_ACTIVE] or command[DRIVE] or any(command[STICKS : STICKS + 6].tolist()))
 
 
 def _cause(state: State) -> str:
-    """Return what ended the command."""
-    return "BRAKES" if state.panel.brakes else "SAFING" if state.panel.safing else "the command ended"
+    """Return the event that begins a stop in this step, as text for the log."""
+    if state.panel.brakes:
+        return "BRAKES"
+    if state.plant.bodies is not None and state.plant.bodies.tip.braked:
+        return RELEASED
+    return "SAFING" if state.panel.safing else "the command"
 
 
-def _report(flight: Flight, state: State, stop: Stop, tip: Vec3, *, rests: bool) -> None:
-    """Log a stop: distance and time, or the oscillation that is left when the next command begins."""
-    units, period = flight.scenario.arm.model.units, flight.scenario.control_period
-    away = distance(tip, stop.place)
-    farther = max(stop.greatest - away, 0.0)
-    went, beyond, left = (quantity_text(value, "m", units) for value in (away, farther, stop.left))
-    until = stop.window if rests else state.tick
-    how = "at rest" if rests else f"swings by {left}"
-    text = f"tip {how} {(until - stop.began) * period:.1f} s after {stop.cause}, {went} on; went up to {beyond} farther"
+def _report_rest(flight: Flight, state: State, stop: Stop) -> None:
+    """Log a stop that ended at rest, except for a release of the brakes after which the tip stayed at rest."""
+    since = window_began(stop, state.tick)
+    if stop.cause != RELEASED or since > stop.began:
+        _report(flight, state, stop, since, rests=True)
+
+
+def _report(flight: Flight, state: State, stop: Stop, until: int, *, rests: bool) -> None:
+    """Log a stop: its time, speed and distances, and the oscillation that is left if the tip is not at rest.
+
+    Args:
+        flight: constants of the run.
+        state: the state; the line is added to its log.
+        stop: the measurement.
+        until: tick from which the tip is at rest, or at which the measurement ended.
+        rests: whether the tip is at rest.
+    """
+    units, end = flight.scenario.arm.model.units, final_place(stop)
+    away = distance(end.tolist(), stop.place)
+    lengths = away, max(stop.greatest - away, 0.0), swing_about(stop, end), swing_left(stop)
+    per, unit = (INCH, "in") if units == "ft-in" else (1e-3, "mm")
+    went, beyond, swung, left = (f"{length / per:.{_DECIMALS[unit]}f}" for length in lengths)
+    how = "at rest" if rests else f"swings {left} {unit},"
+    seconds = (until - stop.began) * flight.scenario.control_period
+    speed = quantity_text(stop.speed, "m/s", units)
+    text = f"tip {how} {seconds:.1f} s after {stop.cause} at {speed}: {went} {unit} on, {beyond} farther, swung {swung}"
     log(flight, state, "stop", "info", text)

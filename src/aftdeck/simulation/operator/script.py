@@ -13,6 +13,7 @@ from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log
+from aftdeck.simulation.motion.stopping import is_at_rest
 from aftdeck.simulation.operator.relative_target import resolve_target
 from aftdeck.simulation.payloads.grasp import set_effector, update_steering
 from aftdeck.simulation.state import State
@@ -223,7 +224,13 @@ def _conditions_hold(flight: Flight, state: State, phase: PhasePlan) -> bool:
     at_length = (
         phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < flight.plant.accuracy.length
     )
-    return at_length and (phase.until is None or state.worksite.has_occurred(phase.until))
+    match phase.until:
+        case None:
+            return at_length
+        case "at rest":
+            return at_length and is_at_rest(state)
+        case event:
+            return at_length and state.worksite.has_occurred(event)
 
 
 def _awaited(phase: PhasePlan) -> str:

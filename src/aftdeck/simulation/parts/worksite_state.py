@@ -10,7 +10,7 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE, compose
 from aftdeck.plant.linear_actuator import Slide, Travel
-from aftdeck.scenario.schema import Until
+from aftdeck.scenario.schema import PayloadEvent
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.parts.free_flight import Floating
@@ -135,7 +135,7 @@ class WorksiteState(StatePart):
         """Payloads to which latching and unlatching refer: the held payload, or all payloads if none is held."""
         return [payload for payload in self.cargo if payload.held] or self.cargo
 
-    def has_occurred(self, what: Until) -> bool:
+    def has_occurred(self, what: PayloadEvent) -> bool:
         """Return whether an event for which a phase of a script can wait has occurred."""
         match what:
             case "captured":
