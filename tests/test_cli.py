@@ -147,6 +147,7 @@ def test_run_that_ends_in_a_fault_exits_with_1(run: Run, tmp_path: Path) -> None
     assert (code, json.loads(out)["ended"]) == (1, "fault")
 
 
+@pytest.mark.slow
 def test_check_passes_every_built_in_scenario(run: Run) -> None:
     for name in ("first-flight", "sts-400-closed", "uncradle"):
         code, out, err = run("check", name)
@@ -262,6 +263,7 @@ def test_cradled_arm_has_the_panels_cradled_position(run: Run) -> None:
 # --- terminals and pipes ----------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_ascii_terminal_gets_question_marks() -> None:
     plain = in_a_process("scenarios", PYTHONIOENCODING="ascii", PYTHONUTF8="0")
     assert (plain.returncode, plain.stderr) == (0, b"")

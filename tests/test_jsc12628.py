@@ -266,6 +266,7 @@ def test_votran_returns_each_modes_command_in_b(w: list[float], v: list[float], 
         np.testing.assert_allclose(found.V_C, share * np.array(v), atol=1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=25)
 @given(poses, sixes, st.sampled_from([2, 4, 5, 6, 7]), turns, units)
 def test_msteer_agrees_with_the_report_step_by_step(

@@ -76,6 +76,7 @@ def test_no_law_needs_a_logarithm_except_in_the_text_of_an_error(laws: dict[str,
         assert "llvm.log10" not in code or "PyUnicode_FromKindAndData" in code, name
 
 
+@pytest.mark.slow
 def test_laws_have_neither_fused_nor_reordered_operations(laws: dict[str, str]) -> None:
     for name, code in laws.items():
         if name.startswith("aftdeck.steering.blocks."):  # has a fast setting; `test_batch.py` tests the exact one

@@ -172,6 +172,7 @@ BOMBS: dict[str, Callable[[], bytes]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the test reads its memory in Linux's /proc")
 def test_bombs_are_rejected_quickly_and_in_little_memory(tmp_path: Path) -> None:
     paths = [tmp_path / f"{name}.mcap" for name in BOMBS]

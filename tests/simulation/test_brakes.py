@@ -55,6 +55,7 @@ def test_joints_stop_in_the_step_of_the_switch_in_every_mode(mode: str, switch: 
     assert fly(sim, 1.0, FULL)[-1].angles != before.angles
 
 
+@pytest.mark.slow
 @given(seed=st.integers(0, 2**32 - 1), switch=st.sampled_from(SWITCHES))
 def test_no_input_moves_a_stopped_joint(seed: int, switch: str) -> None:
     sim = aftdeck.Simulation("concept-1972")

@@ -244,6 +244,7 @@ def flood(page: Page) -> list[str]:
         return reasons
 
 
+@pytest.mark.slow
 def test_half_sent_requests_at_256_files_neither_end_nor_flood_the_station(tmp_path: Path) -> None:
     errors = tmp_path / "errors.txt"
     command = [

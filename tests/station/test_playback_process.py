@@ -27,6 +27,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_process_answers_like_a_store_and_has_a_lower_priority(recording: Path) -> None:
     async def asked() -> tuple[bytes, bytes, int]:
         process = await PlaybackProcess.start(recording)
@@ -49,6 +50,7 @@ def test_process_answers_like_a_store_and_has_a_lower_priority(recording: Path) 
     assert len(msgspec.json.decode(block, type=Block)) == 300 - 256
 
 
+@pytest.mark.slow
 def test_unreadable_recording_and_ended_process_are_errors(tmp_path: Path, recording: Path) -> None:
     broken = tmp_path / "broken.mcap"
     broken.write_bytes(b"no recording")
@@ -73,6 +75,7 @@ def alive(pid: int) -> bool:
     return bool(state.strip()) and not state.startswith("Z")
 
 
+@pytest.mark.slow
 def test_process_ends_with_a_killed_station_even_while_it_reads(recording: Path) -> None:
     code = (
         "import asyncio, os, sys\n"

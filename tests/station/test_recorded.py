@@ -65,6 +65,7 @@ def test_recording_is_played_in_a_page_that_links_to_the_station(tmp_path: Path)
         assert station.get("/") == (200, PAGE)
 
 
+@pytest.mark.slow
 def test_present_run_is_read_again_when_its_file_has_grown(tmp_path: Path) -> None:
     with served(Session(scenario(), record=tmp_path)) as station:
         until(lambda: bool(listed(station)), "the file of the present run")

@@ -114,6 +114,7 @@ def test_arm_stops_while_another_scenario_is_prepared(station: Station, monkeypa
         assert page.wait_for(Welcome).scenario == OTHER
 
 
+@pytest.mark.slow
 def test_scenario_restarts_on_another_plant_and_its_recording_knows_it(tmp_path: Path) -> None:
     with served(Session(scenario(), record=tmp_path)) as station, station.page() as page:
         scenarios = page.wait_for(to_page.Scenarios)

@@ -68,6 +68,7 @@ def steered(arm: aftdeck.Arm, start: Array, targets: Array, steps: int) -> Steer
     return steer_batch(arm, start, targets, steps=steps, period=PERIOD, gain=GAIN)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spread", [1e-3, 0.3, 2.0])
 def test_each_arm_of_a_batch_equals_the_single_arm(arm: aftdeck.Arm, spread: float) -> None:
     start, targets = random_batch(arm, 60, 2000, spread)

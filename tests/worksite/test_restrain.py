@@ -83,6 +83,7 @@ def lost_at_most(before: Array, after: Array, gained: float) -> float:
     return DEEPER if made or not np.isfinite(gained) else max(DEEPER, BESIDES * gained)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(seeds, st.sampled_from([1e-6, 0.1, 10.0]))
 def test_motion_is_allowed_only_if_it_relieves_contacts_and_makes_none(seed: int, pace: float) -> None:
@@ -108,6 +109,7 @@ def test_motion_is_allowed_only_if_it_relieves_contacts_and_makes_none(seed: int
     assert np.array_equal(watch.found, found)
 
 
+@pytest.mark.slow
 @settings(max_examples=8, deadline=None)
 @given(seeds)
 def test_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
@@ -147,6 +149,7 @@ def directions(frames: Array, step: float) -> Array:
     return np.array(found)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(seeds, st.booleans())
 def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> None:

@@ -97,6 +97,7 @@ def test_body_that_cannot_leave_two_walls_does_not_move() -> None:
     assert not slid(rows, np.zeros(3), np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])).any()
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(seeds, st.booleans())
 def test_payload_pushed_in_a_trough_slides_and_stays_out_of_its_walls(seed: int, turning: bool) -> None:

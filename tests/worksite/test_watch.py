@@ -24,6 +24,7 @@ def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
     return twists
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(seeds)
 def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
@@ -51,6 +52,7 @@ def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
         before = now
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(seeds)
 def test_closing_speed_is_the_rate_of_decrease_of_clearance(seed: int) -> None:

@@ -53,6 +53,7 @@ def moved(orbiter: str) -> tuple[Simulation, float]:
     return sim, greatest
 
 
+@pytest.mark.slow
 def test_held_orbiter_turns_less_than_a_free_one_and_stays_in_its_deadband() -> None:
     _, free = moved("free")
     held_run, held = moved("held")
@@ -60,6 +61,7 @@ def test_held_orbiter_turns_less_than_a_free_one_and_stays_in_its_deadband() -> 
     assert bodies_of(held_run).fired[:3].sum() > 0.0
 
 
+@pytest.mark.slow
 def test_limit_cycle_of_the_attitude_needs_little_firing() -> None:
     sim, greatest = Simulation(scenario("rigid", orbiter="held")), 0.0
     for _ in range(500):
@@ -114,6 +116,7 @@ def test_translation_of_a_fixed_orbiter_is_rejected() -> None:
     assert frame.work.orbiter == (0.0, 0.0, 0.0)
 
 
+@pytest.mark.slow
 def test_free_flyer_with_attitude_control_stays_in_its_deadband() -> None:
     sim = flyer("fixed")
     cycle = sim._flight.site.cargo[0].limit_cycle
