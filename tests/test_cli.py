@@ -108,6 +108,7 @@ def test_run_prints_the_summary_as_json(run: Run) -> None:
     assert set(summary) == {
         "scenario", "seed", "version", "ended", "time_s", "phase", "joints_rad", "tip", "target",
         "position_error_m", "rotation_error_rad", "worst_rate_ratio", "min_clearance_m", "events", "frames_sha256",
+        "true_position_error_m", "true_rotation_error_rad",
     }  # fmt: skip
     assert (summary["ended"], summary["seed"], summary["scenario"]) == ("completed", 7, "uncradle")
     degrees = [math.degrees(q) for q in summary["joints_rad"]]

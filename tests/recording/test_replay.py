@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import hypothesis.strategies as st
 import msgspec
@@ -13,12 +14,17 @@ from hypothesis import HealthCheck, given, settings
 
 import aftdeck
 from aftdeck.errors import InputError, RecordingError, ScenarioError
+from aftdeck.plant.multibody.plant import MultibodyPlant
+from aftdeck.plant.state import PlantState
+from aftdeck.recording import replay
 from aftdeck.recording.changed import rerun
 from aftdeck.recording.codec import encode
+from aftdeck.recording.environment import environment
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Closing, FrameRecord, Input, Opening
 from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
+from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
 from tests.recording.flown import bay, messages, record_random_run, record_steps, rewritten
@@ -336,3 +342,30 @@ def test_header_has_scenario_title_and_version(run_file: Path) -> None:
     assert isinstance(start, Opening)
     assert (start.scenario, start.title, start.version) == ("script", "test", aftdeck.__version__)
     assert (start.joints, start.control_period_s, start.scenario_text) == (made.arm.joints, 0.02, made.text)
+
+
+@pytest.mark.parametrize(("noise", "agrees"), [(1e-12, True), (1e-4, False)])
+def test_run_with_masses_agrees_in_another_environment_within_the_tolerance(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, noise: float, agrees: bool
+) -> None:
+    path = tmp_path / "run.mcap"
+    text = 'title = "a run"\nworksite = "space"\nplant = "rigid"\nduration = "4 s"\n'
+    text += "[initial]\njoints = [0.0, 0.6, -1.0, 0.0, 0.0, 0.0]\n"
+    text += '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.5, 0.0, 0.2]\nduration = "4 s"\n'
+    given = parse_scenario(text, "run", "run.toml", tmp_path)
+    record(given, path)
+    assert verify(path).equal and verify(path).agrees
+    exactly = MultibodyPlant.move
+
+    def roughly(plant: MultibodyPlant, state: PlantState, *args: Any, **kwargs: Any) -> None:
+        exactly(plant, state, *args, **kwargs)
+        assert state.bodies is not None
+        state.bodies.physics[1:] += noise
+
+    here = environment("rigid")
+    monkeypatch.setattr(MultibodyPlant, "move", roughly)
+    assert not verify(path).agrees  # on the same machine, the run has to be equal
+    monkeypatch.setattr(replay, "environment", lambda plant: msgspec.structs.replace(here, processor="another"))
+    verdict = verify(path)
+    assert not verdict.equal
+    assert verdict.agrees == agrees

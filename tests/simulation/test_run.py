@@ -17,6 +17,7 @@ from tests.steering.flying import BAY, LEAN, scenario
 FIELDS = {
     "scenario", "seed", "version", "ended", "time_s", "phase", "joints_rad", "tip", "target", "position_error_m",
     "rotation_error_rad", "worst_rate_ratio", "min_clearance_m", "events", "frames_sha256",
+    "true_position_error_m", "true_rotation_error_rad",
 }  # fmt: skip
 PUSH = "[[phase]]\nname = 'push'\nmode = 4\ntranslation = [0.2, 0, 0]\nduration = 2\n"
 FAR = "[[phase]]\nname = 'far'\nmode = 2\ntarget = { frame = 'L', position = [100, 0, 0] }\n"

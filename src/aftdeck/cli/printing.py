@@ -29,6 +29,11 @@ def print_summary(s: Summary) -> None:
     print_line("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
     if s.position_error_m is not None and s.rotation_error_rad is not None:
         print_line(f"  error      {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
+    if s.true_position_error_m is not None and s.true_rotation_error_rad is not None:
+        angle = math.degrees(s.true_rotation_error_rad)
+        print_line(
+            f"  true error {s.true_position_error_m * 1e3:.4f} mm, {angle:.5f} deg; the one above is by the encoders"
+        )
     print_line(f"  joint rate at most {100.0 * s.worst_rate_ratio:.1f} % of its limit")
     if s.min_clearance_m is not None:
         print_line(f"  clearance  at least {100.0 * s.min_clearance_m:.1f} cm")

@@ -127,7 +127,7 @@ def _verify(file: Path, words: Path | None, max_lost: float | None, as_json: boo
         told = "the recording does not tell its delays" if verdict.delays is None else f"{lost:.2f} s"
         print_error(f"time lost: {told}; allowed: {max_lost:g} s")
         raise typer.Exit(1)
-    if not verdict.equal:
+    if not verdict.agrees:
         raise typer.Exit(1)
 
 
@@ -158,7 +158,8 @@ def _print_verdict(recording: Recording, v: Verdict) -> None:
         scope = "bit for bit" if v.whole else "in every recorded value; digests of another version are not comparable"
         print_line(f"  {'equal      ' if v.equal else 'frames     '}  all {v.frames} frames, {v.time_s:.2f} s, {scope}")
     else:
-        print_line(f"  DIFFERENT    {v.different} of {v.frames} frames")
+        word = "within      " if v.agrees else "DIFFERENT   "
+        print_line(f"  {word} {v.different} of {v.frames} frames differ{_tolerance() if v.agrees else ''}")
         _print_difference(v)
     for change in v.changes:
         print_line(f"  DIFFERENT    {change.messages} messages in {change.channel}, the first at {change.time_s:.2f} s")
@@ -167,6 +168,13 @@ def _print_verdict(recording: Recording, v: Verdict) -> None:
     for name, channels in (("recomputed", v.recomputed), ("unchanged", v.unchanged), ("not covered", v.not_covered)):
         if channels:
             print_line(f"  {name:<11}  {', '.join(channels)}")
+
+
+def _tolerance() -> str:
+    """Return the tolerance for a run with masses in another environment, as text."""
+    from aftdeck.recording.apart import TOLERANCE_M, TOLERANCE_RAD
+
+    return f", within the tolerance for another environment: {TOLERANCE_M:g} m and {TOLERANCE_RAD:g} rad"
 
 
 def _print_difference(v: Verdict) -> None:

@@ -12,31 +12,34 @@ class Spread(NamedTuple):
 
     Attributes:
         longer: additional time, as a share of the rehearsed time [1].
+        later: further additional time, however short the motion is [s].
         miss: distance of the true tip from the target at the end [m].
     """
 
     longer: float
+    later: float
     miss: float
 
 
-NO_SPREAD = Spread(0.0, 0.0)
+NO_SPREAD = Spread(0.0, 0.0, 0.0)
 """Spread of a plant without masses."""
 _Key = tuple[Literal["rigid", "flexible"], LawChoice, bool]
 _SPREADS: dict[_Key, Spread] = {
-    ("rigid", "closed loop", False): Spread(0.0, 0.001),
-    ("rigid", "closed loop", True): Spread(0.27, 0.002),
-    ("rigid", "open loop", False): Spread(0.0, 0.005),
-    ("rigid", "open loop", True): Spread(0.0, 0.076),
-    ("rigid", "position", False): Spread(0.0, 0.008),
-    ("rigid", "position", True): Spread(0.0, 0.168),
-    ("flexible", "closed loop", False): Spread(0.0, 0.011),
-    ("flexible", "closed loop", True): Spread(0.41, 0.011),
-    ("flexible", "open loop", False): Spread(0.0, 0.013),
-    ("flexible", "open loop", True): Spread(0.0, 0.07),
-    ("flexible", "position", False): Spread(0.0, 0.004),
-    ("flexible", "position", True): Spread(0.0, 0.148),
+    ("rigid", "position", False): Spread(0.0, 0.0, 0.052),
+    ("flexible", "position", False): Spread(0.0, 0.0, 0.048),
+    ("rigid", "position", True): Spread(0.0, 0.0, 0.194),
+    ("flexible", "position", True): Spread(0.0, 0.0, 0.178),
+    ("rigid", "closed loop", False): Spread(0.0, 3.0, 0.003),
+    ("flexible", "closed loop", False): Spread(0.0, 3.0, 0.019),
+    ("rigid", "closed loop", True): Spread(0.68, 3.0, 0.003),
+    ("flexible", "closed loop", True): Spread(1.45, 3.0, 0.01),
+    ("rigid", "open loop", False): Spread(0.0, 3.0, 0.035),
+    ("flexible", "open loop", False): Spread(0.0, 3.0, 0.033),
+    ("rigid", "open loop", True): Spread(0.0, 0.0, 0.14),
+    ("flexible", "open loop", True): Spread(0.0, 0.0, 0.125),
 }
-"""Greatest values of the table in docs/dynamics.md, for the Shuttle's arm without and with payloads up to 65,000 lb."""
+"""Greatest values of random motions and built-in scenarios of the Shuttle's arm, without and with payloads up to
+65,000 lb; printed by ``python -m benchmarks.spread``. Other arms have no values of their own."""
 
 
 def spread_of(plant: Literal["rigid", "flexible"], law: LawChoice, *, loaded: bool) -> Spread:

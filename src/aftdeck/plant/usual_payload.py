@@ -13,7 +13,9 @@ HEAVIEST = 65_000 * POUND
 LONGEST, WIDEST = 60 * FOOT, 15 * FOOT
 """Length and diameter of the heaviest payload, a cylinder that fills the payload bay [m] (firm)."""
 
-PAYLOAD_MASS = Bounds(1e-3, Mass.bounds.greatest, "a payload of less than a gram does not act on an arm", Mass.unit)
+PAYLOAD_MASS = Bounds(
+    1e-3, Mass.bounds.greatest, "lighter payloads do not act on an arm, and heavier ones do not exist", Mass.unit
+)
 """Masses of payloads that a plant with masses can move [kg]."""
 
 

@@ -29,6 +29,14 @@ Each component of an attitude's quaternion is rounded by at most 5e-10. The quat
 """
 
 
+TOLERANCE_M, TOLERANCE_RAD = 0.01, 1e-3
+"""Tolerance for a run with masses that another environment repeats: of a length [m], and of an angle [rad] (assumed).
+
+MuJoCo's last digits depend on the processor and on its build. The encoders' steps turn them into 1e-4 rad, and friction
+and contacts amplify them.
+"""
+
+
 class Apart(msgspec.Struct, frozen=True):
     """Bounds of the differences between two runs, over all recorded lengths and angles.
 
@@ -43,6 +51,15 @@ class Apart(msgspec.Struct, frozen=True):
     """Number of the first step that differs."""
     time_s: float
     """Simulated time of this step."""
+
+
+def within_tolerance(found: Apart | None) -> bool:
+    """Return whether two runs are nowhere further apart than the tolerance for another environment."""
+    if found is None:
+        return True
+    if found.metres is None or found.radians is None:
+        return False
+    return found.metres <= TOLERANCE_M and found.radians <= TOLERANCE_RAD
 
 
 def further(found: Apart | None, before: FrameRecord, after: FrameRecord) -> Apart:

@@ -10,7 +10,7 @@ import msgspec
 
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.law import state_of_the_laws
-from aftdeck.recording.apart import Apart
+from aftdeck.recording.apart import Apart, within_tolerance
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.check import ChannelChange, Check
 from aftdeck.recording.compare import Difference, FieldChange
@@ -39,6 +39,9 @@ class Verdict(msgspec.Struct, frozen=True):
 
     equal: bool
     """True if everything that was computed again is equal, and no hash chain shows a change of the other messages."""
+    agrees: bool
+    """True if `equal` is; also true if another environment repeats an unchanged recording of a run with masses, and all
+    lengths and angles agree within the tolerance (`recording.apart`)."""
     frames: int
     """Number of frames compared."""
     time_s: float
@@ -137,8 +140,12 @@ def _verdict(recording: Recording, check: Check, listed: str) -> Verdict:
     recomputed = check.recomputed()
     others = (*[topic for topic in check.topics if topic not in recomputed], *OF_THE_WALL_CLOCK)
     here = environment(check.plant)
+    equal = check.different == 0 and not changes and chained in ("unbroken", "none")
+    same_machine = opening.environment == here if opening.environment else opening.machine == machine()
+    elsewhere = check.plant != "kinematic" and not same_machine and chained == "unbroken"
     return Verdict(
-        equal=check.different == 0 and not changes and chained in ("unbroken", "none"),
+        equal=equal,
+        agrees=equal or (elsewhere and within_tolerance(check.apart)),
         frames=check.frames,
         time_s=recording.time_s,
         different=check.different,
@@ -154,7 +161,7 @@ def _verdict(recording: Recording, check: Check, listed: str) -> Verdict:
         recorded_by=opening.version,
         version=__version__,
         same_laws=opening.laws == state_of_the_laws(),
-        same_machine=opening.environment == here if opening.environment else opening.machine == machine(),
+        same_machine=same_machine,
         environment=_differing(opening.environment, here) if opening.environment else (),
         delays=recording.delays,
     )

@@ -200,9 +200,11 @@ def _check_plant(
     except ArmError as error:
         problems.add(("plant",), str(error))
     _check_orbiter(problems, spec, worksite)
-    for mass in [*(payload.mass for payload in payloads), *(payload.mass for payload in cargo)]:
+    masses = [(f"payload {n}", payload.mass) for n, payload in enumerate(payloads, 1)]
+    masses += [(payload.title, payload.mass) for payload in cargo]
+    for name, mass in masses:
         if why := PAYLOAD_MASS.problem(mass, ""):
-            problems.add(("plant",), f"{spec.plant!r} cannot move a payload of this mass: {why}")
+            problems.add(("plant",), f"{spec.plant!r} cannot move {name}, because of its mass: {why}")
 
 
 def _check_orbiter(problems: Problems, spec: ScenarioFile, worksite: Worksite | None) -> None:

@@ -154,6 +154,10 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
         problems.add(
             (*where, "until"), f"'at rest' is for a manual mode, in which the sticks move the arm; got {mode.position}"
         )
+    if phase.until == "at rest" and any((*phase.translation, *phase.rotation)):
+        problems.add((*where, "until"), "'at rest' cannot occur while translation or rotation commands a motion")
+    if phase.brakes and mode.kind == "automatic":
+        problems.add((*where, "brakes"), f"the brakes would hold the arm, and {mode.position} moves it")
     if mode.kind == "single":
         _check_single(problems, arm, phase, mode, joint, where)
 

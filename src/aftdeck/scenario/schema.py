@@ -279,8 +279,8 @@ class Phase(_Part, frozen=True):
 
     In every mode a phase may set the `effector` switch and the switches BRAKES (`brakes`) and SAFING (`safing`), press
     `latch`, move the telescope to `stand_at`, translate the `orbiter`, and wait `until` an event has occurred. With
-    `stand_at` or `until`, `duration` is the longest time allowed. `until = "at rest"` waits until the tip is at rest
-    after a command; without masses, the arm is at rest at once.
+    `stand_at` or `until`, `duration` is the longest time allowed. `until = "at rest"`, in manual modes only, waits
+    until the tip is at rest after a command; without masses, the arm is at rest at once.
     """
 
     mode: int | Text

@@ -232,7 +232,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
         bool, field_meta("whether RATE HOLD keeps a stick command", value="panel.rate_hold_sticks is not None")
     ]
     position_hold: Annotated[bool, field_meta("whether POSITION HOLD is on", value="panel.position_hold")]
-    brakes: Annotated[bool, field_meta("whether BRAKES are on, so that the joints do not move", value="panel.brakes")]
+    brakes: Annotated[bool, field_meta("whether BRAKES are on", value="panel.brakes")]
     safing: Annotated[bool, field_meta("whether SAFING commands zero joint rates", value="panel.safing")]
     joint: Annotated[int, field_meta("selected joint, 0 to 5", value="panel.joint")]
     rate: Annotated[Literal["coarse", "vernier"], field_meta("rate setting", value="panel.rate")]

@@ -54,7 +54,7 @@ class Inputs(msgspec.Struct, frozen=True):
     position_hold: bool | None = None
     """POSITION HOLD: keep the tip's position and attitude while the sticks are centred."""
     brakes: bool | None = None
-    """BRAKES: True stops every joint immediately and keeps it stopped."""
+    """BRAKES: True sets the brakes of all joints. Without masses they stop at once; with masses a brake can slip."""
     safing: bool | None = None
     """SAFING: True commands zero joint rates and overrides all other inputs; False is CANCEL."""
     proceed: bool = False

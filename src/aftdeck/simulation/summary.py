@@ -58,6 +58,10 @@ class Summary(msgspec.Struct, frozen=True):
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
     """SHA-256 over the state digests of all frames, in their order."""
+    true_position_error_m: float | None = None
+    """Distance of the true tip from the target, with masses; the other error is by the encoders."""
+    true_rotation_error_rad: float | None = None
+    """Angle of the true tip from the target, with masses."""
 
 
 class Tally:
@@ -90,6 +94,7 @@ class Tally:
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
         """Return the summary of a run that ended for the reason `ended`, with `frame` as its last frame."""
         goal = frame.goal
+        miss = None if frame.dynamics is None else frame.dynamics.miss
         return Summary(
             scenario=scenario.name,
             seed=seed,
@@ -106,4 +111,6 @@ class Tally:
             min_clearance_m=self.least if math.isfinite(self.least) else None,
             events=tuple(SummaryEvent(e.time_s, e.kind, e.text) for e in self.events),
             frames_sha256=self._digest.hexdigest(),
+            true_position_error_m=None if miss is None else miss[0],
+            true_rotation_error_rad=None if miss is None else miss[1],
         )

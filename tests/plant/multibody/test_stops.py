@@ -18,6 +18,7 @@ from aftdeck.simulation.motion.tip_rest import AT_REST, SLOTS, WINDOW
 from aftdeck.simulation.run import Simulation
 from aftdeck.units import FOOT
 from benchmarks.flight_tests import Measured, measured
+from benchmarks.stops import LOADS, stop
 from tests.plant.multibody.flights import scenario
 from tests.plant.multibody.test_model import of_pinocchio
 
@@ -176,3 +177,10 @@ def test_saved_run_continues_to_the_last_bit_during_a_stop() -> None:
     for _ in range(400):
         assert sim.step(Inputs()) == other.step(Inputs())
     assert sim.save() == other.save()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("pounds", LOADS)
+@pytest.mark.parametrize("plant", ["rigid", "flexible"])
+def test_loaded_arm_stops_within_two_feet_for_every_mass(plant: str, pounds: float) -> None:
+    assert 0.5 * FOOT < stop(plant, pounds, "stretched", 2.3) < 2.0 * FOOT

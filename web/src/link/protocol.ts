@@ -866,7 +866,7 @@ export interface Frame {
   readonly rate_hold: boolean;
   /** whether POSITION HOLD is on */
   readonly position_hold: boolean;
-  /** whether BRAKES are on, so that the joints do not move */
+  /** whether BRAKES are on */
   readonly brakes: boolean;
   /** whether SAFING commands zero joint rates */
   readonly safing: boolean;

@@ -132,7 +132,7 @@ def _verdict(flight: Flight, checking: Checking) -> Check:
     good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)
     best = next((tried for tried in good if tried.way.law == first.way.law), None)
     if best is not None:
-        parts = [f"GOOD: {best.seconds:.0f} s", _with_masses(flight, start, best), best.text, best.near]
+        parts = [f"GOOD: {best.seconds:.0f} s{_with_masses(flight, start, best)}", best.text, best.near]
         return Check(True, ", ".join(part for part in parts if part), best.seconds, "", best.way.joints)
     when = "" if first.cause == "miss" else f", after {first.seconds:.0f} s"
     why = f"FAIL: {first.text}{when}"
@@ -147,8 +147,9 @@ def _with_masses(flight: Flight, start: State, tried: Tried) -> str:
     if spread == NO_SPREAD:
         return ""
     off = quantity_text(spread.miss, "m", flight.scenario.arm.model.units, figures=2)
-    later = f"{tried.seconds * (1.0 + spread.longer):.0f} s and " if spread.longer else ""
-    return f"with masses up to {later}{off} off"
+    longest = tried.seconds * (1.0 + spread.longer) + spread.later
+    later = f"{longest:.0f} s and " if spread.longer or spread.later else ""
+    return f" without masses, with masses up to {later}{off} off"
 
 
 def _log_failed_ways(flight: Flight, state: State, checking: Checking) -> None:

@@ -67,7 +67,7 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
         _hold_position(flight, state, inputs.position_hold)
     if inputs.brakes is not None and inputs.brakes != panel.brakes:
         panel.brakes = inputs.brakes
-        text = "BRAKES on: every joint is stopped" if panel.brakes else "BRAKES off"
+        text = "BRAKES on" if panel.brakes else "BRAKES off"
         log(flight, state, "brakes", "caution" if panel.brakes else "info", text)
     if inputs.safing is not None and inputs.safing != panel.safing:
         panel.safing = inputs.safing

@@ -79,9 +79,9 @@ def finish(flight: Flight, state: State) -> None:
         and state.report[ANGLE] <= flight.scenario.fly_by_turn
     )
     still = state.report[RATIO] < STANDSTILL
-    arrived = state.report[ARRIVED] or (flight.plant.has_servos and _inside(flight, state))
-    if arrived or passing or (still and not _final_error(flight, state)):
-        _arrive(flight, state, passing)
+    inside = flight.plant.has_servos and _inside(flight, state)
+    if inside or state.report[ARRIVED] or passing or (still and not _final_error(flight, state)):
+        _arrive(flight, state, passing, inside=inside)
         return
     panel.blocked = panel.blocked + 1 if still else 0
     if panel.blocked * flight.scenario.control_period >= MAX_STOPPED_TIME:
@@ -113,11 +113,15 @@ def _final_error(flight: Flight, state: State) -> str:
     return "" if target is None else final_error_text(flight, state.arm, state.plant.angles, target)
 
 
-def _arrive(flight: Flight, state: State, passing: bool) -> None:
-    """Start the motion to a sequence's next point, wait for PROCEED at a pause point, or end the motion."""
+def _arrive(flight: Flight, state: State, passing: bool, *, inside: bool) -> None:
+    """Start the motion to a sequence's next point, wait for PROCEED at a pause point, or end the motion.
+
+    If the encoders have seen the tip inside the end sphere (`inside`), the target is reached, although an arm with
+    masses still moves.
+    """
     panel = state.panel
     points = flight.scenario.sequences.get(panel.mode, ())
-    final_error = "" if passing else _final_error(flight, state)
+    final_error = "" if passing or inside else _final_error(flight, state)
     name = f"{panel.mode}, point {panel.point + 1} of {len(points)}" if points else "target"
     _log_arrival(flight, state, name, passing, final_error)
     continues = bool(points) and panel.point + 1 < len(points) and not points[panel.point].pause

@@ -22,7 +22,10 @@ def verdict(path: Path) -> Verdict:
         scope = "" if result.whole else " in every recorded value"
         others = "all other data unchanged" if result.unchanged else "other data not covered"
         return Verdict("equal", f"all {result.frames} frames equal{scope}; {others}")
-    return Verdict("different", "; ".join(_reasons(result)))
+    reasons = "; ".join(_reasons(result))
+    if result.agrees:
+        return Verdict("equal", f"equal within the tolerance for another environment; {reasons}")
+    return Verdict("different", reasons)
 
 
 def _reasons(result: Result) -> list[str]:

@@ -1,0 +1,141 @@
+"""``python -m benchmarks.spread``: by how much motions with masses differ from their rehearsals without masses.
+
+Random motions of the Shuttle's arm in empty space, with a fixed orbiter, in modes 1, 2 and 3, without and with
+payloads whose centres are at the tip; and built-in scenarios. For each plant, mode, and with or without a payload, the
+command prints the values of `plant.spread`: the least ones that hold for all these motions.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.frames import oriend
+from aftdeck.kinematics.arm import load_arm
+from aftdeck.scenario.load import load_scenario, parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.run import Simulation
+from aftdeck.steering.mode import LawChoice
+
+MOTIONS = 10
+"""Number of random motions for each mass."""
+LOADS = (0, 5_000, 32_000, 65_000)
+"""Masses of the payload [lb]."""
+TURN, TURN_LOADED = math.radians(40.0), math.radians(8.0)
+"""Greatest change of a joint angle without and with a payload [rad]."""
+BUILT_IN: dict[LawChoice, tuple[str, ...]] = {
+    "position": ("sts-400-position",),
+    "closed loop": ("sts-400-closed", "first-flight"),
+    "open loop": ("sts-400-open",),
+}
+"""Scenarios whose first motion is measured, too."""
+LAWS: tuple[LawChoice, ...] = ("position", "closed loop", "open loop")
+PLANTS: tuple[Literal["rigid", "flexible"], ...] = ("rigid", "flexible")
+SETTLING = 3.0
+"""Time by which a motion with masses may end later, however short it is [s]."""
+_MIDDLE = np.radians([-30.0, 70.0, -80.0, -40.0, 10.0, -60.0])
+
+
+class Motion(NamedTuple):
+    """Motion in OPR CMD.
+
+    Attributes:
+        start: (6,) joint angles at the start [rad].
+        end: (6,) joint angles at the target, as mode 1 may reach it [rad].
+        pounds: mass of the payload [lb]; 0 for none.
+    """
+
+    start: Array
+    end: Array
+    pounds: int
+
+
+class Result(NamedTuple):
+    """Time of a motion [s], and distance of the true tip from the target at its end [m]."""
+
+    seconds: float
+    miss: float
+
+
+def motions(loads: tuple[int, ...] = LOADS, count: int = MOTIONS) -> Iterator[Motion]:
+    """Yield the motions, in every call the same."""
+    for pounds in loads:
+        rng = np.random.default_rng(pounds)
+        most = TURN_LOADED if pounds else TURN
+        for _ in range(count):
+            start = _MIDDLE + rng.uniform(-0.4, 0.4, 6)
+            yield Motion(start, start + rng.uniform(-most, most, 6), pounds)
+
+
+def scenario(motion: Motion, law: LawChoice, plant: str) -> Scenario:
+    """Return the scenario of a motion."""
+    tip = load_arm("srms").forward(motion.end)
+    roll, pitch, yaw = oriend(tip.rotation)
+    payload = f"[payload]\nmass = '{motion.pounds} lb'\n" if motion.pounds else ""
+    text = f"""
+title = "a motion"
+worksite = "space"
+plant = "{plant}"
+duration = "900 s"
+dynamics = {{ orbiter = "fixed" }}
+[initial]
+joints = {motion.start.tolist()}
+{payload}
+[[phase]]
+mode = "OPR CMD"
+law = "{law}"
+target = {{ frame = "L", position = {tip.position.tolist()}, roll = {roll}, pitch = {pitch}, yaw = {yaw} }}
+"""
+    return parse_scenario(text, "motion", "motion.toml", Path())
+
+
+def flown(given: Scenario) -> Result | None:
+    """Fly the first motion of a scenario; None if CMD CK rejects it or it does not end."""
+    sim, began = Simulation(given), math.nan
+    while not sim.ended:
+        sim.advance()
+        state = sim._state
+        if math.isnan(began) and state.panel.sequence == "in progress":
+            began = state.tick
+        if any(event.kind == "arrived" for event in state.events):
+            frame = sim.look()
+            assert frame.goal is not None
+            miss = frame.goal.distance
+            if frame.dynamics is not None and frame.dynamics.miss is not None:
+                miss, _ = frame.dynamics.miss
+            return Result((state.tick - began) * sim.scenario.control_period, miss)
+    return None
+
+
+def flights(law: LawChoice, plant: str, *, loaded: bool) -> list[Result | None]:
+    """Fly all motions and, without a payload, the built-in scenarios of a steering law."""
+    found = [flown(scenario(motion, law, plant)) for motion in motions() if bool(motion.pounds) == loaded]
+    if not loaded:
+        found += [flown(load_scenario(name, {("plant",): plant})) for name in BUILT_IN[law]]
+    return found
+
+
+def main() -> None:
+    """Print the table of `plant.spread`."""
+    for law in LAWS:
+        for loaded in (False, True):
+            rehearsed = flights(law, "kinematic", loaded=loaded)
+            for plant in PLANTS:
+                both = zip(rehearsed, flights(law, plant, loaded=loaded), strict=True)
+                pairs = [(before, after) for before, after in both if before is not None and after is not None]
+                latest = max(after.seconds - before.seconds for before, after in pairs)
+                later = SETTLING if latest > 0.1 else 0.0
+                longer = max(max(after.seconds - later, 0.0) / before.seconds - 1.0 for before, after in pairs)
+                miss = max(after.miss for _, after in pairs)
+                share = math.ceil(100.0 * longer) / 100.0 if longer > 0.01 else 0.0  # a control step counts as nothing
+                values = f"{share}, {later}, {math.ceil(1000.0 * miss) / 1000.0}"
+                print(f'    ("{plant}", "{law}", {loaded}): Spread({values}),  # {len(pairs)} motions', flush=True)
+
+
+if __name__ == "__main__":
+    main()
