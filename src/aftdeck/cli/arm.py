@@ -100,6 +100,8 @@ def arm(
         }
         if given := [option for option, value in only.items() if value is not None]:
             raise InputError(f"{question.value}: {', '.join(given)} can only be given with frequencies")
+    if frame is not FrameChoice.L and question not in (Question.forward, Question.inverse):
+        raise InputError(f"{question.value}: --frame can only be given with forward or inverse")
     loaded = load_arm(name)
     values = _numbers(numbers or [], 6 if question in (Question.forward, Question.inverse) else 0, question.value)
     match question:
@@ -119,6 +121,8 @@ def arm(
 
 
 def _numbers(texts: list[str], expected: int, question: str) -> list[float]:
+    if unknown := next((text for text in texts if text.startswith("--")), None):
+        raise InputError(f"{question}: there is no option {unknown}")
     if len(texts) != expected:
         raise InputError(f"{question} needs {expected} numbers, got {len(texts)}: {' '.join(texts)}")
     values = []
