@@ -21,7 +21,7 @@ POSES = {
 """Joint angles at the start of each stop."""
 PUSH = (0.5, 0.0, -0.866)
 """Deflection of the sticks."""
-LOADS = (100, 500, 1_000, 2_500, 5_000, 8_000, 15_000, 32_000, 65_000)
+LOADS = (250, 500, 1_000, 2_500, 5_000, 8_000, 15_000, 32_000, 65_000)
 """Masses of the payload [lb]."""
 AHEAD = (0.0, 2.3)
 """Distances of the payload's centre from the tip, along the end effector's axis [m]."""

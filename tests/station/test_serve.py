@@ -140,7 +140,8 @@ def test_browser_is_opened_on_request(
 
         def run(self, sockets: list[socket.socket]) -> None:
             sockets[0].close()
-            raise KeyboardInterrupt
+
+        def handle_exit(self, *_: object) -> None: ...
 
     (tmp_path / "index.html").write_text("the page", encoding="utf-8")
     monkeypatch.setattr(station_built, "STATIC", tmp_path)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import errno
+import signal
 import socket
 import sys
 import webbrowser
@@ -119,8 +119,12 @@ def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | No
     """Open a browser at the address `opened`, if it is not None, and run a server until interrupted."""
     if opened is not None:
         webbrowser.open(opened)
-    with contextlib.suppress(KeyboardInterrupt):  # after Ctrl+C, uvicorn shuts down, then raises this again
+    # Ctrl+C ends the server also while it starts: an exception within the start of asyncio leaves a traceback
+    before = signal.signal(signal.SIGINT, server.handle_exit)
+    try:
         server.run(sockets=[listener])
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def make_server(app: Starlette) -> uvicorn.Server:
