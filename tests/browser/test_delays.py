@@ -76,6 +76,7 @@ def ages(page: Flight, count: int = 20) -> list[dict[str, float]]:
     return found
 
 
+@pytest.mark.slow
 def test_figures_and_pictures_have_the_delays_of_the_scenario(page: Flight) -> None:
     measured = ages(page)
     for age in measured:
@@ -103,6 +104,7 @@ def test_log_and_mode_have_the_telemetry_delay(page: Flight) -> None:
     page.enter("ORB UNL")
 
 
+@pytest.mark.slow
 def test_rail_and_lamp_show_delays_outside_the_stick_to_picture_time(page: Flight) -> None:
     assert page.script("document.querySelector('.rail .delay').textContent") == "Delay TLM 1.00 · CAM 3.00 s"
     link = page.page.locator(".lamp.info", has_text="LINK DELAY")

@@ -43,6 +43,7 @@ def test_unknown_message_is_reported_by_its_type(page: Page, station: str) -> No
     page.get_by_role("alert").get_by_text("rumour").wait_for()
 
 
+@pytest.mark.slow
 def test_reconnected_page_has_zero_sticks_and_position_hold(page: Page, station: str) -> None:
     connections: list[WebSocketRoute] = []
     cut = False

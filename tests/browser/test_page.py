@@ -124,6 +124,7 @@ def test_pictures_are_equal_on_a_graphics_card_and_when_read_back(open_page: Ope
     assert sum(apart) / len(apart) < 2.0
 
 
+@pytest.mark.slow
 def test_observer_asks_for_the_sticks_and_flies_after_they_are_given(flight: Flight, open_page: OpenPage) -> None:
     observer = open_page()
     observer.until(OBSERVES)

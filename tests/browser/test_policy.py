@@ -73,6 +73,7 @@ def test_one_file_runs_only_its_own_script_and_reaches_no_server(one_file: Page,
     assert one_file.evaluate("window.ran") is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("key", "flies"), [(FLY, True), (WATCH, False)])
 def test_address_for_observing_offers_no_control(browser: Browser, key: str, flies: bool) -> None:
     with served(Session(scenario()), access=KEYED) as keyed:

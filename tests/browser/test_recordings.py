@@ -20,6 +20,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         yield address
 
 
+@pytest.mark.slow
 def test_replay_opens_from_the_page_and_returns_to_the_flight(open_page: OpenPage, station: str) -> None:
     flight = open_page()
     flight.hold("w")

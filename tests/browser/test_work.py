@@ -76,6 +76,7 @@ def test_pair_of_minimum_clearance_is_named_lit_and_drawn(open_worksite: OpenWor
     flight.until("document.querySelector('.gap').getAttribute('visibility') === 'visible'")
 
 
+@pytest.mark.slow
 def test_acknowledged_caution_alarms_again_as_a_warning(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
     master = flight.page.locator(".master")
@@ -91,6 +92,7 @@ def test_acknowledged_caution_alarms_again_as_a_warning(open_worksite: OpenWorks
     flight.until("!document.querySelector('.master').matches('.caution, .warning')")
 
 
+@pytest.mark.slow
 def test_large_increasing_clearance_lights_no_lamp(open_worksite: OpenWorksite) -> None:
     flight, _ = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 4.1, -0.021))))
     flight.until("/opening/.test(document.querySelector('.clearance').textContent)")
@@ -226,6 +228,7 @@ def test_plane_button_shows_the_separating_plane(open_worksite: OpenWorksite) ->
     flight.page.get_by_role("button", name="Plane", pressed=False).wait_for()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["ORB UNL", "OPR CMD", "SINGLE", "MASTER"])
 def test_page_with_contacts_and_conditions_is_tidy_and_readable(open_worksite: OpenWorksite, mode: str) -> None:
     site = Worksite(info("prong", stand=True), GRASPING)
