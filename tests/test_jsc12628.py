@@ -306,6 +306,7 @@ def test_msteer_agrees_with_the_report_step_by_step(
         q = q + rates * dt
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", [1, 3])
 def test_phases_of_modes_1_and_3_end_at_eta(mode: Literal[1, 3]) -> None:
     q = np.array([0.2, 1.0, -1.4, 0.3, 0.2, 0.4])

@@ -68,6 +68,7 @@ def recorded_with(folder: Path, shapes: str) -> tuple[Path, Path]:
     return path, looks
 
 
+@pytest.mark.slow
 def test_shapes_of_any_path_are_recorded_and_replayed_without_the_file(tmp_path: Path) -> None:
     kinds = {"absolute": "{looks}", "upwards": f"../../../{CANARY}/looks.toml", "link": "linked.toml"}
     made = [recorded_with(tmp_path / kind, shapes) for kind, shapes in kinds.items()]
@@ -88,6 +89,7 @@ def replace_duration(scenario: Path) -> aftdeck.Scenario:
     return aftdeck.load_scenario(scenario)
 
 
+@pytest.mark.slow
 def test_paths_in_hostile_texts_are_not_opened(tmp_path: Path) -> None:
     canary, path = tmp_path / CANARY, tmp_path / "run.mcap"
     canary.mkdir()

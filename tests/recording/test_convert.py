@@ -165,6 +165,7 @@ def test_frames_of_random_runs_survive_to_their_decimals(seed: int) -> None:
             check_round_trip(frame)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["concept-1972-script", "srms-berth", "free-flyer"])
 def test_frames_of_a_worksite_survive(name: str) -> None:
     sim = aftdeck.Simulation(name)

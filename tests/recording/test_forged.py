@@ -146,6 +146,7 @@ def test_every_changed_value_of_a_frame_is_found_even_with_a_new_chain(
     assert passed == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("topic", [topic for topic in CHANNELS if topic != "/frames"])
 def test_every_changed_value_of_another_message_is_found(whole: Path, tmp_path: Path, topic: str) -> None:
     first = next(e.data for e in Recording(whole).entries() if e.channel.topic == topic)

@@ -68,6 +68,7 @@ def check(folder: Path, count: int, monkeypatch: pytest.MonkeyPatch) -> None:
     assert {listed[run_.file].ended for run_ in runs} == {"cut"}
 
 
+@pytest.mark.slow
 def test_killed_program_loses_at_most_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     check(tmp_path, 2, monkeypatch)
 

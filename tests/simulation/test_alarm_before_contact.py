@@ -77,6 +77,7 @@ def test_probe_approaching_port_raises_no_alarm(seed: int) -> None:
     assert PROBE not in {pair(frame) for frame in frames}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("aside", [9.0, 12.0])
 def test_clearance_warns_before_trunnions_touch_beside_guides(aside: float) -> None:
     """Previously the log did not name the two parts before their contact."""

@@ -18,6 +18,7 @@ from aftdeck.station.session.page_inputs import MAX_WAITING
 from tests.station.pages import STILL, WAIT_S, Page, Station, closing, until
 
 
+@pytest.mark.slow
 def test_flood_of_commands_ends_its_page_and_not_the_run(station: Station) -> None:
     with station.page() as page:
         try:
@@ -29,6 +30,7 @@ def test_flood_of_commands_ends_its_page_and_not_the_run(station: Station) -> No
     station.check_running()
 
 
+@pytest.mark.slow
 def test_flood_of_sticks_ends_its_page_and_not_the_run(shared: Station) -> None:
     with shared.page() as page:
         try:
@@ -74,6 +76,7 @@ def test_stop_is_never_rejected_and_overtakes_waiting_commands(
         assert (frame.joint, frame.translation) == (0, STILL)
 
 
+@pytest.mark.slow
 def test_page_that_never_reads_delays_no_other(station: Station) -> None:
     with station.page() as operator, station.unannounced(buffered=1) as silent:
         silent.socket.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
@@ -82,6 +85,7 @@ def test_page_that_never_reads_delays_no_other(station: Station) -> None:
     station.check_running()
 
 
+@pytest.mark.slow
 def test_many_observers_that_never_read_delay_no_page(station: Station) -> None:
     with ExitStack() as silent_pages:
         for _ in range(10):
