@@ -154,15 +154,15 @@ def _print_verdict(recording: Recording, v: Verdict) -> None:
         print_line(f"  cut short    after {v.time_s:.2f} s; verified up to this time")
     if v.delays is not None:
         print_line(f"  delays       {v.delays.text()}")
+    differs = "within     " if v.agrees else "DIFFERENT  "
     if not v.different:
         scope = "bit for bit" if v.whole else "in every recorded value; digests of another version are not comparable"
         print_line(f"  {'equal      ' if v.equal else 'frames     '}  all {v.frames} frames, {v.time_s:.2f} s, {scope}")
     else:
-        word = "within      " if v.agrees else "DIFFERENT   "
-        print_line(f"  {word} {v.different} of {v.frames} frames differ{_tolerance() if v.agrees else ''}")
+        print_line(f"  {differs}  {v.different} of {v.frames} frames differ{_tolerance() if v.agrees else ''}")
         _print_difference(v)
     for change in v.changes:
-        print_line(f"  DIFFERENT    {change.messages} messages in {change.channel}, the first at {change.time_s:.2f} s")
+        print_line(f"  {differs}  {change.messages} messages in {change.channel}, the first at {change.time_s:.2f} s")
     if v.chain in CHAINS:
         print_line(f"  CHANGED      {CHAINS[v.chain]}")
     for name, channels in (("recomputed", v.recomputed), ("unchanged", v.unchanged), ("not covered", v.not_covered)):

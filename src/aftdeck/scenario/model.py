@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -250,7 +251,7 @@ class Scenario:
     changes: tuple[str, ...]
     cautions: tuple[Problem, ...]
 
-    @property
+    @cached_property
     def flexures(self) -> tuple[Flexure, ...]:
         """Parts of the arm that bend on the scenario's plant."""
         return flexures_of(self.arm.model) if self.plant == "flexible" else ()

@@ -48,7 +48,7 @@ SixStartRates = tuple[AngularRate, AngularRate, AngularRate, AngularRate, Angula
 Rate = Literal["coarse", "vernier"]
 PayloadEvent = Literal["captured", "released", "latched", "unlatched"]
 """Events of the payloads: one is captured, released, latched in its berth, or unlatched."""
-Until = Literal["captured", "released", "latched", "unlatched", "at rest"]
+Until = Literal[PayloadEvent, "at rest"]
 """Events for which a phase may wait: one of a payload, or that the arm is at rest (manual modes)."""
 Plant = Literal["kinematic", "rigid", "flexible"]
 """Models that turn commanded rates into motion: without masses, with rigid bodies, with bending booms and gearboxes."""

@@ -67,8 +67,7 @@ class ScenePoses:
 
     def pose(self, position: Vec3, orientation: Rows) -> list[float]:
         """Convert a pose in L to seven numbers in the scene."""
-        position_in_scene = product(self._turn, np.array(position)) + self._origin
-        return [*position_in_scene.tolist(), *quaternion(product(self._turn, np.array(orientation)))]
+        return [*self.point(position), *quaternion(product(self._turn, np.array(orientation)))]
 
     def point(self, position: Vec3) -> Vec3:
         """Convert a point in L to the scene [m]."""

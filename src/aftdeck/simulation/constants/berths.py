@@ -45,7 +45,7 @@ class Berth:
     guides: Guides | None
     tolerances: SeatTolerances
 
-    def trunnions(self, frames: Array, cargo_row: int, trunnions: Array) -> Array:
+    def trunnion_offsets(self, frames: Array, cargo_row: int, trunnions: Array) -> Array:
         """Return the offsets (n, 4) of a payload's trunnions from their seats (`berthing.offsets`).
 
         Args:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from aftdeck.arms.flexures import Flexure
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.solids import solids_of
@@ -64,7 +63,6 @@ class Site:
         worksite: the worksite as its file describes it.
         cargo: the payloads at the worksite.
         arm: the arm's frames.
-        flexures: the arm's parts that bend; none on a plant where nothing bends.
         layout: solids and monitored pairs.
         essential: (g,) 1 for pairs that the task brings into contact.
         meetings: relation and permitted depth of each pair in `essential`.
@@ -101,7 +99,6 @@ class Site:
     worksite: Worksite
     cargo: tuple[Cargo, ...]
     arm: Frames
-    flexures: tuple[Flexure, ...]
     layout: Layout
     essential: Mask
     meetings: tuple[Meeting, ...]
@@ -206,7 +203,6 @@ def site_of(scenario: Scenario) -> Site:
         worksite=worksite,
         cargo=cargo,
         arm=arm,
-        flexures=scenario.flexures,
         layout=layout,
         essential=essential,
         meetings=meetings,

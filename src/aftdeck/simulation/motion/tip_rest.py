@@ -51,9 +51,9 @@ def new_stop(cause: str, tick: int, place: Vec3, speed: float, period: float, *,
 
 def observe(stop: Stop, tick: int, tip: Vec3) -> bool:
     """Add the tip's position of one step; return whether the tip was at rest for the whole window before it."""
-    row, begun = divmod(tick - stop.began, stop.slot)
+    row, ticks = divmod(tick - stop.began, stop.slot)
     low, high = stop.low[row % len(stop.low)], stop.high[row % len(stop.low)]
-    if begun == 0:
+    if ticks == 0:
         if row >= len(stop.low) and swing_left(stop) < AT_REST:
             return True
         low[:] = high[:] = tip

@@ -63,7 +63,7 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
         fired,
         _contacts(site, bodies),
         _holds(site, bodies),
-        _bends(site, bodies),
+        _bends(flight, bodies),
     )
 
 
@@ -84,9 +84,7 @@ def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
     )
 
 
-def _bends(site: Site, bodies: Bodies) -> tuple[Bend, ...]:
+def _bends(flight: Flight, bodies: Bodies) -> tuple[Bend, ...]:
     """Return the bends of base and booms."""
-    if len(bodies.bends) == 0:
-        return ()
-    numbers = zip(site.flexures, bodies.bends.tolist(), strict=True)
+    numbers = zip(flight.scenario.flexures, bodies.bends.tolist(), strict=True)
     return tuple(Bend(part.part, (a, b, c), (d, e, f)) for part, (a, b, c, d, e, f) in numbers)

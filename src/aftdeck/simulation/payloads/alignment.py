@@ -208,7 +208,7 @@ def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, 
     """Return whether every trunnion is above or inside the mouth of its own V-guide."""
     assert berth.guides is not None
     guides = berth.guides
-    found = berth.trunnions(frames, site.cargo_row(k), site.cargo[k].trunnions)
+    found = berth.trunnion_offsets(frames, site.cargo_row(k), site.cargo[k].trunnions)
     least, most, room = over(found, guides.opening, guides.throat, guides.height, guides.play)
     return least >= -depth and most <= NEAR and room >= inside
 

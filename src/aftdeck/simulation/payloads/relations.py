@@ -81,7 +81,7 @@ def _in_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, berth:
     guides, layout, k = berth.guides, site.layout, meeting.cargo
     assert guides is not None
     return guided(
-        berth.trunnions(frames, site.cargo_row(k), site.cargo[k].trunnions),
+        berth.trunnion_offsets(frames, site.cargo_row(k), site.cargo[k].trunnions),
         guides.opening,
         guides.throat,
         guides.height,

@@ -270,6 +270,6 @@ def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condit
     if berth.guides is None:
         return retained(off, berth.tolerances)
     site = flight.site
-    trunnions = berth.trunnions(state.worksite.frames, site.cargo_row(k), site.cargo[k].trunnions)
+    trunnions = berth.trunnion_offsets(state.worksite.frames, site.cargo_row(k), site.cargo[k].trunnions)
     guided = in_guides(trunnions, berth.guides)
     return (*guided, *ready_to_latch(trunnions, off, berth.guides, berth.tolerances))

@@ -34,8 +34,6 @@ class Displays:
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
         self._poses = ScenePoses(scenario)
         self._fixtures = Fixtures(scenario)
-        self._scene_axes = SCENE_FROM_PANEL_AXES @ mount.rotation
-        self._scene_origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
     def ahead(self, ahead: look_ahead.Ahead, frame: sim.Frame) -> Ahead:
         """Return the message about a look-ahead, which was computed from `frame`."""
@@ -149,8 +147,9 @@ class Displays:
         return tuple(Push(self._poses.point(each.position), self._poses.vector(each.force)) for each in contacts)
 
     def _gap(self, near: Near) -> ClosestPoints:
-        a, b = (self._scene_axes @ np.array(point) + self._scene_origin for point in (near.point_a, near.point_b))
-        return ClosestPoints(_vec3(a), _vec3(b), _vec3(0.5 * (a + b)), _vec3(self._scene_axes @ np.array(near.normal)))
+        a, b = self._poses.point(near.point_a), self._poses.point(near.point_b)
+        middle = _vec3(0.5 * np.add(a, b))
+        return ClosestPoints(a, b, middle, self._poses.vector(near.normal))
 
 
 def _payload_id(frame: sim.Frame) -> int:
