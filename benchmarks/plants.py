@@ -8,17 +8,16 @@ at the tip; the orbiter is fixed. *Off the line* is the greatest distance of the
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import oriend
+from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import load_arm
-from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.run import Simulation
 from aftdeck.steering.mode import LawChoice
+from benchmarks.empty_space import in_space, move_to
 
 START = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
 BY = np.array([2.0, 1.5, -1.65])
@@ -44,26 +43,9 @@ def flight(law: LawChoice, pounds: float, plant: str) -> Row:
     """Make one motion and return its result."""
     tip = load_arm("srms").forward(START)
     target = tip.position + BY
-    roll, pitch, yaw = oriend(tip.rotation)
-    payload = f"[payload]\nmass = '{pounds} lb'\n" if pounds else ""
-    text = f"""
-title = "3 m"
-worksite = "space"
-plant = "{plant}"
-duration = "900 s"
-dynamics = {{ orbiter = "fixed" }}
-[initial]
-joints = {START.tolist()}
-{payload}
-[[phase]]
-mode = "OPR CMD"
-law = "{law}"
-target = {{ frame = "L", position = {target.tolist()}, roll = {roll}, pitch = {pitch}, yaw = {yaw} }}
-[[phase]]
-mode = "ORB UNL"
-duration = "90 s"
-"""
-    sim = Simulation(parse_scenario(text, "flight", "flight.toml", Path()))
+    wait = "[[phase]]\nmode = 'ORB UNL'\nduration = '90 s'\n"
+    phases = move_to(Pose(target, tip.rotation), law) + wait
+    sim = Simulation(in_space(plant, START.tolist(), pounds=pounds, phases=phases))
     seen, true, times, ended = [], [], [], None
     while not sim.ended:
         frame = sim.step()

@@ -9,18 +9,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Literal, NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import oriend
 from aftdeck.kinematics.arm import load_arm
-from aftdeck.scenario.load import load_scenario, parse_scenario
+from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.run import Simulation
 from aftdeck.steering.mode import LawChoice
+from benchmarks.empty_space import in_space, move_to
+from benchmarks.plants import LAWS
 
 MOTIONS = 10
 """Number of random motions for each mass."""
@@ -34,7 +34,6 @@ BUILT_IN: dict[LawChoice, tuple[str, ...]] = {
     "open loop": ("sts-400-open",),
 }
 """Scenarios whose first motion is measured, too."""
-LAWS: tuple[LawChoice, ...] = ("position", "closed loop", "open loop")
 PLANTS: tuple[Literal["rigid", "flexible"], ...] = ("rigid", "flexible")
 SETTLING = 3.0
 """Time by which a motion with masses may end later, however short it is [s]."""
@@ -74,24 +73,8 @@ def motions(loads: tuple[int, ...] = LOADS, count: int = MOTIONS) -> Iterator[Mo
 
 def scenario(motion: Motion, law: LawChoice, plant: str) -> Scenario:
     """Return the scenario of a motion."""
-    tip = load_arm("srms").forward(motion.end)
-    roll, pitch, yaw = oriend(tip.rotation)
-    payload = f"[payload]\nmass = '{motion.pounds} lb'\n" if motion.pounds else ""
-    text = f"""
-title = "a motion"
-worksite = "space"
-plant = "{plant}"
-duration = "900 s"
-dynamics = {{ orbiter = "fixed" }}
-[initial]
-joints = {motion.start.tolist()}
-{payload}
-[[phase]]
-mode = "OPR CMD"
-law = "{law}"
-target = {{ frame = "L", position = {tip.position.tolist()}, roll = {roll}, pitch = {pitch}, yaw = {yaw} }}
-"""
-    return parse_scenario(text, "motion", "motion.toml", Path())
+    phases = move_to(load_arm("srms").forward(motion.end), law)
+    return in_space(plant, motion.start.tolist(), pounds=motion.pounds, phases=phases)
 
 
 def flown(given: Scenario) -> Result | None:
@@ -122,7 +105,7 @@ def flights(law: LawChoice, plant: str, *, loaded: bool) -> list[Result | None]:
 
 def main() -> None:
     """Print the table of `plant.spread`."""
-    for law in LAWS:
+    for law in LAWS.values():
         for loaded in (False, True):
             rehearsed = flights(law, "kinematic", loaded=loaded)
             for plant in PLANTS:

@@ -7,18 +7,16 @@ is at the tip, or 2.3 m ahead of it.
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
-from aftdeck.scenario.load import parse_scenario
+import numpy as np
+
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.units import FOOT
+from benchmarks.empty_space import in_space
 
-POSES = {
-    "stretched": "0 deg, 30 deg, -5 deg, 0 deg, 0 deg, 0 deg",
-    "over the bay": "-31 deg, 79 deg, -103 deg, -77 deg, 17 deg, -128 deg",
-}
-"""Joint angles at the start of each stop."""
+POSES = {"stretched": (0, 30, -5, 0, 0, 0), "over the bay": (-31, 79, -103, -77, 17, -128)}
+"""Joint angles at the start of each stop [deg]."""
 PUSH = (0.5, 0.0, -0.866)
 """Deflection of the sticks."""
 LOADS = (250, 500, 1_000, 2_500, 5_000, 8_000, 15_000, 32_000, 65_000)
@@ -29,24 +27,11 @@ AHEAD = (0.0, 2.3)
 
 def stop(plant: str, pounds: float, pose: str, ahead: float) -> float:
     """Return the greatest distance of the true tip from its place when the sticks are released [m]."""
-    text = f"""
-title = "a stop"
-worksite = "space"
-plant = "{plant}"
-mode = "ORB LD"
-duration = "600 s"
-dynamics = {{ orbiter = "fixed" }}
-[initial]
-joints = [{", ".join(f"'{angle}'" for angle in POSES[pose].split(", "))}]
-[payload]
-mass = "{pounds} lb"
-position = [{ahead}, 0.0, 0.0]
-"""
-    sim = Simulation(parse_scenario(text, "stop", "stop.toml", Path()))
+    sim = Simulation(in_space(plant, np.radians(POSES[pose]).tolist(), pounds=pounds, ahead=ahead))
     assert sim.scenario.payload is not None
     limits = sim.scenario.arm.model.por_limits(sim.scenario.payload.mass)
     for _ in range(round(1.3 * limits.translation[0] / limits.acceleration / sim.scenario.control_period)):
-        frame = sim.step(Inputs(translation=PUSH))
+        frame = sim.step(Inputs(mode="ORB LD", translation=PUSH))
     assert frame.dynamics is not None
     began, farthest = frame.dynamics.position, 0.0
     for _ in range(round(50.0 / sim.scenario.control_period)):

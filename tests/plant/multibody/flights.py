@@ -8,11 +8,13 @@ from pathlib import Path
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import oriend
+from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm, load_arm
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.run import Simulation
+from aftdeck.steering.mode import LawChoice
+from benchmarks.empty_space import move_to
 
 BAY = "joints = ['-31 deg', '79 deg', '-103 deg', '-77 deg', '17 deg', '-128 deg']"
 """Joint angles over the bay."""
@@ -32,15 +34,10 @@ def scenario(
     return parse_scenario(text, "flight", "flight.toml", Path())
 
 
-def move(by: tuple[float, float, float], law: str = "closed loop") -> str:
+def move(by: tuple[float, float, float], law: LawChoice = "closed loop") -> str:
     """Return a phase in OPR CMD that displaces the tip from `AT_BAY` [m]."""
     tip = load_arm("srms").forward(AT_BAY)
-    x, y, z = (tip.position + np.array(by)).tolist()
-    roll, pitch, yaw = (float(angle) for angle in oriend(tip.rotation))
-    return (
-        f"[[phase]]\nmode = 'OPR CMD'\nlaw = '{law}'\n"
-        f"target = {{ frame = 'L', position = [{x}, {y}, {z}], roll = {roll}, pitch = {pitch}, yaw = {yaw} }}\n"
-    )
+    return move_to(Pose(tip.position + np.array(by), tip.rotation), law)
 
 
 def ideal(given: Scenario, gain: float = 100.0) -> Scenario:
