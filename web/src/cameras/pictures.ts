@@ -153,8 +153,6 @@ export class Pictures {
   /** Draws bending exaggerated, or as it is; returns whether it is exaggerated now. */
   toggleBending(): boolean {
     this.exaggerated = !this.exaggerated;
-    for (const { halves } of this.monitors.both)
-      for (const half of halves) half.exaggerated = this.exaggerated;
     return this.exaggerated;
   }
 
@@ -219,7 +217,7 @@ export class Pictures {
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
     const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {
-      picture.setTime(frame, age);
+      picture.setTime(frame, age, this.exaggerated);
       if (!gap || !nearest) continue;
       const seen = this.scene.sight.ends(picture.camera, gap.point_a, gap.point_b);
       picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`, seen);

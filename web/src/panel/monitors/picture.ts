@@ -55,8 +55,6 @@ export class Picture {
   private readonly axes = axesOverlay();
   private readonly pushes = pushOverlay();
   private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
-  /** Whether the picture shows exaggerated bending. */
-  exaggerated = false;
   private corners: { readonly of: Size; readonly touched: boolean; readonly boxes: readonly Box[] } | null =
     null;
   private shown: Camera;
@@ -140,14 +138,14 @@ export class Picture {
     this.gap.setText(text, seen);
   }
 
-  /** Writes the picture's time code and age; `age` is null in a replay. */
-  setTime(frame: Frame, age: Age | null): void {
+  /** Writes the picture's time code and age, null in a replay; `exaggerated`: whether bending is exaggerated. */
+  setTime(frame: Frame, age: Age | null, exaggerated: boolean): void {
     const stale = age !== null && isStale(age);
     setText(this.time, timeCode(frame.time_s));
     const old = age === null ? '' : `${age.s.toFixed(1)} s old`;
     const how = age === null ? 'recorded' : stale || age.set > 0 ? old : 'live';
     const locked = frame.display.lighting.locked.some(({ camera }) => camera === this.shown.name);
-    const marks = [this.exaggerated ? `BEND × ${EXAGGERATION}` : '', locked ? 'EXP LOCK' : '', how];
+    const marks = [exaggerated ? `BEND × ${EXAGGERATION}` : '', locked ? 'EXP LOCK' : '', how];
     setText(this.age, marks.filter((mark) => mark !== '').join('  '));
     setText(this.stale, stale ? old : '');
     setClass(this.element, 'is-stale', stale);
