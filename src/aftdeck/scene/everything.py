@@ -54,11 +54,15 @@ class ScenePoses:
         Bodies that are fixed to ``space`` move opposite to the orbiter's translation, because the scene moves with the
         orbiter.
         """
-        orbiter_travel = product(self._turn, np.array(frame.work.orbiter))
+        travel = self.orbiter_travel(frame)
         poses: list[float] = []
         for position, attitude, in_space in self._bodies:
-            poses += [*(position - orbiter_travel if in_space else position).tolist(), *attitude]
+            poses += [*(position - travel if in_space else position).tolist(), *attitude]
         return poses
+
+    def orbiter_travel(self, frame: Frame) -> Array:
+        """Return the orbiter's displacement (3,) since the start, in scene axes [m]."""
+        return np.asarray(product(self._turn, np.array(frame.work.orbiter)))
 
     def prong(self, frame: Frame) -> float | None:
         """Return y2 of the prong's inner face [m]; None if the end effector has no prong."""

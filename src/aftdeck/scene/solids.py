@@ -26,7 +26,7 @@ LARGE = 1.0
 """Least radius at which the number of sides of a round body is doubled [m]."""
 FEWEST_PIECES = 4
 """Least number of sides of a round body that is swept through only a part of a circle."""
-_RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))
+RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))
 """Vertices of a hexahedron's faces a to f, numbered from zero, counter-clockwise as seen from outside."""
 
 
@@ -75,7 +75,7 @@ def _box(shape: Box) -> Mesh:
 
 def _faced(vertices: Array) -> Mesh:
     """Return a hexahedron's faces a to f as two triangles each."""
-    return mesh(vertices, [face for a, b, c, d in _RIMS for face in ((a, b, c), (a, c, d))])
+    return mesh(vertices, [face for a, b, c, d in RIMS for face in ((a, b, c), (a, c, d))])
 
 
 def _shell(shape: Shell, sides: int) -> Mesh:

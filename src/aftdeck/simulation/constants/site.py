@@ -170,9 +170,8 @@ def site_of(scenario: Scenario) -> Site:
     model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
     arm = frames_of(model)
     frames = ("orbiter", *arm.names, "space", *(payload.name for payload in cargo))
-    own = solids_of(model)
-    held = _attached_solids(scenario)
-    solids = (*own, *held, *worksite.solids, *(solid for payload in cargo for solid in payload.solids))
+    own, held = solids_of(model), _attached_solids(scenario)
+    solids = all_solids(scenario)
     foot, *joints = model.linkage.frames
     chain = [name for name in (foot, STAND, *joints, PRONG) if name in arm.names]
     stationary = _stationary_parts(model, own)
@@ -259,6 +258,12 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
     own = [solid for solid, made in zip(solids.tolist(), payload.solids, strict=True) if made.part == part]
     distances = lengths(layout.solids[own, None, CENTRE : CENTRE + 3] - payload.trunnions)
     return dict(zip(own, distances.argmin(axis=1).tolist(), strict=True))
+
+
+def all_solids(scenario: Scenario) -> tuple[Solid, ...]:
+    """Return all solids of a run: of the arm, of the attached payload, of the worksite and of its payloads."""
+    cargo = (solid for payload in scenario.cargo for solid in payload.solids)
+    return (*solids_of(scenario.arm.model), *_attached_solids(scenario), *scenario.worksite.solids, *cargo)
 
 
 def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:

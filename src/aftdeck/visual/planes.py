@@ -1,0 +1,128 @@
+"""Separating planes of two convex polyhedra in a store.
+
+Two convex bodies that do not overlap are separated by a plane that contains a face of one of them, or that is parallel
+to an edge of each. All these planes are tried, and a plane counts only after a test of all vertices of both bodies.
+Source: Remote Manipulator Simulation, final report, chapter V (dynamic planes); the list of planes is the one for
+hexahedra in chapter IV, without the restriction to hexahedra.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.vector import Vector, cross, dot, minus, times
+from aftdeck.law import law
+from aftdeck.visual.cutting import point_at
+from aftdeck.visual.store import Store
+
+TOLERANCE = 1e-6 * 0.3048
+"""Overlap up to which two bodies count as separate [m]: 1e-6 ft, more than the rounding errors."""
+_PARALLEL = 1e-12
+"""Square of the sine below which two edges count as parallel."""
+
+
+class Extent(NamedTuple):
+    """Greatest coordinate of body a, and least coordinate of body b, along a normal [m]."""
+
+    a: float
+    b: float
+
+
+@law
+def extent(store: Store, a: int, b: int, n: Vector) -> Extent:
+    """Return the extents of polyhedra `a` and `b` along a normal from `a` to `b`."""
+    high, low, points = -np.inf, np.inf, store.points
+    for i in range(store.first_point[a], store.first_point[a + 1]):
+        high = max(high, n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2])
+    for i in range(store.first_point[b], store.first_point[b + 1]):
+        low = min(low, n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2])
+    return Extent(high, low)
+
+
+class Found(NamedTuple):
+    """Best plane of two polyhedra.
+
+    Attributes:
+        normal: unit normal from the first to the second polyhedron.
+        apart: distance between the polyhedra along the normal [m]; negative if they overlap.
+    """
+
+    normal: Vector
+    apart: float
+
+
+@law
+def best_plane(store: Store, a: int, b: int) -> Found:
+    """Return the plane along whose normal two polyhedra are farthest apart.
+
+    If a face's plane separates the polyhedra, the edges are not tried.
+    """
+    best = Found(Vector(0.0, 0.0, 1.0), -np.inf)
+    for f in range(store.first_face[a], store.first_face[a + 1]):
+        n = Vector(store.planes[f, 0], store.planes[f, 1], store.planes[f, 2])
+        along = extent(store, a, b, n)
+        if along.b - along.a > best.apart:
+            best = Found(n, along.b - along.a)
+    for f in range(store.first_face[b], store.first_face[b + 1]):
+        n = Vector(-store.planes[f, 0], -store.planes[f, 1], -store.planes[f, 2])
+        along = extent(store, a, b, n)
+        if along.b - along.a > best.apart:
+            best = Found(n, along.b - along.a)
+    if best.apart >= -TOLERANCE:
+        return best
+    return _by_edges(store, a, b, best)
+
+
+@law
+def _by_edges(store: Store, a: int, b: int, best: Found) -> Found:
+    """Return the best plane that is parallel to an edge of each polyhedron, or `best` if none is better."""
+    middle_a, middle_b = _middle(store, a), _middle(store, b)
+    for c in range(store.first_corner[store.first_face[a]], store.first_corner[store.first_face[a + 1]]):
+        i, j = store.corners[c], _following(store, a, c)
+        if i > j:  # each edge belongs to two faces, which pass it in opposite directions
+            continue
+        e = minus(point_at(store.points, j), point_at(store.points, i))
+        for d in range(store.first_corner[store.first_face[b]], store.first_corner[store.first_face[b + 1]]):
+            p, q = store.corners[d], _following(store, b, d)
+            if p > q:
+                continue
+            g = minus(point_at(store.points, q), point_at(store.points, p))
+            n = cross(e, g)
+            square = dot(n, n)
+            if square <= _PARALLEL * dot(e, e) * dot(g, g):
+                continue
+            n = times((1.0 if dot(n, minus(middle_b, middle_a)) > 0.0 else -1.0) / np.sqrt(square), n)
+            along = extent(store, a, b, n)
+            if along.b - along.a > best.apart:
+                best = Found(n, along.b - along.a)
+    return best
+
+
+@law
+def _following(store: Store, k: int, c: int) -> int:
+    """Return the vertex that follows corner `c` of polyhedron `k` in its face."""
+    for f in range(store.first_face[k], store.first_face[k + 1]):
+        if c < store.first_corner[f + 1]:
+            return store.corners[c + 1] if c + 1 < store.first_corner[f + 1] else store.corners[store.first_corner[f]]
+    return -1
+
+
+@law
+def _middle(store: Store, k: int) -> Vector:
+    x, y, z, count = 0.0, 0.0, 0.0, 0
+    for i in range(store.first_point[k], store.first_point[k + 1]):
+        x, y, z, count = x + store.points[i, 0], y + store.points[i, 1], z + store.points[i, 2], count + 1
+    return Vector(x / count, y / count, z / count)
+
+
+@law
+def plane_of(store: Store, a: int, b: int, found: Array) -> float:
+    """Write the best plane (4,) of two polyhedra, halfway between them; return the distance between them [m]."""
+    best = best_plane(store, a, b)
+    along = extent(store, a, b, best.normal)
+    found[0], found[1], found[2] = best.normal.x, best.normal.y, best.normal.z
+    found[3] = 0.5 * (along.a + along.b)
+    return best.apart

@@ -1,0 +1,234 @@
+"""Visual scene of a scenario: for each frame and camera, the priority output table and the placed clusters."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.cameras import Camera, setting, view
+from aftdeck.bodies.pose import HERE, POSE
+from aftdeck.errors import InputError, SimulationError
+from aftdeck.frames import rotation_of
+from aftdeck.matrices import product
+from aftdeck.scenario.all_cameras import cameras_of
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.payload import PART
+from aftdeck.scene.bodies import bodies_of
+from aftdeck.scene.everything import ScenePoses
+from aftdeck.simulation.frame import Frame
+from aftdeck.visual.clusters import Clusters, clusters_of
+from aftdeck.visual.order import COMPARED, CUTS, FIRST, INSIDE, MOST_CUTS, OVERLAPS, SECOND, TOO_MANY, ordered
+from aftdeck.visual.cutting import FULL
+from aftdeck.visual.outlines import MOST_POINTS, NEAR
+from aftdeck.visual.polygons import MOST_POLYGONS, Polygons, gather
+from aftdeck.visual.store import store_of
+
+_PIECES = 1024
+"""Number of pieces of clusters for which there is room; they include those that are cut again."""
+_ENTRIES = 512
+"""Greatest number of polyhedra in a picture."""
+
+
+class Aim(NamedTuple):
+    """A camera at one moment.
+
+    Attributes:
+        name: name of the camera.
+        position: (3,) position of the eye, in the scene [m].
+        axes: (3, 3) rows are the directions right, down and ahead, in the scene.
+        wide: tangent of half the horizontal field of view.
+        high: tangent of half the vertical field of view.
+        hidden: names of parts that are not in the picture: the camera's own housing.
+    """
+
+    name: str
+    position: Array
+    axes: Array
+    wide: float
+    high: float
+    hidden: frozenset[str]
+
+
+class Order(NamedTuple):
+    """Order of the clusters in a picture.
+
+    Attributes:
+        clusters: the priority output table: a cluster for each polyhedron in the picture, highest priority first. A
+            cluster that was cut is there once for each of its pieces.
+        compared: number of pairs of polyhedra that were compared.
+        cuts: number of cuts that were needed because of cycles.
+        overlaps: number of compared pairs that overlap in space, whose order is therefore uncertain.
+        overlapping: parts of the first such pair; None if there is none.
+    """
+
+    clusters: tuple[int, ...]
+    compared: int
+    cuts: int
+    overlaps: int
+    overlapping: tuple[str, str] | None
+
+
+class VisualScene:
+    """Visual scene of a scenario.
+
+    Attributes:
+        clusters: the clusters.
+        cameras: the scenario's cameras, by name.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.clusters: Clusters = clusters_of(scenario)
+        self.cameras = {camera.name: camera for camera in cameras_of(scenario)}
+        self._poses = ScenePoses(scenario)
+        self._bodies = [body.name for body in bodies_of(scenario)]
+        self._driven = [camera.name for camera in self.cameras.values() if camera.drive is not None]
+        self._fixed = scenario.worksite.bodies
+        self._own = scenario.payload is not None
+        ours = self.clusters
+        count = len(ours.clusters)
+        self._placed = store_of([cluster.body for cluster in ours.clusters], _PIECES)
+        self._normals = np.zeros((count, count, 3))
+        self._outlines = np.empty((_ENTRIES, MOST_POINTS, 2))
+        self._hides = np.zeros((_ENTRIES, _ENTRIES), np.int8)
+        self._table = np.empty(_ENTRIES, np.int64)
+        self._notes = np.empty(5, np.int64)
+        self._polygons = Polygons(
+            np.empty((8 * MOST_POLYGONS, 2)),
+            np.empty(MOST_POLYGONS + 1, np.int64),
+            np.empty(MOST_POLYGONS, np.int64),
+            np.empty(MOST_POLYGONS, np.int64),
+            np.empty((MOST_POLYGONS, 3)),
+        )
+
+    def aim(self, frame: Frame, name: str, aspect: float) -> Aim:
+        """Return a camera's position and directions in a frame.
+
+        Parts that contain the eye in the frame of the camera's own body are not in the picture: they are the camera's
+        housing, or the cabin around an eye behind a window.
+
+        Args:
+            frame: the frame.
+            name: name of the camera.
+            aspect: width of the picture divided by its height.
+
+        Raises:
+            InputError: there is no such camera.
+        """
+        camera = self._camera(name)
+        at = frame.views[self._driven.index(name)] if name in self._driven else setting(camera)
+        seen = view(camera, at)
+        body = self._bodies_at(frame)[camera.body]
+        rotation = np.array(rotation_of(body[3:]))
+        ahead, up = product(rotation, np.array(seen.boresight)), product(rotation, np.array(seen.up))
+        wide = math.tan(0.5 * seen.field_of_view)
+        position = product(rotation, np.array(seen.position)) + body[:3]
+        axes = np.array([np.cross(ahead, up), -up, ahead])
+        return Aim(name, position, axes, wide, wide / aspect, self._around(camera, frame, position))
+
+    def order(self, frame: Frame, aim: Aim) -> Order:
+        """Return the order of the clusters in a picture.
+
+        Raises:
+            SimulationError: the camera is inside a cluster or touches one, or the clusters cannot be put in order.
+        """
+        count, notes = self._ordered(frame, aim), self._notes.tolist()
+        pair = (self._part(notes[FIRST]), self._part(notes[SECOND])) if notes[OVERLAPS] else None
+        owners = self._placed.owner[self._table[:count]]
+        return Order(tuple(owners.tolist()), notes[COMPARED], notes[CUTS], notes[OVERLAPS], pair)
+
+    def polygons(self, frame: Frame, aim: Aim) -> Polygons:
+        """Return the polygons of a picture, in the order in which they are painted; the arrays belong to the caller.
+
+        Raises:
+            SimulationError: the camera is inside a cluster or touches one, or the clusters cannot be put in order.
+        """
+        count = self._ordered(frame, aim)
+        points, begins, owner, face, normal = self._polygons
+        written = gather(
+            self._placed, self._table, count, aim.wide, aim.high, points, begins, owner, face, normal
+        )
+        if written == FULL:
+            raise SimulationError(f"the picture of camera {aim.name} has more than {MOST_POLYGONS} polygons")
+        corners = begins[written]
+        return Polygons(
+            points[:corners].copy(),
+            begins[: written + 1].copy(),
+            owner[:written].copy(),
+            face[:written].copy(),
+            normal[:written].copy(),
+        )
+
+    def _ordered(self, frame: Frame, aim: Aim) -> int:
+        """Fill the priority output table; return the number of its entries."""
+        ours, hidden = self.clusters, aim.hidden
+        shown = np.array(
+            [cluster.part not in hidden and self._present(cluster.part, frame) for cluster in ours.clusters], np.uint8
+        )
+        poses = self._in_camera(frame, aim)
+        count = ordered(
+            ours.store, ours.frame, ours.trims, poses, shown, aim.wide, aim.high,
+            self._placed, self._normals, self._outlines, self._hides, self._table, self._notes,
+        )  # fmt: skip
+        if count >= 0:
+            return int(count)
+        when = f"camera {aim.name} at {frame.time_s:g} s"
+        if count == INSIDE:
+            raise SimulationError(f"{when} is inside {self._part(int(self._notes[FIRST]))} or touches it")
+        what = "more pieces of bodies" if count == TOO_MANY else f"more than {MOST_CUTS} cuts"
+        raise SimulationError(f"the picture of {when} needs {what} than there is room for")
+
+    def _part(self, cluster: int) -> str:
+        return self.clusters.clusters[cluster].part
+
+    def _camera(self, name: str) -> Camera:
+        if name not in self.cameras:
+            raise InputError(f"no camera is called {name!r}; cameras are {', '.join(self.cameras)}")
+        return self.cameras[name]
+
+    def _present(self, part: str, frame: Frame) -> bool:
+        """Return whether a part is there: the scenario's own payload is there only while it is attached."""
+        return part != PART or not self._own or frame.attached == 1
+
+    def _bodies_at(self, frame: Frame) -> dict[str, Array]:
+        """Return the pose (7,) of each drawn body in the scene."""
+        poses = np.array(self._poses.at(frame)).reshape(-1, 7)
+        return dict(zip(self._bodies, poses, strict=False))
+
+    def frames_at(self, frame: Frame) -> Array:
+        """Return the poses (F, 12) of the frames that carry clusters, in the scene."""
+        bodies = self._bodies_at(frame)
+        found = np.empty((len(self.clusters.frames), POSE))
+        for row, name in zip(found, self.clusters.frames, strict=True):
+            if name == "orbiter":
+                row[:] = HERE
+            elif name == "space":
+                row[:] = HERE
+                row[:3] = -self._poses.orbiter_travel(frame)
+            else:
+                row[:3] = bodies[name][:3]
+                row[3:] = np.ravel(rotation_of(tuple(bodies[name][3:].tolist())))
+        return found
+
+    def _in_camera(self, frame: Frame, aim: Aim) -> Array:
+        """Return the poses (F, 12) of the frames that carry clusters, in the coordinates of a camera."""
+        poses = self.frames_at(frame)
+        found = np.empty_like(poses)
+        found[:, :3] = product(poses[:, :3] - aim.position, aim.axes.T)
+        found[:, 3:] = product(aim.axes, poses[:, 3:].reshape(-1, 3, 3)).reshape(-1, 9)
+        return found
+
+    def _around(self, camera: Camera, frame: Frame, eye: Array) -> frozenset[str]:
+        """Return the parts that contain a camera's eye and are fixed to the camera's body."""
+        ours, poses = self.clusters, self.frames_at(frame)
+        frames = {camera.body, *(body.fixed_to for body in self._fixed if body.name == camera.body)}
+        found = set()
+        for cluster in ours.clusters:
+            if cluster.frame in frames and cluster.part not in found:
+                pose = poses[ours.frames.index(cluster.frame)]
+                own = product(pose[3:].reshape(3, 3).T, eye - pose[:3])
+                if (cluster.body.planes[:, :3] @ own <= cluster.body.planes[:, 3] + NEAR).all():
+                    found.add(cluster.part)
+        return frozenset(found)
