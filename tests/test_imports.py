@@ -45,6 +45,7 @@ LAYERS = (
     ("simulation",),
     ("historical",),
     ("scene",),
+    ("visual",),
     ("recording",),
     ("station",),
     ("cli",),

@@ -39,8 +39,9 @@ class Aim(NamedTuple):
         name: name of the camera.
         position: (3,) position of the eye, in the scene [m].
         axes: (3, 3) rows are the directions right, down and ahead, in the scene.
-        wide: tangent of half the horizontal field of view.
-        high: tangent of half the vertical field of view.
+        wide: tangent of half the horizontal field of view; for an eye behind a window, that of the window's opening.
+        high: tangent of half the vertical field of view, or of the opening.
+        part: width and height of what is seen, as fractions of the picture; less than 1 only behind a window.
         hidden: names of parts that are not in the picture: the camera's own housing.
     """
 
@@ -49,6 +50,7 @@ class Aim(NamedTuple):
     axes: Array
     wide: float
     high: float
+    part: tuple[float, float]
     hidden: frozenset[str]
 
 
@@ -124,9 +126,13 @@ class VisualScene:
         rotation = np.array(rotation_of(body[3:]))
         ahead, up = product(rotation, np.array(seen.boresight)), product(rotation, np.array(seen.up))
         wide = math.tan(0.5 * seen.field_of_view)
+        high, part = wide / aspect, (1.0, 1.0)
+        if camera.pane is not None:
+            opening = 0.5 * camera.pane.width / camera.pane.distance, 0.5 * camera.pane.height / camera.pane.distance
+            part = min(1.0, opening[0] / wide), min(1.0, opening[1] / high)
         position = product(rotation, np.array(seen.position)) + body[:3]
         axes = np.array([np.cross(ahead, up), -up, ahead])
-        return Aim(name, position, axes, wide, wide / aspect, self._around(camera, frame, position))
+        return Aim(name, position, axes, part[0] * wide, part[1] * high, part, self._around(camera, frame, position))
 
     def order(self, frame: Frame, aim: Aim) -> Order:
         """Return the order of the clusters in a picture.
