@@ -10,18 +10,18 @@ output table (POT).
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.law import law
 from aftdeck.visual.cutting import CROSSED, FULL, part_of, position_of
-from aftdeck.visual.outlines import outcodes, outline, overlap, touches_eye
-from aftdeck.visual.placing import place, remembered, separated, trim
-from aftdeck.visual.planes import TOLERANCE, best_plane, extent
+from aftdeck.visual.outlines import bound, outcodes, outline, overlap, touches_eye
+from aftdeck.visual.placing import Memory, place, remembered, separated, trim
+from aftdeck.visual.planes import best_plane, extent
 from aftdeck.visual.store import Store
 
-OVER, UNDER, NEITHER = 1, -1, 0
-"""Results of a comparison: the first polyhedron hides the second, the second hides the first, or neither."""
 SLACK = 1e-9
 """Overlap of two outlines that does not count, as a tangent of an angle of view: much less than a pixel."""
 MOST_CUTS = 64
@@ -34,6 +34,28 @@ CUTS, OVERLAPS, FIRST, SECOND, COMPARED = range(5)
 such pair, or the cluster that contains the eye; number of compared pairs."""
 
 
+class Entries(NamedTuple):
+    """Polyhedra of a picture, for the work of `ordered`.
+
+    Attributes:
+        body: (E,) polyhedron of each entry.
+        slot: (E,) its slot in the memory of planes.
+        outline: (E, MOST_POINTS, 2) its outline in the picture.
+        size: (E,) number of corners of its outline; 0 if it is not in the picture.
+        box: (E, 4) bounds of its outline.
+        new: (E,) whether it has not been compared yet.
+        hides: (E, E) 1 in [a, b] if entry a hides a part of entry b.
+    """
+
+    body: Indices
+    slot: Indices
+    outline: Array
+    size: Indices
+    box: Array
+    new: Mask
+    hides: Array
+
+
 @law
 def ordered(
     store: Store,
@@ -44,9 +66,8 @@ def ordered(
     wide: float,
     high: float,
     placed: Store,
-    normals: Array,
-    outlines: Array,
-    hides: Array,
+    memory: Memory,
+    entries: Entries,
     table: Indices,
     notes: Indices,
 ) -> int:
@@ -62,9 +83,8 @@ def ordered(
         high: tangent of half the vertical field of view.
         placed: store with the same clusters and free space; output: the clusters and their pieces in the coordinates
             of the camera.
-        normals: (N, N, 3) normals of the last separating planes; updated.
-        outlines: (E, MOST_POINTS, 2) for the work.
-        hides: (E, E) for the work.
+        memory: the last separating planes of this camera; updated.
+        entries: room for the work.
         table: (E,) output: polyhedra of `placed`, highest priority first.
         notes: (5,) output: numbers and clusters to report.
 
@@ -73,58 +93,56 @@ def ordered(
     """
     notes[:] = 0
     place(store, frame, poses, placed)
-    count = trim(placed, trims, shown, normals, poses, frame, table)
-    if count == FULL:
-        return TOO_MANY
-    sizes, new, done = np.zeros(len(table), np.int64), np.ones(len(table), np.bool_), np.empty(len(table), np.int64)
+    visible = np.empty(len(shown), np.uint8)
+    for k in range(len(shown)):
+        visible[k] = shown[k] and outcodes(placed, k, wide, high)[0] == 0
+    count = trim(placed, trims, visible, shown, memory, poses, frame, entries.body)
+    free = len(frame)
+    for n in range(count):
+        entries.new[n], entries.slot[n] = 1, entries.body[n]
+        if entries.body[n] >= len(frame):
+            entries.slot[n] = free
+            free += 1
     while True:
-        count = _outlined(placed, table, count, new, wide, high, outlines, sizes, notes)
+        if count < 0 or free + 1 > len(memory.owner):
+            return TOO_MANY
+        count = _outlined(placed, entries, count, wide, high, notes)
         if count < 0:
             return count
         for a in range(count):
-            hides[a, a] = 0
+            entries.hides[a, a] = 0
+            memory.owner[entries.slot[a]] = placed.owner[entries.body[a]]
             for b in range(a):
-                if new[a] or new[b]:
-                    hides[a, b], hides[b, a] = 0, 0
-                    _compare(placed, table, a, b, outlines, sizes, normals, poses, frame, hides, notes)
-        new[:] = False
-        if _sorted(hides, count, done) == count:
+                if entries.new[a] or entries.new[b]:
+                    _compare(placed, entries, a, b, memory, poses, frame, notes)
+        for n in range(count):
+            entries.new[n] = 0
+        if _sorted(entries.hides, count, table) == count:
             break
-        if notes[CUTS] == MOST_CUTS:
+        if notes[CUTS] == MOST_CUTS or count == len(table):
             return UNORDERED
-        entry, part = _cut(placed, table, hides, count)
-        if entry < 0:
-            return UNORDERED
-        if part < 0 or count == len(table):
-            return TOO_MANY
         notes[CUTS] += 1
-        # one part of the cut polyhedron has taken its entry in the table; the other part becomes the last entry
-        table[count] = part
-        new[entry], new[count] = True, True
+        entry, part = _cut(placed, entries, count)
+        if part == FULL:
+            return TOO_MANY
+        # one part of the cut polyhedron has taken its entry; the other part becomes the last entry
+        entries.body[count], entries.slot[count] = part, free
+        entries.new[entry], entries.new[count] = 1, 1
+        free += 1
         count += 1
     drawn = 0
     for i in range(count):
-        if sizes[done[i]] > 0:
-            done[drawn] = table[done[i]]
+        if entries.size[table[i]] > 0:
+            table[drawn] = entries.body[table[i]]
             drawn += 1
-    for i in range(drawn):
-        table[i] = done[drawn - 1 - i]
+    for i in range(drawn // 2):
+        table[i], table[drawn - 1 - i] = table[drawn - 1 - i], table[i]
     return drawn
 
 
 @law
-def _outlined(
-    placed: Store,
-    table: Indices,
-    count: int,
-    new: Mask,
-    wide: float,
-    high: float,
-    outlines: Array,
-    sizes: Indices,
-    notes: Indices,
-) -> int:
-    """Find the outlines of the new entries of the table.
+def _outlined(placed: Store, entries: Entries, count: int, wide: float, high: float, notes: Indices) -> int:
+    """Find the outlines of the new entries.
 
     At first, all entries are new, and those that are not in the picture are left out. Later, the parts of a cut
     polyhedron are new; a part that is not in the picture keeps its entry, with an outline of size 0.
@@ -134,66 +152,52 @@ def _outlined(
     """
     kept = 0
     for n in range(count):
-        k = table[n]
-        if new[n]:
+        k = entries.body[n]
+        if entries.new[n]:
             every, some = outcodes(placed, k, wide, high)
             size = 0
             if every == 0:
                 if touches_eye(placed, k):
                     notes[FIRST] = placed.owner[k]
                     return INSIDE
-                size = outline(placed, k, some != 0, wide, high, outlines[kept])
+                size = outline(placed, k, some != 0, wide, high, entries.outline[kept])
                 if size == FULL:
                     return TOO_MANY
             if size == 0 and notes[CUTS] == 0:
                 continue
-            sizes[kept] = size
-        table[kept] = k
+            entries.size[kept] = size
+            bound(entries.outline, kept, size, entries.box)
+        entries.body[kept], entries.slot[kept], entries.new[kept] = k, entries.slot[n], entries.new[n]
         kept += 1
     return kept
 
 
 @law
 def _compare(
-    placed: Store,
-    table: Indices,
-    a: int,
-    b: int,
-    outlines: Array,
-    sizes: Indices,
-    normals: Array,
-    poses: Array,
-    frame: Indices,
-    hides: Array,
-    notes: Indices,
+    placed: Store, entries: Entries, a: int, b: int, memory: Memory, poses: Array, frame: Indices, notes: Indices
 ) -> None:
-    """Fill `hides` for entries `a` and `b` of the table: OVER in [a, b] if the first has to be drawn over the second."""
-    if sizes[a] == 0 or sizes[b] == 0:
+    """Fill `hides` for two entries."""
+    entries.hides[a, b], entries.hides[b, a] = 0, 0
+    if entries.size[a] == 0 or entries.size[b] == 0:
         return
-    if not overlap(outlines[a], sizes[a], outlines[b], sizes[b], SLACK):
+    if not overlap(entries.outline, entries.size, entries.box, a, b, SLACK):
         return
-    i, j = table[a], table[b]
-    p, q = placed.owner[i], placed.owner[j]
-    if p > q:
-        a, b, i, j, p, q = b, a, j, i, q, p
+    if entries.slot[a] > entries.slot[b]:
+        a, b = b, a
+    i, j, p, q = entries.body[a], entries.body[b], entries.slot[a], entries.slot[b]
     notes[COMPARED] += 1
-    if not separated(placed, i, j, normals, poses, frame):
+    if not separated(placed, i, j, memory, p, q, poses, frame):
         if notes[OVERLAPS] == 0:
-            notes[FIRST], notes[SECOND] = p, q
+            notes[FIRST], notes[SECOND] = placed.owner[i], placed.owner[j]
         notes[OVERLAPS] += 1
-    along = extent(placed, i, j, remembered(normals, p, q, poses, frame))
-    result = NEITHER
+    along = extent(placed, i, j, remembered(memory, p, q, poses, frame))
     if along.a <= along.b:
-        if along.b <= 0.0:
-            result = UNDER
-        elif along.a >= 0.0:
-            result = OVER
+        entries.hides[b, a] = along.b <= 0.0
+        entries.hides[a, b] = along.b > 0.0 and along.a >= 0.0
     else:
-        result = UNDER if along.a + along.b < 0.0 else OVER
-    if result == OVER:
-        hides[a, b] = 1
-    elif result == UNDER:
-        hides[b, a] = 1
+        # the two touch, and rounding makes them overlap
+        entries.hides[b, a] = along.a + along.b < 0.0
+        entries.hides[a, b] = along.a + along.b >= 0.0
 
 
 @law
@@ -253,7 +257,7 @@ def _shortest_cycle(hides: Array, count: int, cycle: Indices) -> int:
 
 
 @law
-def _cut(placed: Store, table: Indices, hides: Array, count: int) -> tuple[int, int]:
+def _cut(placed: Store, entries: Entries, count: int) -> tuple[int, int]:
     """Cut one polyhedron of a shortest cycle by the plane between two neighbours in the cycle.
 
     On the way round the cycle from the farther to the nearer of the two, some polyhedron is on both sides of the plane:
@@ -264,18 +268,18 @@ def _cut(placed: Store, table: Indices, hides: Array, count: int) -> tuple[int, 
         space.
     """
     cycle = np.empty(count, np.int64)
-    length = _shortest_cycle(hides, count, cycle)
+    length = _shortest_cycle(entries.hides, count, cycle)
     fewest, entry = count + 1, -1
     plane, best = np.empty(4), np.empty(4)
     for s in range(length):
-        i, j = table[cycle[s]], table[cycle[s + 1 if s + 1 < length else 0]]
+        i, j = entries.body[cycle[s]], entries.body[cycle[s + 1 if s + 1 < length else 0]]
         found = best_plane(placed, i, j)
         along = extent(placed, i, j, found.normal)
         plane[0], plane[1], plane[2] = found.normal.x, found.normal.y, found.normal.z
         plane[3] = 0.5 * (along.a + along.b)
         crossed, first = 0, -1
         for u in range(length):
-            k = table[cycle[u]]
+            k = entries.body[cycle[u]]
             if k not in (i, j) and position_of(placed, k, plane) == CROSSED:
                 crossed += 1
                 first = cycle[u] if first < 0 else first
@@ -284,10 +288,10 @@ def _cut(placed: Store, table: Indices, hides: Array, count: int) -> tuple[int, 
             best[:] = plane
     if entry < 0:
         return -1, FULL
-    k = table[entry]
+    k = entries.body[entry]
     below = part_of(placed, k, best, 1.0)
     above = part_of(placed, k, best, -1.0)
     if below == FULL or above == FULL:
         return entry, FULL
-    table[entry] = below
+    entries.body[entry] = below
     return entry, above

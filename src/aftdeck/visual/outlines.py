@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Indices
 from aftdeck.law import law
 from aftdeck.visual.cutting import FULL
 from aftdeck.visual.store import MOST_CORNERS, Store
@@ -153,23 +153,44 @@ def _turn(found: Array, size: int, x: float, y: float) -> float:
 
 
 @law
-def overlap(p: Array, ps: int, q: Array, qs: int, slack: float) -> bool:
-    """Return whether two convex outlines overlap by more than `slack`: no edge of either separates them."""
-    return not (_separates(p, ps, q, qs, slack) or _separates(q, qs, p, ps, slack))
+def bound(outlines: Array, k: int, size: int, boxes: Array) -> None:
+    """Write the least x and y and the greatest x and y of an outline into its row of `boxes` (n, 4)."""
+    left, top, right, bottom = np.inf, np.inf, -np.inf, -np.inf
+    for i in range(size):
+        x, y = outlines[k, i, 0], outlines[k, i, 1]
+        left, right = x if x < left else left, x if x > right else right
+        top, bottom = y if y < top else top, y if y > bottom else bottom
+    boxes[k, 0], boxes[k, 1], boxes[k, 2], boxes[k, 3] = left, top, right, bottom
 
 
 @law
-def _separates(p: Array, ps: int, q: Array, qs: int, slack: float) -> bool:
-    for i in range(ps):
-        j = i + 1 if i + 1 < ps else 0
-        x, y = p[i, 0], p[i, 1]
-        ex, ey = p[j, 0] - x, p[j, 1] - y
-        limit = slack * np.sqrt(ex * ex + ey * ey)
-        beyond = True
-        for k in range(qs):
-            if ex * (q[k, 1] - y) - ey * (q[k, 0] - x) > limit:
-                beyond = False
-                break
-        if beyond:
-            return True
-    return False
+def overlap(outlines: Array, sizes: Indices, boxes: Array, a: int, b: int, slack: float) -> bool:
+    """Return whether two convex outlines overlap by more than about `slack`: no edge of either separates them.
+
+    Args:
+        outlines: (n, MOST_POINTS, 2) outlines.
+        sizes: (n,) their numbers of corners.
+        boxes: (n, 4) their bounds, which are compared first.
+        a: the first outline.
+        b: the second outline.
+        slack: overlap that does not count.
+    """
+    if boxes[a, 0] > boxes[b, 2] - slack or boxes[b, 0] > boxes[a, 2] - slack:
+        return False
+    if boxes[a, 1] > boxes[b, 3] - slack or boxes[b, 1] > boxes[a, 3] - slack:
+        return False
+    for side in range(2):
+        p, q = (a, b) if side == 0 else (b, a)
+        for i in range(sizes[p]):
+            j = i + 1 if i + 1 < sizes[p] else 0
+            x, y = outlines[p, i, 0], outlines[p, i, 1]
+            ex, ey = outlines[p, j, 0] - x, outlines[p, j, 1] - y
+            limit = slack * (abs(ex) + abs(ey))
+            beyond = True
+            for k in range(sizes[q]):
+                if ex * (outlines[q, k, 1] - y) - ey * (outlines[q, k, 0] - x) > limit:
+                    beyond = False
+                    break
+            if beyond:
+                return False
+    return True

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
-from aftdeck.bodies.pose import turned, turned_back
+from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.vector import Vector, dot
 from aftdeck.law import law
 from aftdeck.visual.cutting import FULL, subtract
@@ -41,34 +43,62 @@ def place(store: Store, frame: Indices, poses: Array, placed: Store) -> None:
     placed.used[:] = store.used
 
 
-@law
-def remembered(normals: Array, a: int, b: int, poses: Array, frame: Indices) -> Vector:
-    """Return the last separating normal of two clusters, a < b, from `a` to `b`; it is kept in the frame of `a`."""
-    own = normals[a, b]
-    return turned(poses[frame[a]], Vector(own[0], own[1], own[2]))
+class Memory(NamedTuple):
+    """Normals of the last separating planes. A plane that still separates two polyhedra need not be sought again.
+
+    Each cluster has a slot, and each piece gets one of the slots that follow. Normals are in the frame of the slot.
+
+    Attributes:
+        normals: (S, S, 3) unit normal between two slots, from the lower to the higher one; zero if there was none.
+        owner: (S,) cluster to which the polyhedron in a slot belongs.
+    """
+
+    normals: Array
+    owner: Indices
 
 
 @law
-def separated(placed: Store, i: int, j: int, normals: Array, poses: Array, frame: Indices) -> bool:
+def remembered(memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> Vector:
+    """Return the last separating normal between slots a < b, in the coordinates in which `poses` are given."""
+    normals, f = memory.normals, frame[memory.owner[a]]
+    x, y, z = normals[a, b, 0], normals[a, b, 1], normals[a, b, 2]
+    return Vector(
+        poses[f, 3] * x + poses[f, 4] * y + poses[f, 5] * z,
+        poses[f, 6] * x + poses[f, 7] * y + poses[f, 8] * z,
+        poses[f, 9] * x + poses[f, 10] * y + poses[f, 11] * z,
+    )
+
+
+@law
+def still_separate(
+    placed: Store, i: int, j: int, memory: Memory, a: int, b: int, poses: Array, frame: Indices
+) -> bool:
+    """Return whether the last plane between two slots separates their polyhedra; arguments as for `separated`."""
+    last = remembered(memory, a, b, poses, frame)
+    along = extent(placed, i, j, last)
+    # two polyhedra that were never compared have a zero vector
+    return dot(last, last) > 0.0 and along.b - along.a >= -TOLERANCE
+
+
+@law
+def separated(placed: Store, i: int, j: int, memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> bool:
     """Return whether two polyhedra are separate, and remember the plane that separates them.
 
     Args:
         placed: the polyhedra.
-        i: the first polyhedron; its owner has to come before the owner of `j`.
+        i: the first polyhedron.
         j: the second polyhedron.
-        normals: (N, N, 3) remembered normals; updated.
+        memory: the last planes; updated.
+        a: slot of the first polyhedron.
+        b: slot of the second polyhedron, greater than `a`.
         poses: (F, 12) poses of the frames.
         frame: (N,) frame of each cluster.
     """
-    a, b = placed.owner[i], placed.owner[j]
-    last = remembered(normals, a, b, poses, frame)
-    if dot(last, last) > 0.0:  # a pair that was never compared has a zero vector
-        along = extent(placed, i, j, last)
-        if along.b - along.a >= -TOLERANCE:
-            return True
+    if still_separate(placed, i, j, memory, a, b, poses, frame):
+        return True
     best = best_plane(placed, i, j)
-    own = turned_back(poses[frame[a]], best.normal)
-    normals[a, b, 0], normals[a, b, 1], normals[a, b, 2] = own.x, own.y, own.z
+    own = turned_back(poses[frame[memory.owner[a]]], best.normal)
+    memory.normals[a, b, 0], memory.normals[a, b, 1], memory.normals[a, b, 2] = own.x, own.y, own.z
     return best.apart >= -TOLERANCE
 
 
@@ -76,19 +106,21 @@ def separated(placed: Store, i: int, j: int, normals: Array, poses: Array, frame
 def trim(
     placed: Store,
     trims: Indices,
+    visible: Mask,
     shown: Mask,
-    normals: Array,
+    memory: Memory,
     poses: Array,
     frame: Indices,
     pieces: Indices,
 ) -> int:
-    """List the polyhedra to draw: all shown clusters, without the parts that others cut off.
+    """List the polyhedra to draw: all visible clusters, without the parts that others cut off.
 
     Args:
         placed: the clusters, in the coordinates of the camera; the pieces are appended.
         trims: (T, 2) pairs of clusters, sorted by the first; the second is removed from the first.
-        shown: (N,) 1 for each cluster that is in the picture.
-        normals: (N, N, 3) remembered normals of the pairs; updated.
+        visible: (N,) 1 for each cluster that can be in the picture.
+        shown: (N,) 1 for each cluster that is there; others cut nothing off.
+        memory: the last planes.
         poses: (F, 12) poses of the frames.
         frame: (N,) frame of each cluster.
         pieces: output: indices of the polyhedra to draw.
@@ -100,16 +132,16 @@ def trim(
     clusters, work = len(frame), np.empty(len(pieces), np.int64)
     for k in range(clusters):
         begin = count
-        if shown[k]:
+        if visible[k]:
             pieces[count] = k
             count += 1
         while t < len(trims) and trims[t, 0] == k:
             m = trims[t, 1]
             t += 1
-            if not shown[k] or not shown[m] or count == begin:
+            if not shown[m] or count == begin:
                 continue
             a, b = min(k, m), max(k, m)
-            if separated(placed, a, b, normals, poses, frame):
+            if still_separate(placed, a, b, memory, a, b, poses, frame):
                 continue
             old = count - begin
             for i in range(old):

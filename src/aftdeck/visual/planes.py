@@ -36,9 +36,11 @@ def extent(store: Store, a: int, b: int, n: Vector) -> Extent:
     """Return the extents of polyhedra `a` and `b` along a normal from `a` to `b`."""
     high, low, points = -np.inf, np.inf, store.points
     for i in range(store.first_point[a], store.first_point[a + 1]):
-        high = max(high, n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2])
+        height = n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2]
+        high = height if height > high else high
     for i in range(store.first_point[b], store.first_point[b + 1]):
-        low = min(low, n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2])
+        height = n.x * points[i, 0] + n.y * points[i, 1] + n.z * points[i, 2]
+        low = height if height < low else low
     return Extent(high, low)
 
 

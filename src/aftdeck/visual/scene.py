@@ -20,9 +20,10 @@ from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
 from aftdeck.visual.clusters import Clusters, clusters_of
-from aftdeck.visual.order import COMPARED, CUTS, FIRST, INSIDE, MOST_CUTS, OVERLAPS, SECOND, TOO_MANY, ordered
+from aftdeck.visual.order import COMPARED, CUTS, FIRST, INSIDE, MOST_CUTS, OVERLAPS, SECOND, TOO_MANY, Entries, ordered
 from aftdeck.visual.cutting import FULL
 from aftdeck.visual.outlines import MOST_POINTS, NEAR
+from aftdeck.visual.placing import Memory
 from aftdeck.visual.polygons import MOST_POLYGONS, Polygons, gather
 from aftdeck.visual.store import store_of
 
@@ -30,6 +31,8 @@ _PIECES = 1024
 """Number of pieces of clusters for which there is room; they include those that are cut again."""
 _ENTRIES = 512
 """Greatest number of polyhedra in a picture."""
+_SLOTS = 256
+"""Number of pieces whose separating planes are remembered."""
 
 
 class Aim(NamedTuple):
@@ -92,9 +95,16 @@ class VisualScene:
         ours = self.clusters
         count = len(ours.clusters)
         self._placed = store_of([cluster.body for cluster in ours.clusters], _PIECES)
-        self._normals = np.zeros((count, count, 3))
-        self._outlines = np.empty((_ENTRIES, MOST_POINTS, 2))
-        self._hides = np.zeros((_ENTRIES, _ENTRIES), np.int8)
+        self._memories: dict[str, Memory] = {}
+        self._entries = Entries(
+            np.empty(_ENTRIES, np.int64),
+            np.empty(_ENTRIES, np.int64),
+            np.empty((_ENTRIES, MOST_POINTS, 2)),
+            np.empty(_ENTRIES, np.int64),
+            np.empty((_ENTRIES, 4)),
+            np.empty(_ENTRIES, np.uint8),
+            np.empty((_ENTRIES, _ENTRIES), np.int8),
+        )
         self._table = np.empty(_ENTRIES, np.int64)
         self._notes = np.empty(5, np.int64)
         self._polygons = Polygons(
@@ -176,7 +186,7 @@ class VisualScene:
         poses = self._in_camera(frame, aim)
         count = ordered(
             ours.store, ours.frame, ours.trims, poses, shown, aim.wide, aim.high,
-            self._placed, self._normals, self._outlines, self._hides, self._table, self._notes,
+            self._placed, self._memory(aim.name), self._entries, self._table, self._notes,
         )  # fmt: skip
         if count >= 0:
             return int(count)
@@ -185,6 +195,14 @@ class VisualScene:
             raise SimulationError(f"{when} is inside {self._part(int(self._notes[FIRST]))} or touches it")
         what = "more pieces of bodies" if count == TOO_MANY else f"more than {MOST_CUTS} cuts"
         raise SimulationError(f"the picture of {when} needs {what} than there is room for")
+
+    def _memory(self, camera: str) -> Memory:
+        """Return a camera's memory of separating planes; no order depends on it."""
+        if camera not in self._memories:
+            slots = len(self.clusters.clusters) + _SLOTS
+            self._memories[camera] = Memory(np.zeros((slots, slots, 3)), np.zeros(slots, np.int64))
+            self._memories[camera].owner[:-_SLOTS] = np.arange(slots - _SLOTS)
+        return self._memories[camera]
 
     def _part(self, cluster: int) -> str:
         return self.clusters.clusters[cluster].part
