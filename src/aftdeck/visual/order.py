@@ -109,14 +109,7 @@ def ordered(
         count = _outlined(placed, entries, count, wide, high, notes)
         if count < 0:
             return count
-        for a in range(count):
-            entries.hides[a, a] = 0
-            memory.owner[entries.slot[a]] = placed.owner[entries.body[a]]
-            for b in range(a):
-                if entries.new[a] or entries.new[b]:
-                    _compare(placed, entries, a, b, memory, poses, frame, notes)
-        for n in range(count):
-            entries.new[n] = 0
+        _compare(placed, entries, count, memory, poses, frame, notes)
         if _sorted(entries.hides, count, table) == count:
             break
         if notes[CUTS] == MOST_CUTS or count == len(table):
@@ -174,30 +167,45 @@ def _outlined(placed: Store, entries: Entries, count: int, wide: float, high: fl
 
 @law
 def _compare(
-    placed: Store, entries: Entries, a: int, b: int, memory: Memory, poses: Array, frame: Indices, notes: Indices
+    placed: Store, entries: Entries, count: int, memory: Memory, poses: Array, frame: Indices, notes: Indices
 ) -> None:
-    """Fill `hides` for two entries."""
-    entries.hides[a, b], entries.hides[b, a] = 0, 0
-    if entries.size[a] == 0 or entries.size[b] == 0:
-        return
-    if not overlap(entries.outline, entries.size, entries.box, a, b, SLACK):
-        return
-    if entries.slot[a] > entries.slot[b]:
-        a, b = b, a
-    i, j, p, q = entries.body[a], entries.body[b], entries.slot[a], entries.slot[b]
-    notes[COMPARED] += 1
-    if not separated(placed, i, j, memory, p, q, poses, frame):
-        if notes[OVERLAPS] == 0:
-            notes[FIRST], notes[SECOND] = placed.owner[i], placed.owner[j]
-        notes[OVERLAPS] += 1
-    along = extent(placed, i, j, remembered(memory, p, q, poses, frame))
-    if along.a <= along.b:
-        entries.hides[b, a] = along.b <= 0.0
-        entries.hides[a, b] = along.b > 0.0 and along.a >= 0.0
-    else:
-        # the two touch, and rounding makes them overlap
-        entries.hides[b, a] = along.a + along.b < 0.0
-        entries.hides[a, b] = along.a + along.b >= 0.0
+    """Fill `hides` for all pairs with a new entry; then no entry is new.
+
+    The loop is inside this law, because a call in it would count the references of all arrays for each pair.
+    """
+    body, slot, new, hides = entries.body, entries.slot, entries.new, entries.hides
+    for a in range(count):
+        hides[a, a] = 0
+        memory.owner[slot[a]] = placed.owner[body[a]]
+        for b in range(a):
+            if not (new[a] or new[b]):
+                continue
+            hides[a, b], hides[b, a] = 0, 0
+            if entries.size[a] == 0 or entries.size[b] == 0:
+                continue
+            if not overlap(entries.outline, entries.size, entries.box, a, b, SLACK):
+                continue
+            first, second = (a, b) if slot[a] < slot[b] else (b, a)
+            i, j, p, q = body[first], body[second], slot[first], slot[second]
+            notes[COMPARED] += 1
+            if not separated(placed, i, j, memory, p, q, poses, frame):
+                if notes[OVERLAPS] == 0:
+                    notes[FIRST], notes[SECOND] = placed.owner[i], placed.owner[j]
+                notes[OVERLAPS] += 1
+            along = extent(placed, i, j, remembered(memory, p, q, poses, frame))
+            nearer = 0.0
+            if along.a > along.b:  # the two touch, and rounding makes them overlap
+                nearer = along.a + along.b
+            elif along.b <= 0.0:
+                nearer = -1.0
+            elif along.a >= 0.0:
+                nearer = 1.0
+            if nearer < 0.0:
+                hides[second, first] = 1
+            elif nearer > 0.0:
+                hides[first, second] = 1
+    for n in range(count):
+        new[n] = 0
 
 
 @law

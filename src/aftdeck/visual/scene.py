@@ -29,7 +29,7 @@ from aftdeck.visual.store import store_of
 
 _PIECES = 1024
 """Number of pieces of clusters for which there is room; they include those that are cut again."""
-_ENTRIES = 512
+_ENTRIES = 500
 """Greatest number of polyhedra in a picture."""
 _SLOTS = 256
 """Number of pieces whose separating planes are remembered."""
