@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from msgspec.structs import asdict, astuple
+from msgspec.structs import astuple
 
 from aftdeck.recording.records import FrameRecord, Input, LightRecord, LockRecord
 from aftdeck.scenario.light import Lighting, LockedExposure
@@ -17,7 +17,7 @@ _SHA256 = Frame.__struct_fields__.index("sha256")
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:
     """Return the record of a step's inputs; `inputs` is None for a scripted step."""
-    return Input(tick=tick, script=True) if inputs is None else Input(tick=tick, **asdict(plain_inputs(inputs)))
+    return Input(tick=tick, script=True) if inputs is None else Input(*astuple(plain_inputs(inputs)), tick=tick)
 
 
 def inputs_of(record: Input) -> Inputs | None:
