@@ -162,7 +162,12 @@ def quaternion(rotation: Array) -> tuple[float, float, float, float]:
 
     For accuracy, the largest component is computed first; the other components are computed from it.
     """
-    (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
+    return quaternion_of_rows(rotation.tolist())
+
+
+def quaternion_of_rows(rotation: Rows) -> tuple[float, float, float, float]:
+    """Return the quaternion of a rotation matrix that is given by its rows, as `quaternion` does."""
+    (a, b, c), (d, e, f), (g, h, i) = rotation
     squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
     k = squares.index(max(squares))
     rows = (

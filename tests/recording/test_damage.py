@@ -14,8 +14,8 @@ import pytest
 from mcap.writer import CompressionType, Writer
 
 from aftdeck.errors import RecordingError
-from aftdeck.recording.codec import plain
 from aftdeck.recording.message import Message
+from aftdeck.recording.plain_form import plain
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Closing, FrameRecord
 from aftdeck.recording.replay import verify

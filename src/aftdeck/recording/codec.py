@@ -9,17 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
-from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints
+from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
 import msgspec
-import numpy as np
 
-from aftdeck.frames import quaternion, rotation_of
+from aftdeck.frames import rotation_of
 from aftdeck.recording.hints import apart, is_object, names, without_none
+from aftdeck.recording.plain_form import plain
 from aftdeck.tuples import Rows
 
 Change = Callable[[Any], Any]
-"""Function that converts a value to its plain form, or a plain form to its value."""
+"""Function that converts a plain form to its value."""
 S = TypeVar("S", bound=msgspec.Struct)
 
 _LIMIT = 2**63
@@ -40,19 +40,13 @@ def decode(kind: type[S], data: bytes) -> S:
     return restored(kind, msgspec.json.decode(data))
 
 
-def plain(message: msgspec.Struct) -> Any:
-    """Return a message in plain form: objects, lists, numbers and texts."""
-    change = _of_struct(type(message), back=False)
-    return message if change is None else change(message)
-
-
 def restored(kind: type[S], data: Any) -> S:
     """Convert the plain form of a message to a message of the type `kind`.
 
     Raises:
         msgspec.ValidationError: `data` is not a message of this type.
     """
-    change = _of_struct(kind, back=True)
+    change = _of_struct(kind)
     try:
         return msgspec.convert(data if change is None else change(data), kind)
     except (TypeError, ValueError, AttributeError, KeyError, ArithmeticError) as error:
@@ -67,19 +61,17 @@ def as_read(message: S) -> S:
 
 
 @cache
-def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change | None:
-    """Return the conversion of a struct or named tuple to its plain form, or from its plain form if `back`.
+def _of_struct(kind: type, decimals: int | None = None) -> Change | None:
+    """Return the conversion of the plain form of a struct or named tuple; None if no conversion is necessary.
 
-    Return None if no conversion is necessary. `decimals` applies to fields that do not declare their own.
+    `decimals` applies to fields that do not declare their own.
     """
     hints = get_type_hints(kind, include_extras=True)
-    changes = {name: change for name in names(kind) if (change := _of(hints[name], back=back, decimals=decimals))}
-    if issubclass(kind, msgspec.Struct) and not changes:
-        return None
-    if not back:
-        return _written(kind, changes)
+    changes = {name: change for name in names(kind) if (change := _of(hints[name], decimals))}
     if not issubclass(kind, msgspec.Struct):
         return lambda data: [changes[name](data[name]) if name in changes else data[name] for name in names(kind)]
+    if not changes:
+        return None
 
     def read(data: Any) -> Any:
         if not isinstance(data, dict):
@@ -89,54 +81,29 @@ def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change
     return read
 
 
-def _written(kind: type, changes: dict[str, Change]) -> Change:
-    """Return the conversion of a struct or named tuple to its plain form."""
-    defaults: dict[str, object] = {}
-    if issubclass(kind, msgspec.Struct) and kind.__struct_config__.omit_defaults:
-        defaults = {field.name: field.default for field in msgspec.structs.fields(kind)}
-
-    def write(value: Any) -> dict[str, Any]:
-        out = {}
-        for name in names(kind):
-            item = getattr(value, name)
-            if name in defaults and item == defaults[name]:
-                continue
-            change = changes.get(name)
-            out[name] = item if change is None else change(item)
-        return out
-
-    return write
-
-
-def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
-    """Return the conversion of values of a type, as `_of_struct` does; None if no conversion is necessary."""
+def _of(hint: Any, decimals: int | None) -> Change | None:
+    """Return the conversion of the plain form of values of a type, as `_of_struct` does."""
     hint, meta = apart(hint)
     if meta is not None and meta.extra:
         decimals = meta.extra.get("decimals", decimals)
     if (kind := without_none(hint)) is not hint:
-        change = _of(kind, back=back, decimals=decimals)
+        change = _of(kind, decimals)
         return None if change is None else lambda value: None if value is None else change(value)
     if hint == Rows:
-        return _rotation(decimals, back=back)
-    if hint is float and decimals is not None and not back:
-        return lambda value: round(value, decimals)
-    if hint is int and back:
+        return _rows if decimals is None else lambda attitude: rotation_of(tuple(attitude))
+    if hint is int:
         return _bounded
     if get_origin(hint) is tuple:
-        return _of_tuple(get_args(hint), back=back, decimals=decimals)
+        each = _of(get_args(hint)[0], decimals)
+        return None if each is None else lambda value: [each(item) for item in value]
     if is_object(hint):  # a struct's fields declare their own decimals
-        return _of_struct(hint, back=back, decimals=None if issubclass(hint, msgspec.Struct) else decimals)
+        return _of_struct(hint, None if issubclass(hint, msgspec.Struct) else decimals)
     return None
 
 
-def _of_tuple(kinds: tuple[Any, ...], *, back: bool, decimals: int | None) -> Change | None:
-    """Return the conversion of a tuple with items of one type, as `_of_struct` does; None if none is necessary."""
-    change = _of(kinds[0], back=back, decimals=decimals)
-    if change is None:
-        return None
-    if kinds[0] is float:
-        return lambda value: [round(item, cast("int", decimals)) for item in value]
-    return lambda value: [change(item) for item in value]
+def _rows(flat: Any) -> Any:
+    """Return the rows of a matrix."""
+    return flat[:3], flat[3:6], flat[6:]
 
 
 def _bounded(value: Any) -> Any:
@@ -148,15 +115,3 @@ def _bounded(value: Any) -> Any:
     if isinstance(value, int) and not -_LIMIT <= value < _LIMIT:
         raise ValueError("a whole number has more than 64 bits")
     return value
-
-
-def _rotation(decimals: int | None, *, back: bool) -> Change:
-    if decimals is None:
-        return (
-            (lambda flat: (flat[:3], flat[3:6], flat[6:]))
-            if back
-            else (lambda rows: [number for row in rows for number in row])
-        )
-    if back:
-        return lambda attitude: rotation_of(tuple(attitude))
-    return lambda rows: [round(float(number), decimals) for number in quaternion(np.array(rows))]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from msgspec.structs import asdict
+from msgspec.structs import astuple
 
 from aftdeck.recording.records import FrameRecord, Input, LightRecord, LockRecord
 from aftdeck.scenario.light import Lighting, LockedExposure
@@ -12,11 +12,12 @@ from aftdeck.simulation.plain import plain_inputs
 
 DIGITS = 16
 """Number of hexadecimal digits in a frame's record, taken from the beginning of the frame's digest."""
+_SHA256 = Frame.__struct_fields__.index("sha256")
 
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:
     """Return the record of a step's inputs; `inputs` is None for a scripted step."""
-    return Input(tick=tick, script=True) if inputs is None else Input(tick=tick, **asdict(plain_inputs(inputs)))
+    return Input(tick=tick, script=True) if inputs is None else Input(*astuple(plain_inputs(inputs)), tick=tick)
 
 
 def inputs_of(record: Input) -> Inputs | None:
@@ -26,8 +27,9 @@ def inputs_of(record: Input) -> Inputs | None:
 
 def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> FrameRecord:
     """Return a frame's record, with exact values; `codec.encode` rounds them."""
-    fields = {name: getattr(frame, name) for name in Frame.__struct_fields__}
-    return FrameRecord(**{**fields, "sha256": frame.sha256[:DIGITS]}, wall_s=wall_s, latency_ms=latency_ms)
+    values = list(astuple(frame))
+    values[_SHA256] = frame.sha256[:DIGITS]
+    return FrameRecord(*values, wall_s=wall_s, latency_ms=latency_ms)
 
 
 def light_record(time_s: float, lighting: Lighting) -> LightRecord:

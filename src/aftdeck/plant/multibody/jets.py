@@ -43,10 +43,10 @@ class Jets:
     """Jets of the orbiter in one model and its workspace."""
 
     def __init__(self, model: Any, data: Any, thrusters: Thrusters) -> None:
-        self._data, self._thrusters = data, thrusters
-        self._body = int(model.body("orbiter").id)
-        self._at = int(model.joint("orbiter").dofadr[0])
-        self._centre, self._mass = model.body_ipos[self._body].copy(), float(model.body_mass[self._body])
+        self._thrusters = thrusters
+        body, at = int(model.body("orbiter").id), int(model.joint("orbiter").dofadr[0])
+        self._centre, self._mass = model.body_ipos[body].copy(), float(model.body_mass[body])
+        self._velocity, self._wrench = data.qvel[at : at + 6], data.xfrc_applied[body]
 
     def fire(self, base: Array, bodies: Bodies, command: Array, period: float) -> None:
         """Set the force and torque of the jets for one control period.
@@ -58,15 +58,15 @@ class Jets:
                 operator does not command.
             period: control period [s].
         """
-        t, wrench = self._thrusters, self._data.xfrc_applied[self._body]
+        t = self._thrusters
         fire_jets(
-            base, self._data.qvel[self._at : self._at + 6], self._centre, self._mass, command, t.axes, t.torque,
-            t.least_pulse, t.angle, t.rate, t.force, period, bodies.pulses, bodies.fired, wrench,
+            base, self._velocity, self._centre, self._mass, command, t.axes, t.torque,
+            t.least_pulse, t.angle, t.rate, t.force, period, bodies.pulses, bodies.fired, self._wrench,
         )  # fmt: skip
 
     def write(self, base: Array, bodies: Bodies) -> None:
         """Write the velocity of the orbiter's centre of mass in space, in L's axes."""
-        velocity_of(base, self._data.qvel[self._at : self._at + 6], self._centre, bodies.orbiter_velocity)
+        velocity_of(base, self._velocity, self._centre, bodies.orbiter_velocity)
 
 
 @law

@@ -18,135 +18,124 @@ AT_LIMIT = 1.0 - 1e-9
 """Share of the greatest torque from which a motor or a brake counts as at its limit [1]."""
 
 
+MOTOR, RATE, SERVO, BRAKE = range(4)
+"""Rows of the joints' places: motor in MuJoCo's positions, its rate in the velocities, servo and brake in the controls.
+
+A motor's servo and brake have the same places in MuJoCo's actuators as in the controls.
+"""
+HOLD_GAIN, HOLD_RATE, ENCODER, TACHOMETER, TORQUE, HOLDING = range(6)
+"""Rows of the joints' constants: `Servo.hold_gain`, `hold_rate`, `encoder_step`, `tachometer_step`, `torque_limit` and
+`holding_torque`."""
+
+
 @law
-def command_servos(
-    rates: Array, angles: Array, braked: bool, gain: Array, most: Array, holds: Array, drives: Indices, ctrl: Array
+def command_joints(
+    rates: Array,
+    angles: Array,
+    braked: bool,
+    places: Indices,
+    servo: Array,
+    qpos: Array,
+    holds: Array,
+    held: Array,
+    ctrl: Array,
 ) -> None:
-    """Command the servos: the given rate, or position hold while a joint is not commanded.
+    """Command servos and brakes.
+
+    A servo turns its joint at the given rate, or holds its position while the joint is not commanded. A brake holds the
+    angle that its motor had when the brakes were set.
 
     Args:
         rates: (6,) commanded joint rates [rad/s].
         angles: (6,) measured joint angles [rad].
         braked: whether the brakes are on; then no servo holds its joint.
-        gain: (6,) rate of position hold for each radian [1/s].
-        most: (6,) greatest rate of position hold [rad/s].
-        holds: (6,) held angles [rad], `NONE` for no hold; updated.
-        drives: (6,) places of the servos in MuJoCo's controls.
+        places: (4, 6) places of the joints in MuJoCo's arrays.
+        servo: (6, 6) constants of the joints.
+        qpos: MuJoCo's positions.
+        holds: (6,) angles that the servos hold [rad], `NONE` for no hold; updated.
+        held: (6,) angles of the motors that the brakes hold [rad], `NONE` while the brakes are off; updated.
         ctrl: MuJoCo's controls; written.
     """
     for i in range(6):
         if braked or rates[i] != 0.0:
             holds[i] = NONE
-            ctrl[drives[i]] = rates[i]
+            ctrl[places[SERVO, i]] = rates[i]
         else:
             if holds[i] != holds[i]:
                 holds[i] = angles[i]
-            back = gain[i] * (holds[i] - angles[i])
-            ctrl[drives[i]] = min(max(back, -most[i]), most[i])
-
-
-@law
-def command_brakes(braked: bool, motors: Indices, qpos: Array, held: Array, brakes: Indices, ctrl: Array) -> None:
-    """Command the brakes: each holds the angle that its motor had when the brakes were set.
-
-    Args:
-        braked: whether the brakes are on.
-        motors: (6,) places of the motors in MuJoCo's positions.
-        qpos: MuJoCo's positions.
-        held: (6,) held angles of the motors [rad], `NONE` while the brakes are off; updated.
-        brakes: (6,) places of the brakes in MuJoCo's controls.
-        ctrl: MuJoCo's controls; written.
-    """
-    for i in range(6):
+            back, most = servo[HOLD_GAIN, i] * (holds[i] - angles[i]), servo[HOLD_RATE, i]
+            ctrl[places[SERVO, i]] = min(max(back, -most), most)
         if not braked:
             held[i] = NONE
         elif held[i] != held[i]:
-            held[i] = qpos[motors[i]]
-        ctrl[brakes[i]] = held[i] if braked else 0.0
+            held[i] = qpos[places[MOTOR, i]]
+        ctrl[places[BRAKE, i]] = held[i] if braked else 0.0
 
 
 @law
 def measure_joints(
-    motors: Indices,
-    motor_rates: Indices,
+    braked: bool,
+    places: Indices,
+    gearboxes: Indices,
+    servo: Array,
+    stiffness: float,
     qpos: Array,
     qvel: Array,
-    gearboxes: Indices,
-    encoder: Array,
-    tachometer: Array,
+    force: Array,
     angles: Array,
     rates: Array,
-) -> None:
-    """Measure angles at the joints' outputs and rates of the motors, each in steps; a step of 0 is exact.
-
-    Args:
-        motors: (6,) places of the motors in MuJoCo's positions.
-        motor_rates: (6,) places of the motors in MuJoCo's velocities.
-        qpos: MuJoCo's positions.
-        qvel: MuJoCo's velocities.
-        gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
-        encoder: (6,) steps of the angles [rad].
-        tachometer: (6,) steps of the rates [rad/s].
-        angles: (6,) output [rad].
-        rates: (6,) output [rad/s].
-    """
-    for i in range(6):
-        angle, rate = qpos[motors[i]], qvel[motor_rates[i]]
-        if gearboxes.shape[0] > 0:
-            angle += qpos[gearboxes[i]]
-        angles[i] = angle if encoder[i] == 0.0 else nearest(angle / encoder[i]) * encoder[i]
-        rates[i] = rate if tachometer[i] == 0.0 else nearest(rate / tachometer[i]) * tachometer[i]
-
-
-@law
-def measure_torques(
-    acting: Indices,
-    force: Array,
-    most: Array,
-    motors: Indices,
-    motor_rates: Indices,
-    qpos: Array,
-    qvel: Array,
-    stiffness: float,
     held: Array,
     torques: Array,
     overdriven: Mask,
 ) -> None:
-    """Measure the torques of servos or brakes, and let brakes slip that are at their holding torque.
+    """Measure angles at the joints' outputs, rates of the motors, and torques of the acting servos or brakes.
+
+    Angles and rates are measured in steps; a step of 0 is exact. Brakes slip that are at their holding torque.
 
     Args:
-        acting: (6,) places of the acting servos or brakes in MuJoCo's actuators.
-        force: MuJoCo's forces of the actuators [N m].
-        most: (6,) greatest torques [N m].
-        motors: (6,) places of the motors in MuJoCo's positions.
-        motor_rates: (6,) places of the motors in MuJoCo's velocities.
+        braked: whether the brakes are on.
+        places: (4, 6) places of the joints in MuJoCo's arrays.
+        gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
+        servo: (6, 6) constants of the joints.
+        stiffness: stiffness of a brake [N m/rad].
         qpos: MuJoCo's positions.
         qvel: MuJoCo's velocities.
-        stiffness: stiffness of a brake [N m/rad].
+        force: MuJoCo's forces of the actuators [N m].
+        angles: (6,) output [rad].
+        rates: (6,) output [rad/s].
         held: (6,) angles that the brakes hold [rad]; updated. `NONE` while the brakes are off.
         torques: (6,) output [N m].
         overdriven: (6,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
     """
+    acting, greatest = (BRAKE, HOLDING) if braked else (SERVO, TORQUE)
     for i in range(6):
-        torque, angle = force[acting[i]], qpos[motors[i]]
+        motor, rate = qpos[places[MOTOR, i]], qvel[places[RATE, i]]
+        angle = motor + qpos[gearboxes[i]] if gearboxes.shape[0] > 0 else motor
+        encoder, tachometer = servo[ENCODER, i], servo[TACHOMETER, i]
+        angles[i] = angle if encoder == 0.0 else nearest(angle / encoder) * encoder
+        rates[i] = rate if tachometer == 0.0 else nearest(rate / tachometer) * tachometer
+        torque, most = force[places[acting, i]], servo[greatest, i]
         torques[i] = torque
-        overdriven[i] = abs(torque) >= AT_LIMIT * most[i] and qvel[motor_rates[i]] * torque < 0.0
+        overdriven[i] = abs(torque) >= AT_LIMIT * most and rate * torque < 0.0
         if held[i] == held[i]:
-            give = most[i] / stiffness
-            held[i] = min(max(held[i], angle - give), angle + give)
+            give = most / stiffness
+            held[i] = min(max(held[i], motor - give), motor + give)
 
 
 @law
-def poses_in_base(base: Array, bodies: Indices, xpos: Array, xmat: Array, rows: Array) -> None:
-    """Write the poses of bodies in L.
+def poses_in_base(orbiter: int, bodies: Indices, xpos: Array, xmat: Array, base: Array, rows: Array) -> None:
+    """Write the pose of L in the world, and the poses of bodies in L.
 
     Args:
-        base: (12,) pose of L in the world.
+        orbiter: number of the body whose frame is L; -1 if L does not move, and `base` keeps its pose.
         bodies: (n,) numbers of the bodies.
         xpos: (b, 3) MuJoCo's positions of all bodies in the world [m].
         xmat: (b, 9) MuJoCo's rotations of all bodies, row by row.
+        base: (12,) pose of L in the world; updated.
         rows: (n, 12) output.
     """
+    if orbiter >= 0:
+        base[:3], base[3:] = xpos[orbiter], xmat[orbiter]
     pose = np.empty(POSE)
     for n in range(bodies.shape[0]):
         pose[:3], pose[3:] = xpos[bodies[n]], xmat[bodies[n]]

@@ -68,6 +68,8 @@ class Payloads:
 
     def __init__(self, model: Any, data: Any) -> None:
         self._model, self._data = model, data
+        self._active, self._applied = data.eq_active, data.xfrc_applied
+        self._xpos, self._xmat, self._qvel = data.xpos, data.xmat, data.qvel
         joints = [model.joint(i) for i in range(model.njnt) if model.joint(i).name.startswith("cargo.")]
         self.count = len(joints)
         self._places = np.array([int(joint.qposadr[0]) for joint in joints], dtype=np.int64)
@@ -90,7 +92,9 @@ class Payloads:
 
     def connect(self, holds: Sequence[Hold]) -> None:
         """Set the welds for one control period; a payload without a hold floats."""
-        model, active = self._model, self._data.eq_active
+        if self.count == 0:
+            return
+        model, active = self._model, self._active
         active[:] = 0
         for hold in holds:
             weld = self._welds[hold.payload][hold.by]
@@ -105,10 +109,11 @@ class Payloads:
 
     def push(self, torques: Sequence[tuple[int, Array]]) -> None:
         """Set the torques of the payloads' own jets, in their axes, for one control period [N m]."""
-        applied = self._data.xfrc_applied
-        applied[self._bodies] = 0.0
+        if self.count == 0:
+            return
+        self._applied[self._bodies] = 0.0
         for k, torque in torques:
-            applied[self._bodies[k], 3:] = self._data.xmat[self._bodies[k]].reshape(3, 3) @ torque
+            self._applied[self._bodies[k], 3:] = self._xmat[self._bodies[k]].reshape(3, 3) @ torque
 
     def write(self, bodies: Bodies) -> None:
         """Write the payloads' poses, motions and holding forces from MuJoCo's present ones."""
@@ -116,7 +121,7 @@ class Payloads:
         if self.count == 0:
             return
         _write(
-            self._bodies, self._rates, data.xpos, data.xmat, data.qvel, self._table, data.efc_type, data.efc_id,
+            self._bodies, self._rates, self._xpos, self._xmat, self._qvel, self._table, data.efc_type, data.efc_id,
             data.efc_force, data.ne, bodies.payloads, bodies.motions, bodies.held,
         )  # fmt: skip
 

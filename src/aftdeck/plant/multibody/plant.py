@@ -32,7 +32,7 @@ from aftdeck.plant.state import Bodies, PlantState
 from aftdeck.steering.mode import LawChoice
 
 mujoco.set_mju_user_warning(lambda text: None)  # otherwise MuJoCo writes a file into the user's folder
-_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
+_STATE = int(mujoco.mjtState.mjSTATE_INTEGRATION)
 
 
 class _Model(NamedTuple):

@@ -13,7 +13,7 @@ import numpy as np
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.build import BRAKE_STIFFNESS, BRAKES, SERVOS
-from aftdeck.plant.multibody.joint_laws import command_brakes, command_servos, measure_joints, measure_torques
+from aftdeck.plant.multibody.joint_laws import command_joints, measure_joints
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies
 
@@ -23,9 +23,20 @@ class Servos:
 
     def __init__(self, view: View, joints: tuple[str, ...], servo: Servo) -> None:
         model = view.model
-        self._view, self._servo = view, servo
-        self._drives = np.array([model.actuator(f"servo.{name}").id for name in joints])
-        self._brakes = np.array([model.actuator(f"brake.{name}").id for name in joints])
+        drives = [model.actuator(f"servo.{name}").id for name in joints]
+        brakes = [model.actuator(f"brake.{name}").id for name in joints]
+        self._view, self._option = view, model.opt
+        self._places = np.array([view.motors, view.motor_rates, drives, brakes])  # rows as in `joint_laws`
+        self._servo = np.array(
+            [
+                servo.hold_gain,
+                servo.hold_rate,
+                servo.encoder_step,
+                servo.tachometer_step,
+                servo.torque_limit,
+                servo.holding_torque,
+            ]
+        )
         self._off = {True: 1 << SERVOS, False: 1 << BRAKES}  # with the brakes on, the servos are off
         self._force, self._ctrl = view.data.actuator_force, view.data.ctrl
 
@@ -38,10 +49,10 @@ class Servos:
             rates: (6,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
         """
-        view, servo, ctrl = self._view, self._servo, self._ctrl
-        command_servos(rates, angles, brakes, servo.hold_gain, servo.hold_rate, bodies.holds, self._drives, ctrl)
-        command_brakes(brakes, view.motors, view.qpos, bodies.brakes, self._brakes, ctrl)
-        view.model.opt.disableactuator = self._off[brakes]
+        command_joints(
+            rates, angles, brakes, self._places, self._servo, self._view.qpos, bodies.holds, bodies.brakes, self._ctrl
+        )
+        self._option.disableactuator = self._off[brakes]
 
     def measure(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
         """Measure the joints, and let brakes slip that are at their holding torque.
@@ -52,10 +63,8 @@ class Servos:
             rates: (6,) output: rates of the motors, in steps of the tachometer [rad/s].
             brakes: whether the brakes are on.
         """
-        view, servo = self._view, self._servo
-        places = view.motors, view.motor_rates, view.qpos, view.qvel
-        measure_joints(*places, view.gearboxes, servo.encoder_step, servo.tachometer_step, angles, rates)
-        acting, most = (self._brakes, servo.holding_torque) if brakes else (self._drives, servo.torque_limit)
-        measure_torques(
-            acting, self._force, most, *places, BRAKE_STIFFNESS, bodies.brakes, bodies.torques, bodies.overdriven
-        )
+        view = self._view
+        measure_joints(
+            brakes, self._places, view.gearboxes, self._servo, BRAKE_STIFFNESS, view.qpos, view.qvel, self._force,
+            angles, rates, bodies.brakes, bodies.torques, bodies.overdriven,
+        )  # fmt: skip

@@ -62,7 +62,7 @@ class View:
     @property
     def height(self) -> float:
         """Height of the shoulder above L's origin [m]."""
-        return self._height + (float(self.data.qpos[self._telescope]) if self._telescope >= 0 else 0.0)
+        return self._height + (float(self.qpos[self._telescope]) if self._telescope >= 0 else 0.0)
 
     def set_joints(self, angles: Array, rates: Array, height: float, prong: float = 0.0) -> None:
         """Set angles [rad] and rates [rad/s] of the motors, height of the shoulder and position of the prong [m].
@@ -92,11 +92,12 @@ class View:
 
     def diverged(self) -> bool:
         """Return whether a step since the last call diverged, which MuJoCo only counts."""
-        found = any(warning.number for warning in self._warnings)
-        if found:
-            for warning in self._warnings:
-                warning.number = 0
-        return found
+        position, velocity, acceleration = self._warnings
+        if not (position.number or velocity.number or acceleration.number):
+            return False
+        for warning in self._warnings:
+            warning.number = 0
+        return True
 
     def write_poses(self, frames: Array, bends: Array, base: Array) -> None:
         """Write poses from MuJoCo's present ones: of the arm's frames, its bent parts, and L.
@@ -104,11 +105,9 @@ class View:
         Args:
             frames: (n, 12) output: true poses of the arm's frames, in L.
             bends: (b, 6) output: bends of base and booms; (0, 6) if the model is rigid.
-            base: (12,) output: pose of L, relative to its pose at the start of the run.
+            base: (12,) output: pose of L, relative to its pose at the start of the run; a fixed one is not changed.
         """
-        if self._orbiter >= 0:
-            base[:3], base[3:] = self._xpos[self._orbiter], self._xmat[self._orbiter]
-        poses_in_base(base, self._frames, self._xpos, self._xmat, frames)
+        poses_in_base(self._orbiter, self._frames, self._xpos, self._xmat, base, frames)
         if self.flexures:
             bends_of(self._frames, self._carriers, self._beyond, self._xpos, self._xmat, self._own, self._ends, bends)
         if self._telescope >= 0:  # the frame of the first joint does not rise with the telescope

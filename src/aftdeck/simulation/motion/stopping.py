@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, vec3
+from aftdeck.law import law
 from aftdeck.matrices import distance
 from aftdeck.plant.state import Bodies
 from aftdeck.plant.stop import Stop
@@ -39,7 +41,7 @@ def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     nothing is logged. A release of the brakes that moves the tip by less than `tip_rest.AT_REST` is not logged.
     """
     motion, period = bodies.tip, flight.scenario.control_period
-    tip, before = _tip(flight, bodies), motion.place
+    tip, before = tip_place(bodies.frames, flight.site.last_joint - 1, flight.site.hand), motion.place
     driven, braked, stop = _is_driven(state), state.panel.brakes, motion.stop
     switched = braked != motion.braked
     if stop is not None and (driven or switched):
@@ -63,11 +65,18 @@ def is_at_rest(state: State) -> bool:
     return not _is_driven(state) and (bodies is None or bodies.tip.stop is None)
 
 
-def _tip(flight: Flight, bodies: Bodies) -> Vec3:
-    """Return the true position of the tip in L [m]."""
-    hand = np.empty(POSE)
-    compose(bodies.frames[flight.site.last_joint - 1], flight.site.hand, hand)
-    return vec3(hand, 0)
+@law
+def tip_place(frames: Array, last: int, hand: Array) -> Vec3:
+    """Return the true position of the tip in L [m].
+
+    Args:
+        frames: (n, 12) true poses of the arm's frames in L.
+        last: row of the last joint's frame.
+        hand: (12,) pose of the tip in this frame.
+    """
+    tip = np.empty(POSE)
+    compose(frames[last], hand, tip)
+    return vec3(tip, 0)
 
 
 def _is_driven(state: State) -> bool:

@@ -52,7 +52,8 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     miss = None
     if target is not None:
         miss = distance(target.position, position), angle_between(target.rotation, orientation)
-    overdriven = tuple(joint for joint, is_driven in enumerate(bodies.overdriven.tolist()) if is_driven)
+    driven = bodies.overdriven.tolist()
+    overdriven = tuple([joint for joint in range(6) if driven[joint]]) if any(driven) else ()
     return Dynamics(
         position,
         orientation,
