@@ -12,7 +12,6 @@ from numba import njit
 from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.hexahedron import NX, SIDES, D, pack
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.relative import inverted, scene_in_l
 from aftdeck.simulation.constants.site import all_solids
 from aftdeck.visual.scene import Aim
 
@@ -36,17 +35,26 @@ class DepthPictures:
         self._distances = bodies[:, D : D + SIDES]
         self._size = width, height
 
-    def at(self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]) -> tuple[Indices, Array]:
-        """Return the part that each pixel shows, and its depth; -1 and inf if it shows none.
+    def at(self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]) -> Indices:
+        """Return the part (height, width) that each pixel shows, as its index in `parts`; -1 if it shows none.
 
         Args:
             poses: position and rotation in the scene of each frame that carries solids.
             aim: the camera.
             absent: parts that are not in the picture.
-
-        Returns:
-            (height, width) indices in `parts`, and (height, width) depths along the camera's axis [m].
         """
+        shown: Indices = _traced(*self._seen(poses, aim, absent), *rays(aim, *self._size))
+        return shown
+
+    def distance(self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]) -> float:
+        """Return a lower bound of the distance from the eye to the nearest part [m]; negative inside a part."""
+        _, _, distances = self._seen(poses, aim, absent)
+        return float((-distances).max(axis=1).min())
+
+    def _seen(
+        self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]
+    ) -> tuple[Indices, Array, Array]:
+        """Return part, normals and distances of the faces of all solids, in the coordinates of a camera."""
         kept, normals, distances = [], [], []
         for k, frame in enumerate(self._frame):
             if self.parts[self._part[k]] in absent:
@@ -56,7 +64,7 @@ class DepthPictures:
             kept.append(self._part[k])
             normals.append(turned @ aim.axes.T)
             distances.append(self._distances[k] + turned @ (position - aim.position))
-        return _traced(np.array(kept), np.array(normals), np.array(distances), *rays(aim, *self._size))
+        return np.array(kept), np.array(normals), np.array(distances)
 
 
 def rays(aim: Aim, width: int, height: int) -> tuple[Array, Array]:
@@ -67,7 +75,7 @@ def rays(aim: Aim, width: int, height: int) -> tuple[Array, Array]:
 
 
 @njit(cache=True)
-def _traced(part, normals, distances, across, down):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _traced(part, normals, distances, across, down):  # type: ignore[no-untyped-def]
     shown = np.full((len(down), len(across)), -1, np.int64)
     depth = np.full((len(down), len(across)), np.inf)
     for row in range(len(down)):
@@ -86,4 +94,4 @@ def _traced(part, normals, distances, across, down):  # type: ignore[no-untyped-
                         break
                 if enters < leaves and enters < depth[row, column]:
                     depth[row, column], shown[row, column] = enters, part[k]
-    return shown, depth
+    return shown

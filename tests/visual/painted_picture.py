@@ -11,11 +11,12 @@ from aftdeck.visual.polygons import Polygons
 
 def painted(polygons: Polygons, width: int, height: int) -> Indices:
     """Return the cluster (height, width) that each pixel shows; -1 where it shows none."""
-    return _painted(polygons.points, polygons.begins, polygons.owner, width, height)
+    shown: Indices = _painted(polygons.points, polygons.begins, polygons.owner, width, height)
+    return shown
 
 
 @njit(cache=True)
-def _painted(points, begins, owner, width, height):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _painted(points, begins, owner, width, height):  # type: ignore[no-untyped-def]
     shown = np.full((height, width), -1, np.int64)
     for q in range(len(owner)):
         first, end = begins[q], begins[q + 1]

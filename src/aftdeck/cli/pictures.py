@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from aftdeck.cli.app import app
+from aftdeck.cli.app import Json, app
+from aftdeck.cli.planes import print_planes
+from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.lines import print_line
 
@@ -21,7 +23,12 @@ if TYPE_CHECKING:
     from aftdeck.scenario.model import Scenario
     from aftdeck.simulation.frame import Frame
     from aftdeck.visual.page import Page
+    from aftdeck.visual.picture import Look
 
+Run = Annotated[
+    str,
+    typer.Argument(metavar="SCENARIO|RECORDING", help="A scenario, whose script is run, or a recording (.mcap)."),
+]
 ALL = "all"
 """Value of --camera for a contact sheet of all cameras."""
 SIZE = (800, 600)
@@ -49,12 +56,7 @@ class LookName(StrEnum):
     "aftdeck render run.mcap --camera F --every 1 -o flight-###.png",
 )
 def render(
-    run: Annotated[
-        str,
-        typer.Argument(
-            metavar="SCENARIO|RECORDING", help="A scenario, whose script is run, or a recording (.mcap)."
-        ),
-    ],
+    run: Run,
     camera: Annotated[str, typer.Option(metavar="NAME", help="Camera, or 'all' for a contact sheet of all cameras.")],
     out: Annotated[
         Path,
@@ -72,7 +74,8 @@ def render(
     ] = None,
     look: Annotated[LookName, typer.Option(help="In colour, or as on the monitors of 1972.")] = LookName.colour,
     size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="Size of a picture in pixels; default: 800x600, in a sheet 400x300.")
+        str | None,
+        typer.Option(metavar="WxH", help="Size of a picture in pixels; default: 800x600, in a sheet 400x300."),
     ] = None,
     light: Annotated[
         str | None, typer.Option(metavar="NAME", help="Light condition; default: that of the scenario.")
@@ -87,9 +90,8 @@ def render(
 
     if time is not None and step is not None:
         raise InputError("--time and --every cannot be combined")
-    for name, value in (("--time", time), ("--every", step)):
-        if value is not None and not 0.0 <= value < float("inf"):
-            raise InputError(f"{name}: got {value:g}, expected seconds, at least 0")
+    _not_negative("--time", time)
+    _not_negative("--every", step)
     if step == 0.0:
         raise InputError("--every: got 0, expected seconds, more than 0")
     if out.suffix not in FORMATS:
@@ -103,13 +105,47 @@ def render(
     pages = _pages(given.scenario, frames, camera, drawn_size, look, _light(given.scenario, light))
     if numbered:
         count = 0
-        for count, page in enumerate(pages, 1):  # noqa: B007
+        for count, page in enumerate(pages, 1):
             _write(_numbered(out, numbered, count), _encoded([page], out.suffix, 1.0, run))
         print_line(f"{out}: {count} pictures")
         return
     kept = list(pages)
     _write(out, _encoded(kept, out.suffix, step or 1.0, run))
     print_line(f"{out}: {len(kept)} pictures" if step is not None else str(out))
+
+
+@app.command(
+    short_help="Show what decides which body hides which in a camera's picture.",
+    epilog="Examples: aftdeck planes concept-1972 --camera A; aftdeck planes run.mcap --camera F --time 40 --json",
+)
+def planes(
+    run: Annotated[
+        str,
+        typer.Argument(metavar="SCENARIO|RECORDING", help="A scenario, whose script is run, or a recording (.mcap)."),
+    ],
+    camera: Annotated[str, typer.Option(metavar="NAME", help="Camera.")],
+    time: Annotated[float, typer.Option(metavar="SECONDS", help="Time of the picture.")] = 0.0,
+    as_json: Json = False,
+) -> None:
+    """Show clusters, separating planes, trees and the order chosen for a camera, like the report's figures 19 and 20."""
+    from aftdeck.cli.moments import at, source
+    from aftdeck.visual.report import explained
+    from aftdeck.visual.scene import VisualScene
+
+    _not_negative("--time", time)
+    given = source(run)
+    frame = at(given.frames, time)
+    scene = VisualScene(given.scenario)
+    found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
+    if as_json:
+        print_json(found._asdict())
+    else:
+        print_planes(found, f"{given.scenario.title}, camera {camera} at {frame.time_s:g} s")
+
+
+def _not_negative(option: str, value: float | None) -> None:
+    if value is not None and not 0.0 <= value < float("inf"):
+        raise InputError(f"{option}: got {value:g}, expected seconds, at least 0")
 
 
 def _pages(
@@ -126,7 +162,7 @@ def _pages(
     from aftdeck.visual.scene import VisualScene
 
     scene = VisualScene(scenario)
-    style = "1972" if look is LookName.seventies else "colour"
+    style: Look = "1972" if look is LookName.seventies else "colour"
     for frame in frames:
         if camera != ALL:
             yield single(picture_of(scene, frame, camera, size, style, light))
@@ -166,7 +202,10 @@ def _size(text: str | None, default: tuple[int, int]) -> tuple[int, int]:
     found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
     size = (int(found[1]), int(found[2])) if found else (0, 0)
     if not all(LEAST_SIZE <= length <= MOST_SIZE for length in size):
-        raise InputError(f"--size: got {text!r}, expected width x height in pixels, such as 800x600, each {LEAST_SIZE} to {MOST_SIZE}")
+        raise InputError(
+            f"--size: got {text!r}, expected width x height in pixels, such as 800x600; each is from {LEAST_SIZE} to "
+            f"{MOST_SIZE}"
+        )
     return size
 
 

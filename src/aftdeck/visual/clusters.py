@@ -25,11 +25,12 @@ from aftdeck.scenario.relative import inverted, scene_in_l
 from aftdeck.shapes import Material
 from aftdeck.simulation.constants.site import all_solids, site_of
 from aftdeck.visual.paint import Surfaces, surfaces_of
-from aftdeck.visual.solids import apart, difference, moved, union
 from aftdeck.visual.placing import find_overlaps
 from aftdeck.visual.planes import TOLERANCE
 from aftdeck.visual.samples import sampled_poses
+from aftdeck.visual.solids import apart, difference, moved, union
 from aftdeck.visual.store import Polyhedron, Store, of_hexahedron, store_of, volume
+from aftdeck.visual.trees import Forest, forest_of
 
 MOST_CLUSTERS = 256
 """Greatest number of clusters of a scenario: more are not ordered in the time between two pictures."""
@@ -57,6 +58,7 @@ class Clusters(NamedTuple):
         clusters: the clusters.
         store: the clusters' surfaces, each in its own frame.
         frame: (N,) frame of each cluster.
+        forest: trees of separating planes, one for each frame.
         trims: (T, 2) pairs of clusters in different frames that can overlap in flight, because a joint or a grasp
             connects them: in each picture, the second is removed from the first.
         materials: for each face, the material with which it is drawn.
@@ -68,6 +70,7 @@ class Clusters(NamedTuple):
     clusters: tuple[Cluster, ...]
     store: Store
     frame: Indices
+    forest: Forest
     trims: Indices
     materials: tuple[Material, ...]
     solids: int
@@ -96,13 +99,15 @@ def clusters_of(scenario: Scenario) -> Clusters:
         )
     frames = tuple(dict.fromkeys(cluster.frame for cluster in clusters))
     store = store_of([cluster.body for cluster in clusters])
+    frame = np.array([frames.index(cluster.frame) for cluster in clusters], dtype=np.int64)
     surfaces = surfaces_of(scenario)
     return Clusters(
         frames,
         tuple(clusters),
         store,
-        np.array([frames.index(cluster.frame) for cluster in clusters], dtype=np.int64),
-        _trims(scenario, clusters, frames, store),
+        frame,
+        forest_of(store, frame, len(frames)),
+        _trims(scenario, clusters, frames, store, frame),
         tuple(material for cluster in clusters for material in _painted(cluster, surfaces)),
         len(made),
         overlapping,
@@ -173,7 +178,9 @@ def _near(a: Polyhedron, b: Polyhedron) -> bool:
     )
 
 
-def _trims(scenario: Scenario, clusters: Sequence[Cluster], frames: tuple[str, ...], store: Store) -> Indices:
+def _trims(
+    scenario: Scenario, clusters: Sequence[Cluster], frames: tuple[str, ...], store: Store, frame: Indices
+) -> Indices:
     """Return the pairs (T, 2) of clusters that overlap in flight because they are connected; the smaller one first.
 
     They are connected by a joint, a mount or a berth, and overlap in sampled poses; the collision program does not
@@ -199,7 +206,7 @@ def _trims(scenario: Scenario, clusters: Sequence[Cluster], frames: tuple[str, .
     found = np.zeros(len(pairs), np.uint8)
     find_overlaps(
         store,
-        np.array([frames.index(cluster.frame) for cluster in clusters], dtype=np.int64),
+        frame,
         sampled_poses(scenario, frames),
         unmonitored,
         store_of([cluster.body for cluster in clusters]),

@@ -13,6 +13,8 @@ ON = 1e-9
 """Distance up to which a vertex counts as in a plane [m]."""
 BELOW, ABOVE, CROSSED = -1, 1, 0
 """Positions of a polyhedron relative to a plane: on the side against the normal, on the side of the normal, on both."""
+FEWEST_CORNERS = 3
+"""Least number of corners of a face."""
 FULL = -2
 """Result of a cut for which the store has no free space left."""
 
@@ -49,92 +51,131 @@ def part_of(store: Store, k: int, plane: Array, side: float) -> int:
     Returns:
         Index of the part; FULL if there is no free space.
     """
-    begin, end = store.first_point[k], store.first_point[k + 1]
-    new, count = store.used[CLUSTERS], end - begin
-    free_point, free_face, free_corner = store.used[POINTS], store.used[FACES], store.used[CORNERS]
-    room = free_point + count + MOST_CORNERS <= len(store.points) and new < len(store.owner)
-    faces = store.first_face[k + 1] - store.first_face[k]
-    corners = store.first_corner[store.first_face[k + 1]] - store.first_corner[store.first_face[k]]
-    if not (
-        room
-        and free_face + faces + 1 <= len(store.planes)
-        and free_corner + corners + 2 * faces + MOST_CORNERS <= len(store.corners)
-    ):
+    begin, end, new = store.first_point[k], store.first_point[k + 1], store.used[CLUSTERS]
+    if not _has_room(store, k):
         return FULL
-    heights, moved = np.empty(count), np.empty(count, np.int64)
-    for i in range(count):
+    heights, moved = np.empty(end - begin), np.empty(end - begin, np.int64)
+    free = store.used[POINTS]
+    for i in range(end - begin):
         p = point_at(store.points, begin + i)
         heights[i] = side * (plane[0] * p.x + plane[1] * p.y + plane[2] * p.z - plane[3])
         moved[i] = -1
         if heights[i] <= ON:
-            store.points[free_point] = store.points[begin + i]
-            moved[i] = free_point
-            free_point += 1
-    crossing = free_point
-    crossed, crossings = np.empty((MOST_CORNERS, 2), np.int64), 0
-    rim, rims = np.empty(2 * MOST_CORNERS, np.int64), 0
+            store.points[free] = store.points[begin + i]
+            moved[i] = free
+            free += 1
+    end_point = _cut_faces(store, k, heights, moved, free)
+    if end_point == FULL:
+        return FULL
+    if not _close(store, plane, side, heights, moved, free, end_point):
+        return FULL
+    store.first_point[new + 1], store.first_face[new + 1] = end_point, store.used[FACES]
+    store.owner[new] = store.owner[k]
+    store.used[CLUSTERS], store.used[POINTS] = new + 1, end_point
+    return int(new)
+
+
+@law
+def _has_room(store: Store, k: int) -> bool:
+    """Return whether there is free space for a part of polyhedron `k`."""
+    points = store.first_point[k + 1] - store.first_point[k] + MOST_CORNERS
+    faces = store.first_face[k + 1] - store.first_face[k] + 1
+    corners = store.first_corner[store.first_face[k + 1]] - store.first_corner[store.first_face[k]]
+    return bool(
+        store.used[CLUSTERS] < len(store.owner)
+        and store.used[POINTS] + points <= len(store.points)
+        and store.used[FACES] + faces <= len(store.planes)
+        and store.used[CORNERS] + corners + 2 * faces + MOST_CORNERS <= len(store.corners)
+    )
+
+
+@law
+def _cut_faces(store: Store, k: int, heights: Array, moved: Indices, free: int) -> int:
+    """Append what a plane leaves of the faces of polyhedron `k`.
+
+    Args:
+        store: the polyhedra; updated: points, planes, corners, paint and the numbers of faces and corners.
+        k: the polyhedron.
+        heights: (n,) height of each vertex over the plane, towards the side that is removed [m].
+        moved: (n,) index of each kept vertex in the part; -1 for a vertex that is removed.
+        free: index of the first free point; the points in which the plane cuts edges follow from there.
+
+    Returns:
+        Index of the first free point; FULL if the plane cuts more than MOST_CORNERS edges.
+    """
+    begin, crossed, crossings = store.first_point[k], np.empty((MOST_CORNERS, 2), np.int64), 0
+    face, corner = store.used[FACES], store.used[CORNERS]
     for f in range(store.first_face[k], store.first_face[k + 1]):
         start, stop = store.first_corner[f], store.first_corner[f + 1]
-        store.first_corner[free_face] = free_corner
+        store.first_corner[face] = corner
         inside = False
         for c in range(start, stop):
             i = store.corners[c] - begin
             j = store.corners[c + 1 if c + 1 < stop else start] - begin
             if heights[i] <= ON:
-                store.corners[free_corner] = moved[i]
-                free_corner += 1
+                store.corners[corner] = moved[i]
+                corner += 1
                 inside = inside or heights[i] < -ON
-            if (heights[i] < -ON and heights[j] > ON) or (heights[i] > ON and heights[j] < -ON):
+            if min(heights[i], heights[j]) < -ON and max(heights[i], heights[j]) > ON:
                 p, q = min(i, j), max(i, j)
-                at = -1
-                for e in range(crossings):
-                    if crossed[e, 0] == p and crossed[e, 1] == q:
-                        at = crossing + e
-                if at < 0:
+                at = _crossing(crossed, crossings, p, q)
+                if at == crossings:
                     if crossings == MOST_CORNERS:
                         return FULL
-                    at = free_point
                     part = heights[p] / (heights[p] - heights[q])
                     for axis in range(3):
-                        a, b = store.points[begin + p, axis], store.points[begin + q, axis]
-                        store.points[at, axis] = a + part * (b - a)
-                    crossed[crossings, 0], crossed[crossings, 1] = p, q
+                        low, high = store.points[begin + p, axis], store.points[begin + q, axis]
+                        store.points[free + at, axis] = low + part * (high - low)
+                    crossed[at, 0], crossed[at, 1] = p, q
                     crossings += 1
-                    free_point += 1
-                store.corners[free_corner] = at
-                free_corner += 1
-        if inside and free_corner - store.first_corner[free_face] > 2:
-            store.planes[free_face] = store.planes[f]
-            store.paint[free_face] = store.paint[f]
-            free_face += 1
+                store.corners[corner] = free + at
+                corner += 1
+        if inside and corner - store.first_corner[face] >= FEWEST_CORNERS:
+            store.planes[face] = store.planes[f]
+            store.paint[face] = store.paint[f]
+            face += 1
         else:
-            free_corner = store.first_corner[free_face]
-    # the new face's corners are all kept points in the plane, and all crossings
-    for i in range(count):
-        if moved[i] >= 0 and heights[i] >= -ON:
-            rim[rims] = moved[i]
-            rims += 1
+            corner = store.first_corner[face]
+    store.used[FACES], store.used[CORNERS] = face, corner
+    return free + crossings
+
+
+@law
+def _crossing(crossed: Indices, crossings: int, p: int, q: int) -> int:
+    """Return the number of the edge p-q among the edges that are already cut; `crossings` if it is not among them."""
     for e in range(crossings):
-        rim[rims] = crossing + e
-        rims += 1
-    if rims > MOST_CORNERS:
-        return FULL
-    normal = Vector(side * plane[0], side * plane[1], side * plane[2])
-    _sort_around(store.points, rim, rims, normal)
-    store.first_corner[free_face] = free_corner
-    for i in range(rims):
-        store.corners[free_corner] = rim[i]
-        free_corner += 1
+        if crossed[e, 0] == p and crossed[e, 1] == q:
+            return e
+    return crossings
+
+
+@law
+def _close(store: Store, plane: Array, side: float, heights: Array, moved: Indices, first: int, end_point: int) -> bool:
+    """Append the face that a plane makes; return False if it has too many corners.
+
+    Its corners are all kept vertices in the plane, and the points from `first` on, in which the plane cuts edges.
+    """
+    rim, count = np.empty(len(moved) + MOST_CORNERS, np.int64), 0
+    for i in range(len(moved)):
+        if moved[i] >= 0 and heights[i] >= -ON:
+            rim[count] = moved[i]
+            count += 1
+    for at in range(first, end_point):
+        rim[count] = at
+        count += 1
+    if count > MOST_CORNERS:
+        return False
+    _sort_around(store.points, rim, count, Vector(side * plane[0], side * plane[1], side * plane[2]))
+    face, corner = store.used[FACES], store.used[CORNERS]
+    store.first_corner[face] = corner
+    for i in range(count):
+        store.corners[corner + i] = rim[i]
     for axis in range(4):
-        store.planes[free_face, axis] = side * plane[axis]
-    store.paint[free_face] = -1
-    free_face += 1
-    store.first_corner[free_face] = free_corner
-    store.first_point[new + 1], store.first_face[new + 1] = free_point, free_face
-    store.owner[new] = store.owner[k]
-    store.used[CLUSTERS], store.used[POINTS] = new + 1, free_point
-    store.used[FACES], store.used[CORNERS] = free_face, free_corner
-    return new
+        store.planes[face, axis] = side * plane[axis]
+    store.paint[face] = -1
+    store.first_corner[face + 1] = corner + count
+    store.used[FACES], store.used[CORNERS] = face + 1, corner + count
+    return True
 
 
 @law
@@ -180,7 +221,7 @@ def subtract(store: Store, k: int, other: Store, m: int, pieces: Indices, count:
             return FULL
         piece = part_of(store, rest, other.planes[f], -1.0)
         rest = part_of(store, rest, other.planes[f], 1.0)
-        if piece == FULL or rest == FULL:
+        if FULL in (piece, rest):
             return FULL
         pieces[count] = piece
         count += 1

@@ -1,8 +1,8 @@
 """Order of the clusters in one picture: which one hides which, and the priority output table.
 
 Two clusters are compared only if their outlines in the picture overlap: a plane between the two shows which one is
-nearer to the eye. Comparing all clusters would give cycles where there is nothing to hide. The report's program traced
-permanent lists and trees of planes; the result is the same (`visual.lists`).
+nearer to the eye. Comparing all clusters would give cycles where there is nothing to hide. Inside one frame, a
+permanent list (`visual.lists`) or a tree of planes (`visual.trees`) replaces the planes.
 
 Source: Remote Manipulator Simulation, final report, chapter V: visual priority, separating planes, and the priority
 output table (POT).
@@ -19,19 +19,22 @@ from aftdeck.law import law
 from aftdeck.visual.cutting import CROSSED, FULL, part_of, position_of
 from aftdeck.visual.outlines import bound, outcodes, outline, overlap, touches_eye
 from aftdeck.visual.placing import Memory, place, remembered, separated, trim
-from aftdeck.visual.planes import best_plane, extent
+from aftdeck.visual.planes import best_plane, extent, nearer_by
 from aftdeck.visual.store import Store
+from aftdeck.visual.trees import Forest, trace_all
 
 SLACK = 1e-9
 """Overlap of two outlines that does not count, as a tangent of an angle of view: much less than a pixel."""
 MOST_CUTS = 64
 """Greatest number of cuts in one picture."""
 INSIDE, TOO_MANY, UNORDERED = -1, -2, -3
-"""Results of `ordered` for pictures that cannot be drawn: the eye is inside a cluster; there is no space for the pieces;
-the number of cuts is not enough."""
-CUTS, OVERLAPS, FIRST, SECOND, COMPARED = range(5)
-"""Indices in the notes (5,) of `ordered`: number of cuts; number of pairs that overlap in space; clusters of the first
-such pair, or the cluster that contains the eye; number of compared pairs."""
+"""Results of `ordered` for pictures that cannot be drawn: the eye is inside a cluster; there is no space for the
+pieces; the number of cuts is not enough."""
+CUTS, OVERLAPS, FIRST, SECOND, COMPARED, RANKED = range(6)
+"""Indices in the notes (6,) of `ordered`: number of cuts; number of pairs that overlap in space; clusters of the first
+such pair, or the cluster that contains the eye; number of compared pairs; how many of them were compared by rank."""
+NOTES = 6
+"""Number of notes."""
 
 
 class Entries(NamedTuple):
@@ -66,6 +69,9 @@ def ordered(
     wide: float,
     high: float,
     placed: Store,
+    forest: Forest,
+    listed: Mask,
+    rank: Indices,
     memory: Memory,
     entries: Entries,
     table: Indices,
@@ -83,16 +89,20 @@ def ordered(
         high: tangent of half the vertical field of view.
         placed: store with the same clusters and free space; output: the clusters and their pieces in the coordinates
             of the camera.
+        forest: the trees of separating planes of all frames.
+        listed: (F,) 1 for each frame for which the camera has a permanent list.
+        rank: (N,) ranks of the clusters in the frames that have a list; the ranks of the others are updated.
         memory: the last separating planes of this camera; updated.
         entries: room for the work.
         table: (E,) output: polyhedra of `placed`, highest priority first.
-        notes: (5,) output: numbers and clusters to report.
+        notes: (6,) output: numbers and clusters to report.
 
     Returns:
         Number of polyhedra in the picture; INSIDE, TOO_MANY or UNORDERED if there is no picture.
     """
     notes[:] = 0
     place(store, frame, poses, placed)
+    trace_all(forest, poses, listed, rank)
     visible = np.empty(len(shown), np.uint8)
     for k in range(len(shown)):
         visible[k] = shown[k] and outcodes(placed, k, wide, high)[0] == 0
@@ -109,7 +119,7 @@ def ordered(
         count = _outlined(placed, entries, count, wide, high, notes)
         if count < 0:
             return count
-        _compare(placed, entries, count, memory, poses, frame, notes)
+        _compare(placed, entries, count, rank, memory, poses, frame, notes)
         if _sorted(entries.hides, count, table) == count:
             break
         if notes[CUTS] == MOST_CUTS or count == len(table):
@@ -167,9 +177,19 @@ def _outlined(placed: Store, entries: Entries, count: int, wide: float, high: fl
 
 @law
 def _compare(
-    placed: Store, entries: Entries, count: int, memory: Memory, poses: Array, frame: Indices, notes: Indices
+    placed: Store,
+    entries: Entries,
+    count: int,
+    rank: Indices,
+    memory: Memory,
+    poses: Array,
+    frame: Indices,
+    notes: Indices,
 ) -> None:
     """Fill `hides` for all pairs with a new entry; then no entry is new.
+
+    Two clusters of one frame are compared by their ranks in the frame's list or tree, if these differ. Any other pair
+    is compared by a plane between the two.
 
     The loop is inside this law, because a call in it would count the references of all arrays for each pair.
     """
@@ -181,29 +201,23 @@ def _compare(
             if not (new[a] or new[b]):
                 continue
             hides[a, b], hides[b, a] = 0, 0
-            if entries.size[a] == 0 or entries.size[b] == 0:
-                continue
             if not overlap(entries.outline, entries.size, entries.box, a, b, SLACK):
                 continue
             first, second = (a, b) if slot[a] < slot[b] else (b, a)
             i, j, p, q = body[first], body[second], slot[first], slot[second]
             notes[COMPARED] += 1
+            own, other = placed.owner[i], placed.owner[j]
+            if frame[own] == frame[other] and rank[own] != rank[other]:
+                notes[RANKED] += 1
+                hides[first, second] = rank[own] < rank[other]
+                hides[second, first] = rank[own] > rank[other]
+                continue
             if not separated(placed, i, j, memory, p, q, poses, frame):
                 if notes[OVERLAPS] == 0:
-                    notes[FIRST], notes[SECOND] = placed.owner[i], placed.owner[j]
+                    notes[FIRST], notes[SECOND] = own, other
                 notes[OVERLAPS] += 1
-            along = extent(placed, i, j, remembered(memory, p, q, poses, frame))
-            nearer = 0.0
-            if along.a > along.b:  # the two touch, and rounding makes them overlap
-                nearer = along.a + along.b
-            elif along.b <= 0.0:
-                nearer = -1.0
-            elif along.a >= 0.0:
-                nearer = 1.0
-            if nearer < 0.0:
-                hides[second, first] = 1
-            elif nearer > 0.0:
-                hides[first, second] = 1
+            way = nearer_by(extent(placed, i, j, remembered(memory, p, q, poses, frame)), 0.0)
+            hides[first, second], hides[second, first] = way > 0, way < 0
     for n in range(count):
         new[n] = 0
 
@@ -299,7 +313,7 @@ def _cut(placed: Store, entries: Entries, count: int) -> tuple[int, int]:
     k = entries.body[entry]
     below = part_of(placed, k, best, 1.0)
     above = part_of(placed, k, best, -1.0)
-    if below == FULL or above == FULL:
+    if FULL in (below, above):
         return entry, FULL
     entries.body[entry] = below
     return entry, above

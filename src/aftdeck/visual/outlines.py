@@ -10,7 +10,7 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.law import law
-from aftdeck.visual.cutting import FULL
+from aftdeck.visual.cutting import FEWEST_CORNERS, FULL
 from aftdeck.visual.store import MOST_CORNERS, Store
 
 MOST_POINTS = 96
@@ -46,10 +46,10 @@ def outcodes(placed: Store, k: int, wide: float, high: float) -> tuple[int, int]
 @law
 def touches_eye(placed: Store, k: int) -> bool:
     """Return whether the eye is inside a polyhedron, or so near that the plane of no face is farther than NEAR."""
+    farthest = np.inf
     for f in range(placed.first_face[k], placed.first_face[k + 1]):
-        if placed.planes[f, 3] < -NEAR:
-            return False
-    return True
+        farthest = min(farthest, placed.planes[f, 3])
+    return bool(farthest >= -NEAR)
 
 
 @law
@@ -128,7 +128,7 @@ def _hull(flat: Array, count: int, found: Array) -> int:
             j -= 1
         flat[j + 1, 0], flat[j + 1, 1] = x, y
     size = 0
-    if count < 3:
+    if count < FEWEST_CORNERS:
         return 0
     for half in range(2):
         least = size + 1 if half else 2
@@ -143,13 +143,14 @@ def _hull(flat: Array, count: int, found: Array) -> int:
             found[size, 0], found[size, 1] = flat[i, 0], flat[i, 1]
             size += 1
     size -= 1  # the last corner is the first one
-    return size if size > 2 else 0
+    return size if size >= FEWEST_CORNERS else 0
 
 
 @law
 def _turn(found: Array, size: int, x: float, y: float) -> float:
     ax, ay = found[size - 2, 0], found[size - 2, 1]
-    return (found[size - 1, 0] - ax) * (y - ay) - (found[size - 1, 1] - ay) * (x - ax)
+    turn: float = (found[size - 1, 0] - ax) * (y - ay) - (found[size - 1, 1] - ay) * (x - ax)
+    return turn
 
 
 @law
@@ -175,6 +176,8 @@ def overlap(outlines: Array, sizes: Indices, boxes: Array, a: int, b: int, slack
         b: the second outline.
         slack: overlap that does not count.
     """
+    if sizes[a] == 0 or sizes[b] == 0:
+        return False
     if boxes[a, 0] > boxes[b, 2] - slack or boxes[b, 0] > boxes[a, 2] - slack:
         return False
     if boxes[a, 1] > boxes[b, 3] - slack or boxes[b, 1] > boxes[a, 3] - slack:

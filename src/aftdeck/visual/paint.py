@@ -74,9 +74,7 @@ def surfaces_of(scenario: Scenario) -> Surfaces:
     """Return the drawn shapes of a scenario, each in the frame that carries its body."""
     model = scenario.arm.model
     mount = inverted(scene_in_l(model.mount, scenario.worksite.origin))
-    home: dict[str, tuple[str, Pose]] = {
-        body.name: (body.fixed_to, body.pose) for body in scenario.worksite.bodies
-    }
+    home: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in scenario.worksite.bodies}
     home[model.linkage.frames[0]] = ("orbiter", mount)
     if scenario.payload is not None:
         tip = Pose(np.array([float(model.links[L5]), 0.0, 0.0]), np.eye(3))

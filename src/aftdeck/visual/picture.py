@@ -17,7 +17,7 @@ from aftdeck.visual.scene import VisualScene
 
 Look = Literal["colour", "1972"]
 LOOKS: tuple[Look, ...] = get_args(Look)
-"""Looks of a picture: in colour, or as on the monitors of the Remote Manipulator Simulation: few greys, raster lines."""
+"""Looks of a picture: in colour, or as on the monitors of the Remote Manipulator Simulation: greys, raster lines."""
 GREYS = 8
 """Number of greys of the look of 1972 (assumed: the scene generator's number of levels is not legible)."""
 GAMMA = 2.2
@@ -123,7 +123,9 @@ def readouts(frame: Frame) -> tuple[str, str, str]:
 def _lit(scene: VisualScene, face: Indices, normal: Array, look: Look, light: LightCondition) -> Indices:
     """Return the colours (Q, 3) of faces with normals (Q, 3) in the scene: each has one colour, without shadows."""
     sun, earth = (np.array(to) / lengths(np.array(to)) for to in (light.to_sun, light.nadir))
-    bright = light.sun.strength * np.maximum(normal @ sun, 0.0) + light.earthshine.strength * np.maximum(normal @ earth, 0.0)
+    bright = light.sun.strength * np.maximum(normal @ sun, 0.0) + light.earthshine.strength * np.maximum(
+        normal @ earth, 0.0
+    )
     bright = (bright + light.sky.strength) * 2.0**light.exposure / _FULL
     base = _paints(scene)[face]
     if look == "1972":
@@ -131,7 +133,7 @@ def _lit(scene: VisualScene, face: Indices, normal: Array, look: Look, light: Li
         base, level = np.ones((len(face), 3)), np.ceil(grey * GREYS) / GREYS
     else:
         level = np.minimum(bright, 1.0) ** (1.0 / GAMMA)
-    return np.rint(255.0 * np.minimum(base * level[:, None], 1.0)).astype(np.int64)
+    return np.asarray(np.rint(255.0 * np.minimum(base * level[:, None], 1.0)), np.int64)
 
 
 def _paints(scene: VisualScene) -> Array:

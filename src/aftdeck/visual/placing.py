@@ -70,9 +70,7 @@ def remembered(memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> 
 
 
 @law
-def still_separate(
-    placed: Store, i: int, j: int, memory: Memory, a: int, b: int, poses: Array, frame: Indices
-) -> bool:
+def still_separate(placed: Store, i: int, j: int, memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> bool:
     """Return whether the last plane between two slots separates their polyhedra; arguments as for `separated`."""
     last = remembered(memory, a, b, poses, frame)
     along = extent(placed, i, j, last)
@@ -155,9 +153,7 @@ def trim(
 
 
 @law
-def find_overlaps(
-    store: Store, frame: Indices, samples: Array, pairs: Indices, placed: Store, found: Mask
-) -> None:
+def find_overlaps(store: Store, frame: Indices, samples: Array, pairs: Indices, placed: Store, found: Mask) -> None:
     """Set a 1 in `found` (m,) for each pair (m, 2) of clusters that overlaps in one of the sampled poses (s, F, 12)."""
     for s in range(len(samples)):
         place(store, frame, samples[s], placed)

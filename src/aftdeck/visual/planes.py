@@ -44,6 +44,21 @@ def extent(store: Store, a: int, b: int, n: Vector) -> Extent:
     return Extent(high, low)
 
 
+@law
+def nearer_by(along: Extent, eye: float) -> int:
+    """Return 1 if body a can hide body b, -1 if b can hide a, 0 if neither can, from a plane's two extents.
+
+    Args:
+        along: extents of the bodies along the normal from a to b.
+        eye: coordinate of the eye along the normal [m].
+    """
+    if along.a > along.b:  # the two touch, and rounding makes them overlap
+        return 1 if 0.5 * (along.a + along.b) >= eye else -1
+    if eye >= along.b:
+        return -1
+    return 1 if eye <= along.a else 0
+
+
 class Found(NamedTuple):
     """Best plane of two polyhedra.
 
@@ -108,7 +123,7 @@ def _following(store: Store, k: int, c: int) -> int:
     """Return the vertex that follows corner `c` of polyhedron `k` in its face."""
     for f in range(store.first_face[k], store.first_face[k + 1]):
         if c < store.first_corner[f + 1]:
-            return store.corners[c + 1] if c + 1 < store.first_corner[f + 1] else store.corners[store.first_corner[f]]
+            return int(store.corners[c + 1 if c + 1 < store.first_corner[f + 1] else store.first_corner[f]])
     return -1
 
 

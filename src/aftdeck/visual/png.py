@@ -25,7 +25,7 @@ def png(page: Page) -> bytes:
 
 
 def animated_png(pages: Sequence[Page], step_s: float) -> bytes:
-    """Return pages of one size as the bytes of a PNG file that shows each page for `step_s` seconds, again and again."""
+    """Return pages of one size as the bytes of a PNG file that shows each for `step_s` seconds, again and again."""
     images, stream = [_painted(page) for page in pages], io.BytesIO()
     images[0].save(
         stream, "PNG", save_all=True, append_images=images[1:], duration=1000.0 * step_s, loop=0, compress_level=3
@@ -64,7 +64,9 @@ def _write(draw: ImageDraw.ImageDraw, picture: Picture) -> None:
     font = _font(text_size(picture))
     for label in picture.labels:
         anchor = "rs" if label.right else "ls"
-        draw.text(baseline(picture, label), label.text, INK, font, anchor=anchor, stroke_width=1, stroke_fill=BACKGROUND)
+        draw.text(
+            baseline(picture, label), label.text, INK, font, anchor=anchor, stroke_width=1, stroke_fill=BACKGROUND
+        )
     draw.text((picture.width / 2, picture.height / 2), picture.failure, INK, font, anchor="ms")
 
 

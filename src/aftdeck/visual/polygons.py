@@ -8,7 +8,7 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.law import law
-from aftdeck.visual.cutting import FULL
+from aftdeck.visual.cutting import FEWEST_CORNERS, FULL
 from aftdeck.visual.outlines import clipped
 from aftdeck.visual.store import MOST_CORNERS, Store
 
@@ -75,7 +75,7 @@ def gather(
             if placed.planes[f, 3] >= 0.0 or placed.paint[f] < 0:
                 continue
             corners = clipped(placed, f, wide, high, polygon, work)
-            if corners < 3:
+            if corners < FEWEST_CORNERS:
                 continue
             if written == len(owner) or at + corners > len(points):
                 return FULL

@@ -20,12 +20,12 @@ _AWAY = 1e6
 
 
 def sampled_poses(scenario: Scenario, frames: tuple[str, ...]) -> Array:
-    """Return poses (s, F, 12) of frames in the scene: all combinations of stops, and random poses inside the soft stops.
+    """Return poses (s, F, 12) of frames in the scene: all combinations of stops, and poses inside the soft stops.
 
     Payloads are far away. Further poses follow in which each payload is fixed to a berth, and the arm is far away.
     """
     scene = inverted(scene_in_l(scenario.arm.model.mount, scenario.worksite.origin))
-    samples = chain((at for _, *at in stops(scenario)), islice(inside_soft_stops(scenario), SAMPLES))
+    samples = chain((at[1:] for at in stops(scenario)), islice(inside_soft_stops(scenario), SAMPLES))
     rows = []
     for angles, stand, prong in samples:
         arm = placed(scenario, angles, stand, prong)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.cameras import Camera, setting, view
 from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.errors import InputError, SimulationError
@@ -19,20 +19,16 @@ from aftdeck.scenario.payload import PART
 from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
+from aftdeck.tuples import Rows
 from aftdeck.visual.clusters import Clusters, clusters_of
-from aftdeck.visual.order import COMPARED, CUTS, FIRST, INSIDE, MOST_CUTS, OVERLAPS, SECOND, TOO_MANY, Entries, ordered
-from aftdeck.visual.cutting import FULL
-from aftdeck.visual.outlines import MOST_POINTS, NEAR
-from aftdeck.visual.placing import Memory
-from aftdeck.visual.polygons import MOST_POLYGONS, Polygons, gather
-from aftdeck.visual.store import store_of
+from aftdeck.visual.lists import permanent_list
+from aftdeck.visual.order import COMPARED, CUTS, FIRST, INSIDE, MOST_CUTS, OVERLAPS, RANKED, SECOND, TOO_MANY, ordered
+from aftdeck.visual.outlines import NEAR
+from aftdeck.visual.polygons import MOST_POLYGONS, Polygons
+from aftdeck.visual.workspace import Workspace
 
-_PIECES = 1024
-"""Number of pieces of clusters for which there is room; they include those that are cut again."""
-_ENTRIES = 500
-"""Greatest number of polyhedra in a picture."""
-_SLOTS = 256
-"""Number of pieces whose separating planes are remembered."""
+_SAME_PLACE = 1e-9
+"""Distance up to which two positions of an eye count as the same [m]."""
 
 
 class Aim(NamedTuple):
@@ -64,6 +60,7 @@ class Order(NamedTuple):
         clusters: the priority output table: a cluster for each polyhedron in the picture, highest priority first. A
             cluster that was cut is there once for each of its pieces.
         compared: number of pairs of polyhedra that were compared.
+        ranked: how many of them were compared by a list or a tree.
         cuts: number of cuts that were needed because of cycles.
         overlaps: number of compared pairs that overlap in space, whose order is therefore uncertain.
         overlapping: parts of the first such pair; None if there is none.
@@ -71,9 +68,16 @@ class Order(NamedTuple):
 
     clusters: tuple[int, ...]
     compared: int
+    ranked: int
     cuts: int
     overlaps: int
     overlapping: tuple[str, str] | None
+
+
+def turn(seven: Array) -> Rows:
+    """Return the rotation matrix of a pose (7,) whose attitude is a quaternion."""
+    w, x, y, z = seven[3:].tolist()
+    return rotation_of((w, x, y, z))
 
 
 class VisualScene:
@@ -93,27 +97,9 @@ class VisualScene:
         self._fixed = scenario.worksite.bodies
         self._own = scenario.payload is not None
         ours = self.clusters
-        count = len(ours.clusters)
-        self._placed = store_of([cluster.body for cluster in ours.clusters], _PIECES)
-        self._memories: dict[str, Memory] = {}
-        self._entries = Entries(
-            np.empty(_ENTRIES, np.int64),
-            np.empty(_ENTRIES, np.int64),
-            np.empty((_ENTRIES, MOST_POINTS, 2)),
-            np.empty(_ENTRIES, np.int64),
-            np.empty((_ENTRIES, 4)),
-            np.empty(_ENTRIES, np.uint8),
-            np.empty((_ENTRIES, _ENTRIES), np.int8),
-        )
-        self._table = np.empty(_ENTRIES, np.int64)
-        self._notes = np.empty(5, np.int64)
-        self._polygons = Polygons(
-            np.empty((8 * MOST_POLYGONS, 2)),
-            np.empty(MOST_POLYGONS + 1, np.int64),
-            np.empty(MOST_POLYGONS, np.int64),
-            np.empty(MOST_POLYGONS, np.int64),
-            np.empty((MOST_POLYGONS, 3)),
-        )
+        self._work = Workspace([cluster.body for cluster in ours.clusters])
+        self._lists: dict[str, tuple[int, ...] | None] = {}
+        self._eyes: dict[str, Array] = {}
 
     def aim(self, frame: Frame, name: str, aspect: float) -> Aim:
         """Return a camera's position and directions in a frame.
@@ -132,8 +118,8 @@ class VisualScene:
         camera = self._camera(name)
         at = frame.views[self._driven.index(name)] if name in self._driven else setting(camera)
         seen = view(camera, at)
-        body = self._bodies_at(frame)[camera.body]
-        rotation = np.array(rotation_of(body[3:]))
+        body = self.bodies_at(frame)[camera.body]
+        rotation = np.array(turn(body))
         ahead, up = product(rotation, np.array(seen.boresight)), product(rotation, np.array(seen.up))
         wide = math.tan(0.5 * seen.field_of_view)
         high, part = wide / aspect, (1.0, 1.0)
@@ -150,10 +136,10 @@ class VisualScene:
         Raises:
             SimulationError: the camera is inside a cluster or touches one, or the clusters cannot be put in order.
         """
-        count, notes = self._ordered(frame, aim), self._notes.tolist()
+        count, notes = self._ordered(frame, aim), self._work.notes.tolist()
         pair = (self._part(notes[FIRST]), self._part(notes[SECOND])) if notes[OVERLAPS] else None
-        owners = self._placed.owner[self._table[:count]]
-        return Order(tuple(owners.tolist()), notes[COMPARED], notes[CUTS], notes[OVERLAPS], pair)
+        owners = self._work.placed.owner[self._work.table[:count]]
+        return Order(tuple(owners.tolist()), notes[COMPARED], notes[RANKED], notes[CUTS], notes[OVERLAPS], pair)
 
     def polygons(self, frame: Frame, aim: Aim) -> Polygons:
         """Return the polygons of a picture, in the order in which they are painted; the arrays belong to the caller.
@@ -162,47 +148,65 @@ class VisualScene:
             SimulationError: the camera is inside a cluster or touches one, or the clusters cannot be put in order.
         """
         count = self._ordered(frame, aim)
-        points, begins, owner, face, normal = self._polygons
-        written = gather(
-            self._placed, self._table, count, aim.wide, aim.high, points, begins, owner, face, normal
-        )
-        if written == FULL:
+        drawn = self._work.polygons(count, aim.wide, aim.high)
+        if drawn is None:
             raise SimulationError(f"the picture of camera {aim.name} has more than {MOST_POLYGONS} polygons")
-        corners = begins[written]
-        return Polygons(
-            points[:corners].copy(),
-            begins[: written + 1].copy(),
-            owner[:written].copy(),
-            face[:written].copy(),
-            normal[:written].copy(),
-        )
+        return drawn
 
     def _ordered(self, frame: Frame, aim: Aim) -> int:
         """Fill the priority output table; return the number of its entries."""
-        ours, hidden = self.clusters, aim.hidden
-        shown = np.array(
-            [cluster.part not in hidden and self._present(cluster.part, frame) for cluster in ours.clusters], np.uint8
-        )
-        poses = self._in_camera(frame, aim)
+        ours, absent = self.clusters, aim.hidden | self.absent(frame)
+        shown = np.array([cluster.part not in absent for cluster in ours.clusters], np.uint8)
+        poses, work = self._in_camera(frame, aim), self._work
+        listed, rank = self._listed(aim, poses)
         count = ordered(
             ours.store, ours.frame, ours.trims, poses, shown, aim.wide, aim.high,
-            self._placed, self._memory(aim.name), self._entries, self._table, self._notes,
+            work.placed, ours.forest, listed, rank, work.memory(aim.name), work.entries, work.table, work.notes,
         )  # fmt: skip
         if count >= 0:
             return int(count)
         when = f"camera {aim.name} at {frame.time_s:g} s"
         if count == INSIDE:
-            raise SimulationError(f"{when} is inside {self._part(int(self._notes[FIRST]))} or touches it")
+            raise SimulationError(f"{when} is inside {self._part(int(work.notes[FIRST]))} or touches it")
         what = "more pieces of bodies" if count == TOO_MANY else f"more than {MOST_CUTS} cuts"
         raise SimulationError(f"the picture of {when} needs {what} than there is room for")
 
-    def _memory(self, camera: str) -> Memory:
-        """Return a camera's memory of separating planes; no order depends on it."""
-        if camera not in self._memories:
-            slots = len(self.clusters.clusters) + _SLOTS
-            self._memories[camera] = Memory(np.zeros((slots, slots, 3)), np.zeros(slots, np.int64))
-            self._memories[camera].owner[:-_SLOTS] = np.arange(slots - _SLOTS)
-        return self._memories[camera]
+    def permanent_list(self, camera: str) -> tuple[int, ...] | None:
+        """Return the permanent priority list of a camera: clusters of its frame, highest priority first.
+
+        Returns:
+            The list; None if the camera is not fixed to the orbiter or to ``space``, or if its list would have a cycle.
+
+        Raises:
+            InputError: there is no such camera.
+        """
+        own = self._camera(camera)
+        if camera not in self._lists:
+            home = next((body for body in self._fixed if body.name == own.body), None)
+            found = None
+            if home is not None and home.fixed_to in self.clusters.frames:
+                eye = product(home.pose.rotation, np.array(view(own, setting(own)).position)) + home.pose.position
+                members = np.flatnonzero(self.clusters.frame == self.clusters.frames.index(home.fixed_to))
+                found = permanent_list(self.clusters.store, members, eye)
+                self._eyes[camera] = eye
+            self._lists[camera] = found
+        return self._lists[camera]
+
+    def _listed(self, aim: Aim, poses: Array) -> tuple[Mask, Indices]:
+        """Return the frames (F,) for which the camera has a permanent list, and the ranks (N,) in these lists.
+
+        The list is valid for the eye at the initial setting of the camera's drives; pan and tilt may move the eye.
+        """
+        ours = self.clusters
+        listed, rank = np.zeros(len(ours.frames), np.uint8), np.zeros(len(ours.clusters), np.int64)
+        own = self.permanent_list(aim.name)
+        if own:
+            home = ours.frame[own[0]]
+            rotation = poses[home, 3:].reshape(3, 3)
+            if np.abs(product(rotation.T, poses[home, :3]) + self._eyes[aim.name]).max() < _SAME_PLACE:
+                listed[home] = 1
+                rank[list(own)] = np.arange(len(own))
+        return listed, rank
 
     def _part(self, cluster: int) -> str:
         return self.clusters.clusters[cluster].part
@@ -212,18 +216,18 @@ class VisualScene:
             raise InputError(f"no camera is called {name!r}; cameras are {', '.join(self.cameras)}")
         return self.cameras[name]
 
-    def _present(self, part: str, frame: Frame) -> bool:
-        """Return whether a part is there: the scenario's own payload is there only while it is attached."""
-        return part != PART or not self._own or frame.attached == 1
+    def absent(self, frame: Frame) -> frozenset[str]:
+        """Return the parts that do not exist in a frame: the scenario's own payload, unless it is attached."""
+        return frozenset((PART,)) if self._own and frame.attached != 1 else frozenset()
 
-    def _bodies_at(self, frame: Frame) -> dict[str, Array]:
+    def bodies_at(self, frame: Frame) -> dict[str, Array]:
         """Return the pose (7,) of each drawn body in the scene."""
         poses = np.array(self._poses.at(frame)).reshape(-1, 7)
         return dict(zip(self._bodies, poses, strict=False))
 
     def frames_at(self, frame: Frame) -> Array:
         """Return the poses (F, 12) of the frames that carry clusters, in the scene."""
-        bodies = self._bodies_at(frame)
+        bodies = self.bodies_at(frame)
         found = np.empty((len(self.clusters.frames), POSE))
         for row, name in zip(found, self.clusters.frames, strict=True):
             if name == "orbiter":
@@ -233,8 +237,14 @@ class VisualScene:
                 row[:3] = -self._poses.orbiter_travel(frame)
             else:
                 row[:3] = bodies[name][:3]
-                row[3:] = np.ravel(rotation_of(tuple(bodies[name][3:].tolist())))
+                row[3:] = np.ravel(turn(bodies[name]))
         return found
+
+    def eyes(self, frame: Frame, aim: Aim) -> Array:
+        """Return the position of the eye (F, 3) in each frame that carries clusters: the L vectors [m]."""
+        poses = self.frames_at(frame)
+        away = (aim.position - poses[:, :3])[:, None]
+        return np.asarray(product(away, poses[:, 3:].reshape(-1, 3, 3))[:, 0])
 
     def _in_camera(self, frame: Frame, aim: Aim) -> Array:
         """Return the poses (F, 12) of the frames that carry clusters, in the coordinates of a camera."""

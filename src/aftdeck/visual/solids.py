@@ -13,6 +13,8 @@ from aftdeck.visual.store import Polyhedron, box, polyhedron, store_of, volume
 
 _ROOM = 64
 """Number of polyhedra for which the working stores of these functions have room."""
+_FEWEST_PLANES = 4
+"""Least number of faces of a polyhedron."""
 _EQUAL = 1e-9
 """Relative difference up to which two volumes count as equal."""
 
@@ -38,7 +40,7 @@ def union(a: Polyhedron, b: Polyhedron) -> Polyhedron | None:
     of this body is the volume of the union, then it is the union.
     """
     planes = np.concatenate([_outside(a, b), _outside(b, a)])
-    if len(planes) < 4:
+    if len(planes) < _FEWEST_PLANES:
         return None
     points = np.concatenate([a.points, b.points])
     low, high = points.min(axis=0), points.max(axis=0)

@@ -25,7 +25,7 @@ def svg(page: Page, description: str = "") -> str:
 
 
 def animated_svg(pages: Sequence[Page], step_s: float, description: str = "") -> str:
-    """Return pages of one size as the text of an SVG file that shows each page for `step_s` seconds, again and again."""
+    """Return pages of one size as the text of an SVG file that shows each for `step_s` seconds, again and again."""
     total = step_s * len(pages)
     lines = [_opening(pages[0]), *_head(description), _paper(pages[0])]
     for k, page in enumerate(pages):
@@ -51,7 +51,9 @@ def baseline(picture: Picture, label: Label) -> tuple[float, float]:
     """Return the position of a text's outer end on its base line [pixels]."""
     size = text_size(picture)
     x = picture.width - 0.7 * size if label.right else 0.7 * size
-    return x, (1.4 * (label.row + 1)) * size if label.row >= 0 else picture.height + (1.4 * (label.row + 1) - 0.7) * size
+    return x, (1.4 * (label.row + 1)) * size if label.row >= 0 else picture.height + (
+        1.4 * (label.row + 1) - 0.7
+    ) * size
 
 
 def _opening(page: Page) -> str:
@@ -75,7 +77,7 @@ def _paper(page: Page) -> str:
 def _contents(page: Page) -> Iterator[str]:
     if page.title:
         yield f'<text x="{GAP}" y="{HEADER - 10}" fill="{INK}" font-size="15">{escape(page.title)}</text>'
-    for k, (x, y, picture) in enumerate(page.cells):
+    for x, y, picture in page.cells:
         yield f'<svg x="{x}" y="{y}" width="{picture.width}" height="{picture.height}">'
         yield from _picture(picture)
         yield "</svg>"

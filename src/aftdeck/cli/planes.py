@@ -1,0 +1,52 @@
+"""Output of the command ``planes``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from aftdeck.lines import print_line
+
+if TYPE_CHECKING:
+    from aftdeck.visual.report import Explained, Node
+
+
+def print_planes(found: Explained, title: str) -> None:
+    """Print what decides the order of a picture."""
+    print_line(title)
+    print_line("")
+    print_line("Clusters: number, part, frame")
+    for k, (part, frame) in enumerate(found.clusters):
+        print_line(f"  {k:3d}  {part:28s} {frame}")
+    print_line("")
+    if found.listed is None:
+        print_line("Permanent list: none; the trees and the planes between two clusters decide")
+    else:
+        print_line("Permanent list of the clusters in the camera's frame, highest priority first:")
+        print_line("  " + "  ".join(map(str, found.listed)))
+    for frame, nodes in found.trees.items():
+        if len(nodes) > 1:
+            print_line("")
+            print_line(f"Tree in {frame}: plane N . P = D in metres; the side with the eye comes first")
+            for node in nodes:
+                print_line("  " + "  " * node.depth + _text(node))
+    print_line("")
+    print_line("Priority output table, highest priority first:")
+    for entry in found.table:
+        if entry.new_frame:
+            print_line(f"  L vector of {entry.frame}")
+        print_line(f"    {entry.cluster:3d}  {entry.part}")
+    print_line("")
+    by_plane = found.compared - found.ranked
+    print_line(
+        f"{found.compared} pairs overlap in the picture: {found.ranked} compared by a list or a tree, {by_plane} by a "
+        f"plane between the two; {found.cuts} cuts"
+    )
+    if found.overlapping is not None:
+        print_line(f"{found.overlapping[0]} and {found.overlapping[1]} overlap in space; their order is uncertain")
+
+
+def _text(node: Node) -> str:
+    if node.plane is None:
+        return "cluster " + ", ".join(map(str, node.clusters))
+    x, y, z = (round(part, 3) + 0.0 for part in node.normal)  # without minus zero
+    return f"plane {node.plane}: N = ({x:.3f}, {y:.3f}, {z:.3f}), D = {round(node.distance, 3) + 0.0:.3f}; eye {node.eye:+.3f}"

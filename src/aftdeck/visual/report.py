@@ -1,0 +1,109 @@
+"""What decides the order of a picture: clusters, permanent list, trees and the order chosen, as plain values."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from aftdeck.simulation.frame import Frame
+from aftdeck.visual.scene import Aim, VisualScene
+from aftdeck.visual.trees import NONE
+
+
+class Entry(NamedTuple):
+    """Entry of the priority output table.
+
+    Attributes:
+        cluster: number of the cluster.
+        part: its part.
+        frame: the frame whose L vector the scene generator uses for it.
+        new_frame: whether this frame differs from that of the entry before: the table then has an L instruction.
+    """
+
+    cluster: int
+    part: str
+    frame: str
+    new_frame: bool
+
+
+class Node(NamedTuple):
+    """Node of a tree of separating planes, with the test for one eye.
+
+    Attributes:
+        depth: number of planes between the root and the node.
+        plane: number of the plane, counted over all trees; None for a leaf.
+        normal: unit normal of the plane, in the frame of the tree.
+        distance: distance of the plane from the frame's origin along the normal [m].
+        eye: height of the eye over the plane [m]; the side with the eye comes first.
+        clusters: clusters of a leaf; more than one if no plane divides them.
+    """
+
+    depth: int
+    plane: int | None
+    normal: tuple[float, float, float]
+    distance: float
+    eye: float
+    clusters: tuple[int, ...]
+
+
+class Explained(NamedTuple):
+    """What decides the order of a picture.
+
+    Attributes:
+        clusters: part and frame of each cluster.
+        listed: the camera's permanent list; None if it has none.
+        trees: nodes of each frame's tree, in the order of the trace, by the frame's name.
+        table: the priority output table, highest priority first.
+        compared: number of pairs of clusters that were compared.
+        ranked: how many of them by a list or a tree; the others by a plane between the two.
+        cuts: number of cuts.
+        overlapping: parts that overlap in space, whose order is uncertain; None if there are none.
+    """
+
+    clusters: tuple[tuple[str, str], ...]
+    listed: tuple[int, ...] | None
+    trees: dict[str, tuple[Node, ...]]
+    table: tuple[Entry, ...]
+    compared: int
+    ranked: int
+    cuts: int
+    overlapping: tuple[str, str] | None
+
+
+def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
+    """Return what decides the order of a picture; errors as for `VisualScene.order`."""
+    ours, order = scene.clusters, scene.order(frame, aim)
+    names = [(cluster.part, cluster.frame) for cluster in ours.clusters]
+    table: list[Entry] = []
+    for k in order.clusters:
+        part, home = names[k]
+        table.append(Entry(k, part, home, not table or table[-1].frame != home))
+    eyes = scene.eyes(frame, aim)
+    trees = {name: tuple(_traced(scene, f, eyes[f].tolist())) for f, name in enumerate(ours.frames)}
+    return Explained(
+        tuple(names),
+        scene.permanent_list(aim.name),
+        trees,
+        tuple(table),
+        order.compared,
+        order.ranked,
+        order.cuts,
+        order.overlapping,
+    )
+
+
+def _traced(scene: VisualScene, f: int, eye: list[float]) -> list[Node]:
+    """Return the nodes of a frame's tree in the order of the trace: a node, its nearer son, its farther son."""
+    tree = scene.clusters.forest.tree
+    found: list[Node] = []
+    waiting = [(int(scene.clusters.forest.root[f]), 0)]
+    while waiting:
+        node, depth = waiting.pop()
+        leaf = tree.above[node] == NONE
+        x, y, z, distance = tree.plane[node].tolist()
+        height = x * eye[0] + y * eye[1] + z * eye[2] - distance
+        own = tuple(tree.clusters[tree.first[node] : tree.first[node + 1]].tolist())
+        found.append(Node(depth, None if leaf else node, (x, y, z), distance, 0.0 if leaf else height, own))
+        if not leaf:
+            sons = [int(tree.above[node]), int(tree.below[node])]
+            waiting += [(son, depth + 1) for son in (sons[::-1] if height > 0.0 else sons)]
+    return found

@@ -1,0 +1,123 @@
+"""Pictures of loose polyhedra, and rays that meet them, for tests of the order."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.visual.order import CUTS, ordered
+from aftdeck.visual.planes import TOLERANCE
+from aftdeck.visual.polygons import Polygons
+from aftdeck.visual.solids import apart
+from aftdeck.visual.store import Polyhedron, of_hexahedron, store_of
+from aftdeck.visual.trees import forest_of
+from aftdeck.visual.workspace import Workspace
+from tests.bodies.shapes import CUBE, rotations
+from tests.visual.painted_picture import painted
+
+SIZE = 120
+"""Width and height of the pictures [pixels]."""
+WIDE = 0.7
+"""Tangent of half the field of view."""
+
+
+class Ordered(NamedTuple):
+    """Picture of loose bodies.
+
+    Attributes:
+        cuts: number of cuts.
+        polygons: polygons in painting order.
+        eye: position of the eye [m].
+        axes: rows are the directions right, down and ahead.
+    """
+
+    cuts: int
+    polygons: Polygons
+    eye: Array
+    axes: Array
+
+
+class Bodies:
+    """Polyhedra that do not overlap, each in its own frame, so that no list and no tree compares them."""
+
+    def __init__(self, bodies: list[Polyhedron]) -> None:
+        self.bodies = bodies
+        self._store = store_of(bodies)
+        self._frame = np.arange(len(bodies))
+        self._work = Workspace(bodies)
+
+    def order(self, eye: Array, target: Array) -> Ordered:
+        """Return the picture seen from an eye towards a target."""
+        ahead = (target - eye) / np.linalg.norm(target - eye)
+        right = np.cross(ahead, [0.0, 0.0, 1.0])
+        right /= np.linalg.norm(right)
+        axes = np.array([right, np.cross(ahead, right), ahead])
+        pose = np.concatenate([-axes @ eye, axes.ravel()])
+        poses = np.tile(pose, (len(self.bodies), 1))
+        work, count = self._work, len(self.bodies)
+        found = ordered(
+            self._store, self._frame, np.empty((0, 2), np.int64), poses, np.ones(count, np.uint8), WIDE, WIDE,
+            work.placed, forest_of(self._store, self._frame, count), np.zeros(count, np.uint8),
+            np.zeros(count, np.int64), work.memory("eye"), work.entries, work.table, work.notes,
+        )  # fmt: skip
+        assert found >= 0
+        polygons = work.polygons(found, WIDE, WIDE)
+        assert polygons is not None
+        return Ordered(int(work.notes[CUTS]), polygons, eye, axes)
+
+    def wrong_pixels(self, order: Ordered) -> int:
+        """Return how many pixels, each with its centre not on an edge, show another body than the ray meets first."""
+        shown = painted(order.polygons, SIZE, SIZE)
+        wrong = 0
+        for row in range(SIZE):
+            for column in range(SIZE):
+                across, down = ((2.0 * (k + 0.5) / SIZE - 1.0) * WIDE for k in (column, row))
+                met = {
+                    self._first(order.eye, order.axes.T @ np.array([across + a, down + b, 1.0]))
+                    for a in (-1e-7, 1e-7)
+                    for b in (-1e-7, 1e-7)
+                }
+                wrong += shown[row, column] not in met
+        return wrong
+
+    def _first(self, eye: Array, direction: Array) -> int:
+        planes = self._planes
+        speed, height = planes[:, :, :3] @ direction, planes[:, :, 3] - planes[:, :, :3] @ eye
+        with np.errstate(divide="ignore", invalid="ignore"):
+            at = height / speed
+        enters = np.where(speed < 0.0, at, 0.0).max(axis=1)
+        leaves = np.where(speed > 0.0, at, np.inf).min(axis=1)
+        enters[(enters >= leaves) | ((speed == 0.0) & (height < 0.0)).any(axis=1)] = np.inf
+        return int(enters.argmin()) if np.isfinite(enters).any() else -1
+
+    @property
+    def _planes(self) -> Array:
+        return np.array([body.planes for body in self.bodies])
+
+
+def first_hit(body: Polyhedron, eye: Array, direction: Array) -> float:
+    """Return the distance along a ray, in lengths of `direction`, at which it enters a body; inf if it misses it."""
+    enters, leaves = 0.0, np.inf
+    for plane in body.planes:
+        speed, height = float(plane[:3] @ direction), float(plane[3] - plane[:3] @ eye)
+        if speed < 0.0:
+            enters = max(enters, height / speed)
+        elif speed > 0.0:
+            leaves = min(leaves, height / speed)
+        elif height < 0.0:
+            return np.inf
+    return enters if enters < leaves else np.inf
+
+
+def random_bars(rng: np.random.Generator, count: int) -> list[Polyhedron]:
+    """Return long bars in random directions that do not overlap."""
+    found: list[Polyhedron] = []
+    while len(found) < count:
+        corners = CUBE * np.array([6.0, 0.3, 0.3]) @ rotations(rng, 1)[0].T + rng.uniform(-1.5, 1.5, 3)
+        bar = of_hexahedron(hexahedron(corners, "bar"))
+        if all(apart(bar, other) > TOLERANCE for other in found):
+            found.append(bar)
+    return found
