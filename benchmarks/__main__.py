@@ -34,6 +34,7 @@ NAMES = {
     "page": "page.page",
     "recording": "recording.recording",
     "dynamics": "dynamics.dynamics",
+    "pictures": "pictures.pictures",
 }
 """Module and function of each benchmark."""
 

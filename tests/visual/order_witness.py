@@ -18,7 +18,7 @@ from aftdeck.visual.workspace import Workspace
 from tests.bodies.shapes import CUBE, rotations
 from tests.visual.painted_picture import painted
 
-SIZE = 120
+SIZE = 60
 """Width and height of the pictures [pixels]."""
 WIDE = 0.7
 """Tangent of half the field of view."""

@@ -73,7 +73,7 @@ def test_three_interlocked_bars_need_one_cut() -> None:
     assert bodies.wrong_pixels(order) == 0
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(6))
 def test_random_bars_are_drawn_as_rays_meet_them(seed: int) -> None:
     bodies = Bodies(random_bars(np.random.default_rng(seed), 24))
     order = bodies.order(np.array([9.0, 1.0, 2.0]), np.zeros(3))

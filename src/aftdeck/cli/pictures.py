@@ -119,15 +119,12 @@ def render(
     epilog="Examples: aftdeck planes concept-1972 --camera A; aftdeck planes run.mcap --camera F --time 40 --json",
 )
 def planes(
-    run: Annotated[
-        str,
-        typer.Argument(metavar="SCENARIO|RECORDING", help="A scenario, whose script is run, or a recording (.mcap)."),
-    ],
+    run: Run,
     camera: Annotated[str, typer.Option(metavar="NAME", help="Camera.")],
     time: Annotated[float, typer.Option(metavar="SECONDS", help="Time of the picture.")] = 0.0,
     as_json: Json = False,
 ) -> None:
-    """Show clusters, separating planes, trees and the order chosen for a camera, like the report's figures 19 and 20."""
+    """Show the clusters, the trees of separating planes and the order chosen for a camera (the report's Figure 19)."""
     from aftdeck.cli.moments import at, source
     from aftdeck.visual.report import explained
     from aftdeck.visual.scene import VisualScene

@@ -49,4 +49,5 @@ def _text(node: Node) -> str:
     if node.plane is None:
         return "cluster " + ", ".join(map(str, node.clusters))
     x, y, z = (round(part, 3) + 0.0 for part in node.normal)  # without minus zero
-    return f"plane {node.plane}: N = ({x:.3f}, {y:.3f}, {z:.3f}), D = {round(node.distance, 3) + 0.0:.3f}; eye {node.eye:+.3f}"
+    distance = round(node.distance, 3) + 0.0
+    return f"plane {node.plane}: N = ({x:.3f}, {y:.3f}, {z:.3f}), D = {distance:.3f}; eye {node.eye:+.3f}"

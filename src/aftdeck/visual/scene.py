@@ -22,9 +22,24 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.tuples import Rows
 from aftdeck.visual.clusters import Clusters, clusters_of
 from aftdeck.visual.lists import permanent_list
-from aftdeck.visual.order import COMPARED, CUTS, FIRST, INSIDE, MOST_CUTS, OVERLAPS, RANKED, SECOND, TOO_MANY, ordered
+from aftdeck.visual.order import (
+    COMPARED,
+    CUTS,
+    FIRST,
+    INSIDE,
+    MOST_CUTS,
+    OVERLAPS,
+    RANKED,
+    SECOND,
+    TOO_MANY,
+    Entries,
+    ordered,
+)
 from aftdeck.visual.outlines import NEAR
+from aftdeck.visual.placing import Memory
 from aftdeck.visual.polygons import MOST_POLYGONS, Polygons
+from aftdeck.visual.store import Store
+from aftdeck.visual.trees import Forest
 from aftdeck.visual.workspace import Workspace
 
 _SAME_PLACE = 1e-9
@@ -51,6 +66,26 @@ class Aim(NamedTuple):
     high: float
     part: tuple[float, float]
     hidden: frozenset[str]
+
+
+class Arguments(NamedTuple):
+    """Arguments of `order.ordered`, under the names of its parameters."""
+
+    store: Store
+    frame: Indices
+    trims: Indices
+    poses: Array
+    shown: Mask
+    wide: float
+    high: float
+    placed: Store
+    forest: Forest
+    listed: Mask
+    rank: Indices
+    memory: Memory
+    entries: Entries
+    table: Indices
+    notes: Indices
 
 
 class Order(NamedTuple):
@@ -155,14 +190,8 @@ class VisualScene:
 
     def _ordered(self, frame: Frame, aim: Aim) -> int:
         """Fill the priority output table; return the number of its entries."""
-        ours, absent = self.clusters, aim.hidden | self.absent(frame)
-        shown = np.array([cluster.part not in absent for cluster in ours.clusters], np.uint8)
-        poses, work = self._in_camera(frame, aim), self._work
-        listed, rank = self._listed(aim, poses)
-        count = ordered(
-            ours.store, ours.frame, ours.trims, poses, shown, aim.wide, aim.high,
-            work.placed, ours.forest, listed, rank, work.memory(aim.name), work.entries, work.table, work.notes,
-        )  # fmt: skip
+        work = self._work
+        count = ordered(*self.arguments(frame, aim))
         if count >= 0:
             return int(count)
         when = f"camera {aim.name} at {frame.time_s:g} s"
@@ -207,6 +236,17 @@ class VisualScene:
                 listed[home] = 1
                 rank[list(own)] = np.arange(len(own))
         return listed, rank
+
+    def arguments(self, frame: Frame, aim: Aim) -> Arguments:
+        """Return the arguments of `order.ordered` for a picture; the result is written into some of them."""
+        ours, work, absent = self.clusters, self._work, aim.hidden | self.absent(frame)
+        shown = np.array([cluster.part not in absent for cluster in ours.clusters], np.uint8)
+        poses = self._in_camera(frame, aim)
+        listed, rank = self._listed(aim, poses)
+        return Arguments(
+            ours.store, ours.frame, ours.trims, poses, shown, aim.wide, aim.high,
+            work.placed, ours.forest, listed, rank, work.memory(aim.name), work.entries, work.table, work.notes,
+        )  # fmt: skip
 
     def _part(self, cluster: int) -> str:
         return self.clusters.clusters[cluster].part
