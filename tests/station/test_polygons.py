@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import functools
+import subprocess
+import sys
 from collections.abc import Mapping
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -16,6 +19,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.polygons_of import HALF_WIDTH, PolygonPictures, no_polygons
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame as FrameMessage
+from aftdeck.station.session import compiling
 from aftdeck.station.session.painter import AT_ONCE, PREPARING, Painter
 from aftdeck.station.session.session import Session
 from aftdeck.visual.picture import picture_of
@@ -140,6 +144,39 @@ def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
         until(lambda k=k: rounds > k, "a round of pictures")  # type: ignore[misc]
     painter.close()
     assert made[0].count == dict.fromkeys(names, 2)
+
+
+def test_laws_are_compiled_by_another_process_before_the_first_picture(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mark = tmp_path / "compiled"
+    monkeypatch.setattr(compiling, "compiled_before", lambda _: False)
+    monkeypatch.setattr(compiling, "COMMAND", (sys.executable, "-c", f"open({str(mark)!r}, 'w').close()"))
+
+    def make(of: Scenario) -> Counted:
+        assert mark.exists()
+        return Counted(of)
+
+    painter = Painter(scenario(NAME), make)
+    painter.want({"A": 1.5})
+    painter.show(frame(), LIGHT.name)
+    until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
+    painter.close()
+
+
+def test_closing_ends_the_compilation(monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[subprocess.Popen[bytes]] = []
+
+    def start() -> subprocess.Popen[bytes]:
+        started.append(subprocess.Popen((sys.executable, "-c", "import time; time.sleep(1000)")))
+        return started[0]
+
+    monkeypatch.setattr("aftdeck.station.session.painter.start_to_compile", start)
+    painter = Painter(scenario(NAME), lambda _: pytest.fail("a picture is prepared"))
+    painter.want({"A": 1.5})
+    until(lambda: painter._compiler is not None, "the process")
+    painter.close()
+    until(lambda: started[0].poll() is not None, "the end of the process")
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")

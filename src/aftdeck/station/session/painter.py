@@ -5,6 +5,7 @@ The thread draws the newest frame and skips the others, so that a slow picture d
 
 from __future__ import annotations
 
+import subprocess
 import threading
 from collections.abc import Callable, Mapping
 
@@ -14,11 +15,12 @@ from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.polygons_of import PolygonPictures, no_polygons
+from aftdeck.station.session.compiling import start_to_compile
 
 AT_ONCE = 4
 """Greatest number of pictures that are computed of one frame; if pages show more cameras, these are drawn in turn."""
-PREPARING = "Preparing the look of 1972."
-"""Text on a monitor until the first picture; to load the laws takes a second, to compile them half a minute."""
+PREPARING = "Preparing the look of 1972. The first time takes a minute or two."
+"""Text on a monitor until the first picture."""
 
 _encode = msgspec.json.Encoder().encode
 
@@ -41,7 +43,8 @@ class Painter:
         self._newest: tuple[Frame, str] | None = None
         self._lock = threading.Lock()
         self._fresh = threading.Event()
-        self._closed = False
+        self._closed = threading.Event()
+        self._compiler: subprocess.Popen[bytes] | None = None
         self._thread: threading.Thread | None = None
 
     def want(self, wanted: Mapping[str, float]) -> None:
@@ -49,7 +52,7 @@ class Painter:
         with self._lock:
             self._wanted = dict(wanted)
             self._publish({})
-        if wanted and self._thread is None and not self._closed:
+        if wanted and self._thread is None and not self._closed.is_set():
             self._thread = threading.Thread(target=self._run, name="painter", daemon=True)
             self._thread.start()
 
@@ -60,17 +63,24 @@ class Painter:
             self._fresh.set()
 
     def close(self) -> None:
-        """Let the thread end; do not wait for it, because it may compile laws."""
-        self._closed = True
+        """Let the thread end; do not wait for it, because it may load laws."""
+        self._closed.set()
+        if self._compiler is not None:
+            self._compiler.kill()
         self._fresh.set()
 
     def _run(self) -> None:
         try:
+            self._compiler = start_to_compile()
+            if self._compiler is not None:
+                self._compiler.wait()
+            if self._closed.is_set():
+                return
             pictures, turn = self._make(self._scenario), 0
             while True:
                 self._fresh.wait()
                 self._fresh.clear()
-                if self._closed:
+                if self._closed.is_set():
                     return
                 turn = self._draw(pictures, turn)
                 self.notify()

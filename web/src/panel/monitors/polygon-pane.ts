@@ -93,7 +93,8 @@ export class PolygonPane {
     const size = `${Math.round(width * ratio)} ${Math.round(height * ratio)}`;
     if (picture !== null && picture === this.drawn && size === this.size) return;
     this.drawn = picture;
-    this.pen ??= canvas.getContext('2d', { alpha: false });
+    // Drawn by the processor: this takes a few milliseconds, and hundreds without a graphics card if it were not.
+    this.pen ??= canvas.getContext('2d', { alpha: false, willReadFrequently: true });
     if (!this.pen) return;
     if (size !== this.size) {
       this.size = size;
