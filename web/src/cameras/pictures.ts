@@ -229,7 +229,7 @@ export class Pictures {
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
     const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {
-      picture.setTime(frame, age, this.exaggerated);
+      picture.setTime(frame, age, this.exaggerated && picture.polygons.hidden);
       if (!gap || !nearest) continue;
       const seen = this.scene.sight.ends(picture.camera, gap.point_a, gap.point_b);
       picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`, seen);

@@ -79,6 +79,10 @@ export class PolygonPane {
     this.hide();
   }
 
+  get hidden(): boolean {
+    return this.canvas.hidden === true;
+  }
+
   hide(): void {
     this.canvas.hidden = this.text.hidden = true;
     this.drawn = null;
