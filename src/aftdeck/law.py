@@ -156,9 +156,13 @@ def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
     return compiled
 
 
-def compiled_before() -> bool:
-    """Return whether the cache on disk contains machine code of this version of the laws."""
-    return any(Path(_cache()).rglob("*.nbi"))
+def compiled_before(package: str = "") -> bool:
+    """Return whether the cache on disk contains machine code of this version of the laws.
+
+    Args:
+        package: name of the package whose laws count; if it is empty, all laws count.
+    """
+    return any(Path(_cache()).rglob(f"{package}*/*.nbi"))
 
 
 @functools.cache

@@ -23,7 +23,14 @@ test('a display option is off by default, stored, and reported to listeners', ()
   ]);
 });
 
+test('the look of 1972 is stored for each monitor', () => {
+  const appearance = new Appearance(store, () => {});
+  expect(appearance.seventies).toEqual([false, false]);
+  appearance.set({ seventies: [false, true] });
+  expect(new Appearance(store, () => {}).seventies).toEqual([false, true]);
+});
+
 test('stored options that cannot be read are replaced by the defaults', () => {
-  for (const text of [null, '', '{', '{"early": 1, "night": "yes"}'])
+  for (const text of [null, '', '{', '{"early": 1, "night": "yes", "seventies": [1]}', '{"seventies": true}'])
     expect(looksOf(text)).toEqual(looksOf(null));
 });

@@ -34,6 +34,15 @@ function made() {
   };
 }
 
+test('a monitor has the key 1972 only if something computes this look', () => {
+  const listener = { turns: true, changed() {}, chosen() {}, round() {}, orbited() {} };
+  const seventies = vi.fn();
+  const keys = (monitors: Monitors) =>
+    monitors.both.map(({ element }) => small(element).textContent.split('1972').length - 1);
+  expect(keys(new Monitors(CAMERAS, A, listener))).toEqual([0, 0]);
+  expect(keys(new Monitors(CAMERAS, A, { ...listener, seventies }))).toEqual([1, 1]);
+});
+
 test('at first, MON 1 is selected and no camera is chosen', () => {
   const { monitors, state } = made();
   expect(state()).toBe('A A 0');

@@ -75,6 +75,12 @@ describe('pictures on the page', () => {
     expect(paces(all)).toEqual([PACES.low[0]]);
   });
 
+  it('have the look of 1972 if their monitor has it, but not as tiles', () => {
+    const { panes } = page();
+    expect(panes.all(false, [true, false]).map(({ polygons }) => polygons)).toEqual([true, true, false]);
+    expect(panes.all(true, [true, true]).some(({ polygons }) => polygons)).toBe(false);
+  });
+
   it('have one pace if MON 2 is in a corner of MON 1', () => {
     narrow = true;
     const { second, panes } = page();

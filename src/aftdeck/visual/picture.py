@@ -9,21 +9,16 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.errors import SimulationError
-from aftdeck.matrices import lengths, product
+from aftdeck.matrices import product
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scene.colours import rgb
 from aftdeck.simulation.frame import Frame
+from aftdeck.visual.brightness import GAMMA, brightness, grey_levels, luminance
 from aftdeck.visual.scene import VisualScene
 
 Look = Literal["colour", "1972"]
 LOOKS: tuple[Look, ...] = get_args(Look)
 """Looks of a picture: in colour, or as on the monitors of the Remote Manipulator Simulation: greys, raster lines."""
-GREYS = 8
-"""Number of greys of the look of 1972 (assumed: the scene generator's number of levels is not legible)."""
-GAMMA = 2.2
-"""Exponent between a displayed value and its light."""
-_FULL = 4.1
-"""Illuminance of full sunlight, in the units of `light.toml`."""
 
 
 class Label(NamedTuple):
@@ -122,15 +117,10 @@ def readouts(frame: Frame) -> tuple[str, str, str]:
 
 def _lit(scene: VisualScene, face: Indices, normal: Array, look: Look, light: LightCondition) -> Indices:
     """Return the colours (Q, 3) of faces with normals (Q, 3) in the scene: each has one colour, without shadows."""
-    sun, earth = (np.array(to) / lengths(np.array(to)) for to in (light.to_sun, light.nadir))
-    bright = light.sun.strength * np.maximum(normal @ sun, 0.0) + light.earthshine.strength * np.maximum(
-        normal @ earth, 0.0
-    )
-    bright = (bright + light.sky.strength) * 2.0**light.exposure / _FULL
-    base = _paints(scene)[face]
+    bright, base = brightness(normal, light), _paints(scene)[face]
     if look == "1972":
-        grey = (base @ [0.30, 0.59, 0.11]) * np.minimum(bright, 1.0) ** (1.0 / GAMMA)
-        base, level = np.ones((len(face), 3)), np.ceil(grey * GREYS) / GREYS
+        level = grey_levels(luminance(base), bright)
+        base = np.ones((len(face), 3))
     else:
         level = np.minimum(bright, 1.0) ** (1.0 / GAMMA)
     return np.asarray(np.rint(255.0 * np.minimum(base * level[:, None], 1.0)), np.int64)

@@ -16,6 +16,8 @@ export interface MonitorsListener {
   /** Called when the user requests the next centre of the engineering views. */
   round(): void;
   orbited(camera: Camera, right: number, upwards: number, nearer: number, aside?: boolean): void;
+  /** Switches a monitor to the look of 1972, or back; absent if nothing computes this look. */
+  seventies?: (index: 0 | 1) => void;
   /** Opens a monitor in a secondary window; absent if the page opens no secondary windows. */
   tearOff?: (index: 0 | 1) => void;
   /** Whether dragging a picture turns its camera. */
@@ -35,7 +37,7 @@ export class Monitors {
     first: Camera,
     private readonly listener: MonitorsListener,
   ) {
-    const { tearOff, turns } = listener;
+    const { seventies, tearOff, turns } = listener;
     const monitor = (index: 0 | 1) =>
       new Monitor(`MON ${index + 1}`, cameras, first, {
         taken: (half) => this.take(index, half),
@@ -45,6 +47,7 @@ export class Monitors {
         round: () => listener.round(),
         orbited: (camera, ...by) => listener.orbited(camera, ...by),
         turns,
+        ...(seventies ? { seventies: () => seventies(index) } : {}),
         ...(tearOff ? { tearOff: () => tearOff(index) } : {}),
       });
     this.both = [monitor(0), monitor(1)];

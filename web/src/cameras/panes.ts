@@ -18,6 +18,8 @@ export interface Pane {
   readonly pace: number;
   /** The picture of a monitor; null for a tile. */
   readonly picture: Picture | null;
+  /** Whether the picture has the look of 1972: it is then drawn on its own canvas, from the station's polygons. */
+  readonly polygons: boolean;
 }
 
 export class Panes {
@@ -34,8 +36,11 @@ export class Panes {
     this.paces = PACES[drawing.quality];
   }
 
-  /** The pictures on the page; `open`: all cameras are shown in place of the monitors. */
-  all(open: boolean): readonly Pane[] {
+  /**
+   * The pictures on the page. `open`: all cameras are shown in place of the monitors; `seventies`: for each monitor,
+   * whether it has the look of 1972, in which an engineering view is never drawn.
+   */
+  all(open: boolean, seventies: readonly boolean[] = []): readonly Pane[] {
     const [first, second, tile] = this.paces;
     if (open) {
       return this.matrix.tiles.map(({ camera, picture }) => ({
@@ -43,6 +48,7 @@ export class Panes {
         element: picture,
         pace: tile,
         picture: null,
+        polygons: false,
       }));
     }
     const { both } = this.monitors;
@@ -51,7 +57,9 @@ export class Panes {
         ? pictures.map((picture) => {
             const alone = i === 0 || !both[0].element.isConnected;
             const pace = alone || this.inset(open) ? first : second;
-            return { camera: picture.camera, element: picture.element, pace, picture };
+            const { camera, element: area } = picture;
+            const polygons = seventies[i] === true && camera.kind !== 'engineering';
+            return { camera, element: area, pace, picture, polygons };
           })
         : [],
     );

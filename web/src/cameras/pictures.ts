@@ -1,6 +1,7 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
 import type { Age } from '../link/delay-line';
+import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Camera, ClosestPoints, Frame, Level, Welcome } from '../link/protocol';
 import { Appearance } from '../page/appearance';
 import { keeper } from '../page/local-storage';
@@ -32,6 +33,8 @@ export interface PicturesListener {
   opened?: (matrix: boolean) => void;
   /** Whether dragging a picture turns its camera. */
   turns?: boolean;
+  /** Pictures in the look of 1972; absent if no station computes them. */
+  polygons?: PolygonPictures;
   /** Called when a monitor shows another camera, or was split. */
   changed?: () => void;
 }
@@ -75,6 +78,7 @@ export class Pictures {
       orbited: (camera, ...by) => this.orbit(camera, ...by),
       turns: listener.turns ?? false,
       ...(tearOff ? { tearOff } : {}),
+      ...(listener.polygons ? { seventies: (index) => this.toggleSeventies(index) } : {}),
     });
     this.matrix = new Matrix(cameras, {
       chosen: (camera) => this.monitors.choose(camera),
@@ -180,10 +184,12 @@ export class Pictures {
     this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
     this.begin(frame, gap);
     this.count += 1;
-    const panes = this.panes.all(this.open);
-    const wiped = this.panes.takeLayout(panes, this.open);
+    const all = this.panes.all(this.open, this.seventies);
+    const [panes, flat] = [all.filter(({ polygons }) => !polygons), all.filter(({ polygons }) => polygons)];
+    this.wantPolygons(flat);
+    const wiped = this.panes.takeLayout(all, this.open);
     if (wiped) this.scene.wipe();
-    const state = `${frame.tick} ${this.orbits} ${this.plane} ${this.exaggerated} ${this.appearance.early}`;
+    const state = `${frame.tick} ${this.orbits} ${this.plane} ${this.exaggerated} ${this.appearance.early} ${this.seventies}`;
     const stops = (name: string) => this.scene.stops(name);
     const drawn = this.panes.due(panes, state, stops, this.open, this.count, wiped);
     const due = drawn.due.map((pane) => [pane, this.viewOf(pane)] as const);
@@ -192,9 +198,15 @@ export class Pictures {
     if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
     this.finish = () => {
-      if (!this.panes.isLaidOut(panes, this.open)) return; // the layout has changed: all will be drawn again
-      for (const [{ picture }, view] of due)
-        if (picture) overlay(this.scene, picture, view, { frame, gap, caution });
+      if (!this.panes.isLaidOut(all, this.open)) return; // the layout has changed: all will be drawn again
+      const shown = [...due, ...flat.map((pane) => [pane, this.viewOf(pane)] as const)];
+      for (const [{ picture, polygons }, view] of shown) {
+        if (!picture) continue;
+        overlay(this.scene, picture, view, { frame, gap, caution });
+        if (polygons)
+          picture.polygons.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, view.rect);
+        else picture.polygons.hide();
+      }
       done();
     };
     this.put();
@@ -217,7 +229,7 @@ export class Pictures {
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
     const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {
-      picture.setTime(frame, age, this.exaggerated);
+      picture.setTime(frame, age, this.exaggerated && picture.polygons.hidden);
       if (!gap || !nearest) continue;
       const seen = this.scene.sight.ends(picture.camera, gap.point_a, gap.point_b);
       picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`, seen);
@@ -228,6 +240,7 @@ export class Pictures {
   dispose(): void {
     clearTimeout(this.looking);
     this.ended.abort();
+    this.listener.polygons?.dispose();
     this.scene.dispose();
   }
 
@@ -236,6 +249,28 @@ export class Pictures {
     if (this.monitors.chosen) return;
     this.survey.lookAll(frame, gap);
     this.monitors.begin(this.survey.first(frame));
+  }
+
+  /** For each monitor, whether it has the look of 1972. */
+  private get seventies(): readonly [boolean, boolean] {
+    return this.listener.polygons ? this.appearance.seventies : [false, false];
+  }
+
+  private toggleSeventies(index: 0 | 1): void {
+    const [first, second] = this.appearance.seventies;
+    this.appearance.set({ seventies: index === 0 ? [!first, second] : [first, !second] });
+  }
+
+  /** Asks the station for the pictures in the look of 1972, and marks the monitors that have it. */
+  private wantPolygons(flat: readonly Pane[]): void {
+    this.monitors.both.forEach((monitor, i) => {
+      monitor.setSeventies(this.seventies[i] === true);
+    });
+    const shown = flat.map((pane) => [pane.camera.name, this.panes.rectOf(pane.element)] as const);
+    const sized = shown.filter(([, { width, height }]) => width >= 1 && height >= 1);
+    this.listener.polygons?.want(
+      sized.map(([camera, { width, height }]) => ({ camera, aspect: width / height })),
+    );
   }
 
   private viewOf({ camera, element }: Pane): View {

@@ -9,6 +9,7 @@ import { Station } from '../page/station';
 import { LiveStrips } from '../windows/live-strips';
 import { Display } from '../windows/monitor-window';
 import { tornHere } from '../windows/opened';
+import { PolygonPictures } from './polygon-pictures';
 import type { Role, Scenarios, Welcome } from './protocol';
 import { type FromSession, Link, type LinkState } from './socket';
 
@@ -31,6 +32,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     // After a reconnection to the same run the page stays, and the server sends the whole log again.
     if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
       if (!(station instanceof Display)) station.forgetEvents();
+      if (!(station instanceof LiveStrips)) station.polygons?.askAgain();
       return;
     }
     station?.dispose();
@@ -40,7 +42,8 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
       return;
     }
     if (torn !== null) {
-      station = new Display(root, message, drawing, torn);
+      const polygons = new PolygonPictures((command) => link.send(command));
+      station = new Display(root, message, drawing, torn, null, polygons);
       return;
     }
     const own = new Station(root, message, drawing, (command) => link.send(command));
@@ -66,6 +69,9 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
         break;
       case 'frame':
         station?.setFrame(received);
+        break;
+      case 'polygons':
+        if (station && !(station instanceof LiveStrips)) station.polygons?.put(received);
         break;
       case 'events':
         if (station && !(station instanceof Display)) station.addEvents(received.events);

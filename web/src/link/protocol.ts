@@ -18,8 +18,8 @@ export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc j
 export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type Six = readonly [number, number, number, number, number, number];
 export type Vec3 = readonly [number, number, number];
-export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
-export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
+export type FromPage = Sticks | Shown | ShowPolygons | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
@@ -236,6 +236,24 @@ export interface Shown {
   readonly latency_ms: number | null;
   /** Cameras that MON 1 and MON 2 show. */
   readonly monitors: readonly (readonly string[])[];
+}
+
+/**
+ * Ask for `Polygons` of these cameras, until the next such message; every page may ask.
+ *
+ * The page asks again after each welcome.
+ */
+export interface ShowPolygons {
+  readonly type: 'show_polygons';
+  readonly seq: number;
+  readonly pictures: readonly PolygonPicture[];
+}
+
+/** Picture of a camera in the look of 1972. */
+export interface PolygonPicture {
+  readonly camera: string;
+  /** Width of the picture divided by its height; the server may draw more above and below the picture. */
+  readonly aspect: number;
 }
 
 /**
@@ -1338,6 +1356,30 @@ export interface Ahead {
   readonly room: number;
   /** Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`. */
   readonly poses: readonly number[];
+}
+
+/**
+ * Picture of a camera in the look of 1972: convex polygons, in the order in which they are painted.
+ *
+ * The server sends it to the pages that have asked for it (`ShowPolygons`), with each frame that it draws.
+ */
+export interface Polygons {
+  readonly type: 'polygons';
+  /** `Frame.tick` of the frame; -1 if the picture belongs to no frame. */
+  readonly tick: number;
+  readonly camera: string;
+  /**
+   * x and y of all corners, as 16-bit integers (little-endian): 10,000 is half the width of the picture.
+   *
+   * The origin is the middle of the picture; x points to the right and y downwards.
+   */
+  readonly points: string;
+  /** Number of corners of each polygon, a byte each. */
+  readonly corners: string;
+  /** Grey of each polygon, 0 to 255, a byte each. */
+  readonly greys: string;
+  /** Sentence that says why there are no polygons; empty if there are. */
+  readonly text: string;
 }
 
 /** New log lines, oldest first. The server may skip frames, but never a log line. */

@@ -130,6 +130,7 @@ export function parse(data: unknown): FromServer {
     case 'scenarios':
     case 'role':
     case 'frame':
+    case 'polygons':
     case 'events':
     case 'recent':
     case 'refused':

@@ -9,16 +9,19 @@ export interface Looks {
   readonly early: boolean;
   /** Dim for a dark room: the page at 55 % and the pictures at 75 % of their brightness. */
   readonly night: boolean;
+  /** For each monitor: whether it has the look of 1972. */
+  readonly seventies: readonly [boolean, boolean];
 }
 
-const FRESH: Looks = { early: false, night: false };
+const FRESH: Looks = { early: false, night: false, seventies: [false, false] };
 
 /** Returns the stored appearance, or the default if `text` cannot be decoded. */
 export function looksOf(text: string | null): Looks {
   if (text === null) return FRESH;
   try {
-    const { early, night } = JSON.parse(text) as Partial<Looks>;
-    return { early: early === true, night: night === true };
+    const { early, night, seventies } = JSON.parse(text) as Partial<Looks>;
+    const [first, second] = Array.isArray(seventies) ? seventies : [];
+    return { early: early === true, night: night === true, seventies: [first === true, second === true] };
   } catch {
     return FRESH;
   }
@@ -42,6 +45,10 @@ export class Appearance {
 
   get night(): boolean {
     return this.looks.night;
+  }
+
+  get seventies(): readonly [boolean, boolean] {
+    return this.looks.seventies;
   }
 
   set(change: Partial<Looks>): void {

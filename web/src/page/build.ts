@@ -6,6 +6,7 @@ import { keyOf } from '../input/layout';
 import { reread } from '../input/store';
 import { Arrivals } from '../link/delayed-messages';
 import { Latency } from '../link/latency';
+import { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';
 import type { Command } from '../link/socket';
 import { ControllersSheet } from '../panel/controllers/controllers';
@@ -59,7 +60,9 @@ export function buildParts(
   const keys = new KeyMap(welcome, () => operations.openControllers());
   const events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
   const log = new Log(events, arrivals);
+  const polygons = new PolygonPictures(transmit);
   const pictures = new Pictures(welcome, drawing, {
+    polygons,
     tearOff: (what) => operations.tearOff(what),
     turns: true,
     opened: (matrix) => operations.showMatrix(matrix),
@@ -124,7 +127,20 @@ export function buildParts(
     controllers: () => operations.openControllers(),
   });
   const parts: Parts = {
-    ...{ welcome, units, arrivals, latency, control, log, operator, cameraHand, devices, pictures, windows },
+    ...{
+      welcome,
+      units,
+      arrivals,
+      latency,
+      control,
+      log,
+      operator,
+      cameraHand,
+      devices,
+      pictures,
+      polygons,
+      windows,
+    },
     ...{ tones, spine, groups, light, controlPage, keys, scenarios, sheet, tutorial },
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     report: new Report(transmit),

@@ -4,6 +4,7 @@ import type { Pictures } from '../cameras/pictures';
 import type { CameraHand } from '../input/camera-hand';
 import type { Arrivals } from '../link/delayed-messages';
 import type { Latency } from '../link/latency';
+import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';
 import type { ControllersSheet } from '../panel/controllers/controllers';
 import type { KeyMap } from '../panel/controllers/key-map';
@@ -43,6 +44,7 @@ export interface Parts {
   readonly devices: DeviceWatch;
   // pictures, secondary windows and sounds
   readonly pictures: Pictures;
+  readonly polygons: PolygonPictures;
   readonly windows: WindowLink;
   readonly tones: Tones;
   readonly sounds: Sounds;

@@ -1,5 +1,6 @@
 /** The operator's station: applies the server's messages to the parts of the page, and draws these parts. */
 
+import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Frame, Event as LogEvent, Role, Scenarios, Welcome } from '../link/protocol';
 import type { Command, LinkState } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
@@ -64,6 +65,11 @@ export class Station {
     operator.sticks.kept = frame.rate_hold;
     latency.answered(frame.display.flown_seq, now);
     this.loop.arrived(now);
+  }
+
+  /** Pictures in the look of 1972, which the page asks for and receives. */
+  get polygons(): PolygonPictures {
+    return this.parts.polygons;
   }
 
   setRole(role: Role): void {

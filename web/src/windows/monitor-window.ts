@@ -4,6 +4,7 @@ import { Pictures } from '../cameras/pictures';
 import { Keyboard } from '../input/keyboard';
 import type { Action } from '../input/keymap';
 import { DelayLine, isStale } from '../link/delay-line';
+import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Frame, Welcome } from '../link/protocol';
 import type { Drawing } from '../page/quality';
 import { el } from '../panel/parts/dom';
@@ -40,13 +41,14 @@ export class Display {
   private readonly tether: Tether;
   private readonly keyboard: Keyboard;
 
-  /** `played` is null for a live run. */
+  /** `played` is null for a live run; `polygons` is null for a replay. */
   constructor(
     root: HTMLElement,
     welcome: Welcome,
     drawing: Drawing,
     private readonly what: Exclude<Torn, 'strips'>,
     private readonly played: Played | null = null,
+    readonly polygons: PolygonPictures | null = null,
   ) {
     const name = what === 'matrix' ? 'All cameras' : `MON ${what + 1}`;
     this.units = welcome.units;
@@ -63,7 +65,10 @@ export class Display {
         },
       },
     );
-    this.pictures = new Pictures(welcome, drawing, { changed: () => this.tell() });
+    this.pictures = new Pictures(welcome, drawing, {
+      changed: () => this.tell(),
+      ...(polygons ? { polygons } : {}),
+    });
     this.keyboard = new Keyboard({ moved() {}, acted: (action) => this.act(action), taken: () => false });
     if (what === 'matrix') this.pictures.showMatrix(true);
     else this.pictures.monitors.take(what);

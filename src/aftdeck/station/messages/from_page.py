@@ -297,6 +297,24 @@ class Shown(WireMessage, frozen=True, tag="shown"):
     """Cameras that MON 1 and MON 2 show."""
 
 
+class PolygonPicture(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Picture of a camera in the look of 1972."""
+
+    camera: Name
+    aspect: Annotated[float, msgspec.Meta(ge=0.5, le=4.0)]
+    """Width of the picture divided by its height; the server may draw more above and below the picture."""
+
+
+class ShowPolygons(WireMessage, frozen=True, tag="show_polygons"):
+    """Ask for `Polygons` of these cameras, until the next such message; every page may ask.
+
+    The page asks again after each welcome.
+    """
+
+    seq: Seq
+    pictures: Annotated[tuple[PolygonPicture, ...], msgspec.Meta(max_length=4)]
+
+
 class SetLight(WireMessage, frozen=True, tag="set_light"):
     """Set the complete lighting. It is recorded, but it is not an input of the simulation."""
 
@@ -333,6 +351,7 @@ class Controllers(WireMessage, frozen=True, tag="controllers"):
 FromPage = (
     Sticks
     | Shown
+    | ShowPolygons
     | Controllers
     | DriveCamera
     | SetLight

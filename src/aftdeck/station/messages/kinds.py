@@ -18,7 +18,7 @@ PROTOCOL = 4
 MAX_MESSAGE_BYTES = 16_384
 """Longest message that the server accepts from a page [bytes].
 
-Only a `Controllers` message can come near this length; all other messages have fewer than 400 bytes.
+Only a `Controllers` message can come near this length; all other messages have fewer than 600 bytes.
 """
 
 Quat = tuple[float, float, float, float]

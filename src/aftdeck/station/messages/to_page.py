@@ -112,4 +112,26 @@ class Recent(WireMessage, frozen=True, tag="recent"):
     """
 
 
-FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused
+class Polygons(WireMessage, frozen=True, tag="polygons"):
+    """Picture of a camera in the look of 1972: convex polygons, in the order in which they are painted.
+
+    The server sends it to the pages that have asked for it (`ShowPolygons`), with each frame that it draws.
+    """
+
+    tick: int
+    """`Frame.tick` of the frame; -1 if the picture belongs to no frame."""
+    camera: str
+    points: bytes
+    """x and y of all corners, as 16-bit integers (little-endian): 10,000 is half the width of the picture.
+
+    The origin is the middle of the picture; x points to the right and y downwards.
+    """
+    corners: bytes
+    """Number of corners of each polygon, a byte each."""
+    greys: bytes
+    """Grey of each polygon, 0 to 255, a byte each."""
+    text: str
+    """Sentence that says why there are no polygons; empty if there are."""
+
+
+FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused

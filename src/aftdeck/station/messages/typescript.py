@@ -36,6 +36,7 @@ _PLAIN: dict[object, str] = {
     float: "number",
     int: "number",
     str: "string",
+    bytes: "string",  # base64
     bool: "boolean",
     type(None): "null",
 }

@@ -15,6 +15,7 @@ from aftdeck.station.server import guard
 from aftdeck.station.server.allowance import Allowance
 from aftdeck.station.server.pages import Pages
 from aftdeck.station.server.terse_log import log
+from aftdeck.station.session.commands import check_polygons
 from aftdeck.station.session.driver import Phase
 from aftdeck.station.session.recent import Mark
 
@@ -137,7 +138,8 @@ class Page:
             with contextlib.suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
                 await sender
             self.pages.leave(self)
-            self.pages.wake()
+            self.pages.show_polygons(self, ())
+            del self.pages.polygons[self]
         if self.why_closed:
             log.warning("a page is not read for %g s: %s", guard.PENALTY, self.why_closed)
             await asyncio.sleep(guard.PENALTY)
@@ -184,6 +186,8 @@ class Page:
                 return self.pages.name(self, message.name)
             except (CommandError, InputError) as error:
                 return await self.reject(message.seq, str(error), counts=False)
+        if isinstance(message, from_page.ShowPolygons):
+            return await self._show_polygons(message)
         if self.pages.roles.operator is not self:
             return await self.reject(message.seq, NOT_IN_CONTROL, counts=False)
         try:
@@ -191,6 +195,13 @@ class Page:
         except CommandError as error:
             return await self.reject(message.seq, str(error))
         self.rejections = 0
+
+    async def _show_polygons(self, message: from_page.ShowPolygons) -> None:
+        try:
+            check_polygons(message, self.pages.session.welcome)
+        except CommandError as error:
+            return await self.reject(message.seq, str(error))
+        self.pages.show_polygons(self, message.pictures)
 
     def _execute(self, message: from_page.FromPage) -> None:
         session = self.pages.session
@@ -235,6 +246,7 @@ class Page:
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""
         mark: Mark | None = None
+        polygons: dict[str, bytes] = {}
         while self.pages.driver.phase is not Phase.CLOSED:
             fresh = self.pages.fresh  # get the event before the data, so that no later change is missed
             if session is not self.pages.session:
@@ -256,6 +268,11 @@ class Page:
             if recent:
                 message, mark = recent
                 await self._send(message)
+            for camera in {picture.camera for picture in self.pages.polygons.get(self, ())}:
+                picture = session.painter.drawn.get(camera)
+                if picture is not None and picture is not polygons.get(camera):
+                    polygons[camera] = picture
+                    await send_text(self.socket, picture)
             if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame
                 await send_text(self.socket, frame)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import functools
+import itertools
+import math
 from collections import deque
 from collections.abc import Callable
 from threading import Thread
@@ -12,7 +14,7 @@ from typing import Protocol
 
 from aftdeck.errors import AftdeckError
 from aftdeck.scenario.schema import Plant
-from aftdeck.station.messages import to_page
+from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.server.control_roles import ANSWER_WITHIN, ControlRoles
 from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.driver import Driver
@@ -44,6 +46,7 @@ class Pages:
         roles: pages that can take control, and the page in control.
         windows: pages that only show the run.
         fresh: event on which the sender tasks wait; `wake` sets it and replaces it by a new event.
+        polygons: for each page, the pictures in the look of 1972 that it shows.
         change: task that prepares another scenario; None before the first change.
     """
 
@@ -52,6 +55,7 @@ class Pages:
         self.choice = ScenarioList(session.scenario)
         self.roles: ControlRoles[Connected] = ControlRoles()
         self.windows: set[Connected] = set()
+        self.polygons: dict[Connected, tuple[from_page.PolygonPicture, ...]] = {}
         self.fresh = asyncio.Event()
         self.change: asyncio.Task[None] | None = None
 
@@ -68,6 +72,18 @@ class Pages:
         """Wake the sender task of every page, because data to send has changed."""
         self.fresh.set()
         self.fresh = asyncio.Event()
+
+    def show_polygons(self, page: Connected, pictures: tuple[from_page.PolygonPicture, ...]) -> None:
+        """Draw these pictures in the look of 1972 for a page.
+
+        A camera is drawn once for all pages, as high as the highest of its pictures.
+        """
+        self.polygons[page] = pictures
+        aspects: dict[str, float] = {}
+        for picture in itertools.chain.from_iterable(self.polygons.values()):
+            aspects[picture.camera] = min(picture.aspect, aspects.get(picture.camera, math.inf))
+        self.session.painter.want(aspects)
+        self.wake()
 
     def fly(self, number: int, plant: Plant | None, page: Connected) -> None:
         """Prepare another scenario, or the same one on another plant, and run it when it is ready.
@@ -89,6 +105,7 @@ class Pages:
             self.driver = Driver(
                 await _make_in_daemon_thread(lambda: before.session.another(choice.load(number, plant)))
             )
+            self.polygons.clear()  # every page asks again after its welcome
             choice.flown, choice.plant = number, self.driver.session.scenario.plant
             self.wake()
             await asyncio.to_thread(before.close)  # the old recording must be finished before the new one begins

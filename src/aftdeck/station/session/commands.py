@@ -65,6 +65,11 @@ def check_shown(message: from_page.Shown, welcome: Welcome) -> None:
     _check_names("camera", [name for monitor in message.monitors for name in monitor], _cameras(welcome))
 
 
+def check_polygons(message: from_page.ShowPolygons, welcome: Welcome) -> None:
+    """Raise `CommandError` if a camera does not exist."""
+    _check_names("camera", [picture.camera for picture in message.pictures], _cameras(welcome))
+
+
 def check_light(lighting: Lighting, welcome: Welcome) -> None:
     """Raise `CommandError` if a light condition, a lamp or a camera does not exist."""
     _check_names("light condition", [lighting.condition], [condition.name for condition in welcome.conditions])

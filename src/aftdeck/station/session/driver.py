@@ -44,8 +44,8 @@ class Driver:
         self._thread = threading.Thread(target=self._run, name="simulation", daemon=True)
 
     def start(self, notify: Callable[[], None]) -> None:
-        """Start the run; the thread calls `notify` after each step and after a failure."""
-        self._notify = notify
+        """Start the run; `notify` is called after each step, after a failure, and after pictures of the painter."""
+        self._notify = self.session.painter.notify = notify
         self.phase = Phase.FLYING
         self._thread.start()
 

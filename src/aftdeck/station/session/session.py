@@ -45,6 +45,7 @@ from aftdeck.station.session.commands import (
 from aftdeck.station.session.log import Log
 from aftdeck.station.session.pace import PUNCTUAL, Delay
 from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs
+from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
 from aftdeck.station.session.unattended import safe_inputs
@@ -72,6 +73,7 @@ class Session:
         log: events of all runs of the session.
         delays: delays of the control steps of the present run.
         newest: newest frame, encoded as JSON; empty before the first step.
+        painter: painter of the pictures in the look of 1972.
     """
 
     def __init__(
@@ -106,6 +108,7 @@ class Session:
         self._recorder = SessionRecorder(record, Index(), live, trial)
         self.log = Log()
         self.newest = b""
+        self.painter = Painter(scenario)
         self._lock = threading.Lock()
         self._inputs = PageInputs(scenario.delay)
         self._reported = Reported(scenario.lighting)
@@ -237,6 +240,7 @@ class Session:
 
     def close(self) -> None:
         """Finish the recording; if the run has lost time, print how much."""
+        self.painter.close()
         self._recorder.close()
         self._print_loss()
 
@@ -296,6 +300,7 @@ class Session:
         shown = self._displays.frame(frame, seq, running_s, self._ahead, lit, flown_seq=flown, delays=self.delays)
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
+        self.painter.show(frame, shown.display.lighting.condition)
         self.log.add(frame.events)
         return restarted
 

@@ -12,6 +12,8 @@ export interface MonitorListener {
   choose(camera: Camera): void;
   split(): void;
   slow(): void;
+  /** Switches this monitor to the look of 1972, or back. Undefined if nothing computes this look. */
+  seventies?: () => void;
   /** Called when the user requests the next centre of the engineering views. */
   round(): void;
   /** Opens the monitor in a secondary window. Undefined if this monitor is already in one. */
@@ -23,6 +25,8 @@ export interface MonitorListener {
 
 const ROUND = 'Change the centre of the free view: start, tip, payload or minimum clearance';
 const SHIFT = 'Shift the free view by drags and arrows (as with Shift or the second button)';
+const SEVENTIES = 'Draw this monitor as in 1972: polygons in few greys, with raster lines';
+const NO_SEVENTIES = 'The engineering view is not drawn as in 1972';
 const SLOW = 'Turn cameras at their low speed';
 
 export class Monitor {
@@ -33,6 +37,7 @@ export class Monitor {
   private readonly hand: HTMLButtonElement;
   private readonly splitKey: HTMLButtonElement;
   private readonly slowKey: HTMLButtonElement;
+  private readonly seventiesKey: HTMLButtonElement;
   private readonly roundKey = button({ class: 'round', title: ROUND }, [], () => this.listener.round());
   private readonly bezel: HTMLElement;
   private half = 0;
@@ -70,7 +75,8 @@ export class Monitor {
       },
     );
     this.slowKey = button({ class: 'slow' }, [], () => listener.slow());
-    const { tearOff } = listener;
+    const { seventies, tearOff } = listener;
+    this.seventiesKey = button({ class: 'seventies' }, ['1972'], () => seventies?.());
     const off = tearOff
       ? [
           button(
@@ -90,7 +96,14 @@ export class Monitor {
         { class: 'selector' },
         this.hand,
         el('div', { class: 'cameras', role: 'group', 'aria-label': `Camera of ${label}` }, ...this.keys),
-        el('div', { class: 'monitor-keys' }, this.slowKey, this.splitKey, ...off),
+        el(
+          'div',
+          { class: 'monitor-keys' },
+          this.slowKey,
+          this.splitKey,
+          ...(seventies ? [this.seventiesKey] : []),
+          ...off,
+        ),
       ),
     );
     this.setRound(null);
@@ -157,6 +170,11 @@ export class Monitor {
     setPressed(this.slowKey, on);
   }
 
+  /** Shows whether this monitor has the look of 1972, which an engineering view never has. */
+  setSeventies(on: boolean): void {
+    setPressed(this.seventiesKey, on);
+  }
+
   /** Shows the name of the centre of the engineering views; null for their initial centre. */
   setRound(target: Target | null): void {
     setText(this.roundKey, `Centre: ${target ?? 'start'}`);
@@ -179,6 +197,8 @@ export class Monitor {
     const { camera } = this.picture;
     const free = camera.kind === 'engineering';
     this.roundKey.hidden = !free;
+    this.seventiesKey.disabled = this.pictures.every(({ camera: { kind } }) => kind === 'engineering');
+    setAttribute(this.seventiesKey, 'title', this.seventiesKey.disabled ? NO_SEVENTIES : SEVENTIES);
     setText(this.slowKey, free ? 'Shift' : 'Slow');
     setAttribute(this.slowKey, 'title', `${free ? SHIFT : SLOW}: ${nameOf('Semicolon')}`);
     this.keys.forEach((key, i) => {

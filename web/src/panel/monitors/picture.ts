@@ -12,6 +12,7 @@ import { el, setAttribute, setClass, setStyle, setText, svg } from '../parts/dom
 import { axesOverlay } from './axes';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
+import { PolygonPane } from './polygon-pane';
 import { type PushArrow, pushOverlay } from './push-overlay';
 
 /** Rotation of an engineering view by a drag across the whole picture [rad]. */
@@ -42,6 +43,8 @@ const TOUCH = 'div.touch';
 
 export class Picture {
   readonly element = el('div', { class: 'picture' });
+  /** The picture in the look of 1972, hidden while the scene draws this picture. */
+  readonly polygons = new PolygonPane();
   private readonly drag = new CameraDrag();
   private readonly band = svg('path', { class: 'band' });
   private readonly hint = el('span');
@@ -65,6 +68,7 @@ export class Picture {
   ) {
     this.shown = first;
     this.element.append(
+      ...this.polygons.elements,
       this.pane,
       el('p', { class: 'burned name' }, this.name, ' ', this.title),
       el('p', { class: 'burned time' }, this.time, this.age),

@@ -1,0 +1,57 @@
+"""Pictures in the look of 1972, as the messages that a page receives."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.errors import SimulationError
+from aftdeck.matrices import product
+from aftdeck.scenario.light import LightCondition
+from aftdeck.scenario.model import Scenario
+from aftdeck.scene.colours import rgb
+from aftdeck.simulation.frame import Frame
+from aftdeck.station.messages.to_page import Polygons
+from aftdeck.visual.brightness import brightness, grey_levels, luminance
+from aftdeck.visual.scene import VisualScene
+
+HALF_WIDTH = 10_000
+"""Half the width of a picture, in the units of `Polygons.points`."""
+
+
+class PolygonPictures:
+    """Pictures of a scenario's cameras in the look of 1972."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._scene = VisualScene(scenario)
+        self._own = luminance(np.array([rgb(material) for material in self._scene.clusters.materials]))
+
+    def of(self, frame: Frame, camera: str, aspect: float, light: LightCondition) -> Polygons:
+        """Return the picture of a camera in a frame; if it cannot be drawn, its text says why.
+
+        Args:
+            frame: the frame.
+            camera: name of the camera.
+            aspect: width of the picture divided by its height.
+            light: direction and strength of the light.
+        """
+        try:
+            aim = self._scene.aim(frame, camera, aspect)
+            drawn = self._scene.polygons(frame, aim)
+        except SimulationError as error:
+            when = f" at {frame.time_s:g} s"  # the monitor shows the time elsewhere
+            return no_polygons(camera, f"No picture: {error}.".replace(when, ""), frame.tick)
+        points = drawn.points * (HALF_WIDTH * np.array([aim.part[0], aim.part[1] / aspect]))
+        greys = grey_levels(self._own[drawn.face], brightness(product(drawn.normal, aim.axes), light))
+        return Polygons(
+            tick=frame.tick,
+            camera=camera,
+            points=np.rint(points).astype("<i2").tobytes(),
+            corners=np.diff(drawn.begins).astype(np.uint8).tobytes(),
+            greys=np.rint(255.0 * greys).astype(np.uint8).tobytes(),
+            text="",
+        )
+
+
+def no_polygons(camera: str, text: str, tick: int = -1) -> Polygons:
+    """Return a picture without polygons; `text` says why there are none."""
+    return Polygons(tick, camera, b"", b"", b"", text)

@@ -1,0 +1,19 @@
+"""Compilation of all laws of this package: ``python -m aftdeck.visual.warm`` writes them into the cache on disk."""
+
+from __future__ import annotations
+
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.visual.scene import VisualScene
+
+
+def warm_up() -> None:
+    """Draw a picture, which calls every law."""
+    scenario = load_scenario("concept-1972")
+    scene, frame = VisualScene(scenario), Simulation(scenario).step(Inputs())
+    scene.polygons(frame, scene.aim(frame, "A", 1.0))
+
+
+if __name__ == "__main__":
+    warm_up()

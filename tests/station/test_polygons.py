@@ -1,0 +1,255 @@
+"""Pictures in the look of 1972: their content, the painter that computes them, and the pages that ask for them."""
+
+from __future__ import annotations
+
+import functools
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from aftdeck.scenario.light import LightCondition, conditions
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.run import Simulation
+from aftdeck.station.conversion.polygons_of import HALF_WIDTH, PolygonPictures, no_polygons
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Frame as FrameMessage
+from aftdeck.station.session import compiling
+from aftdeck.station.session.painter import AT_ONCE, PREPARING, Painter
+from aftdeck.station.session.session import Session
+from aftdeck.visual.picture import picture_of
+from aftdeck.visual.scene import VisualScene
+from tests.station.pages import Page, Station, scenario, served, text_of, until
+
+NAME = "concept-1972-script"
+SIZE = (600, 400)
+ASPECT = SIZE[0] / SIZE[1]
+[LIGHT, *_] = conditions()
+
+
+@functools.cache
+def frame() -> Frame:
+    sim = Simulation(scenario(NAME))
+    for _ in range(20):
+        latest = sim.step(None)
+    return latest
+
+
+@functools.cache
+def pictures() -> PolygonPictures:
+    return PolygonPictures(scenario(NAME))
+
+
+# --- content ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("camera", ["A", "F", "W", "AFT"])
+def test_polygons_are_those_of_the_visual_scene(camera: str) -> None:
+    message = pictures().of(frame(), camera, ASPECT, LIGHT)
+    drawn = picture_of(VisualScene(scenario(NAME)), frame(), camera, SIZE, "1972", LIGHT)
+    corners = np.frombuffer(message.corners, np.uint8)
+    assert (message.tick, message.camera, message.text) == (frame().tick, camera, "")
+    assert corners.tolist() == np.diff(drawn.begins).tolist()
+    assert list(message.greys) == drawn.colours[:, 0].tolist()
+    assert len(set(message.greys)) <= 8
+    points = np.frombuffer(message.points, "<i2").reshape(-1, 2) / HALF_WIDTH
+    middle = np.array(SIZE) / 2.0
+    assert np.abs(middle + points * middle[0] - drawn.points).max() < 0.02
+
+
+def test_picture_follows_the_light_condition() -> None:
+    night = next(condition for condition in conditions() if condition.name == "night")
+    day, dark = (sum(pictures().of(frame(), "A", ASPECT, light).greys) for light in (LIGHT, night))
+    assert dark < day
+
+
+def test_camera_inside_a_body_has_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = VisualScene(scenario(NAME))
+    aim = scene.aim(frame(), "A", ASPECT)
+    [cluster] = [one for one in scene.clusters.clusters if one.part == "lower boom"][:1]
+    pose = scene.frames_at(frame())[scene.clusters.frames.index(cluster.frame)]
+    inside = pose[:3] + pose[3:].reshape(3, 3) @ cluster.body.points.mean(axis=0)
+    monkeypatch.setattr(VisualScene, "aim", lambda *_: aim._replace(position=inside, hidden=frozenset()))
+    message = pictures().of(frame(), "A", ASPECT, LIGHT)
+    assert message.text == "No picture: camera A is inside lower boom or touches it."
+    assert (message.tick, message.points, message.corners, message.greys) == (frame().tick, b"", b"", b"")
+
+
+# --- painter ----------------------------------------------------------------------------------------------------------
+
+
+class Counted(PolygonPictures):
+    """Pictures without polygons, which count how often each camera was drawn."""
+
+    def __init__(self, _: Scenario) -> None:
+        self.count: dict[str, int] = {}
+
+    def of(self, frame: Frame, camera: str, aspect: float, light: LightCondition) -> to_page.Polygons:
+        self.count[camera] = self.count.get(camera, 0) + 1
+        return no_polygons(camera, f"{aspect:g} {light.name}", frame.tick)
+
+
+def drawn(painter: Painter) -> Mapping[str, to_page.Polygons]:
+    decode = msgspec.json.Decoder(to_page.Polygons).decode
+    return {camera: decode(picture) for camera, picture in painter.drawn.items()}
+
+
+def test_without_a_wanted_picture_nothing_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(PolygonPictures, "__init__", lambda *_: pytest.fail("a picture is prepared"))
+    session = Session(scenario())
+    session.painter.want({})
+    for _ in range(5):
+        session.step()
+    assert session.painter.drawn == {}
+    session.close()
+
+
+def test_painter_draws_the_wanted_cameras_of_the_newest_frame() -> None:
+    painter = Painter(scenario(NAME), Counted)
+    painter.want({"A": 1.5})
+    assert drawn(painter)["A"] == no_polygons("A", PREPARING)
+    painter.show(frame(), LIGHT.name)
+    until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
+    assert drawn(painter)["A"].text == f"1.5 {LIGHT.name}"
+    painter.want({"B": 1.0})
+    painter.show(frame(), LIGHT.name)
+    until(lambda: set(painter.drawn) == {"B"}, "a picture of the other camera")
+    painter.close()
+
+
+def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
+    made: list[Counted] = []
+
+    def make(of: Scenario) -> Counted:
+        made.append(Counted(of))
+        return made[0]
+
+    painter = Painter(scenario(NAME), make)
+    names = list("ABCDEFGH")[: AT_ONCE + 2]
+    rounds = 0
+
+    def notified() -> None:
+        nonlocal rounds
+        rounds += 1
+
+    painter.notify = notified
+    painter.want(dict.fromkeys(names, 1.0))
+    for k in range(3):
+        painter.show(frame(), LIGHT.name)
+        until(lambda k=k: rounds > k, "a round of pictures")  # type: ignore[misc]
+    painter.close()
+    assert made[0].count == dict.fromkeys(names, 2)
+
+
+def test_laws_are_compiled_by_another_process_before_the_first_picture(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mark = tmp_path / "compiled"
+    monkeypatch.setattr(compiling, "compiled_before", lambda _: False)
+    monkeypatch.setattr(compiling, "COMMAND", (sys.executable, "-c", f"open({str(mark)!r}, 'w').close()"))
+
+    def make(of: Scenario) -> Counted:
+        assert mark.exists()
+        return Counted(of)
+
+    painter = Painter(scenario(NAME), make)
+    painter.want({"A": 1.5})
+    painter.show(frame(), LIGHT.name)
+    until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
+    painter.close()
+
+
+def test_closing_ends_the_compilation(monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[subprocess.Popen[bytes]] = []
+
+    def start() -> subprocess.Popen[bytes]:
+        started.append(subprocess.Popen((sys.executable, "-c", "import time; time.sleep(1000)")))
+        return started[0]
+
+    monkeypatch.setattr("aftdeck.station.session.painter.start_to_compile", start)
+    painter = Painter(scenario(NAME), lambda _: pytest.fail("a picture is prepared"))
+    painter.want({"A": 1.5})
+    until(lambda: painter._compiler is not None, "the process")
+    painter.close()
+    until(lambda: started[0].poll() is not None, "the end of the process")
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_failure_of_the_painter_is_shown() -> None:
+    def make(_: Scenario) -> PolygonPictures:
+        raise ValueError("no clusters")
+
+    painter = Painter(scenario(NAME), make)
+    painter.want({"A": 1.0})
+    until(lambda: drawn(painter)["A"].text == "The look of 1972 has failed: no clusters", "the reason")
+    painter.want({"B": 1.0})
+    assert set(painter.drawn) == {"B"}
+
+
+# --- pages ------------------------------------------------------------------------------------------------------------
+
+
+def ask(page: Page, *cameras: str, aspect: float = 1.3) -> None:
+    wanted = tuple(from_page.PolygonPicture(camera, aspect) for camera in cameras)
+    page.send(from_page.ShowPolygons(page.next_seq(), wanted))
+
+
+def test_pages_receive_the_pictures_that_they_ask_for() -> None:
+    with served(Session(scenario(NAME), demo=True)) as station, station.page() as operator, station.page() as observer:
+        ask(observer, "A", "F")
+        ticks = [
+            observer.wait_for(to_page.Polygons, lambda one, camera=camera: one.camera == camera and one.text == "").tick  # type: ignore[misc]
+            for camera in ("A", "F", "A")
+        ]
+        assert ticks == sorted(ticks)
+        assert 0 < ticks[0] < ticks[2]
+        with station.unannounced() as window:
+            window.send(from_page.Hello(kinds.PROTOCOL, shows=True))
+            ask(window, "W")
+            assert window.wait_for(to_page.Polygons, lambda one: one.text == "").camera == "W"
+        ask(observer)
+        until(lambda: station.session.painter.drawn == {}, "no page shows a picture")
+        last = operator.wait_for(FrameMessage).tick
+        message: to_page.FromServer = operator.receive()
+        while not (isinstance(message, FrameMessage) and message.tick > last + 5):
+            assert not isinstance(message, to_page.Polygons)
+            message = operator.receive()
+
+
+def test_camera_is_drawn_once_for_all_pages(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
+    wanted: list[Mapping[str, float]] = []
+    monkeypatch.setattr(station.session.painter, "want", wanted.append)
+    with station.page() as first:
+        with station.page() as second:
+            ask(first, "A", "B", aspect=1.5)
+            until(lambda: wanted[-1:] == [{"A": 1.5, "B": 1.5}], "the pictures of one page")
+            ask(second, "A", "C", aspect=0.7)
+            until(lambda: wanted[-1] == {"A": 0.7, "B": 1.5, "C": 0.7}, "the pictures of both pages")
+        until(lambda: wanted[-1] == {"A": 1.5, "B": 1.5}, "the pictures of the page that is left")
+    until(lambda: wanted[-1] == {}, "no pictures")
+
+
+@pytest.mark.parametrize(
+    ("message", "reason"),
+    [
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("X9", 1.0),)), "unknown camera 'X9'"),
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 0.1),)), "Expected `float` >= 0.5"),
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 9.0),)), "Expected `float` <= 4.0"),
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("A" * 65, 1.0),)), "length <= 64"),
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 1.0),) * 5), "length <= 4"),
+    ],
+)
+def test_invalid_pictures_are_rejected(shared: Station, message: from_page.ShowPolygons, reason: str) -> None:
+    with shared.page() as page:
+        page.send(message)
+        assert reason in page.rejection()
+
+
+def test_longest_message_is_short() -> None:
+    wanted = from_page.PolygonPicture("N" * 64, 1.0 / 1.7)
+    assert len(text_of(from_page.ShowPolygons(2**53 - 1, (wanted,) * 4))) < 600

@@ -1,0 +1,116 @@
+/** A picture in the look of 1972: polygons in few greys under raster lines, drawn on a canvas over the scene's. */
+
+import type { Polygons } from '../../link/protocol';
+import { el, setText } from '../parts/dom';
+import type { Size } from './label-place';
+
+/** Half the width of a picture, in the units of `Polygons.points`. */
+const HALF_WIDTH = 10_000;
+/** Distance and darkness of the raster lines [px], as in `aftdeck render`. */
+const [RASTER, DARK] = [3, 'rgb(0 0 0 / 45%)'];
+/** Width of the line round each polygon, which closes the gaps between neighbours [px]. */
+const SEAM = 0.7;
+/** Greatest number of pixels of the canvas for each pixel of the page, in each direction. */
+const SHARPEST = 2;
+
+/** What `drawPolygons` uses of a canvas. */
+export type Pen = Pick<
+  CanvasRenderingContext2D,
+  | 'fillStyle'
+  | 'strokeStyle'
+  | 'lineWidth'
+  | 'lineJoin'
+  | 'beginPath'
+  | 'moveTo'
+  | 'lineTo'
+  | 'closePath'
+  | 'fill'
+  | 'stroke'
+  | 'fillRect'
+>;
+
+/** Draws a picture that is `width` by `height` px. Neighbours in the order that have the same grey share a path. */
+export function drawPolygons(pen: Pen, picture: Polygons, { width, height }: Size): void {
+  pen.fillStyle = '#000';
+  pen.fillRect(0, 0, width, height);
+  const [points, corners, greys] = [places(picture.points), bytes(picture.corners), bytes(picture.greys)];
+  const scale = width / 2 / HALF_WIDTH;
+  pen.lineWidth = SEAM;
+  pen.lineJoin = 'round';
+  let next = 0;
+  corners.forEach((count, i) => {
+    if (greys[i] !== greys[i - 1]) pen.beginPath();
+    for (let k = 0; k < count; k++, next += 2) {
+      const x = width / 2 + scale * (points[next] ?? 0);
+      const y = height / 2 + scale * (points[next + 1] ?? 0);
+      if (k === 0) pen.moveTo(x, y);
+      else pen.lineTo(x, y);
+    }
+    pen.closePath();
+    if (greys[i] === greys[i + 1]) return;
+    const grey = greys[i] ?? 0;
+    pen.fillStyle = pen.strokeStyle = `rgb(${grey} ${grey} ${grey})`;
+    pen.fill();
+    pen.stroke();
+  });
+  pen.fillStyle = DARK;
+  for (let y = 0; y < height; y += RASTER) pen.fillRect(0, y, width, 1);
+}
+
+function bytes(base64: string): Uint8Array {
+  return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+}
+
+/** Returns 16-bit integers (little-endian). */
+function places(base64: string): Int16Array {
+  const view = new DataView(bytes(base64).buffer);
+  return Int16Array.from({ length: view.byteLength / 2 }, (_, i) => view.getInt16(2 * i, true));
+}
+
+export class PolygonPane {
+  private readonly canvas = el('canvas', { class: 'polygons', 'aria-hidden': 'true' });
+  private readonly text = el('p', { class: 'no-picture' });
+  readonly elements: readonly [HTMLElement, HTMLElement] = [this.canvas, this.text];
+  private pen: CanvasRenderingContext2D | null = null;
+  private drawn: Polygons | null = null;
+  private size = '';
+
+  constructor() {
+    this.hide();
+  }
+
+  get hidden(): boolean {
+    return this.canvas.hidden === true;
+  }
+
+  hide(): void {
+    this.canvas.hidden = this.text.hidden = true;
+    this.drawn = null;
+  }
+
+  /** Draws a picture, or its text in place of polygons; null: no picture has arrived. */
+  show(picture: Polygons | null, { width, height }: Size): void {
+    const { canvas, text } = this;
+    canvas.hidden = text.hidden = false;
+    setText(text, picture?.text ?? '');
+    const ratio = Math.min(window.devicePixelRatio, SHARPEST);
+    const size = `${Math.round(width * ratio)} ${Math.round(height * ratio)}`;
+    if (picture !== null && picture === this.drawn && size === this.size) return;
+    this.drawn = picture;
+    // Drawn by the processor: this takes a few milliseconds, and hundreds without a graphics card if it were not.
+    this.pen ??= canvas.getContext('2d', { alpha: false, willReadFrequently: true });
+    if (!this.pen) return;
+    if (size !== this.size) {
+      this.size = size;
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    }
+    this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    drawPolygons(this.pen, picture ?? NOTHING, { width, height });
+  }
+}
+
+const NOTHING: Polygons = {
+  ...{ type: 'polygons', tick: -1, camera: '' },
+  ...{ points: '', corners: '', greys: '', text: '' },
+};

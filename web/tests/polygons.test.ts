@@ -1,0 +1,155 @@
+import { afterEach, beforeEach, describe, expect, it, test, vi } from 'vitest';
+import { PolygonPictures } from '../src/link/polygon-pictures';
+import type { Polygons } from '../src/link/protocol';
+import type { Command } from '../src/link/socket';
+import { drawPolygons, type Pen } from '../src/panel/monitors/polygon-pane';
+
+const base64 = (array: Uint8Array) => btoa(String.fromCharCode(...array));
+
+/** A picture with these polygons: the grey of each, and its corners in fractions of half the picture's width. */
+function picture(
+  ...polygons: readonly (readonly [number, readonly (readonly [number, number])[]])[]
+): Polygons {
+  const corners = polygons.flatMap(([, places]) => places.flat()).map((at) => Math.round(10_000 * at));
+  return {
+    ...{ type: 'polygons', tick: 1, camera: 'A', text: '' },
+    points: base64(new Uint8Array(Int16Array.from(corners).buffer)),
+    corners: base64(Uint8Array.from(polygons, ([, { length }]) => length)),
+    greys: base64(Uint8Array.from(polygons, ([grey]) => grey)),
+  };
+}
+
+/** Draws a picture of 200 by 100 px; returns what was filled: the colour, and the corners of each path. */
+function drawn(of: Polygons): readonly string[] {
+  const done: string[] = [];
+  let path: string[] = [];
+  const pen = {
+    ...{ fillStyle: '', strokeStyle: '', lineWidth: 0, lineJoin: 'miter' as CanvasLineJoin },
+    beginPath() {
+      path = [];
+    },
+    moveTo: (x: number, y: number) => path.push(`M${x} ${y}`),
+    lineTo: (x: number, y: number) => path.push(`L${x} ${y}`),
+    closePath: () => path.push('Z'),
+    fill: () => done.push(`${pen.fillStyle}: ${path.join('')}`),
+    stroke: () => expect(pen.strokeStyle).toBe(pen.fillStyle),
+    fillRect: (...sides: number[]) => done.push(`${pen.fillStyle}: ${sides.join(' ')}`),
+  };
+  drawPolygons(pen as unknown as Pen, of, { width: 200, height: 100 });
+  return done;
+}
+
+const [TRIANGLE, OTHER] = [
+  [
+    [-1, -0.5],
+    [1, -0.5],
+    [0, 0.25],
+  ],
+  [
+    [0, 0],
+    [0.5, 0],
+    [0, 0.5],
+  ],
+] as const;
+const [FIRST, SECOND] = ['M0 0L200 0L100 75Z', 'M100 50L150 50L100 100Z'];
+
+describe('a picture in the look of 1972', () => {
+  it('is painted on black in the order of its polygons, under raster lines at every third pixel', () => {
+    const [back, first, second, ...raster] = drawn(picture([64, TRIANGLE], [255, OTHER]));
+    expect(back).toBe('#000: 0 0 200 100');
+    expect(first).toBe(`rgb(64 64 64): ${FIRST}`);
+    expect(second).toBe(`rgb(255 255 255): ${SECOND}`);
+    expect(raster).toEqual(Array.from({ length: 34 }, (_, k) => `rgb(0 0 0 / 45%): 0 ${3 * k} 200 1`));
+  });
+
+  it('has one path for polygons of one grey that follow each other', () => {
+    const polygons = drawn(picture([64, TRIANGLE], [64, OTHER], [32, OTHER], [64, TRIANGLE])).slice(1, 4);
+    expect(polygons).toEqual([
+      `rgb(64 64 64): ${FIRST}${SECOND}`,
+      `rgb(32 32 32): ${SECOND}`,
+      `rgb(64 64 64): ${FIRST}`,
+    ]);
+  });
+
+  it('is black without polygons', () => {
+    expect(drawn(picture()).length).toBe(1 + 34);
+  });
+});
+
+let hide: () => void;
+
+beforeEach(() => {
+  vi.stubGlobal('document', {
+    hidden: true,
+    addEventListener: (_: string, listener: () => void) => {
+      hide = listener;
+    },
+  });
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+function made() {
+  const sent: Command[] = [];
+  const pictures = new PolygonPictures((command) => sent.push(command));
+  const put = (camera: string, tick: number) => pictures.put({ ...picture(), camera, tick });
+  return { sent, pictures, put };
+}
+
+const asks = (...pictures: { camera: string; aspect: number }[]) => ({ type: 'show_polygons', pictures });
+
+test('a page asks for its pictures once, for each camera with the aspect of the highest picture', () => {
+  const { sent, pictures } = made();
+  pictures.want([]);
+  expect(sent).toEqual([]);
+  const shown = [
+    { camera: 'A', aspect: 1.38 },
+    { camera: 'B', aspect: 9 },
+    { camera: 'A', aspect: 0.69 },
+    { camera: 'C', aspect: 0.1 },
+  ];
+  pictures.want(shown);
+  pictures.want([...shown]);
+  expect(sent).toEqual([
+    asks({ camera: 'A', aspect: 0.6 }, { camera: 'B', aspect: 4 }, { camera: 'C', aspect: 0.5 }),
+  ]);
+  pictures.want([]);
+  expect(sent[1]).toEqual(asks());
+});
+
+test('a page asks again after a new connection, and for nothing while it is hidden', () => {
+  const { sent, pictures } = made();
+  const shown = [{ camera: 'A', aspect: 1.5 }];
+  pictures.want(shown);
+  pictures.askAgain();
+  pictures.want(shown);
+  hide();
+  pictures.want(shown);
+  const asked = asks({ camera: 'A', aspect: 1.5 });
+  expect(sent).toEqual([asked, asked, asks(), asked]);
+});
+
+test('a frame has the newest picture that is not newer than the frame', () => {
+  const { pictures, put } = made();
+  expect(pictures.at('A', 5)).toBe(null);
+  for (const tick of [3, 5, 7]) put('A', tick);
+  put('B', 6);
+  expect([2, 4, 5, 6, 9].map((tick) => pictures.at('A', tick)?.tick)).toEqual([3, 3, 5, 5, 7]);
+  expect(pictures.at('B', 5)?.tick).toBe(6);
+});
+
+test('a restart removes the pictures of the run before', () => {
+  const { pictures, put } = made();
+  for (const tick of [90, 91, 1]) put('A', tick);
+  expect(pictures.at('A', 91)?.tick).toBe(1);
+});
+
+test('a camera that is not shown any more has no old picture when it is shown again', () => {
+  const { pictures, put } = made();
+  pictures.want([{ camera: 'A', aspect: 1 }]);
+  put('A', 3);
+  pictures.want([]);
+  expect(pictures.at('A', 5)).toBe(null);
+});
