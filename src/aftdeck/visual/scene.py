@@ -19,7 +19,7 @@ from aftdeck.scenario.payload import PART
 from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
-from aftdeck.tuples import Rows
+from aftdeck.tuples import Rows, Vec3
 from aftdeck.visual.clusters import Clusters, clusters_of
 from aftdeck.visual.lists import permanent_list
 from aftdeck.visual.order import (
@@ -42,6 +42,8 @@ from aftdeck.visual.store import Store
 from aftdeck.visual.trees import Forest
 from aftdeck.visual.workspace import Workspace
 
+_MOST_HOUSINGS = 1024
+"""Greatest number of positions of eyes whose surroundings are remembered."""
 _SAME_PLACE = 1e-9
 """Distance up to which two positions of an eye count as the same [m]."""
 
@@ -135,6 +137,7 @@ class VisualScene:
         self._work = Workspace([cluster.body for cluster in ours.clusters])
         self._lists: dict[str, tuple[int, ...] | None] = {}
         self._eyes: dict[str, Array] = {}
+        self._housings: dict[tuple[str, Vec3], frozenset[str]] = {}
 
     def aim(self, frame: Frame, name: str, aspect: float) -> Aim:
         """Return a camera's position and directions in a frame.
@@ -163,7 +166,7 @@ class VisualScene:
             part = min(1.0, opening[0] / wide), min(1.0, opening[1] / high)
         position = product(rotation, np.array(seen.position)) + body[:3]
         axes = np.array([np.cross(ahead, up), -up, ahead])
-        return Aim(name, position, axes, part[0] * wide, part[1] * high, part, self._around(camera, frame, position))
+        return Aim(name, position, axes, part[0] * wide, part[1] * high, part, self._around(camera, seen.position))
 
     def order(self, frame: Frame, aim: Aim) -> Order:
         """Return the order of the clusters in a picture.
@@ -294,15 +297,23 @@ class VisualScene:
         found[:, 3:] = product(aim.axes, poses[:, 3:].reshape(-1, 3, 3)).reshape(-1, 9)
         return found
 
-    def _around(self, camera: Camera, frame: Frame, eye: Array) -> frozenset[str]:
-        """Return the parts that contain a camera's eye and are fixed to the camera's body."""
-        ours, poses = self.clusters, self.frames_at(frame)
-        frames = {camera.body, *(body.fixed_to for body in self._fixed if body.name == camera.body)}
-        found = set()
-        for cluster in ours.clusters:
-            if cluster.frame in frames and cluster.part not in found:
-                pose = poses[ours.frames.index(cluster.frame)]
-                own = product(pose[3:].reshape(3, 3).T, eye - pose[:3])
-                if (cluster.body.planes[:, :3] @ own <= cluster.body.planes[:, 3] + NEAR).all():
-                    found.add(cluster.part)
-        return frozenset(found)
+    def _around(self, camera: Camera, eye: Vec3) -> frozenset[str]:
+        """Return the parts that contain a camera's eye and are fixed to the camera's body.
+
+        Args:
+            camera: the camera.
+            eye: position of the eye in the body's frame [m].
+        """
+        if (camera.name, eye) not in self._housings:
+            home = next((body for body in self._fixed if body.name == camera.body), None)
+            frame = camera.body if home is None else home.fixed_to
+            at = np.array(eye) if home is None else product(home.pose.rotation, np.array(eye)) + home.pose.position
+            if len(self._housings) == _MOST_HOUSINGS:
+                self._housings.clear()
+            self._housings[camera.name, eye] = frozenset(
+                cluster.part
+                for cluster in self.clusters.clusters
+                if cluster.frame == frame
+                and (cluster.body.planes[:, :3] @ at <= cluster.body.planes[:, 3] + NEAR).all()
+            )
+        return self._housings[camera.name, eye]
