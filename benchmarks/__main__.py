@@ -58,6 +58,7 @@ def _processor() -> str:
 
 def measure(name: str) -> list[Figure]:
     """Run one benchmark and return its figures. The libraries of the benchmark are imported only here."""
+    os.environ.setdefault("MUJOCO_GL", "egl")  # MuJoCo reads it when it is imported: draw without a display
     module, _, function = NAMES[name].partition(".")
     return cast("Benchmark", getattr(import_module(f"benchmarks.{module}"), function))()
 

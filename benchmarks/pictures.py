@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import statistics
 from functools import partial
 
@@ -118,7 +117,6 @@ def mujoco_picture() -> list[Figure]:
         model = mujoco.MjModel.from_xml_string(text)
         data = mujoco.MjData(model)
         mujoco.mj_forward(model, data)
-        os.environ.setdefault("MUJOCO_GL", "egl")  # read by the renderer
         renderer = mujoco.Renderer(model, SIZE[1], SIZE[0])
     except Exception as error:  # each GL library has its own errors
         return [Figure("MuJoCo's renderer 800 x 600", float("nan"), "ms", None, f"not available: {error}")]

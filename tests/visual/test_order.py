@@ -73,19 +73,12 @@ def test_three_interlocked_bars_need_one_cut() -> None:
     assert bodies.wrong_pixels(order) == 0
 
 
-@pytest.mark.parametrize("seed", range(6))
-def test_random_bars_are_drawn_as_rays_meet_them(seed: int) -> None:
+@pytest.mark.parametrize("seed", range(4))
+def test_random_bars_with_cycles_are_drawn_as_rays_meet_them(seed: int) -> None:
     bodies = Bodies(random_bars(np.random.default_rng(seed), 24))
     order = bodies.order(np.array([9.0, 1.0, 2.0]), np.zeros(3))
+    assert order.cuts > 0
     assert bodies.wrong_pixels(order) == 0
-
-
-def test_some_random_bars_need_cuts() -> None:
-    cuts = [
-        Bodies(random_bars(np.random.default_rng(seed), 24)).order(np.array([9.0, 1.0, 2.0]), np.zeros(3)).cuts
-        for seed in range(12)
-    ]
-    assert max(cuts) > 0
 
 
 def test_the_order_does_not_depend_on_the_memory_of_planes() -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,16 +22,34 @@ MOST_MOMENTS = 2000
 """Greatest number of moments in one file."""
 
 
+_SLACK = 1e-6
+"""Difference of two times that comes from rounding [s]."""
+
+
+class Moment(NamedTuple):
+    """Moment of a run.
+
+    Attributes:
+        time_s: simulated time [s].
+        frame: returns the frame; it can be called until the next moment is taken.
+    """
+
+    time_s: float
+    frame: Callable[[], Frame]
+
+
 class Source(NamedTuple):
-    """A run to draw.
+    """Run to draw.
 
     Attributes:
         scenario: its scenario.
-        frames: its frames in order; the first one is the state before the first step, if the run is simulated.
+        moments: its control steps in order; a simulated run begins with the state before the first step.
+        end_s: time at which it ends at the latest [s]; None if this is not known before it is read.
     """
 
     scenario: Scenario
-    frames: Iterator[Frame]
+    moments: Iterator[Moment]
+    end_s: float | None
 
 
 def source(name: str) -> Source:
@@ -41,53 +60,60 @@ def source(name: str) -> Source:
     """
     if name.endswith(RECORDING):
         recording = Recording(Path(name))
-        frames = (message for message in recording.messages() if isinstance(message, FrameRecord))
-        return Source(scenario_of(recording.opening), frames)
+        return Source(scenario_of(recording.opening), _recorded(recording), None)
     scenario = load_scenario(name)
-    return Source(scenario, _simulated(scenario))
+    return Source(scenario, _simulated(scenario), scenario.duration)
 
 
-def at(frames: Iterator[Frame], time_s: float) -> Frame:
-    """Return the last frame that is not later than a time; the first frame if it is later.
+def at(run: Source, time_s: float) -> Frame:
+    """Return the frame at a time: the last one that is not later.
 
     Raises:
         InputError: the run ends before that time.
     """
-    last = None
-    for frame in frames:
-        if last is not None and frame.time_s > time_s + _SLACK:
-            return last
-        last = frame
-    if last is None or last.time_s < time_s - _SLACK:
-        end = "it has no frames" if last is None else f"it ends at {last.time_s:g} s"
-        raise InputError(f"--time: the run has no frame at {time_s:g} s: {end}")
-    return last
+    last = 0.0
+    if run.end_s is None or time_s <= run.end_s + _SLACK:
+        for moment in run.moments:
+            last = moment.time_s
+            if last + run.scenario.control_period > time_s + _SLACK:
+                return moment.frame()
+    else:
+        last = run.end_s
+    raise InputError(f"--time: the run has no frame at {time_s:g} s: it ends at {last:g} s")
 
 
-def every(frames: Iterator[Frame], step_s: float) -> Iterator[Frame]:
+def every(run: Source, step_s: float) -> Iterator[Frame]:
     """Yield the first frame, and then a frame every `step_s` seconds, up to the end of the run.
 
     Raises:
         InputError: there would be more than MOST_MOMENTS frames.
     """
-    due, count = None, 0
-    for frame in frames:
-        if due is None:
-            due = frame.time_s
-        if frame.time_s >= due - _SLACK:
+    due, count = 0.0, 0
+    for moment in run.moments:
+        if count == 0:
+            due = moment.time_s
+        if moment.time_s >= due - _SLACK:
             count += 1
             if count > MOST_MOMENTS:
                 raise InputError(f"--every {step_s:g} s gives more than {MOST_MOMENTS} pictures; choose a longer time")
-            yield frame
+            yield moment.frame()
             due += step_s
 
 
-_SLACK = 1e-6
-"""Difference of two times that comes from rounding [s]."""
+def _recorded(recording: Recording) -> Iterator[Moment]:
+    for message in recording.messages():
+        if isinstance(message, FrameRecord):
+            yield Moment(message.time_s, partial(_same, message))
 
 
-def _simulated(scenario: Scenario) -> Iterator[Frame]:
-    simulation = Simulation(scenario)
-    yield simulation.look()
+def _same(frame: Frame) -> Frame:
+    return frame
+
+
+def _simulated(scenario: Scenario) -> Iterator[Moment]:
+    simulation, tick = Simulation(scenario), 0
+    yield Moment(0.0, simulation.look)
     while not simulation.ended:
-        yield simulation.step()
+        simulation.advance()
+        tick += 1
+        yield Moment(round(tick * scenario.control_period, 9), simulation.look)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
+import sys
 from enum import StrEnum
-from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,7 +14,7 @@ from aftdeck.cli.app import Json, app
 from aftdeck.cli.planes import print_planes
 from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError, SimulationError
-from aftdeck.lines import print_line
+from aftdeck.lines import print_error, print_line
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -101,7 +101,7 @@ def render(
         raise InputError(f"-o: {out} has '#' in its name, which needs --every")
     drawn_size = _size(size, CELL if camera == ALL else SIZE)
     given = source(run)
-    frames = islice(every(given.frames, step), None) if step is not None else iter((at(given.frames, time or 0.0),))
+    frames = iter((at(given, time or 0.0),)) if step is None else every(given, step)
     pages = _pages(given.scenario, frames, camera, drawn_size, look, _light(given.scenario, light))
     if numbered:
         count = 0
@@ -131,13 +131,22 @@ def planes(
 
     _not_negative("--time", time)
     given = source(run)
-    frame = at(given.frames, time)
+    frame = at(given, time)
+    _announce_compilation()
     scene = VisualScene(given.scenario)
     found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
     if as_json:
         print_json(found._asdict())
     else:
         print_planes(found, f"{given.scenario.title}, camera {camera} at {frame.time_s:g} s")
+
+
+def _announce_compilation() -> None:
+    """Tell the user in a terminal if the laws of the pictures have to be compiled first."""
+    from aftdeck.law import compiled_before
+
+    if sys.stderr.isatty() and not compiled_before("visual"):
+        print_error("compiling the laws that draw pictures; this takes half a minute, once for each version")
 
 
 def _not_negative(option: str, value: float | None) -> None:
@@ -158,6 +167,7 @@ def _pages(
     from aftdeck.visual.picture import failed_picture, picture_of, readouts
     from aftdeck.visual.scene import VisualScene
 
+    _announce_compilation()
     scene = VisualScene(scenario)
     style: Look = "1972" if look is LookName.seventies else "colour"
     for frame in frames:
