@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from aftdeck.errors import InputError
+from aftdeck.historical.scene_words import frames_from, read_blocks
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
@@ -18,6 +19,10 @@ from aftdeck.simulation.run import Simulation
 
 RECORDING = ".mcap"
 """Ending of a recording's name."""
+WORDS = ".jsonl"
+"""Ending of the name of a file of frame words."""
+CONCEPT = "concept-1972"
+"""Scenario of frame words."""
 MOST_MOMENTS = 2000
 """Greatest number of moments in one file."""
 
@@ -52,12 +57,22 @@ class Source(NamedTuple):
     end_s: float | None
 
 
-def source(name: str) -> Source:
-    """Return the run of a scenario's script, or a recorded run.
+def source(name: str, words_of: str | None = None) -> Source:
+    """Return the run of a scenario's script, a recorded run, or a run from its frame words.
 
     Args:
-        name: a scenario's name or path, or a path that ends in ``.mcap``.
+        name: a scenario's name or path, or a path that ends in ``.mcap`` (recording) or ``.jsonl`` (frame words).
+        words_of: the scenario of frame words; None for `CONCEPT`.
+
+    Raises:
+        InputError: `words_of` is given, but the file has no frame words.
     """
+    if name.endswith(WORDS):
+        scenario = load_scenario(CONCEPT if words_of is None else words_of)
+        frames = frames_from(scenario, read_blocks(Path(name)))
+        return Source(scenario, (Moment(frame.time_s, partial(_same, frame)) for frame in frames), None)
+    if words_of is not None:
+        raise InputError(f"--words-of can only be given with a file of frame words ({WORDS})")
     if name.endswith(RECORDING):
         recording = Recording(Path(name))
         return Source(scenario_of(recording.opening), _recorded(recording), None)

@@ -27,7 +27,14 @@ if TYPE_CHECKING:
 
 Run = Annotated[
     str,
-    typer.Argument(metavar="SCENARIO|RECORDING", help="A scenario, whose script is run, or a recording (.mcap)."),
+    typer.Argument(
+        metavar="SCENARIO|RECORDING|WORDS",
+        help="A scenario, whose script is run; a recording (.mcap); or the 1972 report's frame words (.jsonl).",
+    ),
+]
+WordsOf = Annotated[
+    str | None,
+    typer.Option("--words-of", metavar="SCENARIO", help="Scenario of the frame words; default: concept-1972."),
 ]
 ALL = "all"
 """Value of --camera for a contact sheet of all cameras."""
@@ -80,6 +87,7 @@ def render(
     light: Annotated[
         str | None, typer.Option(metavar="NAME", help="Light condition; default: that of the scenario.")
     ] = None,
+    words_of: WordsOf = None,
 ) -> None:
     """Draw the picture of a camera at any time of a run.
 
@@ -100,7 +108,7 @@ def render(
     if numbered and step is None:
         raise InputError(f"-o: {out} has '#' in its name, which needs --every")
     drawn_size = _size(size, CELL if camera == ALL else SIZE)
-    given = source(run)
+    given = source(run, words_of)
     frames = iter((at(given, time or 0.0),)) if step is None else every(given, step)
     pages = _pages(given.scenario, frames, camera, drawn_size, look, _light(given.scenario, light))
     if numbered:
@@ -122,6 +130,7 @@ def planes(
     run: Run,
     camera: Annotated[str, typer.Option(metavar="NAME", help="Camera.")],
     time: Annotated[float, typer.Option(metavar="SECONDS", help="Time of the picture.")] = 0.0,
+    words_of: WordsOf = None,
     as_json: Json = False,
 ) -> None:
     """Show the clusters, the trees of separating planes and the order chosen for a camera (the report's Figure 19)."""
@@ -130,7 +139,7 @@ def planes(
     from aftdeck.visual.scene import VisualScene
 
     _not_negative("--time", time)
-    given = source(run)
+    given = source(run, words_of)
     frame = at(given, time)
     _announce_compilation()
     scene = VisualScene(given.scenario)
