@@ -38,6 +38,7 @@ def orders(
     store: Store,
     frame: Indices,
     trims: Indices,
+    bisected: Indices,
     poses: np.ndarray,
     shown: Mask,
     wide: float,
@@ -55,7 +56,22 @@ def orders(
     count = 0
     for _ in range(REPEATS):
         count += ordered(
-            store, frame, trims, poses, shown, wide, high, placed, forest, listed, rank, memory, entries, table, notes
+            store,
+            frame,
+            trims,
+            bisected,
+            poses,
+            shown,
+            wide,
+            high,
+            placed,
+            forest,
+            listed,
+            rank,
+            memory,
+            entries,
+            table,
+            notes,
         )
     return count
 

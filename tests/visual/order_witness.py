@@ -57,9 +57,9 @@ class Bodies:
         axes = np.array([right, np.cross(ahead, right), ahead])
         pose = np.concatenate([-axes @ eye, axes.ravel()])
         poses = np.tile(pose, (len(self.bodies), 1))
-        work, count = self._work, len(self.bodies)
+        work, count, none = self._work, len(self.bodies), np.empty((0, 2), np.int64)
         found = ordered(
-            self._store, self._frame, np.empty((0, 2), np.int64), poses, np.ones(count, np.uint8), WIDE, WIDE,
+            self._store, self._frame, none, none, poses, np.ones(count, np.uint8), WIDE, WIDE,
             work.placed, forest_of(self._store, self._frame, count), np.zeros(count, np.uint8),
             np.zeros(count, np.int64), work.memory("eye"), work.entries, work.table, work.notes,
         )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from aftdeck.lines import print_line
@@ -22,13 +23,25 @@ def print_planes(found: Explained, title: str) -> None:
         print_line("Permanent list: none; the trees and the planes between two clusters decide")
     else:
         print_line("Permanent list of the clusters in the camera's frame, highest priority first:")
-        print_line("  " + "  ".join(map(str, found.listed)))
+        texts = list(map(str, found.listed))
+        if found.place is not None:
+            texts.insert(found.place, "Z")
+        print_line("  " + "  ".join(texts))
+        print_line(
+            "  Z: place of all other clusters as one block"
+            if found.place is not None
+            else "  the other clusters have no common place: they are before and behind a listed cluster"
+        )
     for frame, nodes in found.trees.items():
         if len(nodes) > 1:
             print_line("")
             print_line(f"Tree in {frame}: plane N . P = D in metres; the side with the eye comes first")
             for node in nodes:
                 print_line("  " + "  " * node.depth + _text(node))
+    for plane in found.bisectors:
+        verb, bend = "separates" if plane.valid else "does not separate", math.degrees(plane.bend)
+        print_line("")
+        print_line(f"The plane through the pin at a bend of {bend:.1f} deg {verb} {plane.first} and {plane.second}")
     print_line("")
     print_line("Priority output table, highest priority first:")
     for entry in found.table:

@@ -24,6 +24,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import inverted, scene_in_l
 from aftdeck.shapes import Material
 from aftdeck.simulation.constants.site import all_solids, site_of
+from aftdeck.visual.bisectors import bisected_pairs
 from aftdeck.visual.paint import Surfaces, surfaces_of
 from aftdeck.visual.placing import find_overlaps
 from aftdeck.visual.planes import TOLERANCE
@@ -61,6 +62,7 @@ class Clusters(NamedTuple):
         forest: trees of separating planes, one for each frame.
         trims: (T, 2) pairs of clusters in different frames that can overlap in flight, because a joint or a grasp
             connects them: in each picture, the second is removed from the first.
+        bisected: (B, 2) pairs of clusters that SP 11 and SP 12 may separate.
         materials: for each face, the material with which it is drawn.
         solids: number of collision solids from which the clusters were made.
         overlapping: number of pairs of solids in one frame that overlap.
@@ -72,6 +74,7 @@ class Clusters(NamedTuple):
     frame: Indices
     forest: Forest
     trims: Indices
+    bisected: Indices
     materials: tuple[Material, ...]
     solids: int
     overlapping: int
@@ -108,6 +111,11 @@ def clusters_of(scenario: Scenario) -> Clusters:
         frame,
         forest_of(store, frame, len(frames)),
         _trims(scenario, clusters, frames, store, frame),
+        bisected_pairs(
+            scenario.arm.model,
+            [cluster.frame for cluster in clusters],
+            [volume(cluster.body) for cluster in clusters],
+        ),
         tuple(material for cluster in clusters for material in _painted(cluster, surfaces)),
         len(made),
         overlapping,

@@ -16,6 +16,7 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.law import law
+from aftdeck.visual.bisectors import remember_bisectors
 from aftdeck.visual.cutting import CROSSED, FULL, part_of, position_of
 from aftdeck.visual.outlines import bound, outcodes, outline, overlap, touches_eye
 from aftdeck.visual.placing import Memory, place, remembered, separated, trim
@@ -30,10 +31,11 @@ MOST_CUTS = 64
 INSIDE, TOO_MANY, UNORDERED = -1, -2, -3
 """Results of `ordered` for pictures that cannot be drawn: the eye is inside a cluster; there is no space for the
 pieces; the number of cuts is not enough."""
-CUTS, OVERLAPS, FIRST, SECOND, COMPARED, RANKED = range(6)
-"""Indices in the notes (6,) of `ordered`: number of cuts; number of pairs that overlap in space; clusters of the first
-such pair, or the cluster that contains the eye; number of compared pairs; how many of them were compared by rank."""
-NOTES = 6
+CUTS, OVERLAPS, FIRST, SECOND, COMPARED, RANKED, ENTERED = range(7)
+"""Indices in the notes (7,) of `ordered`: number of cuts; number of pairs that overlap in space; clusters of the first
+such pair, or the cluster that contains the eye; number of compared pairs; how many of them were compared by rank;
+number of entries."""
+NOTES = 7
 """Number of notes."""
 
 
@@ -64,6 +66,7 @@ def ordered(
     store: Store,
     frame: Indices,
     trims: Indices,
+    bisected: Indices,
     poses: Array,
     shown: Mask,
     wide: float,
@@ -83,6 +86,7 @@ def ordered(
         store: the clusters, each in its own frame.
         frame: (N,) frame of each cluster.
         trims: (T, 2) pairs of clusters: the second is removed from the first.
+        bisected: (B, 2) pairs of clusters that a plane through a pin of the arm may separate.
         poses: (F, 12) poses of the frames in the coordinates of the camera: x right, y down, z ahead.
         shown: (N,) 1 for each cluster that can be in the picture.
         wide: tangent of half the horizontal field of view.
@@ -95,13 +99,14 @@ def ordered(
         memory: the last separating planes of this camera; updated.
         entries: room for the work.
         table: (E,) output: polyhedra of `placed`, highest priority first.
-        notes: (6,) output: numbers and clusters to report.
+        notes: (7,) output: numbers and clusters to report.
 
     Returns:
         Number of polyhedra in the picture; INSIDE, TOO_MANY or UNORDERED if there is no picture.
     """
     notes[:] = 0
     place(store, frame, poses, placed)
+    remember_bisectors(bisected, placed, frame, poses, memory)
     trace_all(forest, poses, listed, rank)
     visible = np.empty(len(shown), np.uint8)
     for k in range(len(shown)):
@@ -133,7 +138,7 @@ def ordered(
         entries.new[entry], entries.new[count] = 1, 1
         free += 1
         count += 1
-    drawn = 0
+    notes[ENTERED], drawn = count, 0
     for i in range(count):
         if entries.size[table[i]] > 0:
             table[drawn] = entries.body[table[i]]

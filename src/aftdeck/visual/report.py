@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+from aftdeck.bodies.vector import dot
 from aftdeck.simulation.frame import Frame
+from aftdeck.visual.bisectors import bisector
+from aftdeck.visual.planes import TOLERANCE, extent
 from aftdeck.visual.scene import Aim, VisualScene
 from aftdeck.visual.trees import NONE
 
@@ -45,13 +50,32 @@ class Node(NamedTuple):
     clusters: tuple[int, ...]
 
 
+class Bisector(NamedTuple):
+    """Plane through a pin of the arm that bisects two links: SP 11, SP 12.
+
+    Attributes:
+        first: part before the pin.
+        second: part after the pin.
+        bend: angle between the two links [rad].
+        valid: whether the plane separates the two parts in this pose.
+    """
+
+    first: str
+    second: str
+    bend: float
+    valid: bool
+
+
 class Explained(NamedTuple):
     """What decides the order of a picture.
 
     Attributes:
         clusters: part and frame of each cluster.
         listed: the camera's permanent list; None if it has none.
+        place: number of clusters of that list before the place at which all other clusters can stand as one block
+            (the report's entry Z); None if there is no list, or if the others are before and behind a listed cluster.
         trees: nodes of each frame's tree, in the order of the trace, by the frame's name.
+        bisectors: the planes SP 11 and SP 12.
         table: the priority output table, highest priority first.
         compared: number of pairs of clusters that were compared.
         ranked: how many of them by a list or a tree; the others by a plane between the two.
@@ -61,7 +85,9 @@ class Explained(NamedTuple):
 
     clusters: tuple[tuple[str, str], ...]
     listed: tuple[int, ...] | None
+    place: int | None
     trees: dict[str, tuple[Node, ...]]
+    bisectors: tuple[Bisector, ...]
     table: tuple[Entry, ...]
     compared: int
     ranked: int
@@ -79,16 +105,43 @@ def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
         table.append(Entry(k, part, home, not table or table[-1].frame != home))
     eyes = scene.eyes(frame, aim)
     trees = {name: tuple(_traced(scene, f, eyes[f].tolist())) for f, name in enumerate(ours.frames)}
+    listed = scene.permanent_list(aim.name)
     return Explained(
         tuple(names),
-        scene.permanent_list(aim.name),
+        listed,
+        None if listed is None else _place(listed, scene.hidden_pairs()),
         trees,
+        tuple(_bisectors(scene, frame, aim)),
         tuple(table),
         order.compared,
         order.ranked,
         order.cuts,
         order.overlapping,
     )
+
+
+def _place(listed: tuple[int, ...], pairs: Iterable[tuple[int, int]]) -> int | None:
+    """Return the place of the other clusters in a list, from a picture's pairs (nearer cluster, hidden cluster)."""
+    rank = {cluster: k for k, cluster in enumerate(listed)}
+    first, last = 0, len(listed)
+    for nearer, hidden in pairs:
+        if nearer in rank and hidden not in rank:
+            first = max(first, rank[nearer] + 1)
+        elif hidden in rank and nearer not in rank:
+            last = min(last, rank[hidden])
+    return first if first <= last else None
+
+
+def _bisectors(scene: VisualScene, frame: Frame, aim: Aim) -> Iterator[Bisector]:
+    """Yield the planes SP 11 and SP 12 with the parts that each may separate."""
+    given, clusters = scene.arguments(frame, aim), scene.clusters.clusters
+    for i, j in given.bisected.tolist():
+        f, g = given.frame[i], given.frame[j]
+        n = bisector(given.poses, f, g)
+        along = extent(given.placed, i, j, n)
+        cosine = float(given.poses[f, 3::3] @ given.poses[g, 3::3])
+        valid = bool(dot(n, n) > 0.0 and along.b - along.a >= -TOLERANCE)
+        yield Bisector(clusters[i].part, clusters[j].part, math.acos(max(-1.0, min(1.0, cosine))), valid)
 
 
 def _traced(scene: VisualScene, f: int, eye: list[float]) -> list[Node]:

@@ -25,6 +25,7 @@ from aftdeck.visual.lists import permanent_list
 from aftdeck.visual.order import (
     COMPARED,
     CUTS,
+    ENTERED,
     FIRST,
     INSIDE,
     MOST_CUTS,
@@ -76,6 +77,7 @@ class Arguments(NamedTuple):
     store: Store
     frame: Indices
     trims: Indices
+    bisected: Indices
     poses: Array
     shown: Mask
     wide: float
@@ -179,6 +181,13 @@ class VisualScene:
         owners = self._work.placed.owner[self._work.table[:count]]
         return Order(tuple(owners.tolist()), notes[COMPARED], notes[RANKED], notes[CUTS], notes[OVERLAPS], pair)
 
+    def hidden_pairs(self) -> list[tuple[int, int]]:
+        """Return the pairs of clusters of the last picture of which the first hides a part of the second."""
+        entries, owner = self._work.entries, self._work.placed.owner
+        count = int(self._work.notes[ENTERED])
+        pairs = np.argwhere(entries.hides[:count, :count]).tolist()
+        return [(int(owner[entries.body[a]]), int(owner[entries.body[b]])) for a, b in pairs]
+
     def polygons(self, frame: Frame, aim: Aim) -> Polygons:
         """Return the polygons of a picture, in the order in which they are painted; the arrays belong to the caller.
 
@@ -247,7 +256,7 @@ class VisualScene:
         poses = self._in_camera(frame, aim)
         listed, rank = self._listed(aim, poses)
         return Arguments(
-            ours.store, ours.frame, ours.trims, poses, shown, aim.wide, aim.high,
+            ours.store, ours.frame, ours.trims, ours.bisected, poses, shown, aim.wide, aim.high,
             work.placed, ours.forest, listed, rank, work.memory(aim.name), work.entries, work.table, work.notes,
         )  # fmt: skip
 

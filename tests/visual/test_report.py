@@ -1,0 +1,74 @@
+"""What decides the order of a picture: planes at the pins, the place of the arm in a list, trees."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+
+from aftdeck.arms.load import load_model
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.run import Simulation
+from aftdeck.visual.report import explained
+from aftdeck.visual.scene import VisualScene
+from tests.visual.states import states
+
+
+@pytest.fixture(scope="module")
+def scene() -> VisualScene:
+    return VisualScene(load_scenario("concept-1972"))
+
+
+@pytest.fixture(scope="module")
+def start() -> Frame:
+    return Simulation("concept-1972").look()
+
+
+@pytest.mark.parametrize("bend", [5, 60, 120, 126, 128, 150])
+def test_the_plane_at_the_elbow_is_valid_up_to_the_bend_that_the_set_back_permits(
+    scene: VisualScene, start: Frame, bend: float
+) -> None:
+    """Valid if, and only if, the set-back is at least half the width times the tangent of half the bend."""
+    ho, po, _, h2, p2, r2 = start.angles
+    frame = msgspec.structs.replace(start, angles=(ho, po, -math.radians(bend), h2, p2, r2))
+    elbow = next(
+        plane
+        for plane in explained(scene, frame, scene.aim(frame, "ENG", 4 / 3)).bisectors
+        if (plane.first, plane.second) == ("upper boom", "lower boom")
+    )
+    file = load_model("concept-1972").source
+    assert isinstance(file, HeadingArmFile)
+    booms = file.booms
+    least = 0.5 * booms.side.value * math.tan(0.5 * elbow.bend)
+    assert elbow.bend == pytest.approx(math.radians(bend), abs=1e-9)
+    assert elbow.valid == (least <= booms.set_back.value)
+    assert elbow.valid == (bend < 127)
+
+
+def test_the_other_clusters_stand_as_one_block_in_a_permanent_list(scene: VisualScene) -> None:
+    """The report's entry Z. In each state the block's place lets every cluster hide only what comes after it."""
+    places = []
+    for frame in states(load_scenario("concept-1972-script"), 20, np.random.default_rng(5)):
+        for camera in ("A", "C", "D", "I"):
+            found = explained(scene, frame, scene.aim(frame, camera, 4 / 3))
+            assert found.listed is not None
+            places.append(found.place)
+            if found.place is not None:
+                row = [*found.listed[: found.place], -1, *found.listed[found.place :]]
+                rank = {cluster: row.index(cluster if cluster in row else -1) for cluster in range(24)}
+                assert all(rank[nearer] <= rank[hidden] for nearer, hidden in scene.hidden_pairs())
+    assert sum(place is not None for place in places) > 0.9 * len(places)
+
+
+def test_the_trees_are_listed_in_the_order_of_their_trace(scene: VisualScene, start: Frame) -> None:
+    """In the list of a tree, the clusters come in the order of their ranks."""
+    found = explained(scene, start, scene.aim(start, "F", 4 / 3))
+    for name, nodes in found.trees.items():
+        clusters = [cluster for node in nodes for cluster in node.clusters]
+        assert sorted(clusters) == [k for k, (_, frame) in enumerate(found.clusters) if frame == name]
+        for node in nodes:
+            assert (node.plane is None) == (node.clusters != ())
