@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -15,6 +17,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
 from aftdeck.visual.report import explained
 from aftdeck.visual.scene import VisualScene
+from tests.commands import Run
 from tests.visual.states import states
 
 
@@ -72,3 +75,15 @@ def test_the_trees_are_listed_in_the_order_of_their_trace(scene: VisualScene, st
         assert sorted(clusters) == [k for k, (_, frame) in enumerate(found.clusters) if frame == name]
         for node in nodes:
             assert (node.plane is None) == (node.clusters != ())
+
+
+def test_the_sheet_has_each_cluster_plane_and_entry(run: Run, tmp_path: Path) -> None:
+    out = tmp_path / "planes.svg"
+    assert run("planes", "concept-1972", "--camera", "A", "-o", str(out))[0] == 0
+    root = ET.parse(out).getroot()
+    texts = [text.text or "" for text in root.iter("{http://www.w3.org/2000/svg}text")]
+    for cluster in range(24):
+        assert str(cluster) in texts
+    assert sum("L vector of" in text for text in texts) > 3
+    assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) > 2 * 24
+    assert run("planes", "concept-1972", "--camera", "A", "-o", str(tmp_path / "planes.png"))[0] == 2

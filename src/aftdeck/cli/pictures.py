@@ -40,6 +40,8 @@ ALL = "all"
 """Value of --camera for a contact sheet of all cameras."""
 SIZE = (800, 600)
 """Default size of a picture [pixels]."""
+SHEET = (480, 360)
+"""Size of the picture in the sheet of `planes` [pixels]."""
 CELL = (400, 300)
 """Default size of a picture in a contact sheet [pixels]."""
 LEAST_SIZE, MOST_SIZE = 16, 8192
@@ -124,30 +126,43 @@ def render(
 
 @app.command(
     short_help="Show what decides which body hides which in a camera's picture.",
-    epilog="Examples: aftdeck planes concept-1972 --camera A; aftdeck planes run.mcap --camera F --time 40 --json",
+    epilog="Examples: aftdeck planes concept-1972 --camera A; "
+    "aftdeck planes run.mcap --camera F --time 40 -o planes.svg",
 )
 def planes(
     run: Run,
     camera: Annotated[str, typer.Option(metavar="NAME", help="Camera.")],
     time: Annotated[float, typer.Option(metavar="SECONDS", help="Time of the picture.")] = 0.0,
     words_of: WordsOf = None,
+    out: Annotated[
+        Path | None, typer.Option("-o", "--out", metavar="FILE", help="Draw all this into a file (.svg) instead.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """Show the clusters, the trees of separating planes and the order chosen for a camera (the report's Figure 19)."""
     from aftdeck.cli.moments import at, source
+    from aftdeck.visual.diagram import sheet
+    from aftdeck.visual.picture import picture_of
     from aftdeck.visual.report import explained
     from aftdeck.visual.scene import VisualScene
 
     _not_negative("--time", time)
+    if out is not None and (out.suffix != ".svg" or as_json):
+        raise InputError(f"-o: {out} has to end in .svg, and cannot be combined with --json")
     given = source(run, words_of)
     frame = at(given, time)
     _announce_compilation()
     scene = VisualScene(given.scenario)
-    found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
-    if as_json:
+    aim, title = scene.aim(frame, camera, SIZE[0] / SIZE[1]), f"{given.scenario.title}, camera {camera}"
+    found = explained(scene, frame, aim)
+    if out is not None:
+        picture = picture_of(scene, frame, camera, SHEET, "colour", _light(given.scenario, None))
+        _write(out, sheet(scene, frame, aim, found, picture, f"{title} at {frame.time_s:g} s").encode())
+        print_line(str(out))
+    elif as_json:
         print_json(found._asdict())
     else:
-        print_planes(found, f"{given.scenario.title}, camera {camera} at {frame.time_s:g} s")
+        print_planes(found, f"{title} at {frame.time_s:g} s")
 
 
 def _announce_compilation() -> None:

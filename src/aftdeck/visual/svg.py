@@ -17,6 +17,13 @@ LEAST_TEXT = 9.0
 """Least height of a text [pixels]."""
 RASTER = 3
 """Distance of the raster lines of the look of 1972 [pixels]."""
+FONT = 'font-family="ui-monospace, Menlo, Consolas, monospace"'
+"""Attribute of all texts."""
+DEFINITIONS = (
+    f'<defs><pattern id="raster" width="{RASTER}" height="{RASTER}" patternUnits="userSpaceOnUse">'
+    f'<rect width="{RASTER}" height="1" fill="#000" fill-opacity="0.45"/></pattern></defs>'
+)
+"""Definitions that a file with pictures needs: the raster lines."""
 
 
 def svg(page: Page, description: str = "") -> str:
@@ -56,18 +63,21 @@ def baseline(picture: Picture, label: Label) -> tuple[float, float]:
     ) * size
 
 
+def text_element(x: float, y: float, text: str, *, size: float = 12, anchor: str = "start", fill: str = INK) -> str:
+    """Return a text; x and y are the end, the beginning or the middle of its base line, as `anchor` says [pixels]."""
+    place = f'x="{x:.1f}" y="{y:.1f}" font-size="{size:g}" text-anchor="{anchor}" fill="{fill}"'
+    return f'<text {place} xml:space="preserve">{escape(text)}</text>'
+
+
 def _opening(page: Page) -> str:
     size = f'width="{page.width}" height="{page.height}" viewBox="0 0 {page.width} {page.height}"'
-    return f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="ui-monospace, Menlo, Consolas, monospace">'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {size} {FONT}>'
 
 
 def _head(description: str) -> Iterator[str]:
     if description:
         yield f"<title>{escape(description)}</title>"
-    yield (
-        f'<defs><pattern id="raster" width="{RASTER}" height="{RASTER}" patternUnits="userSpaceOnUse">'
-        f'<rect width="{RASTER}" height="1" fill="#000" fill-opacity="0.45"/></pattern></defs>'
-    )
+    yield DEFINITIONS
 
 
 def _paper(page: Page) -> str:
@@ -79,11 +89,12 @@ def _contents(page: Page) -> Iterator[str]:
         yield f'<text x="{GAP}" y="{HEADER - 10}" fill="{INK}" font-size="15">{escape(page.title)}</text>'
     for x, y, picture in page.cells:
         yield f'<svg x="{x}" y="{y}" width="{picture.width}" height="{picture.height}">'
-        yield from _picture(picture)
+        yield from elements(picture)
         yield "</svg>"
 
 
-def _picture(picture: Picture) -> Iterator[str]:
+def elements(picture: Picture) -> Iterator[str]:
+    """Yield the elements of a picture; its upper left corner is the origin."""
     width, height = picture.width, picture.height
     yield f'<rect width="{width}" height="{height}" fill="{BACKGROUND}"/>'
     yield '<g stroke-width="0.7" stroke-linejoin="round">'
