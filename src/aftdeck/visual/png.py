@@ -13,6 +13,8 @@ from aftdeck.visual.page import GAP, HEADER, Page
 from aftdeck.visual.picture import Picture
 from aftdeck.visual.svg import BACKGROUND, INK, PAPER, RASTER, baseline, text_size
 
+Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
+
 _FINER = 2
 """Number of painted pixels for each pixel of the file, across and down."""
 
@@ -50,27 +52,31 @@ def _picture(picture: Picture) -> Image.Image:
     begins, colours = picture.begins.tolist(), list(map(tuple, picture.colours.tolist()))
     for q, colour in enumerate(colours):
         draw.polygon(corners[begins[q] : begins[q + 1]], fill=colour)
-    image = large.reduce(_FINER)
     if picture.look == "1972":
-        rows = np.asarray(image).copy()
-        rows[::RASTER] = (rows[::RASTER] * 0.55).astype(np.uint8)
-        image = Image.fromarray(rows)
-    _write(ImageDraw.Draw(image), picture)
-    return image
+        rows = np.asarray(large).copy()
+        for k in range(_FINER):
+            rows[k :: _FINER * RASTER] = (rows[k :: _FINER * RASTER] * 0.55).astype(np.uint8)
+        large = Image.fromarray(rows)
+        draw = ImageDraw.Draw(large)
+    _write(draw, picture)
+    return large.reduce(_FINER)
 
 
 def _write(draw: ImageDraw.ImageDraw, picture: Picture) -> None:
-    """Write the texts of a picture."""
-    font = _font(text_size(picture))
+    """Write the texts of a picture that is painted in greater size."""
+    font = _font(_FINER * text_size(picture))
     for label in picture.labels:
-        anchor = "rs" if label.right else "ls"
-        draw.text(
-            baseline(picture, label), label.text, INK, font, anchor=anchor, stroke_width=1, stroke_fill=BACKGROUND
-        )
-    draw.text((picture.width / 2, picture.height / 2), picture.failure, INK, font, anchor="ms")
+        x, y = baseline(picture, label)
+        _outlined(draw, (_FINER * x, _FINER * y), label.text, font, "rs" if label.right else "ls")
+    middle = 0.5 * _FINER * picture.width, 0.5 * _FINER * picture.height
+    _outlined(draw, middle, picture.failure, font, "ms")
+
+
+def _outlined(draw: ImageDraw.ImageDraw, at: tuple[float, float], text: str, font: Font, anchor: str) -> None:
+    draw.text(at, text, INK, font, anchor=anchor, stroke_width=_FINER, stroke_fill=BACKGROUND)
 
 
 @lru_cache(maxsize=8)
-def _font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
+def _font(size: float) -> Font:
     """Return the font that Pillow brings with it; every machine has it."""
     return ImageFont.load_default(size)
