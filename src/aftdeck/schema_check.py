@@ -150,9 +150,10 @@ def _struct_problems(raw: object, kind: Any, where: _Where) -> list[tuple[_Where
     found: list[tuple[_Where, str]] = []
     if tag is not None and raw.get(tag) != struct.__struct_config__.tag:
         found.append(((*where, tag), f"expected {struct.__struct_config__.tag!r}, got {short(raw.get(tag))}"))
+    unknown = f"unknown field; allowed here: {', '.join(fields)}"  # one text for all, because a file may have many
     for key in raw:
         if key not in fields and key != tag and struct.__struct_config__.forbid_unknown_fields:
-            found.append(((*where, key), f"unknown field; allowed here: {', '.join(fields)}"))
+            found.append(((*where, key), unknown))
     for key, field in fields.items():
         if key in raw:
             found += problems_of(raw[key], field.type, (*where, key))
