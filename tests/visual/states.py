@@ -21,12 +21,10 @@ def states(scenario: Scenario, count: int, rng: np.random.Generator) -> Iterator
     Between two of these frames the sticks are deflected at random for some seconds, so that the poses differ from those
     of the script; then the script's state is restored.
     """
-    simulation = Simulation(scenario)
-    duration = scenario.ticks
-    at = np.sort(rng.integers(0, max(1, int(0.9 * duration)), (count + 1) // 2))
-    tick, left = 0, count
+    simulation, tick, left = Simulation(scenario), 0, count
+    at = np.sort(rng.choice(_steps(scenario), (count + 1) // 2, replace=False))
     for due in at.tolist():
-        while tick < due and not simulation.ended:
+        while tick < due:
             simulation.advance()
             tick += 1
         yield _aimed(scenario, simulation.look(), rng)
@@ -41,6 +39,15 @@ def states(scenario: Scenario, count: int, rng: np.random.Generator) -> Iterator
         yield _aimed(scenario, simulation.look(), rng)
         left -= 1
         simulation.restore(saved)
+
+
+def _steps(scenario: Scenario) -> int:
+    """Return the number of steps of a scenario's script."""
+    simulation, steps = Simulation(scenario), 0
+    while not simulation.ended:
+        simulation.advance()
+        steps += 1
+    return steps
 
 
 def _aimed(scenario: Scenario, frame: Frame, rng: np.random.Generator) -> Frame:

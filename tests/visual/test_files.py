@@ -156,7 +156,7 @@ def test_planes_prints_what_decides_the_order(run: Run) -> None:
     found = json.loads(out)
     assert len(found["clusters"]) == 24
     assert sorted(found["listed"]) == [k for k, (_, frame) in enumerate(found["clusters"]) if frame == "orbiter"]
-    assert {entry[0] for entry in found["table"]} <= set(range(24))
+    assert {entry["cluster"] for entry in found["table"]} <= set(range(24))
     assert found["cuts"] == 0
     code, out, _ = run("planes", "concept-1972", "--camera", "A")
     assert code == 0

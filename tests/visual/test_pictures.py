@@ -95,7 +95,9 @@ def _check(name: str, count: int, seed: int) -> None:
     found = compare(load_scenario(name), count, seed)
     assert found.pictures > 0
     assert found.wrong == 0, found
-    assert found.on_edges <= 1e-4 * found.pixels, found
+    assert found.on_edges <= found.pictures, found
+    assert found.inside.total() <= 0.05 * found.pictures, found
+    assert found.overlaps <= 0.02 * found.pictures, found
 
 
 @pytest.mark.parametrize("name", ["concept-1972-script", "srms-berth"])

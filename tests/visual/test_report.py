@@ -17,6 +17,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
 from aftdeck.visual.report import explained
 from aftdeck.visual.scene import VisualScene
+from aftdeck.visual.trees import trace_all
 from tests.commands import Run
 from tests.visual.states import states
 
@@ -69,10 +70,14 @@ def test_the_other_clusters_stand_as_one_block_in_a_permanent_list(scene: Visual
 
 def test_the_trees_are_listed_in_the_order_of_their_trace(scene: VisualScene, start: Frame) -> None:
     """In the list of a tree, the clusters come in the order of their ranks."""
-    found = explained(scene, start, scene.aim(start, "F", 4 / 3))
+    aim = scene.aim(start, "F", 4 / 3)
+    found, given = explained(scene, start, aim), scene.arguments(start, aim)
+    rank = np.zeros(24, np.int64)
+    trace_all(given.forest, given.poses, given.listed, rank)
     for name, nodes in found.trees.items():
         clusters = [cluster for node in nodes for cluster in node.clusters]
-        assert sorted(clusters) == [k for k, (_, frame) in enumerate(found.clusters) if frame == name]
+        members = [k for k, (_, frame) in enumerate(found.clusters) if frame == name]
+        assert clusters == sorted(members, key=lambda k: rank[k])
         for node in nodes:
             assert (node.plane is None) == (node.clusters != ())
 

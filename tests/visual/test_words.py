@@ -71,7 +71,10 @@ def test_render_draws_a_file_of_words(run: Run, tmp_path: Path, flown: tuple[Pat
 
 def test_wrong_words_name_their_line(run: Run, tmp_path: Path, flown: tuple[Path, tuple[Frame, ...]]) -> None:
     lines = flown[0].read_text().splitlines()[:3]
-    for line, part in (("{}", "words.jsonl:4: "), (lines[0].replace('"0', '"9', 1), "expected digits from 0 to 7")):
+    for line, part in (
+        ("{}", "words.jsonl:4: "),
+        (lines[0].replace('"0', '"9', 1), "expected up to eight digits from 0 to 7"),
+    ):
         path = tmp_path / "words.jsonl"
         path.write_text("\n".join([*lines, line]))
         code, _, err = run("render", str(path), "--camera", "A", "-o", str(tmp_path / "a.svg"))

@@ -23,8 +23,7 @@ WORDS = ".jsonl"
 """Ending of the name of a file of frame words."""
 CONCEPT = "concept-1972"
 """Scenario of frame words."""
-MOST_MOMENTS = 2000
-"""Greatest number of moments in one file."""
+_EMPTY = "the recording has no frames: it was cut short before its first one"
 
 
 _SLACK = 1e-6
@@ -86,33 +85,47 @@ def at(run: Source, time_s: float) -> Frame:
     Raises:
         InputError: the run ends before that time.
     """
-    last = 0.0
-    if run.end_s is None or time_s <= run.end_s + _SLACK:
-        for moment in run.moments:
-            last = moment.time_s
-            if last + run.scenario.control_period > time_s + _SLACK:
-                return moment.frame()
-    else:
-        last = run.end_s
+    if run.end_s is not None and time_s > run.end_s + _SLACK:
+        raise InputError(f"--time: the run has no frame at {time_s:g} s: it ends at {run.end_s:g} s at the latest")
+    last = None
+    for moment in run.moments:
+        last = moment.time_s
+        if last + run.scenario.control_period > time_s + _SLACK:
+            return moment.frame()
+    if last is None:
+        raise InputError(_EMPTY)
     raise InputError(f"--time: the run has no frame at {time_s:g} s: it ends at {last:g} s")
 
 
-def every(run: Source, step_s: float) -> Iterator[Frame]:
+def every(run: Source, step_s: float, most: int | None) -> Iterator[Frame]:
     """Yield the first frame, and then a frame every `step_s` seconds, up to the end of the run.
 
+    Args:
+        run: the run.
+        step_s: time between two frames [s].
+        most: greatest number of frames; None for no limit.
+
     Raises:
-        InputError: there would be more than MOST_MOMENTS frames.
+        InputError: `step_s` is less than the control period, there are more than `most` frames, or there is none.
     """
+    period = run.scenario.control_period
+    if step_s < period - _SLACK:
+        raise InputError(f"--every: got {step_s:g} s, expected at least the control period, {period:g} s")
     due, count = 0.0, 0
     for moment in run.moments:
         if count == 0:
             due = moment.time_s
         if moment.time_s >= due - _SLACK:
             count += 1
-            if count > MOST_MOMENTS:
-                raise InputError(f"--every {step_s:g} s gives more than {MOST_MOMENTS} pictures; choose a longer time")
+            if most is not None and count > most:
+                raise InputError(
+                    f"--every {step_s:g} s gives more than {most} pictures of this size for one file; choose a longer "
+                    "time or a smaller size, or write numbered files with '#' in the name"
+                )
             yield moment.frame()
             due += step_s
+    if count == 0:
+        raise InputError(_EMPTY)
 
 
 def _recorded(recording: Recording) -> Iterator[Moment]:

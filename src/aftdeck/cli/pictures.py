@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Json, app
-from aftdeck.cli.planes import print_planes
+from aftdeck.cli.planes import named, print_planes
 from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.lines import print_error, print_line
@@ -46,6 +46,10 @@ CELL = (400, 300)
 """Default size of a picture in a contact sheet [pixels]."""
 LEAST_SIZE, MOST_SIZE = 16, 8192
 """Limits of a picture's width and height [pixels]."""
+MOST_PIXELS = 300_000_000
+"""Greatest number of pixels of all pictures in an animated file, which is made in memory."""
+SHEET_CAMERAS = 16
+"""Number of cameras that is assumed for a contact sheet when its pixels are counted."""
 FORMATS = (".svg", ".png")
 """Endings of the files that `render` writes."""
 
@@ -111,8 +115,9 @@ def render(
         raise InputError(f"-o: {out} has '#' in its name, which needs --every")
     drawn_size = _size(size, CELL if camera == ALL else SIZE)
     given = source(run, words_of)
-    frames = iter((at(given, time or 0.0),)) if step is None else every(given, step)
-    pages = _pages(given.scenario, frames, camera, drawn_size, look, _light(given.scenario, light))
+    most = max(1, MOST_PIXELS // (drawn_size[0] * drawn_size[1] * (SHEET_CAMERAS if camera == ALL else 1)))
+    frames = iter((at(given, time or 0.0),)) if step is None else every(given, step, None if numbered else most)
+    pages = _pages(given.scenario, frames, camera, drawn_size, look, _light(given.scenario, light), alone=step is None)
     if numbered:
         count = 0
         for count, page in enumerate(pages, 1):
@@ -160,7 +165,7 @@ def planes(
         _write(out, sheet(scene, frame, aim, found, picture, f"{title} at {frame.time_s:g} s").encode())
         print_line(str(out))
     elif as_json:
-        print_json(found._asdict())
+        print_json(named(found))
     else:
         print_planes(found, f"{title} at {frame.time_s:g} s")
 
@@ -170,7 +175,7 @@ def _announce_compilation() -> None:
     from aftdeck.law import compiled_before
 
     if sys.stderr.isatty() and not compiled_before("visual"):
-        print_error("compiling the laws that draw pictures; this takes half a minute, once for each version")
+        print_error("compiling the laws that draw pictures; this takes a minute or two, once for each version")
 
 
 def _not_negative(option: str, value: float | None) -> None:
@@ -185,8 +190,13 @@ def _pages(
     size: tuple[int, int],
     look: LookName,
     light: LightCondition,
+    *,
+    alone: bool,
 ) -> Iterator[Page]:
-    """Yield the page of each frame."""
+    """Yield the page of each frame.
+
+    A picture that cannot be drawn is replaced by the reason; if it stands `alone`, this is an error.
+    """
     from aftdeck.visual.page import contact_sheet, single
     from aftdeck.visual.picture import failed_picture, picture_of, readouts
     from aftdeck.visual.scene import VisualScene
@@ -196,7 +206,12 @@ def _pages(
     style: Look = "1972" if look is LookName.seventies else "colour"
     for frame in frames:
         if camera != ALL:
-            yield single(picture_of(scene, frame, camera, size, style, light))
+            try:
+                yield single(picture_of(scene, frame, camera, size, style, light))
+            except SimulationError as error:
+                if alone:
+                    raise
+                yield single(failed_picture(size, style, camera, error))
             continue
         pictures = []
         for name in scene.cameras:

@@ -11,16 +11,33 @@ if TYPE_CHECKING:
     from aftdeck.visual.report import Explained, Node
 
 
+def named(value: object) -> object:
+    """Return a value with all its named tuples as dicts, for JSON."""
+    if isinstance(value, tuple) and hasattr(value, "_asdict"):
+        return {key: named(item) for key, item in value._asdict().items()}
+    if isinstance(value, dict):
+        return {key: named(item) for key, item in value.items()}
+    return [named(item) for item in value] if isinstance(value, tuple) else value
+
+
 def print_planes(found: Explained, title: str) -> None:
     """Print what decides the order of a picture."""
     print_line(title)
+    print_line("")
+    print_line(
+        f"{len(found.clusters)} clusters, from {found.solids} solids, of which {found.overlapping_solids} pairs in one "
+        "frame overlap"
+    )
     print_line("")
     print_line("Clusters: number, part, frame")
     for k, (part, frame) in enumerate(found.clusters):
         print_line(f"  {k:3d}  {part:28s} {frame}")
     print_line("")
     if found.listed is None:
-        print_line("Permanent list: none; the trees and the planes between two clusters decide")
+        print_line(
+            "Permanent list: none, because the camera moves, its eye has moved by pan or tilt, or the list has a "
+            "cycle; trees and planes decide"
+        )
     else:
         print_line("Permanent list of the clusters in the camera's frame, highest priority first:")
         texts = list(map(str, found.listed))

@@ -9,6 +9,7 @@ Simulation, TABLE II and the visual scene program.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Annotated
@@ -29,6 +30,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive, Cameras
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
+from aftdeck.units import short
 from aftdeck.worksite.report import Cargo
 
 ACQUISITION = 1
@@ -64,10 +66,9 @@ def read_blocks(path: Path) -> tuple[FrameBlock, ...]:
 
 
 def _octal(word: str) -> int:
-    try:
-        return int(word, 8)
-    except ValueError:
-        raise InputError(f"got the word {word!r}, expected digits from 0 to 7") from None
+    if not re.fullmatch(r"[0-7]{1,8}", word):
+        raise InputError(f"got the word {short(word)}, expected up to eight digits from 0 to 7")
+    return int(word, 8)
 
 
 def frames_from(scenario: Scenario, blocks: Iterable[FrameBlock]) -> Iterator[Frame]:
@@ -120,6 +121,7 @@ class _SceneProgram:
         self._last = msgspec.structs.replace(
             now,
             tick=self._tick,
+            mode=f"MODE {control.mode}",
             time_s=round(self._tick * self._period, 9),
             angles=angles,
             views=views,

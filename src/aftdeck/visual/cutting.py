@@ -213,6 +213,8 @@ def subtract(store: Store, k: int, other: Store, m: int, pieces: Indices, count:
     for f in range(other.first_face[m], other.first_face[m + 1]):
         position = position_of(store, rest, other.planes[f])
         if position == ABOVE:
+            if start == len(pieces):
+                return FULL
             pieces[start] = k
             return start + 1
         if position == BELOW:

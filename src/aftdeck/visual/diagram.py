@@ -51,10 +51,12 @@ def sheet(scene: VisualScene, frame: Frame, aim: Aim, found: Explained, picture:
         parts += [f'<svg x="{x}" y="{y}" width="{SIZE[0]}" height="{SIZE[1]}">']
         parts += [*view_elements(scene, frame, aim, found, view), "</svg>"]
     y += max(picture.height, SIZE[1]) + GAP
-    x = GAP
-    tallest = 0
+    x, tallest = GAP, 0
+    omitted: list[str] = []
     for name, nodes in found.trees.items():
         leaves, depth = sum(len(node.clusters) for node in nodes), max(node.depth for node in nodes)
+        if leaves > MOST_LEAVES:
+            omitted.append(f"tree of {name} omitted: {leaves} clusters")
         if not 1 < leaves <= MOST_LEAVES:
             continue
         across = max(leaves * LEAF, 10 * len(name)) + GAP
@@ -64,6 +66,7 @@ def sheet(scene: VisualScene, frame: Frame, aim: Aim, found: Explained, picture:
         x, tallest = x + across, max(tallest, (depth + 2) * LEVEL + GAP)
     y += tallest
     columns = _columns(found)
+    columns[-1] += omitted
     for k, column in enumerate(columns):
         parts += [text_element(GAP + k * COLUMN, y + LINE * (n + 1), line) for n, line in enumerate(column)]
     height = y + LINE * max(map(len, columns)) + GAP
@@ -164,4 +167,6 @@ def _columns(found: Explained) -> list[list[str]]:
         f"{found.cuts} cuts",
         *(f"pin plane {'valid' if p.valid else 'not valid'}: {p.first}, {p.second}" for p in found.bisectors),
     ]
+    if found.overlapping is not None:
+        notes.append(f"{found.overlapping[0]} and {found.overlapping[1]} overlap in space: their order is uncertain")
     return [clusters, table, notes]

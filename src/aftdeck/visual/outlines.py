@@ -20,7 +20,7 @@ _GATHERED = 1024
 _SIDES = 4
 """Number of the picture's edges: left, right, upper, lower."""
 NEAR = 5e-3
-"""Least distance of a camera's eye from every cluster [m]."""
+"""Least distance of a camera's eye from a plane of every cluster in the picture [m]."""
 
 
 @law
@@ -99,6 +99,8 @@ def outline(placed: Store, k: int, crosses: bool, wide: float, high: float, foun
         Number of corners; 0 if the polyhedron is not in the picture; FULL if there are too many.
     """
     flat, count = np.empty((_GATHERED, 2)), 0
+    if placed.first_point[k + 1] - placed.first_point[k] > _GATHERED:
+        return FULL
     if not crosses:
         for i in range(placed.first_point[k], placed.first_point[k + 1]):
             flat[count, 0] = placed.points[i, 0] / placed.points[i, 2]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Literal, NamedTuple, get_args
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -17,8 +17,7 @@ from aftdeck.visual.brightness import GAMMA, brightness, grey_levels, luminance
 from aftdeck.visual.scene import VisualScene
 
 Look = Literal["colour", "1972"]
-LOOKS: tuple[Look, ...] = get_args(Look)
-"""Looks of a picture: in colour, or as on the monitors of the Remote Manipulator Simulation: greys, raster lines."""
+"""Look of a picture: in colour, or as on the monitors of the Remote Manipulator Simulation: greys, raster lines."""
 
 
 class Label(NamedTuple):

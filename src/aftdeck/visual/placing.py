@@ -131,6 +131,8 @@ def trim(
     for k in range(clusters):
         begin = count
         if visible[k]:
+            if count == len(pieces):
+                return FULL
             pieces[count] = k
             count += 1
         while t < len(trims) and trims[t, 0] == k:

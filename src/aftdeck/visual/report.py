@@ -71,7 +71,9 @@ class Explained(NamedTuple):
 
     Attributes:
         clusters: part and frame of each cluster.
-        listed: the camera's permanent list; None if it has none.
+        solids: number of collision solids from which the clusters were made.
+        overlapping_solids: number of pairs of them that overlap in one frame.
+        listed: the camera's permanent list; None if it has none for the present position of its eye.
         place: number of clusters of that list before the place at which all other clusters can stand as one block
             (the report's entry Z); None if there is no list, or if the others are before and behind a listed cluster.
         trees: nodes of each frame's tree, in the order of the trace, by the frame's name.
@@ -84,6 +86,8 @@ class Explained(NamedTuple):
     """
 
     clusters: tuple[tuple[str, str], ...]
+    solids: int
+    overlapping_solids: int
     listed: tuple[int, ...] | None
     place: int | None
     trees: dict[str, tuple[Node, ...]]
@@ -105,9 +109,12 @@ def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
         table.append(Entry(k, part, home, not table or table[-1].frame != home))
     eyes = scene.eyes(frame, aim)
     trees = {name: tuple(_traced(scene, f, eyes[f].tolist())) for f, name in enumerate(ours.frames)}
-    listed = scene.permanent_list(aim.name)
+    given = scene.arguments(frame, aim)
+    listed = scene.permanent_list(aim.name) if given.listed.any() else None
     return Explained(
         tuple(names),
+        ours.solids,
+        ours.overlapping,
         listed,
         None if listed is None else _place(listed, scene.hidden_pairs()),
         trees,

@@ -4,8 +4,8 @@ A node has a plane that cuts no cluster; the clusters on the eye's side of it hi
 single cluster, or several that no plane divides without a cut: these are compared with each other in each picture. A
 tree is never made finer by cuts: random layouts need cuts more often than their pictures have cycles.
 
-Each node is passed three times: for the test, after the first son, and after the second son. The indicator holds the
-pass and the result of the test, so that the trace needs no stack (MAINPRIOR). Source: Remote Manipulator Simulation,
+Each node is passed three times: for the test, after the first son, and after the second son. An indicator counts the
+sons that are done, so that the trace needs no stack (MAINPRIOR). Source: Remote Manipulator Simulation,
 final report, chapter V, Figures 17 to 19.
 """
 
@@ -39,7 +39,6 @@ class Tree(NamedTuple):
         plane: (n, 4) unit normal N and distance D of each node's plane [m]; zero for a leaf.
         first: (n + 1,) first of each leaf's clusters in `clusters`; nodes that are no leaves have none.
         clusters: (m,) clusters of all leaves.
-        indicator: (n,) for the trace: 0 before the first pass, then 1 or 2 for the son that comes next.
     """
 
     father: Indices
@@ -48,21 +47,6 @@ class Tree(NamedTuple):
     plane: Array
     first: Indices
     clusters: Indices
-    indicator: Indices
-
-    @property
-    def depth(self) -> int:
-        """Greatest number of planes between the root and a leaf."""
-        depths = [0] * len(self.father)
-        for k, father in enumerate(self.father.tolist()):
-            depths[k] = 0 if father == NONE else depths[father] + 1
-        return max(depths)
-
-    @property
-    def undivided(self) -> tuple[tuple[int, ...], ...]:
-        """Groups of clusters that no plane divides without a cut."""
-        leaves = (self.clusters[a:b].tolist() for a, b in zip(self.first[:-1], self.first[1:], strict=True))
-        return tuple(tuple(leaf) for leaf in leaves if len(leaf) > 1)
 
 
 class _Node(NamedTuple):
@@ -110,7 +94,6 @@ def tree_of(store: Store, members: Indices) -> Tree:
         np.array([node.plane for node in nodes]),
         np.cumsum([0, *counts]),
         np.array([cluster for node in nodes for cluster in node.clusters], dtype=np.int64),
-        np.zeros(len(nodes), np.int64),
     )
 
 
@@ -168,23 +151,23 @@ def forest_of(store: Store, frame: Indices, frames: int) -> Forest:
             [*(tree.first[:-1] + first for tree, first in zip(trees, firsts[:-1], strict=True)), firsts[-1:]]
         ),
         np.concatenate([tree.clusters for tree in trees]),
-        np.zeros(roots[-1], np.int64),
     )
     return Forest(roots[:-1], joined)
 
 
 @law
-def trace(tree: Tree, root: int, eye: Vector, rank: Indices) -> None:
+def trace(tree: Tree, root: int, eye: Vector, indicator: Indices, rank: Indices) -> None:
     """Write the ranks of a tree's clusters: 0 for the highest priority; clusters of one leaf have the same rank.
 
     Args:
-        tree: the tree; its indicators are 0 before and after.
+        tree: the tree.
         root: the node at which the trace begins.
         eye: position of the eye in the frame of the tree [m] (the frame's L vector).
+        indicator: (n,) number of sons of each node that are done; 0 before and after the trace.
         rank: (N,) output: rank of each cluster.
     """
     node, count = root, 0
-    father, above, below, plane, indicator = tree.father, tree.above, tree.below, tree.plane, tree.indicator
+    father, above, below, plane = tree.father, tree.above, tree.below, tree.plane
     while node != NONE:
         if above[node] == NONE:
             for k in range(tree.first[node], tree.first[node + 1]):
@@ -213,7 +196,8 @@ def trace_all(forest: Forest, poses: Array, listed: Mask, rank: Indices) -> None
         listed: (F,) 1 for each frame whose clusters already have their ranks, from a permanent list.
         rank: (N,) output.
     """
+    indicator = np.zeros(len(forest.tree.father), np.int64)
     for f in range(len(forest.root)):
         if not listed[f]:
             away = Vector(-poses[f, 0], -poses[f, 1], -poses[f, 2])
-            trace(forest.tree, forest.root[f], turned_back(poses[f], away), rank)
+            trace(forest.tree, forest.root[f], turned_back(poses[f], away), indicator, rank)
