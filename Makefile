@@ -26,7 +26,7 @@ fly: .venv/.aftdeck  ## open the station and fly; ARGS="..." are passed to `aftd
 test: .venv/.aftdeck .venv/.dev $(MODULES)  ## run every test not marked slow; ARGS="..." are passed to pytest
 	@cd web && npm test --silent
 ifeq ($(ARGS),)
-	@$(PY) -m pytest -m "not slow and not browser" -n auto --quiet
+	@$(PY) -m pytest -m "not slow and not browser" -n auto --dist loadgroup --quiet
 	@$(PY) -m pytest -m "browser and not slow" -n 2 --quiet
 else
 	@$(PY) -m pytest -m "not slow" $(ARGS)

@@ -179,7 +179,6 @@ def test_closing_ends_the_compilation(monkeypatch: pytest.MonkeyPatch) -> None:
     until(lambda: started[0].poll() is not None, "the end of the process")
 
 
-@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
 def test_failure_of_the_painter_is_shown() -> None:
     def make(_: Scenario) -> PolygonPictures:
         raise ValueError("no clusters")

@@ -101,6 +101,7 @@ def test_render_writes_a_picture_of_a_scenario(run: Run, tmp_path: Path) -> None
     assert len(polygons_in(out.read_text())) > 5
 
 
+@pytest.mark.slow
 def test_render_draws_a_recording_as_the_run_itself(run: Run, tmp_path: Path) -> None:
     """A recording rounds poses; corners agree to a tenth of a pixel."""
     record(load_scenario("concept-1972-script"), tmp_path / "run.mcap")

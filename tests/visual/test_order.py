@@ -36,7 +36,7 @@ def test_a_permanent_list_agrees_with_rays_in_all_directions(camera: str) -> Non
     assert met > 20
 
 
-@pytest.mark.parametrize("name", ["concept-1972", "srms-berth"])
+@pytest.mark.parametrize("name", ["concept-1972", pytest.param("srms-berth", marks=pytest.mark.slow)])
 def test_trees_have_each_cluster_once_and_agree_with_planes(name: str) -> None:
     """The ranks of a tree never contradict the comparison of two clusters, from random eyes."""
     clusters = clusters_of(load_scenario(name))
@@ -72,7 +72,7 @@ def test_three_interlocked_bars_need_one_cut() -> None:
     assert bodies.wrong_pixels(order) == 0
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 6))])
 def test_random_bars_with_cycles_are_drawn_as_rays_meet_them(seed: int) -> None:
     bodies = Bodies(random_bars(np.random.default_rng(seed), 24))
     order = bodies.order(np.array([9.0, 1.0, 2.0]), np.zeros(3))
@@ -117,6 +117,7 @@ HIDDEN = {
 """Parts that are not in the pictures of a camera, because they are around its eye; no parts for the other cameras."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HIDDEN)
 def test_only_the_parts_around_an_eye_are_hidden(name: str) -> None:
     scene, frame = VisualScene(load_scenario(name)), Simulation(name).look()

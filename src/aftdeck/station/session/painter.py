@@ -5,6 +5,7 @@ The thread draws the newest frame and skips the others, so that a slow picture d
 
 from __future__ import annotations
 
+import logging
 import subprocess
 import threading
 from collections.abc import Callable, Mapping
@@ -22,6 +23,7 @@ AT_ONCE = 4
 PREPARING = "Preparing the look of 1972. The first time takes a minute or two."
 """Text on a monitor until the first picture."""
 
+_log = logging.getLogger("aftdeck.station")
 _encode = msgspec.json.Encoder().encode
 
 
@@ -89,7 +91,7 @@ class Painter:
                 self._text = f"The look of 1972 has failed: {error}"
                 self._publish({})
             self.notify()
-            raise
+            _log.exception("the look of 1972 has failed")
 
     def _draw(self, pictures: PolygonPictures, turn: int) -> int:
         """Compute at most `AT_ONCE` pictures, beginning with camera number `turn`; return the next number."""
