@@ -79,7 +79,7 @@ def test_polygons_show_the_same_parts_as_webgl_and_follow_the_arm(flight: Flight
     assert np.mean((moved > 6.0) == (grey(flight, 1) > 6.0)) > 0.93
     key(flight, 0).click()
     flight.until(f"{_CANVAS.format(0)}.hidden")
-    assert np.abs(grey(flight, 0) - grey(flight, 1)).max() < 40.0
+    assert np.abs(grey(flight, 0) - grey(flight, 1)).mean() < 8.0  # the arm may still move between the two
 
 
 def test_the_look_is_stored_for_each_monitor_and_applies_in_secondary_windows(flight: Flight) -> None:
