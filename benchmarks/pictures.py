@@ -8,21 +8,17 @@ from functools import partial
 import mujoco
 import numpy as np
 
-from aftdeck.arrays import Indices, Mask
 from aftdeck.law import law
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
-from aftdeck.visual.order import Entries, ordered
+from aftdeck.visual.order import ordered
 from aftdeck.visual.page import Page, single
 from aftdeck.visual.picture import picture_of
-from aftdeck.visual.placing import Memory
 from aftdeck.visual.png import png
-from aftdeck.visual.scene import VisualScene
-from aftdeck.visual.store import Store
+from aftdeck.visual.scene import Arguments, VisualScene
 from aftdeck.visual.svg import svg
-from aftdeck.visual.trees import Forest
 from benchmarks.measure import Figure, microseconds
 
 SIZE = (800, 600)
@@ -34,45 +30,11 @@ REPEATS = 50
 
 
 @law
-def orders(
-    store: Store,
-    frame: Indices,
-    trims: Indices,
-    bisected: Indices,
-    poses: np.ndarray,
-    shown: Mask,
-    wide: float,
-    high: float,
-    placed: Store,
-    forest: Forest,
-    listed: Mask,
-    rank: Indices,
-    memory: Memory,
-    entries: Entries,
-    table: Indices,
-    notes: Indices,
-) -> int:
+def orders(given: Arguments) -> int:
     """Order a picture REPEATS times."""
     count = 0
     for _ in range(REPEATS):
-        count += ordered(
-            store,
-            frame,
-            trims,
-            bisected,
-            poses,
-            shown,
-            wide,
-            high,
-            placed,
-            forest,
-            listed,
-            rank,
-            memory,
-            entries,
-            table,
-            notes,
-        )
+        count += ordered(*given)
     return count
 
 
@@ -88,9 +50,7 @@ def pictures() -> list[Figure]:
         times: dict[str, list[float]] = {"order": [], "svg": [], "png": []}
         for camera in scene.cameras:
             times["order"].append(
-                microseconds(
-                    "run(*arguments)", {"run": orders, "arguments": arguments(scene, frame, camera)}, repeat=10
-                )
+                microseconds("run(arguments)", {"run": orders, "arguments": arguments(scene, frame, camera)}, repeat=10)
                 / REPEATS
             )
             names: dict[str, object] = {"make": partial(picture, scene, frame, camera), "svg": svg, "png": png}
@@ -107,7 +67,7 @@ def pictures() -> list[Figure]:
     return [*figures, *mujoco_picture()]
 
 
-def arguments(scene: VisualScene, frame: Frame, camera: str) -> tuple[object, ...]:
+def arguments(scene: VisualScene, frame: Frame, camera: str) -> Arguments:
     """Return the arguments of `ordered` for a camera, after one picture of it."""
     aim = scene.aim(frame, camera, SIZE[0] / SIZE[1])
     scene.order(frame, aim)

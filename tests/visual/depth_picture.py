@@ -43,7 +43,7 @@ class DepthPictures:
             aim: the camera.
             absent: parts that are not in the picture.
         """
-        shown: Indices = _traced(*self._seen(poses, aim, absent), *rays(aim, *self._size))
+        shown: Indices = traced(*self._seen(poses, aim, absent), *rays(aim.wide, aim.high, *self._size))
         return shown
 
     def distance(self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]) -> float:
@@ -67,15 +67,15 @@ class DepthPictures:
         return np.array(kept), np.array(normals), np.array(distances)
 
 
-def rays(aim: Aim, width: int, height: int) -> tuple[Array, Array]:
+def rays(wide: float, high: float, width: int, height: int) -> tuple[Array, Array]:
     """Return x/z of the columns' and y/z of the rows' pixel centres."""
-    across = ((np.arange(width) + 0.5) / width * 2.0 - 1.0) * aim.wide
-    down = ((np.arange(height) + 0.5) / height * 2.0 - 1.0) * aim.high
+    across = ((np.arange(width) + 0.5) / width * 2.0 - 1.0) * wide
+    down = ((np.arange(height) + 0.5) / height * 2.0 - 1.0) * high
     return across, down
 
 
 @njit(cache=True)
-def _traced(part, normals, distances, across, down):  # type: ignore[no-untyped-def]
+def traced(part, normals, distances, across, down):  # type: ignore[no-untyped-def]
     shown = np.full((len(down), len(across)), -1, np.int64)
     depth = np.full((len(down), len(across)), np.inf)
     for row in range(len(down)):

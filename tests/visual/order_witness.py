@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -16,9 +17,12 @@ from aftdeck.visual.store import Polyhedron, of_hexahedron, store_of
 from aftdeck.visual.trees import forest_of
 from aftdeck.visual.workspace import Workspace
 from tests.bodies.shapes import CUBE, rotations
+from tests.visual.depth_picture import rays, traced
 from tests.visual.painted_picture import painted
 
-SIZE = 60
+BESIDE = 1e-7
+"""Distance by which a ray is moved to find the bodies on both sides of an edge, as a tangent."""
+SIZE = 120
 """Width and height of the pictures [pixels]."""
 WIDE = 0.7
 """Tangent of half the field of view."""
@@ -71,31 +75,13 @@ class Bodies:
     def wrong_pixels(self, order: Ordered) -> int:
         """Return how many pixels, each with its centre not on an edge, show another body than the ray meets first."""
         shown = painted(order.polygons, SIZE, SIZE)
-        wrong = 0
-        for row in range(SIZE):
-            for column in range(SIZE):
-                across, down = ((2.0 * (k + 0.5) / SIZE - 1.0) * WIDE for k in (column, row))
-                met = {
-                    self._first(order.eye, order.axes.T @ np.array([across + a, down + b, 1.0]))
-                    for a in (-1e-7, 1e-7)
-                    for b in (-1e-7, 1e-7)
-                }
-                wrong += shown[row, column] not in met
-        return wrong
-
-    def _first(self, eye: Array, direction: Array) -> int:
-        planes = self._planes
-        speed, height = planes[:, :, :3] @ direction, planes[:, :, 3] - planes[:, :, :3] @ eye
-        with np.errstate(divide="ignore", invalid="ignore"):
-            at = height / speed
-        enters = np.where(speed < 0.0, at, 0.0).max(axis=1)
-        leaves = np.where(speed > 0.0, at, np.inf).min(axis=1)
-        enters[(enters >= leaves) | ((speed == 0.0) & (height < 0.0)).any(axis=1)] = np.inf
-        return int(enters.argmin()) if np.isfinite(enters).any() else -1
-
-    @property
-    def _planes(self) -> Array:
-        return np.array([body.planes for body in self.bodies])
+        planes = np.array([body.planes for body in self.bodies])
+        normals, distances = planes[:, :, :3] @ order.axes.T, planes[:, :, 3] - planes[:, :, :3] @ order.eye
+        across, down = rays(WIDE, WIDE, SIZE, SIZE)
+        right = np.zeros_like(shown, bool)
+        for a, b in product((-BESIDE, BESIDE), repeat=2):
+            right |= shown == traced(np.arange(len(planes)), normals, distances, across + a, down + b)
+        return int((~right).sum())
 
 
 def first_hit(body: Polyhedron, eye: Array, direction: Array) -> float:

@@ -40,10 +40,7 @@ def print_planes(found: Explained, title: str) -> None:
         )
     else:
         print_line("Permanent list of the clusters in the camera's frame, highest priority first:")
-        texts = list(map(str, found.listed))
-        if found.place is not None:
-            texts.insert(found.place, "Z")
-        print_line("  " + "  ".join(texts))
+        print_line("  " + "  ".join(found.row))
         print_line(
             "  Z: place of all other clusters as one block"
             if found.place is not None

@@ -1,12 +1,12 @@
-"""Clusters of a scenario: convex bodies for drawing that do not interpenetrate, made from the collision solids.
+"""Clusters of a scenario: convex bodies for drawing that do not overlap, made from the collision solids.
 
 A *cluster* is a convex body. Its front faces need no order among themselves, so the picture of a cluster is a list of
 faces that is fixed for every view. Source: Remote Manipulator Simulation, final report, chapter V, where clusters were
 made by hand.
 
-Collision solids may interpenetrate. Two solids of one part whose union is convex become one cluster. A cluster that is
-inside another one of the same frame is left out. Two clusters of one frame that overlap are mitred: from one of them
-the other one is removed, and the rest is cut into convex pieces. The union of all clusters is the union of all solids.
+Collision solids may overlap. Two solids of one part whose union is convex become one cluster. A cluster that is
+inside another one of the same frame is left out. Of two clusters of one frame that overlap, one is removed from the
+other, and the rest is cut into convex pieces. The union of all clusters is the union of all solids.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.arrays import Indices
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.errors import InputError
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import inverted, scene_in_l
-from aftdeck.shapes import Material
+from aftdeck.scene.colours import rgb
 from aftdeck.simulation.constants.site import all_solids, site_of
 from aftdeck.visual.bisectors import bisected_pairs
-from aftdeck.visual.paint import Surfaces, surfaces_of
+from aftdeck.visual.paint import surfaces_of
 from aftdeck.visual.placing import find_overlaps
 from aftdeck.visual.planes import TOLERANCE
 from aftdeck.visual.samples import sampled_poses
@@ -63,7 +63,7 @@ class Clusters(NamedTuple):
         trims: (T, 2) pairs of clusters in different frames that can overlap in flight, because a joint or a grasp
             connects them: in each picture, the second is removed from the first.
         bisected: (B, 2) pairs of clusters that SP 11 and SP 12 may separate.
-        materials: for each face, the material with which it is drawn.
+        colours: (F, 3) sRGB colour of each face, 0 to 1.
         solids: number of collision solids from which the clusters were made.
         overlapping: number of pairs of solids in one frame that overlap.
     """
@@ -75,7 +75,7 @@ class Clusters(NamedTuple):
     forest: Forest
     trims: Indices
     bisected: Indices
-    materials: tuple[Material, ...]
+    colours: Array
     solids: int
     overlapping: int
 
@@ -95,7 +95,7 @@ def clusters_of(scenario: Scenario) -> Clusters:
         for b in made[:i]
         if _near(a.body, b.body)
     )
-    clusters = _merged(_mitred(merged))
+    clusters = _merged(_apart(merged))
     if len(clusters) > MOST_CLUSTERS:
         raise InputError(
             f"{scenario.name} has {len(clusters)} convex bodies to draw; at most {MOST_CLUSTERS} can be put in order"
@@ -116,7 +116,7 @@ def clusters_of(scenario: Scenario) -> Clusters:
             [cluster.frame for cluster in clusters],
             [volume(cluster.body) for cluster in clusters],
         ),
-        tuple(material for cluster in clusters for material in _painted(cluster, surfaces)),
+        np.array([rgb(m) for cluster in clusters for m in surfaces.of(cluster.frame, cluster.body.planes)]),
         len(made),
         overlapping,
     )
@@ -155,7 +155,7 @@ def _merged(clusters: Sequence[Cluster]) -> list[Cluster]:
     return found
 
 
-def _mitred(clusters: Sequence[Cluster]) -> list[Cluster]:
+def _apart(clusters: Sequence[Cluster]) -> list[Cluster]:
     """Return clusters of which no two in one frame overlap; their union is unchanged."""
     found: list[Cluster] = []
     waiting = sorted(clusters, key=lambda cluster: volume(cluster.body))
@@ -222,7 +222,3 @@ def _trims(
     )
     chosen = [*certain, *map(tuple, unmonitored[found == 1].tolist())]
     return np.array(sorted(chosen), dtype=np.int64).reshape(-1, 2)
-
-
-def _painted(cluster: Cluster, surfaces: Surfaces) -> list[Material]:
-    return surfaces.of(cluster.frame, cluster.body.planes)

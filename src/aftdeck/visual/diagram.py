@@ -157,10 +157,8 @@ def _columns(found: Explained) -> list[list[str]]:
         table.append(f"{entry.cluster:7d}  {entry.part}")
     notes = ["Order"]
     if found.listed is not None:
-        texts = list(map(str, found.listed))
-        if found.place is not None:
-            texts.insert(found.place, "Z")
-        notes += ["permanent list, Z: all others", *(" ".join(texts[k : k + 12]) for k in range(0, len(texts), 12))]
+        rows = (" ".join(found.row[k : k + 12]) for k in range(0, len(found.row), 12))
+        notes += ["permanent list, Z: all others", *rows]
     notes += [
         f"{found.compared} pairs compared",
         f"{found.ranked} of them by a list or a tree",

@@ -106,7 +106,7 @@ def outline(placed: Store, k: int, crosses: bool, wide: float, high: float, foun
             flat[count, 0] = placed.points[i, 0] / placed.points[i, 2]
             flat[count, 1] = placed.points[i, 1] / placed.points[i, 2]
             count += 1
-        return _hull(flat, count, found)
+        return convex_hull(flat, count, found)
     polygon, work = np.empty((MOST_CORNERS + 8, 3)), np.empty((MOST_CORNERS + 8, 3))
     for f in range(placed.first_face[k], placed.first_face[k + 1]):
         if placed.planes[f, 3] >= 0.0:
@@ -117,12 +117,12 @@ def outline(placed: Store, k: int, crosses: bool, wide: float, high: float, foun
         for i in range(corners):
             flat[count, 0], flat[count, 1] = polygon[i, 0] / polygon[i, 2], polygon[i, 1] / polygon[i, 2]
             count += 1
-    return _hull(flat, count, found)
+    return convex_hull(flat, count, found)
 
 
 @law
-def _hull(flat: Array, count: int, found: Array) -> int:
-    """Write the convex hull of points (count, 2) into `found`; return the number of its corners (Andrew, 1979)."""
+def convex_hull(flat: Array, count: int, found: Array) -> int:
+    """Sort points (count, 2), and write their convex hull into `found`; return its number of corners (Andrew, 1979)."""
     for i in range(1, count):
         x, y, j = flat[i, 0], flat[i, 1], i - 1
         while j >= 0 and (flat[j, 0] > x or (flat[j, 0] == x and flat[j, 1] > y)):

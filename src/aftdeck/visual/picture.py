@@ -11,7 +11,6 @@ from aftdeck.arrays import Array, Indices
 from aftdeck.errors import SimulationError
 from aftdeck.matrices import product
 from aftdeck.scenario.light import LightCondition
-from aftdeck.scene.colours import rgb
 from aftdeck.simulation.frame import Frame
 from aftdeck.visual.brightness import GAMMA, brightness, grey_levels, luminance
 from aftdeck.visual.scene import VisualScene
@@ -116,15 +115,10 @@ def readouts(frame: Frame) -> tuple[str, str, str]:
 
 def _lit(scene: VisualScene, face: Indices, normal: Array, look: Look, light: LightCondition) -> Indices:
     """Return the colours (Q, 3) of faces with normals (Q, 3) in the scene: each has one colour, without shadows."""
-    bright, base = brightness(normal, light), _paints(scene)[face]
+    bright, base = brightness(normal, light), scene.clusters.colours[face]
     if look == "1972":
         level = grey_levels(luminance(base), bright)
         base = np.ones((len(face), 3))
     else:
         level = np.minimum(bright, 1.0) ** (1.0 / GAMMA)
     return np.asarray(np.rint(255.0 * np.minimum(base * level[:, None], 1.0)), np.int64)
-
-
-def _paints(scene: VisualScene) -> Array:
-    """Return the sRGB colour (F, 3), 0 to 1, of each face of the clusters."""
-    return np.array([rgb(material) for material in scene.clusters.materials])

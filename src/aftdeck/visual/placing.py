@@ -60,6 +60,7 @@ class Memory(NamedTuple):
 @law
 def remembered(memory: Memory, a: int, b: int, poses: Array, frame: Indices) -> Vector:
     """Return the last separating normal between slots a < b, in the coordinates in which `poses` are given."""
+    # not by `bodies.pose.turned`: a row of `poses` as its argument would count references in an inner loop
     normals, f = memory.normals, frame[memory.owner[a]]
     x, y, z = normals[a, b, 0], normals[a, b, 1], normals[a, b, 2]
     return Vector(

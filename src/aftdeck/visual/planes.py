@@ -15,10 +15,11 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.vector import Vector, cross, dot, minus, times
 from aftdeck.law import law
+from aftdeck.units import FOOT
 from aftdeck.visual.cutting import point_at
 from aftdeck.visual.store import Store
 
-TOLERANCE = 1e-6 * 0.3048
+TOLERANCE = 1e-6 * FOOT
 """Overlap up to which two bodies count as separate [m]: 1e-6 ft, more than the rounding errors."""
 _PARALLEL = 1e-12
 """Square of the sine below which two edges count as parallel."""

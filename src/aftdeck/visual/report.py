@@ -6,12 +6,15 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from aftdeck.bodies.vector import dot
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import turned_back
+from aftdeck.bodies.vector import Vector, dot
 from aftdeck.simulation.frame import Frame
 from aftdeck.visual.bisectors import bisector
+from aftdeck.visual.clusters import Cluster
 from aftdeck.visual.planes import TOLERANCE, extent
-from aftdeck.visual.scene import Aim, VisualScene
-from aftdeck.visual.trees import NONE
+from aftdeck.visual.scene import Aim, Arguments, VisualScene
+from aftdeck.visual.trees import NONE, Forest
 
 
 class Entry(NamedTuple):
@@ -98,6 +101,12 @@ class Explained(NamedTuple):
     cuts: int
     overlapping: tuple[str, str] | None
 
+    @property
+    def row(self) -> tuple[str, ...]:
+        """The permanent list with the entry Z at its place, as in TABLE VII; empty if there is no list."""
+        texts = tuple(map(str, self.listed or ()))
+        return texts if self.place is None else (*texts[: self.place], "Z", *texts[self.place :])
+
 
 def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
     """Return what decides the order of a picture; errors as for `VisualScene.order`."""
@@ -107,9 +116,8 @@ def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
     for k in order.clusters:
         part, home = names[k]
         table.append(Entry(k, part, home, not table or table[-1].frame != home))
-    eyes = scene.eyes(frame, aim)
-    trees = {name: tuple(_traced(scene, f, eyes[f].tolist())) for f, name in enumerate(ours.frames)}
     given = scene.arguments(frame, aim)
+    trees = {name: tuple(_traced(ours.forest, f, given.poses[f])) for f, name in enumerate(ours.frames)}
     listed = scene.permanent_list(aim.name) if given.listed.any() else None
     return Explained(
         tuple(names),
@@ -118,7 +126,7 @@ def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
         listed,
         None if listed is None else _place(listed, scene.hidden_pairs()),
         trees,
-        tuple(_bisectors(scene, frame, aim)),
+        tuple(_bisectors(ours.clusters, given)),
         tuple(table),
         order.compared,
         order.ranked,
@@ -139,9 +147,8 @@ def _place(listed: tuple[int, ...], pairs: Iterable[tuple[int, int]]) -> int | N
     return first if first <= last else None
 
 
-def _bisectors(scene: VisualScene, frame: Frame, aim: Aim) -> Iterator[Bisector]:
-    """Yield the planes SP 11 and SP 12 with the parts that each may separate."""
-    given, clusters = scene.arguments(frame, aim), scene.clusters.clusters
+def _bisectors(clusters: tuple[Cluster, ...], given: Arguments) -> Iterator[Bisector]:
+    """Yield the planes SP 11 and SP 12 of the last picture, with the parts that each may separate."""
     for i, j in given.bisected.tolist():
         f, g = given.frame[i], given.frame[j]
         n = bisector(given.poses, f, g)
@@ -151,16 +158,19 @@ def _bisectors(scene: VisualScene, frame: Frame, aim: Aim) -> Iterator[Bisector]
         yield Bisector(clusters[i].part, clusters[j].part, math.acos(max(-1.0, min(1.0, cosine))), valid)
 
 
-def _traced(scene: VisualScene, f: int, eye: list[float]) -> list[Node]:
-    """Return the nodes of a frame's tree in the order of the trace: a node, its nearer son, its farther son."""
-    tree = scene.clusters.forest.tree
+def _traced(forest: Forest, f: int, pose: Array) -> list[Node]:
+    """Return the nodes of a frame's tree in the order of the trace: a node, its nearer son, its farther son.
+
+    `pose` (12,) is the pose of the frame in the coordinates of the camera.
+    """
+    tree, eye = forest.tree, turned_back(pose, Vector(-pose[0], -pose[1], -pose[2]))
     found: list[Node] = []
-    waiting = [(int(scene.clusters.forest.root[f]), 0)]
+    waiting = [(int(forest.root[f]), 0)]
     while waiting:
         node, depth = waiting.pop()
         leaf = tree.above[node] == NONE
         x, y, z, distance = tree.plane[node].tolist()
-        height = x * eye[0] + y * eye[1] + z * eye[2] - distance
+        height = x * float(eye.x) + y * float(eye.y) + z * float(eye.z) - distance
         own = tuple(tree.clusters[tree.first[node] : tree.first[node + 1]].tolist())
         found.append(Node(depth, None if leaf else node, (x, y, z), distance, 0.0 if leaf else height, own))
         if not leaf:

@@ -42,6 +42,7 @@ from aftdeck.visual.polygons import MOST_POLYGONS, Polygons
 from aftdeck.visual.store import Store
 from aftdeck.visual.trees import Forest
 from aftdeck.visual.workspace import Workspace
+from aftdeck.worksite.watch.pairs import STILL
 
 _MOST_HOUSINGS = 1024
 """Greatest number of positions of eyes whose surroundings are remembered."""
@@ -223,11 +224,10 @@ class VisualScene:
         """
         own = self._camera(camera)
         if camera not in self._lists:
-            home = next((body for body in self._fixed if body.name == own.body), None)
+            frame, eye = self._home(own, view(own, setting(own)).position)
             found = None
-            if home is not None and home.fixed_to in self.clusters.frames:
-                eye = product(home.pose.rotation, np.array(view(own, setting(own)).position)) + home.pose.position
-                members = np.flatnonzero(self.clusters.frame == self.clusters.frames.index(home.fixed_to))
+            if frame in STILL and frame in self.clusters.frames:
+                members = np.flatnonzero(self.clusters.frame == self.clusters.frames.index(frame))
                 found = permanent_list(self.clusters.store, members, eye)
                 self._eyes[camera] = eye
             self._lists[camera] = found
@@ -292,12 +292,6 @@ class VisualScene:
                 row[3:] = np.ravel(turn(bodies[name]))
         return found
 
-    def eyes(self, frame: Frame, aim: Aim) -> Array:
-        """Return the position of the eye (F, 3) in each frame that carries clusters: the L vectors [m]."""
-        poses = self.frames_at(frame)
-        away = (aim.position - poses[:, :3])[:, None]
-        return np.asarray(product(away, poses[:, 3:].reshape(-1, 3, 3))[:, 0])
-
     def _in_camera(self, frame: Frame, aim: Aim) -> Array:
         """Return the poses (F, 12) of the frames that carry clusters, in the coordinates of a camera."""
         poses = self.frames_at(frame)
@@ -305,6 +299,13 @@ class VisualScene:
         found[:, :3] = product(poses[:, :3] - aim.position, aim.axes.T)
         found[:, 3:] = product(aim.axes, poses[:, 3:].reshape(-1, 3, 3)).reshape(-1, 9)
         return found
+
+    def _home(self, camera: Camera, point: Vec3) -> tuple[str, Array]:
+        """Return the frame to which a camera's body is fixed, and in it a point (3,) of the body's own frame [m]."""
+        for body in self._fixed:
+            if body.name == camera.body:
+                return body.fixed_to, product(body.pose.rotation, np.array(point)) + body.pose.position
+        return camera.body, np.array(point)
 
     def _around(self, camera: Camera, eye: Vec3) -> frozenset[str]:
         """Return the parts that contain a camera's eye and are fixed to the camera's body.
@@ -314,9 +315,7 @@ class VisualScene:
             eye: position of the eye in the body's frame [m].
         """
         if (camera.name, eye) not in self._housings:
-            home = next((body for body in self._fixed if body.name == camera.body), None)
-            frame = camera.body if home is None else home.fixed_to
-            at = np.array(eye) if home is None else product(home.pose.rotation, np.array(eye)) + home.pose.position
+            frame, at = self._home(camera, eye)
             if len(self._housings) == _MOST_HOUSINGS:
                 self._housings.clear()
             self._housings[camera.name, eye] = frozenset(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import vec3
 from aftdeck.frames import Pose
 from aftdeck.matrices import product
 from aftdeck.visual.cutting import BELOW, FULL, ON, part_of, position_of, subtract
@@ -45,7 +46,7 @@ def union(a: Polyhedron, b: Polyhedron) -> Polyhedron | None:
     points = np.concatenate([a.points, b.points])
     low, high = points.min(axis=0), points.max(axis=0)
     room = 0.1 * float((high - low).max())
-    bound = _within(box(low - room, high + room), planes)
+    bound = _within(box(vec3(low - room, 0), vec3(high + room, 0)), planes)
     if bound is None:
         return None
     both = volume(b) + sum(map(volume, difference(a, b)))

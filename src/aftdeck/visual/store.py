@@ -6,14 +6,16 @@ A polyhedron has at most MOST_CORNERS corners in a face.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from aftdeck.arms.covers import corners
 from aftdeck.arrays import Array, Indices
-from aftdeck.bodies.hexahedron import NX, SIDES, D, unpack
+from aftdeck.bodies.hexahedron import NX, SIDES, D, pack, unpack
 from aftdeck.scene.solids import RIMS
+from aftdeck.tuples import Vec3
 
 MOST_CORNERS = 32
 """Greatest number of corners of a face, and of edges that one cut crosses."""
@@ -69,14 +71,14 @@ def store_of(bodies: Sequence[Polyhedron], room: int = 0) -> Store:
     loops = [loop for body in bodies for loop in body.loops]
     starts = np.cumsum([0, *counts[0]])
     shift = np.repeat(starts[:-1], counts[1]) if bodies else np.zeros(0, np.int64)
-    corners = [np.array(loop) + start for loop, start in zip(loops, shift.tolist(), strict=True)]
+    numbers = [np.array(loop) + start for loop, start in zip(loops, shift.tolist(), strict=True)]
     points = sum(counts[0]) + room * MOST_CORNERS
     faces = sum(counts[1]) + room * MOST_CORNERS
     used = np.array([len(bodies), sum(counts[0]), sum(counts[1]), sum(map(len, loops))], dtype=np.int64)
     return Store(
         _filled((points, 3), np.concatenate([np.empty((0, 3)), *(body.points for body in bodies)])),
         _filled((faces, 4), np.concatenate([np.empty((0, 4)), *(body.planes for body in bodies)])),
-        _indices(int(used[CORNERS]) + 4 * room * MOST_CORNERS, np.concatenate([np.empty(0), *corners])),
+        _indices(int(used[CORNERS]) + 4 * room * MOST_CORNERS, np.concatenate([np.empty(0), *numbers])),
         _indices(len(bodies) + room + 1, starts),
         _indices(len(bodies) + room + 1, np.cumsum([0, *counts[1]])),
         _indices(faces + 1, np.cumsum([0, *map(len, loops)])),
@@ -104,13 +106,9 @@ def of_hexahedron(body: Array) -> Polyhedron:
     return Polyhedron(unpack(body), planes, RIMS)
 
 
-def box(low: Iterable[float], high: Iterable[float]) -> Polyhedron:
+def box(low: Vec3, high: Vec3) -> Polyhedron:
     """Return a box from its least and greatest coordinates [m]."""
-    ends = np.array([list(low), list(high)])
-    points = np.array([(ends[v >> 1 & 1, 0], ends[v >> 2 & 1, 1], ends[v & 1, 2]) for v in range(8)])
-    axes = np.array([(-1.0, 0, 0), (0, -1.0, 0), (0, 0, -1.0), (0, 0, 1.0), (0, 1.0, 0), (1.0, 0, 0)])
-    distances = np.where(axes.sum(axis=1) < 0.0, -(np.abs(axes) @ ends[0]), np.abs(axes) @ ends[1])
-    return Polyhedron(points, np.column_stack([axes, distances]), RIMS)
+    return of_hexahedron(pack(corners(low, high)))
 
 
 def volume(body: Polyhedron) -> float:

@@ -32,7 +32,7 @@ def svg(page: Page, description: str = "") -> str:
 
 
 def animated_svg(pages: Sequence[Page], step_s: float, description: str = "") -> str:
-    """Return pages of one size as the text of an SVG file that shows each for `step_s` seconds, again and again."""
+    """Return several pages of one size as an SVG file that shows each for `step_s` seconds, again and again."""
     total = step_s * len(pages)
     lines = [_opening(pages[0]), *_head(description), _paper(pages[0])]
     for k, page in enumerate(pages):
@@ -40,11 +40,10 @@ def animated_svg(pages: Sequence[Page], step_s: float, description: str = "") ->
         lines.append(f'<g visibility="{"hidden" if k else "visible"}">')
         times = f"0;{begin:.6f};{end:.6f}" if k else f"0;{end:.6f}"
         values = "hidden;visible;hidden" if k else "visible;hidden"
-        if len(pages) > 1:
-            lines.append(
-                f'<animate attributeName="visibility" calcMode="discrete" values="{values}" keyTimes="{times}" '
-                f'dur="{total:g}s" repeatCount="indefinite"/>'
-            )
+        lines.append(
+            f'<animate attributeName="visibility" calcMode="discrete" values="{values}" keyTimes="{times}" '
+            f'dur="{total:g}s" repeatCount="indefinite"/>'
+        )
         lines += [*_contents(page), "</g>"]
     return "\n".join([*lines, "</svg>"]) + "\n"
 
@@ -86,7 +85,7 @@ def _paper(page: Page) -> str:
 
 def _contents(page: Page) -> Iterator[str]:
     if page.title:
-        yield f'<text x="{GAP}" y="{HEADER - 10}" fill="{INK}" font-size="15">{escape(page.title)}</text>'
+        yield text_element(GAP, HEADER - 10, page.title, size=15)
     for x, y, picture in page.cells:
         yield f'<svg x="{x}" y="{y}" width="{picture.width}" height="{picture.height}">'
         yield from elements(picture)

@@ -10,6 +10,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.matrices import product
 from aftdeck.simulation.frame import Frame
+from aftdeck.visual.outlines import MOST_POINTS, convex_hull
 from aftdeck.visual.report import Explained
 from aftdeck.visual.scene import Aim, VisualScene
 from aftdeck.visual.svg import text_element
@@ -89,16 +90,5 @@ def path(points: Array) -> str:
 
 def hull(points: Array) -> Array:
     """Return the convex hull (m, 2) of points (n, 2)."""
-    ordered = sorted(set(map(tuple, points.tolist())))
-    halves = []
-    for row in (ordered, ordered[::-1]):
-        half: list[tuple[float, float]] = []
-        for x, y in row:
-            while len(half) > 1:
-                (a, b), (c, d) = half[-2:]
-                if (c - a) * (y - b) - (d - b) * (x - a) > 0.0:
-                    break
-                half.pop()
-            half.append((x, y))
-        halves.append(half[:-1])
-    return np.array(halves[0] + halves[1])
+    found = np.empty((MOST_POINTS, 2))
+    return np.asarray(found[: convex_hull(points.copy(), len(points), found)])

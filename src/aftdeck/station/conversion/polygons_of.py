@@ -8,7 +8,6 @@ from aftdeck.errors import SimulationError
 from aftdeck.matrices import product
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
-from aftdeck.scene.colours import rgb
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.to_page import Polygons
 from aftdeck.visual.brightness import brightness, grey_levels, luminance
@@ -23,7 +22,7 @@ class PolygonPictures:
 
     def __init__(self, scenario: Scenario) -> None:
         self._scene = VisualScene(scenario)
-        self._own = luminance(np.array([rgb(material) for material in self._scene.clusters.materials]))
+        self._own = luminance(self._scene.clusters.colours)
 
     def of(self, frame: Frame, camera: str, aspect: float, light: LightCondition) -> Polygons:
         """Return the picture of a camera in a frame; if it cannot be drawn, its text says why.
