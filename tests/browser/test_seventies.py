@@ -104,3 +104,33 @@ def test_an_observer_has_the_look_and_the_engineering_view_does_not(open_page: O
     show(observer, 0, "ENG")
     observer.until(f"{_CANVAS.format(0)}.hidden")
     assert key(observer, 0).is_disabled()
+
+
+SHEET_TITLE = "document.querySelector('.sheet svg text')?.textContent ?? ''"
+
+
+def test_the_planes_of_a_monitor_have_a_window_that_follows_its_camera(flight: Flight) -> None:
+    show(flight, 0, "A")
+    planes = flight.page.locator(".monitor").first.get_by_role("button", name="Planes")
+    assert planes.is_hidden()
+    switch(flight, 0)
+    window = open_window(flight, planes)
+    window.until(f"{SHEET_TITLE}.includes('camera A at')")
+    first = window.script(SHEET_TITLE)
+    window.until(f"{SHEET_TITLE} !== '{first}' && {SHEET_TITLE}.includes('camera A at')")  # a later time
+    show(flight, 0, "C")
+    window.until(f"{SHEET_TITLE}.includes('camera C at')")
+    window.page.locator(".cameras button").filter(has_text=re.compile("^F$")).click()
+    window.until(f"{SHEET_TITLE}.includes('camera F at')")
+    on = flight.page.locator(".monitor").first.locator(".cameras button[aria-pressed=true]")
+    assert on.inner_text() == "F"
+    hold = window.page.get_by_role("button", name="Hold")
+    hold.click()
+    held = window.script(SHEET_TITLE)
+    window.page.wait_for_timeout(2500)
+    assert window.script(SHEET_TITLE) == held
+    with window.page.expect_download() as download:
+        window.page.get_by_role("button", name="Save").click()
+    assert held in download.value.path().read_text()
+    hold.click()
+    window.until(f"{SHEET_TITLE} !== '{held}'")

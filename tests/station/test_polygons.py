@@ -113,11 +113,11 @@ def test_painter_draws_the_wanted_cameras_of_the_newest_frame() -> None:
     painter = Painter(scenario(NAME), Counted)
     painter.want({"A": 1.5})
     assert drawn(painter)["A"] == no_polygons("A", PREPARING)
-    painter.show(frame(), LIGHT.name)
+    painter.show(frame(), LIGHT)
     until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
     assert drawn(painter)["A"].text == f"1.5 {LIGHT.name}"
     painter.want({"B": 1.0})
-    painter.show(frame(), LIGHT.name)
+    painter.show(frame(), LIGHT)
     until(lambda: set(painter.drawn) == {"B"}, "a picture of the other camera")
     painter.close()
 
@@ -140,7 +140,7 @@ def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
     painter.notify = notified
     painter.want(dict.fromkeys(names, 1.0))
     for k in range(3):
-        painter.show(frame(), LIGHT.name)
+        painter.show(frame(), LIGHT)
         until(lambda k=k: rounds > k, "a round of pictures")  # type: ignore[misc]
     painter.close()
     assert made[0].count == dict.fromkeys(names, 2)
@@ -159,7 +159,7 @@ def test_laws_are_compiled_by_another_process_before_the_first_picture(
 
     painter = Painter(scenario(NAME), make)
     painter.want({"A": 1.5})
-    painter.show(frame(), LIGHT.name)
+    painter.show(frame(), LIGHT)
     until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
     painter.close()
 

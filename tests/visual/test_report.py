@@ -55,17 +55,37 @@ def test_the_plane_at_the_elbow_is_valid_up_to_the_bend_that_the_set_back_permit
 
 def test_the_other_clusters_stand_as_one_block_in_a_permanent_list(scene: VisualScene) -> None:
     """The report's entry Z. In each state the block's place lets every cluster hide only what comes after it."""
-    places = []
+    with_roots = []
     for frame in states(load_scenario("concept-1972-script"), 20, np.random.default_rng(5)):
         for camera in ("A", "C", "D", "I"):
             found = explained(scene, frame, scene.aim(frame, camera, 4 / 3))
             assert found.listed is not None
-            places.append(found.place)
-            if found.place is not None:
-                row = [*found.listed[: found.place], -1, *found.listed[found.place :]]
-                rank = {cluster: row.index(cluster if cluster in row else -1) for cluster in range(24)}
+            with_roots.append(found.roots != ())
+            if found.roots:
+                assert {root.frame for root in found.roots} == set(scene.clusters.frames) - {"orbiter"}
+                rank = {
+                    cluster: found.row.index(str(cluster) if str(cluster) in found.row else "Z")
+                    for cluster in range(24)
+                }
                 assert all(rank[nearer] <= rank[hidden] for nearer, hidden in scene.hidden_pairs())
-    assert sum(place is not None for place in places) > 0.9 * len(places)
+    assert np.mean(with_roots) > 0.9
+
+
+def test_a_list_has_new_l_vectors_where_the_frame_changes(scene: VisualScene) -> None:
+    """The report's L codes and new-L flags: before Z, in Z with each tree, and behind Z."""
+    between = 0
+    for frame in states(load_scenario("concept-1972-script"), 10, np.random.default_rng(6)):
+        for camera in ("A", "C", "I"):
+            found = explained(scene, frame, scene.aim(frame, camera, 4 / 3))
+            assert found.listed is not None
+            codes = [entry.frame for entry in found.listed]
+            changes = [k == 0 or codes[k] != codes[k - 1] for k in range(len(codes))]
+            assert [entry.new_frame for entry in found.listed] == changes
+            inside = found.roots != () and 0 < found.row.index("Z") < len(found.row) - 1
+            own = [entry.new_frame for entry in found.listed if entry.cluster is not None]
+            assert own.count(True) == 1 + inside
+            between += inside
+    assert between > 0
 
 
 def test_the_trees_are_listed_in_the_order_of_their_trace(scene: VisualScene, start: Frame) -> None:

@@ -22,6 +22,7 @@ import './panel/controllers/controllers.css';
 import './panel/controllers/touch.css';
 import './tutorial/tutorial.css';
 import './cameras/all-cameras.css';
+import './windows/planes.css';
 import './replay/replay.css';
 import './replay/timeline.css';
 import './style/night.css';

@@ -9,6 +9,7 @@ import sys
 from aftdeck.cli import arm as _arm
 from aftdeck.cli import flights as _flights
 from aftdeck.cli import pictures as _pictures
+from aftdeck.cli import planes as _planes
 from aftdeck.cli import recordings as _recordings
 from aftdeck.cli.app import app
 from aftdeck.errors import AftdeckError, ScenarioError
@@ -16,7 +17,7 @@ from aftdeck.lines import print_error
 
 __all__ = ["app", "main"]
 
-COMMANDS = (_flights, _arm, _recordings, _pictures)
+COMMANDS = (_flights, _arm, _recordings, _pictures, _planes)
 """Modules that add their commands to `app` when they are imported, in the order of the help text."""
 
 READER_GONE = 141

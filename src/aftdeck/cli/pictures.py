@@ -1,20 +1,18 @@
-"""Commands ``render`` and ``planes``: pictures of cameras without a GPU, and the order of the clusters in them."""
+"""Command ``render``: pictures of cameras without a GPU."""
 
 from __future__ import annotations
 
 import re
-import sys
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from aftdeck.cli.app import Json, app
-from aftdeck.cli.planes import named, print_planes
-from aftdeck.cli.printing import print_json
+from aftdeck.cli.app import app
+from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative, write
 from aftdeck.errors import InputError, SimulationError
-from aftdeck.lines import print_error, print_line
+from aftdeck.lines import print_line
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -25,23 +23,8 @@ if TYPE_CHECKING:
     from aftdeck.visual.page import Page
     from aftdeck.visual.picture import Look
 
-Run = Annotated[
-    str,
-    typer.Argument(
-        metavar="SCENARIO|RECORDING|WORDS",
-        help="A scenario, whose script is run; a recording (.mcap); or the 1972 report's frame words (.jsonl).",
-    ),
-]
-WordsOf = Annotated[
-    str | None,
-    typer.Option("--words-of", metavar="SCENARIO", help="Scenario of the frame words; default: concept-1972."),
-]
 ALL = "all"
 """Value of --camera for a contact sheet of all cameras."""
-SIZE = (800, 600)
-"""Default size of a picture [pixels]."""
-SHEET = (480, 360)
-"""Size of the picture in the sheet of `planes` [pixels]."""
 CELL = (400, 300)
 """Default size of a picture in a contact sheet [pixels]."""
 LEAST_SIZE, MOST_SIZE = 16, 8192
@@ -104,8 +87,8 @@ def render(
 
     if time is not None and step is not None:
         raise InputError("--time and --every cannot be combined")
-    _not_negative("--time", time)
-    _not_negative("--every", step)
+    not_negative("--time", time)
+    not_negative("--every", step)
     if step == 0.0:
         raise InputError("--every: got 0, expected seconds, more than 0")
     if out.suffix not in FORMATS:
@@ -117,70 +100,18 @@ def render(
     given = source(run, words_of)
     most = max(1, MOST_PIXELS // (drawn_size[0] * drawn_size[1] * (SHEET_CAMERAS if camera == ALL else 1)))
     frames = iter((at(given, time or 0.0),)) if step is None else every(given, step, None if numbered else most)
-    pages = _pages(given.scenario, frames, camera, drawn_size, look, _light(given.scenario, light), alone=step is None)
+    pages = _pages(
+        given.scenario, frames, camera, drawn_size, look, light_of(given.scenario, light), alone=step is None
+    )
     if numbered:
         count = 0
         for count, page in enumerate(pages, 1):
-            _write(_numbered(out, numbered, count), _encoded([page], out.suffix, 1.0, run))
+            write(_numbered(out, numbered, count), _encoded([page], out.suffix, 1.0, run))
         print_line(f"{out}: {count} pictures")
         return
     kept = list(pages)
-    _write(out, _encoded(kept, out.suffix, step or 1.0, run))
+    write(out, _encoded(kept, out.suffix, step or 1.0, run))
     print_line(f"{out}: {len(kept)} pictures" if step is not None else str(out))
-
-
-@app.command(
-    short_help="Show what decides which body hides which in a camera's picture.",
-    epilog="Examples: aftdeck planes concept-1972 --camera A; "
-    "aftdeck planes run.mcap --camera F --time 40 -o planes.svg",
-)
-def planes(
-    run: Run,
-    camera: Annotated[str, typer.Option(metavar="NAME", help="Camera.")],
-    time: Annotated[float, typer.Option(metavar="SECONDS", help="Time of the picture.")] = 0.0,
-    words_of: WordsOf = None,
-    out: Annotated[
-        Path | None, typer.Option("-o", "--out", metavar="FILE", help="Draw all this into a file (.svg) instead.")
-    ] = None,
-    as_json: Json = False,
-) -> None:
-    """Show the clusters, the trees of separating planes and the order chosen for a camera (the report's Figure 19)."""
-    from aftdeck.cli.moments import at, source
-    from aftdeck.visual.diagram import sheet
-    from aftdeck.visual.picture import picture_of
-    from aftdeck.visual.report import explained
-    from aftdeck.visual.scene import VisualScene
-
-    _not_negative("--time", time)
-    if out is not None and (out.suffix != ".svg" or as_json):
-        raise InputError(f"-o: {out} has to end in .svg, and cannot be combined with --json")
-    given = source(run, words_of)
-    frame = at(given, time)
-    _announce_compilation()
-    scene = VisualScene(given.scenario)
-    aim, title = scene.aim(frame, camera, SIZE[0] / SIZE[1]), f"{given.scenario.title}, camera {camera}"
-    found = explained(scene, frame, aim)
-    if out is not None:
-        picture = picture_of(scene, frame, camera, SHEET, "colour", _light(given.scenario, None))
-        _write(out, sheet(scene, frame, aim, found, picture, f"{title} at {frame.time_s:g} s").encode())
-        print_line(str(out))
-    elif as_json:
-        print_json(named(found))
-    else:
-        print_planes(found, f"{title} at {frame.time_s:g} s")
-
-
-def _announce_compilation() -> None:
-    """Tell the user in a terminal if the laws of the pictures have to be compiled first."""
-    from aftdeck.law import compiled_before
-
-    if sys.stderr.isatty() and not compiled_before("visual"):
-        print_error("compiling the laws that draw pictures; this takes a minute or two, once for each version")
-
-
-def _not_negative(option: str, value: float | None) -> None:
-    if value is not None and not 0.0 <= value < float("inf"):
-        raise InputError(f"{option}: got {value:g}, expected seconds, at least 0")
 
 
 def _pages(
@@ -201,7 +132,7 @@ def _pages(
     from aftdeck.visual.picture import failed_picture, picture_of, readouts
     from aftdeck.visual.scene import VisualScene
 
-    _announce_compilation()
+    announce_compilation()
     scene = VisualScene(scenario)
     style: Look = "1972" if look is LookName.seventies else "colour"
     for frame in frames:
@@ -232,16 +163,6 @@ def _encoded(pages: list[Page], ending: str, step_s: float, name: str) -> bytes:
     return text.encode()
 
 
-def _light(scenario: Scenario, name: str | None) -> LightCondition:
-    from aftdeck.scenario.light import conditions
-
-    wanted = scenario.lighting.condition if name is None else name
-    for condition in conditions():
-        if condition.name == wanted:
-            return condition
-    raise InputError(f"--light: no light condition {wanted!r}: there are {', '.join(c.name for c in conditions())}")
-
-
 def _size(text: str | None, default: tuple[int, int]) -> tuple[int, int]:
     if text is None:
         return default
@@ -257,10 +178,3 @@ def _size(text: str | None, default: tuple[int, int]) -> tuple[int, int]:
 
 def _numbered(out: Path, numbered: re.Match[str], count: int) -> Path:
     return out.with_name(out.name.replace(numbered[0], f"{count:0{len(numbered[0])}d}", 1))
-
-
-def _write(path: Path, content: bytes) -> None:
-    try:
-        path.write_bytes(content)
-    except OSError as error:
-        raise InputError(f"cannot write {path}: {error.strerror}") from error

@@ -1,26 +1,72 @@
-"""Output of the command ``planes``."""
+"""Command ``planes``: what decides the order of the clusters in a camera's picture."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
+import typer
+
+from aftdeck.cli.app import Json, app
+from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative, write
+from aftdeck.cli.printing import print_json
+from aftdeck.errors import InputError
 from aftdeck.lines import print_line
 
 if TYPE_CHECKING:
     from aftdeck.visual.report import Explained, Node
 
 
-def named(value: object) -> object:
+@app.command(
+    short_help="Show what decides which body hides which in a camera's picture.",
+    epilog="Examples: aftdeck planes concept-1972 --camera A; "
+    "aftdeck planes run.mcap --camera F --time 40 -o planes.svg",
+)
+def planes(
+    run: Run,
+    camera: Annotated[str, typer.Option(metavar="NAME", help="Camera.")],
+    time: Annotated[float, typer.Option(metavar="SECONDS", help="Time of the picture.")] = 0.0,
+    words_of: WordsOf = None,
+    out: Annotated[
+        Path | None, typer.Option("-o", "--out", metavar="FILE", help="Draw all this into a file (.svg) instead.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Show the clusters, the trees of separating planes and the order chosen for a camera (the report's Figure 19)."""
+    from aftdeck.cli.moments import at, source
+    from aftdeck.visual.diagram import sheet
+    from aftdeck.visual.report import explained
+    from aftdeck.visual.scene import VisualScene
+
+    not_negative("--time", time)
+    if out is not None and (out.suffix != ".svg" or as_json):
+        raise InputError(f"-o: {out} has to end in .svg, and cannot be combined with --json")
+    given = source(run, words_of)
+    frame = at(given, time)
+    announce_compilation()
+    scene = VisualScene(given.scenario)
+    title = f"{given.scenario.title}, camera {camera}"
+    if out is not None:
+        write(out, sheet(scene, frame, camera, light_of(given.scenario, None), title).encode())
+        return print_line(str(out))
+    found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
+    if as_json:
+        print_json(_named(found))
+    else:
+        _print(found, f"{title} at {frame.time_s:g} s")
+
+
+def _named(value: object) -> object:
     """Return a value with all its named tuples as dicts, for JSON."""
     if isinstance(value, tuple) and hasattr(value, "_asdict"):
-        return {key: named(item) for key, item in value._asdict().items()}
+        return {key: _named(item) for key, item in value._asdict().items()}
     if isinstance(value, dict):
-        return {key: named(item) for key, item in value.items()}
-    return [named(item) for item in value] if isinstance(value, tuple) else value
+        return {key: _named(item) for key, item in value.items()}
+    return [_named(item) for item in value] if isinstance(value, tuple) else value
 
 
-def print_planes(found: Explained, title: str) -> None:
+def _print(found: Explained, title: str) -> None:
     """Print what decides the order of a picture."""
     print_line(title)
     print_line("")
@@ -42,8 +88,8 @@ def print_planes(found: Explained, title: str) -> None:
         print_line("Permanent list of the clusters in the camera's frame, highest priority first:")
         print_line("  " + "  ".join(found.row))
         print_line(
-            "  Z: place of all other clusters as one block"
-            if found.place is not None
+            f"  Z: the trees of {', '.join(entry.frame for entry in found.roots)}, as one block"
+            if found.roots
             else "  the other clusters have no common place: they are before and behind a listed cluster"
         )
     for frame, nodes in found.trees.items():

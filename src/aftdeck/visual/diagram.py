@@ -10,13 +10,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from aftdeck.scenario.light import LightCondition
 from aftdeck.simulation.frame import Frame
-from aftdeck.visual.picture import Picture
-from aftdeck.visual.report import Explained, Node
-from aftdeck.visual.scene import Aim, VisualScene
+from aftdeck.visual.picture import Picture, picture_of
+from aftdeck.visual.report import Explained, Node, explained
+from aftdeck.visual.scene import VisualScene
 from aftdeck.visual.svg import DEFINITIONS, FONT, PAPER, elements, text_element
 from aftdeck.visual.views import EYE, FAINT, PLANE, SIZE, VIEWS, view_elements
 
+PICTURE = (480, 360)
+"""Size of the picture [pixels]."""
 GAP = 24
 """Distance between the parts of the sheet [pixels]."""
 LINE = 17
@@ -29,19 +32,24 @@ MOST_LEAVES = 40
 """Greatest number of clusters of a tree that is drawn."""
 
 
-def sheet(scene: VisualScene, frame: Frame, aim: Aim, found: Explained, picture: Picture, title: str) -> str:
-    """Return the sheet as the text of an SVG file.
+def sheet(scene: VisualScene, frame: Frame, camera: str, light: LightCondition, title: str) -> str:
+    """Return the sheet of a camera as the text of an SVG file.
 
     Args:
-        scene: the visual scene.
+        scene: the scenario's visual scene.
         frame: the frame.
-        aim: the camera.
-        found: what decides the order (`report.explained`).
-        picture: the picture of the camera.
-        title: title of the sheet.
+        camera: name of the camera.
+        light: direction and strength of the light.
+        title: title of the sheet; the time is added.
+
+    Raises:
+        InputError: there is no such camera.
+        SimulationError: the camera is inside a body, or the bodies cannot be put in order.
     """
+    aim = scene.aim(frame, camera, PICTURE[0] / PICTURE[1])
+    found, picture = explained(scene, frame, aim), picture_of(scene, frame, camera, PICTURE, "colour", light)
     width = picture.width + len(VIEWS) * (SIZE[0] + GAP) + 2 * GAP
-    parts = [text_element(GAP, GAP + 8, title, size=17)]
+    parts = [text_element(GAP, GAP + 8, f"{title} at {frame.time_s:.2f} s", size=17)]
     legend = "trees of separating planes: a bold branch leads to the side with the eye"
     parts.append(text_element(width - GAP, GAP + 8, legend, anchor="end"))
     y = 2 * GAP + 6

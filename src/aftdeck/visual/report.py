@@ -11,7 +11,7 @@ from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.vector import Vector, dot
 from aftdeck.simulation.frame import Frame
 from aftdeck.visual.bisectors import bisector
-from aftdeck.visual.clusters import Cluster
+from aftdeck.visual.clusters import Cluster, Clusters
 from aftdeck.visual.planes import TOLERANCE, extent
 from aftdeck.visual.scene import Aim, Arguments, VisualScene
 from aftdeck.visual.trees import NONE, Forest
@@ -29,6 +29,25 @@ class Entry(NamedTuple):
 
     cluster: int
     part: str
+    frame: str
+    new_frame: bool
+
+
+class ListEntry(NamedTuple):
+    """Entry of a camera's permanent priority list: a cluster, or the root of another frame's tree.
+
+    The roots stand together at the place of the report's entry Z. Their clusters are compared with each other, and
+    not one tree after the other. The report's mode tests are not needed: clusters that do not exist are not compared.
+
+    Attributes:
+        cluster: number of the cluster; None for a root.
+        root: number of the root; None for a cluster.
+        frame: the frame whose L vector decides: the report's L code.
+        new_frame: whether this frame differs from that of the entry before: the report's new-L flag.
+    """
+
+    cluster: int | None
+    root: int | None
     frame: str
     new_frame: bool
 
@@ -76,9 +95,9 @@ class Explained(NamedTuple):
         clusters: part and frame of each cluster.
         solids: number of collision solids from which the clusters were made.
         overlapping_solids: number of pairs of them that overlap in one frame.
-        listed: the camera's permanent list; None if it has none for the present position of its eye.
-        place: number of clusters of that list before the place at which all other clusters can stand as one block
-            (the report's entry Z); None if there is no list, or if the others are before and behind a listed cluster.
+        listed: the camera's permanent list; None if it has none for the present position of its eye. It has no roots
+            if the clusters of other frames have no common place in it: one of them is hidden by a listed cluster, and
+            one hides a listed cluster of the same or a higher priority.
         trees: nodes of each frame's tree, in the order of the trace, by the frame's name.
         bisectors: the planes SP 11 and SP 12.
         table: the priority output table, highest priority first.
@@ -91,8 +110,7 @@ class Explained(NamedTuple):
     clusters: tuple[tuple[str, str], ...]
     solids: int
     overlapping_solids: int
-    listed: tuple[int, ...] | None
-    place: int | None
+    listed: tuple[ListEntry, ...] | None
     trees: dict[str, tuple[Node, ...]]
     bisectors: tuple[Bisector, ...]
     table: tuple[Entry, ...]
@@ -103,9 +121,14 @@ class Explained(NamedTuple):
 
     @property
     def row(self) -> tuple[str, ...]:
-        """The permanent list with the entry Z at its place, as in TABLE VII; empty if there is no list."""
-        texts = tuple(map(str, self.listed or ()))
-        return texts if self.place is None else (*texts[: self.place], "Z", *texts[self.place :])
+        """The permanent list with Z in place of the roots, as in TABLE VII; empty if there is no list."""
+        texts = ["Z" if entry.cluster is None else str(entry.cluster) for entry in self.listed or ()]
+        return tuple(text for k, text in enumerate(texts) if k == 0 or (text, texts[k - 1]) != ("Z", "Z"))
+
+    @property
+    def roots(self) -> tuple[ListEntry, ...]:
+        """The roots in the permanent list, at the place of Z."""
+        return tuple(entry for entry in self.listed or () if entry.root is not None)
 
 
 def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
@@ -119,12 +142,12 @@ def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
     given = scene.arguments(frame, aim)
     trees = {name: tuple(_traced(ours.forest, f, given.poses[f])) for f, name in enumerate(ours.frames)}
     listed = scene.permanent_list(aim.name) if given.listed.any() else None
+    place = None if listed is None else _place(listed, scene.hidden_pairs())
     return Explained(
         tuple(names),
         ours.solids,
         ours.overlapping,
-        listed,
-        None if listed is None else _place(listed, scene.hidden_pairs()),
+        None if listed is None else tuple(_entries(ours, listed, place)),
         trees,
         tuple(_bisectors(ours.clusters, given)),
         tuple(table),
@@ -133,6 +156,28 @@ def explained(scene: VisualScene, frame: Frame, aim: Aim) -> Explained:
         order.cuts,
         order.overlapping,
     )
+
+
+def _entries(clusters: Clusters, listed: tuple[int, ...], place: int | None) -> Iterator[ListEntry]:
+    """Yield the entries of a permanent list.
+
+    Args:
+        clusters: the clusters.
+        listed: clusters of the list, highest priority first.
+        place: number of clusters before the roots; None if the list has no roots.
+    """
+    home, last = int(clusters.frame[listed[0]]), -1
+    roots = [f for f in range(len(clusters.frames)) if f != home and (clusters.frame == f).any()]
+    frames = [home] * len(listed)
+    if place is not None:
+        frames[place:place] = roots
+    left = iter(listed)
+    for f in frames:
+        new, last = f != last, f
+        if f == home:
+            yield ListEntry(next(left), None, clusters.frames[f], new)
+        else:
+            yield ListEntry(None, int(clusters.forest.root[f]), clusters.frames[f], new)
 
 
 def _place(listed: tuple[int, ...], pairs: Iterable[tuple[int, int]]) -> int | None:

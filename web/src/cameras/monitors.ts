@@ -18,6 +18,8 @@ export interface MonitorsListener {
   orbited(camera: Camera, right: number, upwards: number, nearer: number, aside?: boolean): void;
   /** Switches a monitor to the look of 1972, or back; absent if nothing computes this look. */
   seventies?: (index: 0 | 1) => void;
+  /** Opens a window that shows what decides the order in a monitor's picture in the look of 1972; absent as above. */
+  planes?: (index: 0 | 1) => void;
   /** Opens a monitor in a secondary window; absent if the page opens no secondary windows. */
   tearOff?: (index: 0 | 1) => void;
   /** Whether dragging a picture turns its camera. */
@@ -37,7 +39,7 @@ export class Monitors {
     first: Camera,
     private readonly listener: MonitorsListener,
   ) {
-    const { seventies, tearOff, turns } = listener;
+    const { seventies, planes, tearOff, turns } = listener;
     const monitor = (index: 0 | 1) =>
       new Monitor(`MON ${index + 1}`, cameras, first, {
         taken: (half) => this.take(index, half),
@@ -48,6 +50,7 @@ export class Monitors {
         orbited: (camera, ...by) => listener.orbited(camera, ...by),
         turns,
         ...(seventies ? { seventies: () => seventies(index) } : {}),
+        ...(planes ? { planes: () => planes(index) } : {}),
         ...(tearOff ? { tearOff: () => tearOff(index) } : {}),
       });
     this.both = [monitor(0), monitor(1)];

@@ -13,6 +13,7 @@ import type { View as DeskView } from '../panel/parts/part';
 import { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
 import type { View } from '../scene/drawn';
+import type { Pictured, Planes } from '../windows/opened';
 import { small } from '../words/format';
 import { AllCameras } from './all-cameras';
 import { TARGETS, type Target } from './best-pair';
@@ -27,8 +28,8 @@ const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
 const LOOK_MS = 3;
 
 export interface PicturesListener {
-  /** Opens a monitor (0, 1) or all cameras in a secondary window. */
-  tearOff?: (what: 0 | 1 | 'matrix') => void;
+  /** Opens a secondary window. */
+  tearOff?: (what: Pictured | Planes) => void;
   /** Called when the view of all cameras was opened or closed. */
   opened?: (matrix: boolean) => void;
   /** Whether dragging a picture turns its camera. */
@@ -79,6 +80,9 @@ export class Pictures {
       turns: listener.turns ?? false,
       ...(tearOff ? { tearOff } : {}),
       ...(listener.polygons ? { seventies: (index) => this.toggleSeventies(index) } : {}),
+      ...(listener.polygons && tearOff
+        ? { planes: (index) => tearOff(index === 0 ? 'planes1' : 'planes2') }
+        : {}),
     });
     this.matrix = new Matrix(cameras, {
       chosen: (camera) => this.monitors.choose(camera),

@@ -6,11 +6,13 @@ import { notice } from '../page/notice';
 import type { Drawing } from '../page/quality';
 import { onTooNarrow, tooNarrow } from '../page/room';
 import { Station } from '../page/station';
+import type { DrawnBody } from '../scene/bodies';
 import { LiveStrips } from '../windows/live-strips';
 import { Display } from '../windows/monitor-window';
 import { tornHere } from '../windows/opened';
+import { PlanesWindow } from '../windows/planes-window';
 import { PolygonPictures } from './polygon-pictures';
-import type { Role, Scenarios, Welcome } from './protocol';
+import type { Frame, Event as LogEvent, Recent, Role, Scenarios, Welcome } from './protocol';
 import { type FromSession, Link, type LinkState } from './socket';
 
 /** Sentence that fills the page before the first run is available. */
@@ -21,8 +23,23 @@ function words(link: LinkState): string {
     : 'Connecting to the station.';
 }
 
+/** The station, or the content of a secondary window. */
+interface Content {
+  readonly drawn: number;
+  readonly shown: { readonly frame: Frame | null; readonly restarts: number };
+  readonly bodies: readonly DrawnBody[];
+  /** Pictures in the look of 1972; absent if none are shown. */
+  readonly polygons?: PolygonPictures | null;
+  setFrame(frame: Frame): void;
+  addEvents?(events: readonly LogEvent[]): void;
+  /** The station sends all lines of the log again. */
+  forgetEvents?(): void;
+  setRecent?(recent: Recent): void;
+  dispose(): void;
+}
+
 export function fly(root: HTMLElement, drawing: Drawing): void {
-  let station: Station | Display | LiveStrips | null = null;
+  let station: Content | null = null;
   const torn = tornHere(location.search);
   let welcomed: Welcome | null = null;
   let role: Role | null = null;
@@ -31,14 +48,18 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   function welcome(message: Welcome): void {
     // After a reconnection to the same run the page stays, and the server sends the whole log again.
     if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
-      if (!(station instanceof Display)) station.forgetEvents();
-      if (!(station instanceof LiveStrips)) station.polygons?.askAgain();
+      station.forgetEvents?.();
+      station.polygons?.askAgain();
       return;
     }
     station?.dispose();
     welcomed = message;
     if (torn === 'strips') {
       station = new LiveStrips(root, message);
+      return;
+    }
+    if (torn === 'planes1' || torn === 'planes2') {
+      station = new PlanesWindow(root, message, torn === 'planes1' ? 0 : 1);
       return;
     }
     if (torn !== null) {
@@ -71,13 +92,13 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
         station?.setFrame(received);
         break;
       case 'polygons':
-        if (station && !(station instanceof LiveStrips)) station.polygons?.put(received);
+        station?.polygons?.put(received);
         break;
       case 'events':
-        if (station && !(station instanceof Display)) station.addEvents(received.events);
+        station?.addEvents?.(received.events);
         break;
       case 'recent':
-        if (station instanceof LiveStrips) station.setRecent(received);
+        station?.setRecent?.(received);
         break;
       case 'refused':
         if (station instanceof Station) station.refuse(received.text, received.seq);

@@ -4,7 +4,7 @@ import type { Frame, PlaybackIndex } from '../link/protocol';
 import { publish } from '../page/hook';
 import type { Drawing } from '../page/quality';
 import { Display } from '../windows/monitor-window';
-import type { Torn, WindowMessage } from '../windows/opened';
+import type { Pictured, WindowMessage } from '../windows/opened';
 import { PLAYED, Tether } from '../windows/secondary-window';
 import { StripWindow } from '../windows/strip-window';
 import { missionTime } from '../words/format';
@@ -23,7 +23,7 @@ export function follow(
   drawing: Drawing,
   source: Source,
   index: PlaybackIndex,
-  what: Torn,
+  what: Pictured | 'strips',
 ): void {
   const player = new Player(index, (number) => source.block(number));
   const heard = (message: WindowMessage) => {
@@ -40,7 +40,7 @@ function showPictures(
   drawing: Drawing,
   { welcome, file }: PlaybackIndex,
   player: Player,
-  what: Exclude<Torn, 'strips'>,
+  what: Pictured,
   heard: (message: WindowMessage) => void,
 ): void {
   const display = new Display(root, welcome, drawing, what, { file, heard });

@@ -11,7 +11,7 @@ import { el } from '../panel/parts/dom';
 import type { DrawnBody } from '../scene/bodies';
 import { missionTime } from '../words/format';
 import { type UnitName, unitsOf } from '../words/units';
-import type { PageState, Torn, WindowMessage } from './opened';
+import type { PageState, Pictured, WindowMessage } from './opened';
 import { FLOWN, PLAYED, Tether } from './secondary-window';
 
 /** Time between two updates of the numbers [ms]. */
@@ -46,7 +46,7 @@ export class Display {
     root: HTMLElement,
     welcome: Welcome,
     drawing: Drawing,
-    private readonly what: Exclude<Torn, 'strips'>,
+    private readonly what: Pictured,
     private readonly played: Played | null = null,
     readonly polygons: PolygonPictures | null = null,
   ) {

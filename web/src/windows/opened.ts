@@ -4,7 +4,11 @@ import type { Relayed } from '../input/key-relay';
 import { pageName } from '../link/identity';
 import type { UnitName } from '../words/units';
 
-export type Torn = 0 | 1 | 'matrix' | 'strips';
+/** Content of a window with pictures: a monitor, or all cameras. */
+export type Pictured = 0 | 1 | 'matrix';
+/** Content of a window: pictures, strips, or what decides the order in the picture of MON 1 or MON 2. */
+export type Torn = Pictured | 'strips' | Planes;
+export type Planes = 'planes1' | 'planes2';
 
 /** State of a page, sent on request and after each change. */
 export interface PageState {
@@ -47,6 +51,8 @@ const VIEWS: readonly (readonly [string, Torn])[] = [
   ['mon2', 1],
   ['matrix', 'matrix'],
   ['strips', 'strips'],
+  ['planes1', 'planes1'],
+  ['planes2', 'planes2'],
 ];
 /** Parameter of a window's address; its value is the name of the window's page. */
 const OF = 'of';

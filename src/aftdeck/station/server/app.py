@@ -20,6 +20,7 @@ from aftdeck.station.server.files import PageFiles
 from aftdeck.station.server.own import MAY_FLY, keep_to_own
 from aftdeck.station.server.page import Page, receive_hello
 from aftdeck.station.server.recorded import Recordings
+from aftdeck.station.server.sheets import SheetRoutes
 from aftdeck.station.server.terse_log import log
 from aftdeck.station.server.waiting import Waiting
 from aftdeck.station.session.preparation import Preparation
@@ -78,7 +79,8 @@ def make_app(
     async def health(_: Request) -> Response:
         return PlainTextResponse(f"{waiting.phase}\n")
 
-    routes: list[BaseRoute] = [WebSocketRoute("/ws", connect), Route("/health", health)]
+    sheets = SheetRoutes(lambda: waiting.pages.session if waiting.pages else None)
+    routes: list[BaseRoute] = [WebSocketRoute("/ws", connect), Route("/health", health), *sheets.routes()]
     if recordings:
         routes += recordings.routes()
     if (STATIC / "index.html").is_file():

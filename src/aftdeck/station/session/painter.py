@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 
 import msgspec
 
-from aftdeck.scenario.light import conditions
+from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.polygons_of import PolygonPictures, no_polygons
@@ -32,19 +32,20 @@ class Painter:
 
     Attributes:
         drawn: newest picture of each camera, encoded as JSON. Each new picture is a new object.
+        newest: newest frame, and the light in it; None before the first frame.
         notify: called in the thread after each round of pictures.
     """
 
     def __init__(self, scenario: Scenario, make: Callable[[Scenario], PolygonPictures] = PolygonPictures) -> None:
         self.drawn: Mapping[str, bytes] = {}
+        self.newest: tuple[Frame, LightCondition] | None = None
         self.notify: Callable[[], None] = lambda: None
         self._scenario, self._make = scenario, make
-        self._lights = {condition.name: condition for condition in conditions()}
         self._wanted: Mapping[str, float] = {}
         self._text = PREPARING
-        self._newest: tuple[Frame, str] | None = None
         self._lock = threading.Lock()
         self._fresh = threading.Event()
+        self._compiled = threading.Event()
         self._closed = threading.Event()
         self._compiler: subprocess.Popen[bytes] | None = None
         self._thread: threading.Thread | None = None
@@ -54,14 +55,20 @@ class Painter:
         with self._lock:
             self._wanted = dict(wanted)
             self._publish({})
-        if wanted and self._thread is None and not self._closed.is_set():
+        if wanted:
+            self.prepare()
+
+    def prepare(self) -> bool:
+        """Start the thread, which first compiles the laws of pictures; return whether they are compiled."""
+        if self._thread is None and not self._closed.is_set():
             self._thread = threading.Thread(target=self._run, name="painter", daemon=True)
             self._thread.start()
+        return self._compiled.is_set()
 
-    def show(self, frame: Frame, condition: str) -> None:
-        """Draw this frame next, in the light condition of this name; without a wanted picture, do nothing."""
+    def show(self, frame: Frame, light: LightCondition) -> None:
+        """Draw this frame next, in this light; without a wanted picture, only keep it."""
+        self.newest = frame, light
         if self._wanted:
-            self._newest = frame, condition
             self._fresh.set()
 
     def close(self) -> None:
@@ -78,6 +85,7 @@ class Painter:
                 self._compiler.wait()
             if self._closed.is_set():
                 return
+            self._compiled.set()
             pictures, turn = self._make(self._scenario), 0
             while True:
                 self._fresh.wait()
@@ -95,12 +103,11 @@ class Painter:
 
     def _draw(self, pictures: PolygonPictures, turn: int) -> int:
         """Compute at most `AT_ONCE` pictures, beginning with camera number `turn`; return the next number."""
-        wanted, newest = self._wanted, self._newest
+        wanted, newest = self._wanted, self.newest
         if not wanted or newest is None:
             return 0
-        (frame, condition), names = newest, list(wanted)
+        (frame, light), names, drawn = newest, list(wanted), {}
         count = min(AT_ONCE, len(names))
-        light, drawn = self._lights[condition], {}
         for name in [names[(turn + k) % len(names)] for k in range(count)]:
             drawn[name] = _encode(pictures.of(frame, name, wanted[name], light))
         with self._lock:

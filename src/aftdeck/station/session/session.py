@@ -21,6 +21,7 @@ from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import NO_TRIAL, Trial
+from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.frame import Event, Frame, Level
@@ -48,6 +49,7 @@ from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInp
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
+from aftdeck.station.session.sheets import Sheets
 from aftdeck.station.session.unattended import safe_inputs
 
 LOOK_EVERY = 10
@@ -74,6 +76,7 @@ class Session:
         delays: delays of the control steps of the present run.
         newest: newest frame, encoded as JSON; empty before the first step.
         painter: painter of the pictures in the look of 1972.
+        sheets: sheets that show what decides the order of a camera's picture.
     """
 
     def __init__(
@@ -109,6 +112,8 @@ class Session:
         self.log = Log()
         self.newest = b""
         self.painter = Painter(scenario)
+        self.sheets = Sheets(scenario)
+        self._lights = {condition.name: condition for condition in conditions()}
         self._lock = threading.Lock()
         self._inputs = PageInputs(scenario.delay)
         self._reported = Reported(scenario.lighting)
@@ -300,7 +305,7 @@ class Session:
         shown = self._displays.frame(frame, seq, running_s, self._ahead, lit, flown_seq=flown, delays=self.delays)
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
-        self.painter.show(frame, shown.display.lighting.condition)
+        self.painter.show(frame, self._lights[shown.display.lighting.condition])
         self.log.add(frame.events)
         return restarted
 

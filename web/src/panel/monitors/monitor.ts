@@ -14,6 +14,8 @@ export interface MonitorListener {
   slow(): void;
   /** Switches this monitor to the look of 1972, or back. Undefined if nothing computes this look. */
   seventies?: () => void;
+  /** Shows in a secondary window what decides the order in the look of 1972. Undefined if no window can be opened. */
+  planes?: () => void;
   /** Called when the user requests the next centre of the engineering views. */
   round(): void;
   /** Opens the monitor in a secondary window. Undefined if this monitor is already in one. */
@@ -27,6 +29,8 @@ const ROUND = 'Change the centre of the free view: start, tip, payload or minimu
 const SHIFT = 'Shift the free view by drags and arrows (as with Shift or the second button)';
 const SEVENTIES = 'Draw this monitor as in 1972: polygons in few greys, with raster lines';
 const NO_SEVENTIES = 'The engineering view is not drawn as in 1972';
+const PLANES =
+  'Show the separating planes, trees and lists that put the bodies in order, in a secondary window';
 const SLOW = 'Turn cameras at their low speed';
 
 export class Monitor {
@@ -38,6 +42,7 @@ export class Monitor {
   private readonly splitKey: HTMLButtonElement;
   private readonly slowKey: HTMLButtonElement;
   private readonly seventiesKey: HTMLButtonElement;
+  private readonly planesKey: HTMLButtonElement | null;
   private readonly roundKey = button({ class: 'round', title: ROUND }, [], () => this.listener.round());
   private readonly bezel: HTMLElement;
   private half = 0;
@@ -75,8 +80,9 @@ export class Monitor {
       },
     );
     this.slowKey = button({ class: 'slow' }, [], () => listener.slow());
-    const { seventies, tearOff } = listener;
+    const { seventies, planes, tearOff } = listener;
     this.seventiesKey = button({ class: 'seventies' }, ['1972'], () => seventies?.());
+    this.planesKey = planes ? button({ class: 'planes', title: PLANES }, ['Planes'], planes) : null;
     const off = tearOff
       ? [
           button(
@@ -87,6 +93,7 @@ export class Monitor {
         ]
       : [];
     this.bezel = el('div', { class: 'bezel' }, this.halves[0].element, this.roundKey);
+    if (this.planesKey) this.bezel.append(this.planesKey);
     this.element = el(
       'section',
       { class: 'monitor', 'aria-label': label },
@@ -173,6 +180,7 @@ export class Monitor {
   /** Shows whether this monitor has the look of 1972, which an engineering view never has. */
   setSeventies(on: boolean): void {
     setPressed(this.seventiesKey, on);
+    if (this.planesKey) this.planesKey.hidden = !on;
   }
 
   /** Shows the name of the centre of the engineering views; null for their initial centre. */

@@ -58,8 +58,7 @@ export class Picture {
   private readonly axes = axesOverlay();
   private readonly pushes = pushOverlay();
   private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
-  private corners: { readonly of: Size; readonly touched: boolean; readonly boxes: readonly Box[] } | null =
-    null;
+  private corners: { readonly of: string; readonly boxes: readonly Box[] } | null = null;
   private shown: Camera;
 
   constructor(
@@ -158,12 +157,15 @@ export class Picture {
   private burnedIn(picture: Size): readonly Box[] {
     const { corners } = this;
     const touched = document.querySelector<HTMLElement>(TOUCH)?.hidden === false;
-    const same = corners?.of.width === picture.width && corners.of.height === picture.height;
-    if (same && corners.touched === touched) return corners.boxes;
+    const flat = !this.polygons.hidden;
+    const of = `${picture.width} ${picture.height} ${touched} ${flat}`;
+    if (corners?.of === of) return corners.boxes;
     const own =
-      inset() && !this.element.closest('.torn-off') ? this.narrowCorners(picture) : cornersOf(picture);
+      inset() && !this.element.closest('.torn-off')
+        ? this.narrowCorners(picture, flat)
+        : cornersOf(picture, flat);
     const boxes = touched ? [...own, ...this.touchSticks()] : own;
-    this.corners = { of: picture, touched, boxes };
+    this.corners = { of, boxes };
     return boxes;
   }
 
@@ -171,8 +173,8 @@ export class Picture {
    * Boxes of this picture's texts if the page shows MON 2 in a corner of MON 1. For a picture of MON 1, MON 2 is one
    * more box.
    */
-  private narrowCorners(picture: Size): readonly Box[] {
-    const own = cornersOf(picture);
+  private narrowCorners(picture: Size, flat: boolean): readonly Box[] {
+    const own = cornersOf(picture, flat);
     if (this.element.closest('.monitor + .monitor')) return own;
     const { width, height } = picture;
     return [...own, { left: 0.5 * width, top: 0, right: width, bottom: 0.5 * height }];
@@ -262,14 +264,15 @@ export function fitPane(element: HTMLElement, { pane, field_of_view }: Camera, w
   setStyle(element, `width: ${wide}; height: ${high}`);
 }
 
-/** Boxes of the texts in the corners of a picture, with a margin [px]. */
-function cornersOf({ width, height }: Size): readonly Box[] {
+/** Boxes of the texts in the corners of a picture, with a margin [px]; `flat`: whether it has the look of 1972. */
+function cornersOf({ width, height }: Size, flat: boolean): readonly Box[] {
   const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
-  const [across, axes, lens] = [0.5 * width, 7 * rem, 3 * rem];
+  const [across, axes, lens, key] = [0.5 * width, 7 * rem, 3 * rem, 5 * rem];
   return [
     { left: 0, top: 0, right: width, bottom: 2.6 * rem },
     { left: 0, top: height - axes, right: axes, bottom: height },
     { left: width - across, top: height - lens, right: width, bottom: height },
+    ...(flat ? [{ left: width - key, top: height - 5 * rem, right: width, bottom: height }] : []),
   ];
 }
 

@@ -1,0 +1,63 @@
+"""Options and checks that the commands ``render`` and ``planes`` share."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from aftdeck.errors import InputError
+from aftdeck.lines import print_error
+
+if TYPE_CHECKING:
+    from aftdeck.scenario.light import LightCondition
+    from aftdeck.scenario.model import Scenario
+
+Run = Annotated[
+    str,
+    typer.Argument(
+        metavar="SCENARIO|RECORDING|WORDS",
+        help="A scenario, whose script is run; a recording (.mcap); or the 1972 report's frame words (.jsonl).",
+    ),
+]
+WordsOf = Annotated[
+    str | None,
+    typer.Option("--words-of", metavar="SCENARIO", help="Scenario of the frame words; default: concept-1972."),
+]
+SIZE = (800, 600)
+"""Default size of a picture [pixels]."""
+
+
+def announce_compilation() -> None:
+    """Tell the user in a terminal if the laws of the pictures have to be compiled first."""
+    from aftdeck.law import compiled_before
+
+    if sys.stderr.isatty() and not compiled_before("visual"):
+        print_error("compiling the laws that draw pictures; this takes a minute or two, once for each version")
+
+
+def not_negative(option: str, value: float | None) -> None:
+    """Raise `InputError` if the value of an option, in seconds, is negative or not finite."""
+    if value is not None and not 0.0 <= value < float("inf"):
+        raise InputError(f"{option}: got {value:g}, expected seconds, at least 0")
+
+
+def light_of(scenario: Scenario, name: str | None) -> LightCondition:
+    """Return the light condition of a name; None: that of the scenario. Raise `InputError` if there is none."""
+    from aftdeck.scenario.light import conditions
+
+    wanted = scenario.lighting.condition if name is None else name
+    for condition in conditions():
+        if condition.name == wanted:
+            return condition
+    raise InputError(f"--light: no light condition {wanted!r}: there are {', '.join(c.name for c in conditions())}")
+
+
+def write(path: Path, content: bytes) -> None:
+    """Write a file; raise `InputError` if it cannot be written."""
+    try:
+        path.write_bytes(content)
+    except OSError as error:
+        raise InputError(f"cannot write {path}: {error.strerror}") from error

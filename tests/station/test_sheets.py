@@ -1,0 +1,77 @@
+"""Sheets that show what decides the order of a picture, requested from a station over HTTP."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import xml.etree.ElementTree as ET
+
+import pytest
+
+from aftdeck.errors import SimulationError
+from aftdeck.scenario.all_cameras import cameras_of
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.session.painter import PREPARING
+from aftdeck.station.session.session import Session
+from aftdeck.station.session.sheets import Sheets
+from tests.station.pages import Station, scenario, served, until
+
+NAME = "concept-1972-script"
+
+
+def title(svg: str) -> str:
+    """Return the first text of a sheet."""
+    found = ET.fromstring(svg).find("{http://www.w3.org/2000/svg}text")
+    assert found is not None
+    return found.text or ""
+
+
+def time_s(svg: str) -> float:
+    """Return the time in the title of a sheet [s]."""
+    found = re.search(r"at ([\d.]+) s$", title(svg))
+    assert found is not None
+    return float(found[1])
+
+
+def sheet(station: Station, camera: str) -> str:
+    """Return a sheet; the first ones may be answered while laws are still being compiled."""
+    until(lambda: station.get(f"/planes/{camera}.svg")[0] != 202, "the laws of the pictures")
+    status, text = station.get(f"/planes/{camera}.svg")
+    assert status == 200
+    return text
+
+
+def test_sheets_follow_the_run_and_name_unknown_cameras() -> None:
+    with served(Session(scenario(NAME), demo=True)) as station:
+        first = sheet(station, "A")
+        assert f"{scenario(NAME).title}, camera A" in title(first)
+        until(lambda: time_s(sheet(station, "A")) > time_s(first) + 0.5, "a later sheet")
+        assert "camera AFT at" in title(sheet(station, "AFT"))
+        names = ", ".join(camera.name for camera in cameras_of(scenario(NAME)))
+        assert station.get("/planes/A9.svg") == (404, f"no camera is called 'A9'; cameras are {names}\n")
+        station.session.painter.prepare = lambda: False  # type: ignore[method-assign]
+        assert station.get("/planes/A.svg") == (202, f"{PREPARING}\n")
+
+
+def test_a_picture_that_cannot_be_drawn_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
+    def inside(*_: object) -> str:
+        raise SimulationError("camera B at 3 s is inside payload-1 or touches it")
+
+    with served(Session(scenario(NAME))) as station:
+        sheet(station, "A")
+        monkeypatch.setattr(Sheets, "of", inside)
+        answer = station.get("/planes/B.svg")
+        assert answer == (409, "No picture: camera B at 3 s is inside payload-1 or touches it.\n")
+
+
+def test_sheets_are_as_late_as_the_pictures() -> None:
+    delay = 1.5
+    with served(Session(dataclasses.replace(scenario(NAME), camera_delay=delay))) as station:
+
+        def is_late() -> bool:
+            """Return whether the run is ahead of a sheet that has just arrived; a run that lost time is less so."""
+            shown = time_s(sheet(station, "A"))
+            with station.page() as page:
+                return page.wait_for(Frame).time_s > shown + 0.9 * delay
+
+        until(is_late, "a late sheet")
