@@ -18,6 +18,7 @@ QUICK = 2
 """Number of these tests that are not slow."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shard", [pytest.param(n, marks=pytest.mark.slow) if n >= QUICK else n for n in range(SHARDS)])
 @pytest.mark.parametrize("name", ATTACKS)
 def test_attack_finds_nothing(name: str, shard: int) -> None:

@@ -143,6 +143,7 @@ def test_usual_units_have_exactly_the_size_from_pint(unit: str, kind: type[Quant
     assert units._size(unit, kind.unit) == units.size_by_pint(unit, kind.unit)
 
 
+@pytest.mark.slow
 def test_built_in_files_are_read_without_pint() -> None:
     code = """
 import sys

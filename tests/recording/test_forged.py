@@ -130,6 +130,7 @@ def test_unchanged_copy_is_equal_and_unchanged(whole: Path, tmp_path: Path) -> N
         assert set(CHANNELS) <= {*verdict.recomputed, *verdict.unchanged}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [0, STEPS - 1])
 def test_every_changed_value_of_a_frame_is_found_even_with_a_new_chain(
     whole: Path, tmp_path: Path, number: int
@@ -167,6 +168,7 @@ def test_changed_wall_clock_breaks_the_chain(whole: Path, tmp_path: Path, field:
     assert (verdict.equal, verdict.chain, verdict.different) == (False, "broken", 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("topic", list(VIEWED))
 def test_every_changed_message_for_viewers_is_found_even_with_a_new_chain(
     whole: Path, tmp_path: Path, topic: str

@@ -215,6 +215,7 @@ def random_target(rng: np.random.Generator, arm: aftdeck.Arm) -> tuple[Array, af
     return start, target_at(tip)
 
 
+@pytest.mark.slow
 @laws
 def test_verdict_time_and_cause_equal_those_of_the_motion(law: str) -> None:
     rng, arm = np.random.default_rng(5), aftdeck.load_arm("srms")

@@ -107,6 +107,7 @@ def test_trunnions_lowered_in_coarse_stop_on_their_seats(mode: str) -> None:
 WAYS: list[Vec3] = [(0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", ["stop", "reflect"])
 @pytest.mark.parametrize("way", WAYS, ids=["starboard", "port", "forward", "down"])
 def test_released_moving_payload_stops_and_leaves_arm_free(way: Vec3, how: str) -> None:

@@ -34,6 +34,7 @@ def test_summary_digest_covers_the_digests_of_all_frames() -> None:
     assert done.summary.frames_sha256 == digest.hexdigest()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FLOWN)
 def test_building_frames_changes_no_state(name: str) -> None:
     seen: list[Frame] = []
@@ -69,6 +70,7 @@ def test_two_simulations_are_independent() -> None:
     assert bits(beside) == bits(alone)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "encode"),
     [
@@ -139,6 +141,7 @@ BEGINNINGS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beginning", BEGINNINGS.values(), ids=BEGINNINGS.keys())
 @pytest.mark.parametrize("mass", ["", "32000 lb"])
 def test_restored_modes_holds_and_sequences_continue_bit_for_bit(beginning: list[aftdeck.Inputs], mass: str) -> None:

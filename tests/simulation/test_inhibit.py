@@ -124,6 +124,7 @@ def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
         assert ("ARM INHIBIT off" in text) == (before.work.arm_inhibit and not now.work.arm_inhibit)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("start", STARTS, ids=lambda start: start.__name__)
 @settings(max_examples=3)
 @given(seed=seeds)

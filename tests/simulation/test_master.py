@@ -58,6 +58,7 @@ def test_stick_moves_master_joint_at_its_rate_limit(name: str, joint: int, rate:
     assert frame.angles == pytest.approx(frame.work.master, abs=1e-9)
 
 
+@pytest.mark.slow
 @ARMS
 @pytest.mark.parametrize("by", [1.0, -1.0])
 def test_sticks_move_master_only_to_soft_stops(name: str, by: float) -> None:

@@ -80,6 +80,7 @@ def bits(frames: list[Frame]) -> bytes:
     return msgspec.msgpack.encode(frames)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.__name__)
 @settings(max_examples=2)
 @given(seed=seeds)

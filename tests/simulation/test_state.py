@@ -123,6 +123,7 @@ def test_restored_state_equals_the_saved_one(name: str) -> None:
         assert encoded(resume(sim._flight, data)) == data
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FLOWN)
 def test_run_without_caches_is_bit_for_bit_equal(name: str) -> None:
     """Most steps begin without cached clearances, and every twentieth step begins as after saving and restoring."""

@@ -31,6 +31,7 @@ for module, name, _ in sorted(compiled() - before):
 """Program that prints each law that a run compiles for new argument types."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("scenario", "steps", "by"),
     [("concept-1972", 400, "down"), ("concept-1972-script", 2600, "script"), ("srms-deploy", 1500, "script")],

@@ -78,6 +78,7 @@ def test_file_contains_all_frames_to_a_tenth_of_a_millimetre(recording: Path, tm
             assert shown.frame.angles == pytest.approx(exact.frame.angles, abs=0.51e-4)
 
 
+@pytest.mark.slow
 def test_long_run_is_thinned_but_its_lanes_strips_and_log_are_not(
     recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

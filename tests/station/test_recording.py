@@ -38,6 +38,7 @@ def has_warned(session: Flown) -> bool:
     return any(event.kind == "recording" for event in session.log.since(0))
 
 
+@pytest.mark.slow
 def test_every_run_has_a_file_that_verifies(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         session.steer(from_page.Sticks(0, (1.0, 0.0, 0.0), STILL, 0.0))

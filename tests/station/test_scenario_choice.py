@@ -151,6 +151,7 @@ def test_plant_that_a_scenario_cannot_have_is_refused_and_the_run_continues() ->
         page.wait_for(Frame, lambda frame: frame.dynamics is None)
 
 
+@pytest.mark.slow
 def test_each_scenario_is_recorded_into_its_own_file(tmp_path: Path) -> None:
     with served(Session(scenario(), record=tmp_path)) as station, station.page() as page:
         page.wait_for(Frame, lambda frame: frame.tick > 20)

@@ -124,6 +124,7 @@ def test_escapes_lead_out_with_a_heavy_payload(seed: int, mode: str) -> None:
         follow(near(kind, rng), mode, PAYLOAD.format(mass="32000 lb"), 1200.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "start",
     [
@@ -142,6 +143,7 @@ def test_escape_does_not_end_at_a_stop(start: tuple[float, ...], soft_stops: str
         follow(np.array(start), mode, f'soft_stops = "{soft_stops}"', 62.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", range(4))
 def test_invariants_hold_near_singularities_and_limits(kind: str, seed: int) -> None:
@@ -198,6 +200,7 @@ def test_no_escape_far_from_limits() -> None:
     assert aftdeck.Simulation(scenario()).step(aftdeck.Inputs()).ways_out == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
 def test_escape_joint_needs_the_least_rotation(kind: str) -> None:
     rng = np.random.default_rng([226, KINDS.index(kind)])

@@ -11,6 +11,7 @@ from tests.steering.flying import kinds, scenario
 from tests.steering.random_runs import flight
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(40))
 def test_random_run_keeps_invariants(seed: int) -> None:
     flight(seed)

@@ -102,6 +102,7 @@ def test_strict_mode_5_moves_along_frame_7() -> None:
     assert displacement / np.linalg.norm(displacement) == pytest.approx((0.0, math.sin(lean), math.cos(lean)), abs=2e-2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["ORB UNL", "END EFF"])
 @pytest.mark.parametrize(("rate", "most", "most_turn"), [("coarse", 2.0 * FOOT, 4.76), ("vernier", 0.61 * FOOT, 1.59)])
 def test_full_deflection_reaches_the_por_limits(mode: str, rate: str, most: float, most_turn: float) -> None:

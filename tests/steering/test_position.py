@@ -156,6 +156,7 @@ def test_mode_1_passes_every_singularity() -> None:
         assert any(f.singular for f in frames)  # SINGULAR is lit nevertheless
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mass", ["0 lb", "5000 lb", "65000 lb"])
 @pytest.mark.parametrize("rate", ["coarse", "vernier"])
 def test_mode_1_keeps_limits_of_load_and_rate_setting(mass: str, rate: str) -> None:

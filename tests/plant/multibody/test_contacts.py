@@ -120,6 +120,7 @@ def against_the_cabin(inhibit: bool) -> tuple[Simulation, list[float], list[bool
     return sim, forces, inhibits
 
 
+@pytest.mark.slow
 def test_arm_pushes_with_no_more_than_its_motors_and_is_inhibited_only_if_asked() -> None:
     sim, forces, inhibits = against_the_cabin(inhibit=False)
     assert not any(inhibits)

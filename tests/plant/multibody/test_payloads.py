@@ -87,6 +87,7 @@ def close_snares(sim: Simulation, steps: int) -> list[str]:
     return kinds
 
 
+@pytest.mark.slow
 @BOTH
 def test_capture_of_a_free_flyer_is_soft_has_no_jump_and_keeps_momentum(plant: str) -> None:
     sim = free_flyer(plant)

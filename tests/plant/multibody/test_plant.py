@@ -242,6 +242,7 @@ def test_joint_gives_way_where_its_load_exceeds_the_torque_limit() -> None:
     assert turned[1.2][1] > 3 * turned[0.9][1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pounds", [5_000.0, 15_000.0, 32_000.0, 65_000.0])
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
 def test_loaded_arm_stops_within_two_feet_from_its_permitted_rate(plant: str, pounds: float) -> None:

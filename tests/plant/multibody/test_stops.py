@@ -55,6 +55,7 @@ def diagonal(tips: Array) -> float:
     return float(np.linalg.norm(np.ptp(tips, axis=0)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
 @pytest.mark.parametrize("end", ENDS)
 def test_log_line_agrees_with_the_path_of_the_true_tip(plant: str, end: str) -> None:
@@ -73,6 +74,7 @@ def test_log_line_agrees_with_the_path_of_the_true_tip(plant: str, end: str) -> 
     assert 0.99 * swung - 6e-5 <= line.swung <= 1.42 * swung + 6e-5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
 @pytest.mark.parametrize("end", ENDS)
 def test_path_of_a_stop_is_not_shorter_than_the_straight_distances(plant: str, end: str) -> None:
@@ -88,6 +90,7 @@ def test_brakes_stop_the_arm_in_a_shorter_distance_than_the_end_of_the_command()
     assert brakes.moved + brakes.farther < command.moved + command.farther
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("end", ENDS)
 def test_loaded_arm_stops_in_no_shorter_distance_than_the_unloaded_arm_from_the_same_speed(end: str) -> None:
     found = []
