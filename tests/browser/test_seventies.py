@@ -106,7 +106,7 @@ def test_an_observer_has_the_look_and_the_engineering_view_does_not(open_page: O
     assert key(observer, 0).is_disabled()
 
 
-SHEET_TITLE = "document.querySelector('.sheet svg text')?.textContent ?? ''"
+SHEET_TITLE = "(document.querySelector('.sheet svg text')?.textContent ?? '')"
 
 
 def test_the_planes_of_a_monitor_have_a_window_that_follows_its_camera(flight: Flight) -> None:
