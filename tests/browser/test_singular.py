@@ -31,6 +31,15 @@ def test_each_singularity_gauge_names_its_escape(flight: Flight) -> None:
         assert label.startswith((f"{name}: THC ", f"{name}: RHC ", f"{name}: SINGLE "))
 
 
+def test_start_near_singularities_raises_no_alarm(flight: Flight) -> None:
+    """The lamps are lit, but MASTER ALARM waits for a change."""
+    flight.until_lit("SINGULAR")
+    master = flight.page.locator(".master")
+    flight.until("/2 cautions/.test(document.querySelector('.master').textContent)")
+    assert "press" not in master.inner_text()
+    assert not flight.script("document.querySelector('.master').matches('.caution, .warning')")
+
+
 def test_named_escape_leads_away_from_the_singularity(flight: Flight) -> None:
     start = flight.until("frame.ways_out.some((way) => way.cause === 'elbow')")
     way = next(way for way in start.ways_out if way.cause == "elbow")

@@ -14,8 +14,8 @@ afterEach(() => {
 const INCHES = unitsOf('ft-in');
 const SI = unitsOf('SI');
 
-const SINGULAR: Lamp = { name: 'SINGULAR', level: 'caution', text: 'elbow' };
-const CLEARANCE: Lamp = { name: 'CLEARANCE', level: 'warning', text: 'near' };
+const SINGULAR: Lamp = { name: 'SINGULAR', level: 'caution', text: 'elbow', standing: false };
+const CLEARANCE: Lamp = { name: 'CLEARANCE', level: 'warning', text: 'near', standing: false };
 const NEAREST = { a: 'elbow', b: 'door', clearance: 0.1 };
 
 const frameOf = (mode: string, lamps: readonly Lamp[], nearest: object | null = null) =>

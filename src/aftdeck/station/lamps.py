@@ -103,6 +103,26 @@ class Lamp(msgspec.Struct, frozen=True, gc=False):
     level: Level
     text: str
     """Cause, such as ``elbow 0.12`` for SINGULAR."""
+    standing: bool = False
+    """Whether the lamp has been lit at this level since the first step of the run: it then raises no alarm."""
+
+
+class StandingLamps:
+    """Lamps that have been lit at the same level since the first step of a run."""
+
+    def __init__(self) -> None:
+        self._standing: frozenset[tuple[str, Level]] | None = None
+
+    def marked(self, lamps: tuple[Lamp, ...]) -> tuple[Lamp, ...]:
+        """Return the lamps of the next step, with `Lamp.standing`; call this once for each step, from the first."""
+        lit = frozenset((lamp.name, lamp.level) for lamp in lamps)
+        self._standing = lit if self._standing is None else self._standing & lit
+        if not self._standing:
+            return lamps
+        return tuple(
+            msgspec.structs.replace(lamp, standing=True) if (lamp.name, lamp.level) in self._standing else lamp
+            for lamp in lamps
+        )
 
 
 def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) -> tuple[Lamp, ...]:

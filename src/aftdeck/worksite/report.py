@@ -91,6 +91,13 @@ class Hand(msgspec.Struct, frozen=True, gc=False):
     rigid: Annotated[Literal["off", "rigid", "derigid"], field_meta("position of END EFFECTOR MAN CONTR")] = "off"
 
 
+class Motion(msgspec.Struct, frozen=True, gc=False):
+    """A mechanism in motion."""
+
+    text: Annotated[str, field_meta("mechanism and what it does: `latches close`, `snares open`")]
+    remaining_s: Annotated[float, field_meta("time in which the mechanism reaches its end position", "s", decimals=3)]
+
+
 class Objective(msgspec.Struct, frozen=True, gc=False):
     """Action that becomes possible at the present position of the end effector once the conditions hold."""
 
@@ -133,3 +140,6 @@ class Work(msgspec.Struct, frozen=True, gc=False):
     orbiter_velocity: Annotated[Vec3, field_meta("velocity of the orbiter", "m/s", "L")]
     cargo: Annotated[tuple[Cargo, ...], field_meta("state of each payload of the worksite")]
     master: Annotated[Six | None, field_meta("joint angles of the master arm; null in modes other than MASTER", "rad")]
+    motions: Annotated[
+        tuple[Motion, ...], field_meta("mechanisms in motion: latches, snares, carriage, prong, telescope")
+    ] = ()

@@ -1066,6 +1066,8 @@ export interface Work {
   readonly cargo: readonly Cargo[];
   /** joint angles of the master arm; null in modes other than MASTER [rad] */
   readonly master: Six | null;
+  /** mechanisms in motion: latches, snares, carriage, prong, telescope */
+  readonly motions: readonly Motion[];
 }
 
 /** Two monitored parts. */
@@ -1154,6 +1156,14 @@ export interface Cargo {
   readonly held: boolean;
   /** berth to which the payload is fixed; empty if it is not fixed to a berth */
   readonly seat: string;
+}
+
+/** A mechanism in motion. */
+export interface Motion {
+  /** mechanism and what it does: `latches close`, `snares open` */
+  readonly text: string;
+  /** time in which the mechanism reaches its end position [s] */
+  readonly remaining_s: number;
 }
 
 /** Event of a step, as a line of the log. */
@@ -1304,6 +1314,8 @@ export interface Lamp {
   readonly level: Level;
   /** Cause, such as `elbow 0.12` for SINGULAR. */
   readonly text: string;
+  /** Whether the lamp has been lit at this level since the first step of the run: it then raises no alarm. */
+  readonly standing: boolean;
 }
 
 /** Closest points of two monitored parts, in the scene frame. */

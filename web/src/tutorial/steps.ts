@@ -184,7 +184,7 @@ function offAxis({ work: { conditions } }: Frame): Condition | undefined {
 function besides(now: Frame): string {
   if (now.work.clearance_level === 'warning')
     return ' *CLEARANCE* warns because the berth is close: press *MASTER ALARM* and continue.';
-  return met(now) ? ' The panel shows that the payload could be latched again: ignore this.' : '';
+  return '';
 }
 
 /** Returns the text of a condition that prevents a capture, as the panel displays it. */

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import row_of
+from aftdeck.bodies.pose import POSE, compose, relative, row_of
 from aftdeck.matrices import product
 from aftdeck.worksite.file.cargo import part_of
 from aftdeck.worksite.model import Cargo, Seat
@@ -57,6 +58,26 @@ class Berth:
         found = np.empty((len(trunnions), OFFSET))
         offsets(frames[self.row], frames[cargo_row], trunnions, self.guides.seats, self.guides.axes, found)
         return found
+
+    @cached_property
+    def way_out(self) -> Array:
+        """Unit vector (3,) in the payload's axes, along which it leaves the berth: out of the port, or upwards."""
+        out = np.array([0.0, 0.0, 1.0])
+        if self.port is not None:
+            out = -product(self.port[3:].reshape(3, 3), self.seat.envelope[0, :3])
+        return product(self.place[3:].reshape(3, 3).T, out)
+
+    def offset(self, frames: Array, cargo_row: int) -> Array:
+        """Return a payload's pose (12,) relative to its final pose in the berth.
+
+        Args:
+            frames: (F, 12) poses of all frames in L.
+            cargo_row: row of the payload's frame.
+        """
+        place, off = np.empty(POSE), np.empty(POSE)
+        compose(frames[self.row], self.place, place)
+        relative(place, frames[cargo_row], off)
+        return off
 
     @property
     def latches_automatically(self) -> bool:

@@ -3,19 +3,24 @@
 Without this exception, every capture, docking and berthing would raise an alarm. If the end effector is aligned with a
 payload, the pairs of these two do not count. The same holds for a probe that is aligned with a port, and for trunnions
 that are aligned with their guides. A probe or trunnions are aligned if a straight motion over the remaining distance
-would bring them into a permitted contact (`payloads.relations`). Excepted pairs are still monitored for contacts, and a
-pair whose contact inhibits the arm counts.
+would bring them into a permitted contact (`payloads.relations`). The held payload and the body of a berth that it is
+about to enter or has just left do not count either, as long as they are not nearer to each other than they are on the
+straight way into the berth.
+Excepted pairs are still monitored for contacts, and a pair whose contact inhibits the arm counts.
 """
 
 from __future__ import annotations
 
+import math
+from functools import lru_cache
 from math import inf
 
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.frames import oriend_rows
+from aftdeck.bodies.pose import HERE, rows
+from aftdeck.frames import angle_between, oriend_rows
 from aftdeck.law import law
 from aftdeck.matrices import length, product
 from aftdeck.simulation.constants.berths import Berth
@@ -30,12 +35,25 @@ from aftdeck.worksite.model import Relation
 from aftdeck.worksite.seats.berthing import over
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
+from aftdeck.worksite.watch.contact_update import nearest_place
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
 from aftdeck.worksite.watch.found import CLEARANCE
 
 WIDER, WIDEST = 2.0, 2.4
 """Factors on the capture envelope's radius and angles [1] (assumed). Alignment begins inside the envelope widened by
 the first factor, and ends outside the envelope widened by the second."""
+
+ASIDE = 0.3
+"""Greatest distance of a payload from the line on which it enters a berth, up to which it is about to enter [m]
+(assumed)."""
+TILTED = math.radians(5.0)
+"""Greatest angle between a payload and its attitude in a berth, up to which it is about to enter [rad] (assumed)."""
+STEP = 0.1
+"""Distance of the positions on the way into a berth at which clearances are known [m] (assumed)."""
+_UPRIGHT = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+INNER = 0.8
+"""Factor on `ASIDE` and `TILTED` [1] (assumed) while a pair of payload and berth has the minimum clearance; without it,
+the lamp could flicker."""
 
 UNDECIDED = 2
 """Mark of a pair that counts unless its parts are aligned."""
@@ -89,6 +107,8 @@ def alarm_pairs(
         )  # fmt: skip
         if undecided:
             _decide(site, frames, nearest, counts)
+    if held is not None:
+        _except_berth(site, held, watch, frames, nearest, counts)
     k = None
     if held is None and site.bar is not None:
         enclosed = enclosed_bar(watch.placed, site.bar.bars, site.bar.packed, NEAR)
@@ -98,6 +118,51 @@ def alarm_pairs(
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
         return counts, k
     return counts & (1 - site.held[k]), k
+
+
+def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, nearest: int, counts: Mask) -> None:
+    """Write a 0 into `counts` for pairs of the held payload k and the berth that it is about to enter or has just left.
+
+    Pairs in contact keep their marks, and so do pairs that are nearer to each other than on the straight way into the
+    berth, by more than the berth's tolerance.
+    """
+    row = site.cargo_row(k)
+    number = nearest_place(frames, row, site.berth_rows[k], site.berth_places[k], NEAR)
+    if number < 0:
+        return
+    berth = site.berths[k][number]
+    pairs = site.seated[k, berth.seat.name]
+    factor = INNER if nearest >= 0 and pairs[nearest] else 1.0
+    off, out = berth.offset(frames, row), berth.way_out
+    along = float(off[:3] @ out)
+    aside, tilt = length((off[:3] - along * out).tolist()), angle_between(rows(off, 3), _UPRIGHT)
+    if aside > factor * ASIDE or tilt > factor * TILTED:
+        return
+    before = min(max(0, int(along / STEP)), int(NEAR / STEP))
+    on_way = clearances_on_way(site, k, number)[before : before + 2].min(axis=0)
+    least = np.maximum(on_way - berth.seat.distance, CONTACT)
+    counts[(pairs != 0) & (watch.found[:, CLEARANCE] > least)] = 0
+
+
+@lru_cache(maxsize=32)
+def clearances_on_way(site: Site, k: int, number: int) -> Array:
+    """Return the clearances (n, g) of payload k and the body of its berth `number`, for a payload on its way in [m].
+
+    Row i is for a payload with its attitude in the berth, `i * STEP` before its final position. Pairs of other parts
+    have the clearance inf.
+    """
+    berth = site.berths[k][number]
+    frames, row = np.tile(HERE, (len(site.layout.frames), 1)), site.cargo_row(k)
+    frames[row] = berth.place
+    step = STEP * product(berth.place[3:].reshape(3, 3), berth.way_out)
+    watch = ClearanceMonitor(site.layout)
+    watch.active = site.seated[k, berth.seat.name].copy()
+    found = np.empty((math.ceil(NEAR / STEP) + 2, len(watch.active)))
+    for i in range(len(found)):
+        frames[row, :3] = berth.place[:3] + i * step
+        watch.update(frames, frames, 1.0)
+        found[i] = watch.found[:, CLEARANCE]
+    return found
 
 
 @law

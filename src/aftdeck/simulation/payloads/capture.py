@@ -12,6 +12,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Bar, Snares
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, log_rejection
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.grasp import attach, empty_grasp, nearest_fixture, update_steering
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.payloads.seating import stay_or_leave
@@ -75,11 +76,7 @@ def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) ->
     if held is None and (near := nearest_fixture(flight, state, math.inf)) is not None:
         k, fixture = near
         conditions = in_envelope(fixture, snares.envelope)
-    command = SnareCommand(
-        "AUTO" if worksite.effector_mode == "auto" else "MAN",
-        _TRIGGERS[worksite.switch] if pressed else "",
-        _CONTR[worksite.rigid],
-    )
+    command = snare_command(worksite, pressed=pressed)
     snare, lines = advance(
         worksite.snare, snares.times, command, scenario.control_period, conditions, scenario.arm.model.units
     )
@@ -96,6 +93,15 @@ def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) ->
         _attach(flight, state, k)
     elif held is not None and not snare.captured:
         _release(flight, state, held)
+
+
+def snare_command(worksite: WorksiteState, *, pressed: bool) -> SnareCommand:
+    """Return the positions of the panel's switches for the snares; `pressed`: whether the switch was pressed now."""
+    return SnareCommand(
+        "AUTO" if worksite.effector_mode == "auto" else "MAN",
+        _TRIGGERS[worksite.switch] if pressed else "",
+        _CONTR[worksite.rigid],
+    )
 
 
 def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
@@ -131,7 +137,7 @@ def _attach(flight: Flight, state: State, k: int) -> None:
     """
     site, payload = flight.site, state.worksite.cargo[k]
     if payload.seat and site.is_passive_berth(payload.seat):
-        payload.seat = ""
+        payload.seat, payload.released_from = "", payload.seat
     attach(flight, state, k)
     fixed = f", fixed in the {site.seat(payload.seat).title}" if payload.seat else ""
     log(flight, state, "acquired", "info", f"{site.cargo[k].title} acquired{fixed}")

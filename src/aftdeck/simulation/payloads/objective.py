@@ -17,11 +17,14 @@ Pursued = tuple[Objective | None, tuple[Condition, ...]]
 
 
 def present_objective(flight: Flight, state: State) -> Pursued:
-    """Return the present objective and its conditions; None and () if no fixture, bar or berth is within `NEAR`."""
+    """Return the present objective and its conditions; None and () if no fixture, bar or berth is within `NEAR`.
+
+    A berth that has just released the payload is no objective until the payload has left it.
+    """
     site, worksite = flight.site, state.worksite
     if (k := worksite.held) is not None:
         berth = None if worksite.arm_fixed else nearest_berth(flight, state, k)
-        if berth is None:
+        if berth is None or worksite.cargo[k].released_from == berth.seat.name:
             return None, ()
         text = f"{berth.verb} in the {berth.seat.title}"
         return Objective(berth.verb, text), conditions_at(flight, state, k, berth)

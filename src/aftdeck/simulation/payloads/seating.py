@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, relative
+from aftdeck.bodies.pose import POSE, compose
 from aftdeck.matrices import length
 from aftdeck.simulation.constants.berths import Berth
 from aftdeck.simulation.constants.flight import Flight
@@ -55,7 +55,7 @@ def _nearest_seat_text(flight: Flight, state: State) -> str:
     """
     site, units = flight.site, flight.scenario.arm.model.units
     distances = [
-        (length(_offset(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
+        (length(berth.offset(state.worksite.frames, flight.site.cargo_row(k))[:3].tolist()), k, berth.seat.title)
         for k, own in enumerate(site.berths)
         for berth in own
         if not state.worksite.cargo[k].seat
@@ -183,7 +183,7 @@ def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -
     """Fix a payload to a berth in the payload's present pose; latches then draw it in from this pose."""
     worksite = state.worksite
     payload = worksite.cargo[k]
-    off = _offset(flight, state, k, berth).tolist()
+    off = berth.offset(state.worksite.frames, flight.site.cargo_row(k)).tolist()
     payload.seat, payload.latches, payload.offset_at_fixing, payload.offset_in_seat = berth.seat.name, latches, off, off
     worksite.floating[k] = None
     worksite.update_attachments(flight.site)
@@ -215,14 +215,6 @@ def _seated_pose(state: State, berth: Berth, seated: Array) -> Array:
     compose(state.worksite.frames[berth.row], berth.place, place)
     compose(place, seated, out)
     return out
-
-
-def _offset(flight: Flight, state: State, k: int, berth: Berth) -> Array:
-    """Return a payload's pose (12,) relative to its final pose in a berth."""
-    frames, place, off = state.worksite.frames, np.empty(POSE), np.empty(POSE)
-    compose(frames[berth.row], berth.place, place)
-    relative(place, frames[flight.site.cargo_row(k)], off)
-    return off
 
 
 def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
@@ -266,7 +258,7 @@ def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condit
     """Return the conditions on a payload's pose relative to its final pose in a berth."""
     if berth.port is not None:
         return docking(approached(berth, state.worksite.frames, flight.site.cargo_row(k)), berth.docking)
-    off = _offset(flight, state, k, berth)
+    off = berth.offset(state.worksite.frames, flight.site.cargo_row(k))
     if berth.guides is None:
         return retained(off, berth.tolerances)
     site = flight.site

@@ -9,14 +9,13 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
-from aftdeck.recording.delays import Delays
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.observe import look_ahead
 from aftdeck.station.conversion.fixture import Fixtures
-from aftdeck.station.lamps import lit_lamps
+from aftdeck.station.lamps import Lamp, lit_lamps
 from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Push, Resolution, with_display
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Six, Vec3
@@ -60,9 +59,13 @@ class Displays:
         ahead: Ahead | None = None,
         lighting: Lighting | None = None,
         flown_seq: int = -1,
-        delays: Delays | None = None,
+        lamps: tuple[Lamp, ...] | None = None,
     ) -> Frame:
-        """Return a frame as a message to a page. If `lighting` is None, the message has the scenario's lighting."""
+        """Return a frame as a message to a page.
+
+        If `lighting` is None, the message has the scenario's lighting; if `lamps` is None, the lamps that this frame
+        lights.
+        """
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
@@ -83,7 +86,7 @@ class Displays:
             else _vec3(to_fixture @ control),
             orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
-            lamps=lit_lamps(self._scenario, frame, delays),
+            lamps=lit_lamps(self._scenario, frame) if lamps is None else lamps,
             gap=None if work.nearest is None else self._gap(work.nearest),
             contacts=tuple([self._gap(near) for near in work.contacts]),
             pushes=self._pushes(frame),

@@ -198,10 +198,9 @@ class PlaybackStore:
         return _records.decode(zlib.decompress(packed))
 
     def _moment(self, record: FrameRecord) -> Moment:
+        lamps = lit_lamps(self._scenario, record, _at(self._delays, record.tick))
         return Moment(
-            self._displays.frame(
-                record, -1, lighting=_at(self._lights, record.tick), delays=_at(self._delays, record.tick)
-            ),
+            self._displays.frame(record, -1, lighting=_at(self._lights, record.tick), lamps=lamps),
             self._readings(record, record.latency_ms),
             worst_joint(record, self._scenario),
         )

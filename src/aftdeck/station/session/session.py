@@ -31,6 +31,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.lamps import StandingLamps, lit_lamps
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Ahead
 from aftdeck.station.session.commands import (
@@ -126,6 +127,7 @@ class Session:
         self._sim = Simulation(self.scenario, self._seed)
         self.recent = RecentRun(self.scenario)
         self.delays = Delays()
+        self._standing = StandingLamps()
         self._lost_logged = 0.0
         self._log_loss_from = -math.inf
         self._demo = self._start_demo
@@ -302,7 +304,8 @@ class Session:
             self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
         seq, running_s = taken.sticks.seq, self._recorder.running_s
         lit = self._reported.lit
-        shown = self._displays.frame(frame, seq, running_s, self._ahead, lit, flown_seq=flown, delays=self.delays)
+        lamps = self._standing.marked(lit_lamps(self.scenario, frame, self.delays))
+        shown = self._displays.frame(frame, seq, running_s, self._ahead, lit, flown_seq=flown, lamps=lamps)
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
         self.painter.show(frame, self._lights[shown.display.lighting.condition])

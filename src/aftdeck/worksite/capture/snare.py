@@ -125,7 +125,7 @@ def advance(
         snare = msgspec.structs.replace(snare, motion=command.trigger, met=snare.met and snare.ring > 0.0)
     left = dt
     snare = _without_ended_motion(snare, command.mode)
-    while stage := _stage(snare, command):
+    while stage := next_stage(snare, command):
         part, target = stage
         speed = 1.0 / float(getattr(times, part))
         before = float(getattr(snare, part))
@@ -164,7 +164,7 @@ def _rejection_reason(snare: Snare, command: SnareCommand) -> str:
     return ""
 
 
-def _stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
+def next_stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
     """Return the part that moves next, and its target; None if nothing moves."""
     if command.mode == "OFF":
         return None

@@ -63,9 +63,13 @@ export function conditionsGroup(): Part {
   };
 }
 
-/** Returns the text of the first condition that fails; empty if all hold. */
-function failure(conditions: readonly Condition[], units: Units): string {
-  const first = conditions.find(({ holds }) => !holds);
+/** The condition that the operator meets last: the fingers close when the palm is at the bar. */
+const LAST = 'prong closed';
+
+/** Returns the text of the condition to meet first of those that fail; empty if all hold. */
+export function failure(conditions: readonly Condition[], units: Units): string {
+  const fails = conditions.filter(({ holds }) => !holds);
+  const first = fails.find(({ name }) => name !== LAST) ?? fails[0];
   return first ? conditionText(first, units) : '';
 }
 

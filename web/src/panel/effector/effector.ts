@@ -3,6 +3,7 @@
 import type { GripAction } from '../../input/keymap';
 import type { Display, Frame, PayloadInfo, Work } from '../../link/protocol';
 import { fixed, small } from '../../words/format';
+import { motionWords, TELESCOPE } from '../../words/motion-words';
 import type { Units } from '../../words/units';
 import { group, setAbout } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
@@ -51,7 +52,8 @@ export function effectorGroup(desk: Desk): EffectorGroup {
     values({ frame, units }) {
       hand.set(frame.work.hand, units);
       seats?.set(frame.work);
-      setAbout(element, graspWords(frame, desk.welcome.payloads, units));
+      const motions = frame.work.motions.filter(({ text }) => !text.startsWith(TELESCOPE));
+      setAbout(element, motionWords(motions) || graspWords(frame, desk.welcome.payloads, units));
     },
   };
 }

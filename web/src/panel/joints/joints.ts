@@ -3,6 +3,7 @@
 import type { Limit } from '../../link/protocol';
 import { EXAGGERATION } from '../../scene/bending';
 import { degrees } from '../../words/format';
+import { motionWords, TELESCOPE } from '../../words/motion-words';
 import { loadBar, rateBar } from '../parts/bar';
 import { button, el, group, setAbout, setAttribute, setClass, setPressed, setText, svg } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
@@ -93,7 +94,8 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
       const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
       const single = mode?.kind === 'single';
       setClass(element, 'single', single);
-      setAbout(element, single ? `${desk.welcome.joints[frame.joint]?.label ?? ''} selected` : '');
+      const telescope = motionWords(frame.work.motions.filter(({ text }) => text.startsWith(TELESCOPE)));
+      setAbout(element, single ? `${desk.welcome.joints[frame.joint]?.label ?? ''} selected` : telescope);
       rows.forEach(({ row, angle, tag }, i) => {
         const zone = frame.zones[i] ?? 0;
         setText(angle, degrees(frame.angles[i] ?? 0));

@@ -15,8 +15,10 @@ export type LampName =
   | 'PORT TEMP'
   | 'STBD TEMP';
 
-export interface SpineLamp extends Omit<Lamp, 'name'> {
+export interface SpineLamp extends Omit<Lamp, 'name' | 'standing'> {
   readonly name: LampName;
+  /** Whether the lamp has been lit since the run began, so that it raises no alarm. */
+  readonly standing?: boolean;
 }
 
 export interface Concern {

@@ -48,7 +48,8 @@ export class Spine {
   show(lamps: readonly SpineLamp[], test = false): void {
     const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
     for (const [name, lamp] of now) {
-      if (RANK[lamp.level] > RANK[this.lit.get(name)?.level ?? 'info']) this.raise(lamp);
+      const rises = RANK[lamp.level] > RANK[this.lit.get(name)?.level ?? 'info'];
+      if (rises && !lamp.standing) this.raise(lamp);
     }
     this.lit = now;
     for (const name of this.unseen)

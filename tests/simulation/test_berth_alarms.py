@@ -1,0 +1,144 @@
+"""CLEARANCE and objectives at a berth: the payload may come as close to the berth as it has to, and no closer."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck.arrays import Array
+from aftdeck.simulation.constants.site import all_solids
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.payloads.alignment import ASIDE, STEP, TILTED, alarm_pairs, clearances_on_way
+from aftdeck.simulation.run import Simulation
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
+from aftdeck.worksite.watch.found import CLEARANCE
+
+PAST_THE_WALL = {"aside", "over the bay"}
+"""Phases of the concept's mission in which the payload passes over the wall of the bay, nearer than the caution."""
+
+
+@lru_cache
+def flown(name: str) -> tuple[Frame, ...]:
+    """Return the frames of a scripted run."""
+    sim, frames = Simulation(name), []
+    while not sim.ended:
+        frames.append(sim.step(None))
+    return tuple(frames)
+
+
+MISSIONS = [
+    "free-flyer",
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("srms-berth", "srms-deploy", "concept-1972-script")),
+]
+
+
+@pytest.mark.parametrize("name", MISSIONS)
+def test_mission_raises_no_alarm_at_its_berths(name: str) -> None:
+    alarms = {frame.phase for frame in flown(name) if frame.work.clearance_level != "info"}
+    assert alarms <= PAST_THE_WALL
+    assert (alarms != set()) == (name == "concept-1972-script")
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["free-flyer", *(pytest.param(name, marks=pytest.mark.slow) for name in ("srms-deploy", "concept-1972-script"))],
+)
+def test_berth_that_has_just_released_a_payload_is_no_objective(name: str) -> None:
+    """The conditions of the berth still hold at first; an objective with these conditions would be green at once."""
+    freed = 0
+    for before, now in pairwise(flown(name)):
+        objective = now.work.objective
+        if any(
+            new.held and new.seat == "" != old.seat for old, new in zip(before.work.cargo, now.work.cargo, strict=True)
+        ):
+            freed += 1
+            assert objective is None
+        if before.work.objective is None and objective is not None and objective.action in ("berth", "insert", "dock"):
+            assert not all(condition.holds for condition in now.work.conditions)
+    assert freed > 0
+
+
+@lru_cache
+def above_the_berth() -> Simulation:
+    """Return a run of srms-berth in which the payload is on its way into the berth."""
+    sim = Simulation("srms-berth")
+    for _ in range(4500):
+        sim.advance()
+    return sim
+
+
+def counted(side: float = 0.0, nearer: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
+    """Return which pairs of payload and berth count, which do not, and all their clearances, for a displaced payload.
+
+    Args:
+        side: displacement across the bay [m].
+        nearer: displacement towards the berth [m].
+        tilt: rotation about the axis along the bay [rad].
+    """
+    sim = above_the_berth()
+    flight, worksite = sim._flight, sim._state.worksite
+    site = flight.site
+    row = site.cargo_row(0)
+    [berth] = site.berths[0]
+    frames = worksite.frames.copy()
+    off = berth.offset(frames, row)
+    frames[row, :3] -= frames[row, 3:].reshape(3, 3) @ off[:3]  # into the berth
+    frames[row, 3:] = (frames[row, 3:].reshape(3, 3) @ off[3:].reshape(3, 3).T).ravel()
+    rotation = frames[row, 3:].reshape(3, 3)
+    c, s = np.cos(tilt), np.sin(tilt)
+    along = float(off[:3] @ berth.way_out) - nearer
+    across = np.cross(berth.way_out, [1.0, 0.0, 0.0])
+    frames[row, :3] += rotation @ (along * berth.way_out + side * across)
+    frames[row, 3:] = (rotation @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).ravel()
+    watch = ClearanceMonitor(site.layout)
+    watch.update(frames, frames, 1.0)
+    counts, _ = alarm_pairs(flight, 0, watch, frames, None, -1, worksite.contacts, worksite.permitted)
+    pairs = site.seated[0, berth.seat.name] != 0
+    return pairs & (counts != 0), pairs & (counts == 0), watch.found[:, CLEARANCE]
+
+
+def test_no_pair_counts_on_the_straight_way_in() -> None:
+    count, excepted, clearances = counted()
+    assert not count.any()
+    assert clearances[excepted].min() < 0.5  # a pair below the caution is among them
+
+
+@pytest.mark.parametrize("side", [-0.2, 0.2])
+def test_pairs_that_are_too_near_count(side: float) -> None:
+    """Beside the way, one side of the payload is nearer than on it by up to the displacement, and counts."""
+    count, excepted, _ = counted(side)
+    assert count.any()
+    assert excepted.any()
+
+
+@pytest.mark.parametrize(("side", "tilt"), [(1.1 * ASIDE, 0.0), (-1.1 * ASIDE, 0.0), (0.0, 1.1 * TILTED)])
+def test_every_pair_counts_away_from_the_way_in(side: float, tilt: float) -> None:
+    count, excepted, _ = counted(side, tilt=tilt)
+    site = above_the_berth()._flight.site
+    aligned = set(np.flatnonzero(excepted).tolist())
+    assert aligned <= set(site.meeting_groups.tolist())  # trunnions over their guides do not count in any case
+    assert count.any()
+
+
+@pytest.mark.parametrize("step", [0, 7, 20])
+def test_clearances_on_the_way_are_those_of_the_solids(step: int) -> None:
+    sim = above_the_berth()
+    site, solids = sim._flight.site, all_solids(sim.scenario)
+    [berth] = site.berths[0]
+    turn = berth.place[3:].reshape(3, 3)
+    place = berth.place[:3] + step * STEP * turn @ berth.way_out
+    found, layout = clearances_on_way(site, 0, 0)[step], site.layout
+    for group in np.argsort(found)[:4].tolist():
+        pairs = layout.pairs[layout.begins[group] : layout.begins[group + 1]].tolist()
+        placed = [
+            [
+                solids[k].vertices @ turn.T + place if solids[k].frame == site.cargo[0].name else solids[k].vertices
+                for k in pair
+            ]
+            for pair in pairs
+        ]
+        assert min(aftdeck.separation(a, b).clearance for a, b in placed) == pytest.approx(found[group], abs=1e-9)
