@@ -50,6 +50,16 @@ def test_scenario_chosen_from_the_list_opens_on_every_page(flight: Flight, open_
     flight.until(f"frame && {TITLE} === 'First flight' && frame.mode === 'ORB UNL'")
 
 
+def test_script_flies_a_scenario_until_a_stick_moves(flight: Flight) -> None:
+    flight.page.locator(".rail .scenario > button").click()
+    flight.press_key("Fly Deploy a payload for me")
+    flight.until(f"frame && {TITLE} === 'Deploy a payload' && frame.by === 'script'")
+    flight.until("frame.rates.some((rate) => Math.abs(rate) > 1e-4)")
+    flight.hold("s")
+    flight.until("frame.by === 'hand' && frame.translation[0] < -0.9")
+    flight.release("s")
+
+
 def test_tutorial_key_opens_the_tutorial_scenario_and_its_guide(flight: Flight) -> None:
     flight.press_key("Tutorial")
     flight.until(f"frame && {TITLE} === 'Tutorial' && {GUIDED}")

@@ -91,9 +91,9 @@ def test_arm_stops_while_another_scenario_is_prepared(station: Station, monkeypa
     made = threading.Event()
     another = Session.another
 
-    def slow(self: Session, chosen: Scenario) -> Session:
+    def slow(self: Session, chosen: Scenario, *, demo: bool) -> Session:
         assert made.wait(WAIT_S)
-        return another(self, chosen)
+        return another(self, chosen, demo=demo)
 
     monkeypatch.setattr(Session, "another", slow)
     with station.page() as page:
@@ -131,6 +131,33 @@ def test_scenario_restarts_on_another_plant_and_its_recording_knows_it(tmp_path:
     recorded = [Recording(path).opening for path in files(tmp_path)]
     assert [tuple(start.changes) for start in recorded] == [(), ("plant=rigid",), ("plant=kinematic",)]
     assert all(verify(path).equal for path in files(tmp_path))
+
+
+def test_script_flies_a_chosen_scenario_until_a_stick_moves(station: Station) -> None:
+    with station.page() as page:
+        scenarios = page.wait_for(to_page.Scenarios)
+        page.wait_for(to_page.Role, lambda role: role.flying)
+        other = number(scenarios, OTHER)
+        page.send(from_page.FlyScenario(page.next_seq(), other, demo=True))
+        assert page.wait_for(Welcome, lambda welcome: welcome.scenario == OTHER).phases != ()
+        page.wait_for(Frame, lambda frame: frame.by == "script")
+        page.flown(page.push((1.0, 0.0, 0.0)))
+        assert page.wait_for(Frame).by == "hand"
+        page.send(from_page.FlyScenario(page.next_seq(), other))
+        assert "running already" in page.rejection()
+        page.send(from_page.FlyScenario(page.next_seq(), other, demo=True))  # from the beginning
+        page.wait_for(Frame, lambda frame: frame.by == "script" and frame.tick < 50)
+        page.send(from_page.FlyScenario(page.next_seq(), scenarios.flown))
+        page.wait_for(Welcome, lambda welcome: welcome.scenario != OTHER)
+        assert page.wait_for(Frame).by == "hand"
+
+
+def test_scenario_without_a_script_is_not_flown_by_it() -> None:
+    text, *_ = about("first-flight").file.split("[[phase]]")
+    choice = ScenarioList(parse_scenario(text, "mine", "mine.toml", HERE))
+    assert not choice.scenarios[0].scripted
+    with pytest.raises(CommandError, match="no script"):
+        choice.choose(0, demo=True)
 
 
 def test_own_file_restarts_on_another_plant() -> None:

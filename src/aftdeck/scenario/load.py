@@ -32,6 +32,8 @@ class About(NamedTuple):
     text: str
     file: str
     """Text of the whole file."""
+    scripted: bool
+    """Whether the file has a script."""
 
 
 def about(name: str) -> About:
@@ -41,7 +43,7 @@ def about(name: str) -> About:
     """
     file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(file)
-    return About(table["title"], table["text"], file)
+    return About(table["title"], table["text"], file, scripted="phase" in table)
 
 
 class Source(NamedTuple):

@@ -10,7 +10,8 @@ from aftdeck.bodies.pose import HERE, POSE, compose
 from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.matrices import product
-from aftdeck.scenario.model import Part, Start
+from aftdeck.scenario.model import Part, Scenario, Start
+from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_at, frames_with_prong_at
 from aftdeck.simulation.log import log, log_rejection
@@ -47,7 +48,16 @@ def initial_state(flight: Flight) -> State:
             problems.append(f"{scenario.name}: {name}.grasped: {title} cannot have been captured in this pose: {why}")
     if problems:
         raise ScenarioError(problems)
+    state.panel.keyed = _first_target(scenario)
     return state
+
+
+def _first_target(scenario: Scenario) -> Target | None:
+    """Return the target that is keyed in at the start: in a run that begins in OPR CMD, that of the first phase."""
+    if scenario.mode != "OPR CMD" or not scenario.phases:
+        return None
+    target = scenario.phases[0].target
+    return target if isinstance(target, Target) else None
 
 
 def _state_at(flight: Flight, start: Start) -> State:

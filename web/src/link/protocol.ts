@@ -489,6 +489,8 @@ export interface FlyScenario {
   readonly number: number;
   /** Plant; null for that of the scenario's file. */
   readonly plant: Plant | null;
+  /** Whether the scenario's script flies, until the operator moves a stick or sends a command. */
+  readonly demo: boolean;
 }
 
 /** Set the end effector switch: the prong closes or opens; the snares capture or release. */
@@ -828,6 +830,8 @@ export interface ScenarioInfo {
   readonly text: string;
   /** True for the user's own file; false for a built-in scenario. */
   readonly given: boolean;
+  /** Whether the scenario has a script that can fly it. */
+  readonly scripted: boolean;
 }
 
 /**

@@ -267,6 +267,8 @@ class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
     """Index in `Scenarios.scenarios`."""
     plant: Plant | None = None
     """Plant; null for that of the scenario's file."""
+    demo: bool = False
+    """Whether the scenario's script flies, until the operator moves a stick or sends a command."""
 
 
 class DriveCamera(WireMessage, frozen=True, tag="drive_camera"):

@@ -20,6 +20,8 @@ class ScenarioInfo(msgspec.Struct, frozen=True):
     """Task of the operator, in a sentence or two."""
     given: bool
     """True for the user's own file; false for a built-in scenario."""
+    scripted: bool
+    """Whether the scenario has a script that can fly it."""
 
 
 class Scenarios(WireMessage, frozen=True, tag="scenarios"):

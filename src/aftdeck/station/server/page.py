@@ -223,7 +223,7 @@ class Page:
             case from_page.SetLight():
                 session.light(message)
             case from_page.FlyScenario():
-                self.pages.fly(message.number, message.plant, self)
+                self.pages.fly(message, self)
             case _:
                 session.command(message)
 

@@ -13,7 +13,6 @@ from threading import Thread
 from typing import Protocol
 
 from aftdeck.errors import AftdeckError
-from aftdeck.scenario.schema import Plant
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.server.control_roles import ANSWER_WITHIN, ControlRoles
 from aftdeck.station.server.scenario_list import ScenarioList
@@ -51,7 +50,7 @@ class Pages:
     """
 
     def __init__(self, session: Session, notify: Callable[[], None]) -> None:
-        self.driver, self._notify = Driver(session), notify
+        self.driver, self._notify, self._demo = Driver(session), notify, session.demo
         self.choice = ScenarioList(session.scenario)
         self.roles: ControlRoles[Connected] = ControlRoles()
         self.windows: set[Connected] = set()
@@ -85,25 +84,27 @@ class Pages:
         self.session.painter.want(aspects)
         self.wake()
 
-    def fly(self, number: int, plant: Plant | None, page: Connected) -> None:
-        """Prepare another scenario, or the same one on another plant, and run it when it is ready.
+    def fly(self, choice: from_page.FlyScenario, page: Connected) -> None:
+        """Prepare another scenario, or the same one on another plant or with its script, and run it when it is ready.
 
         Until then the sticks of the present run are centred.
 
         Raises:
             CommandError: the scenario cannot be chosen.
         """
-        self.choice.choose(number, plant)
+        self.choice.choose(choice.number, choice.plant, demo=choice.demo)
         self.session.set_unattended("another scenario")
         self.wake()
-        self.change = asyncio.create_task(self._change(number, plant, page))
+        self.change = asyncio.create_task(self._change(choice, page))
 
-    async def _change(self, number: int, plant: Plant | None, page: Connected) -> None:
+    async def _change(self, wanted: from_page.FlyScenario, page: Connected) -> None:
         """Replace the present session by a session of another scenario; after an error, keep the present session."""
-        before, choice = self.driver, self.choice
+        before, choice, number, demo = self.driver, self.choice, wanted.number, wanted.demo or self._demo
         try:
             self.driver = Driver(
-                await _make_in_daemon_thread(lambda: before.session.another(choice.load(number, plant)))
+                await _make_in_daemon_thread(
+                    lambda: before.session.another(choice.load(number, wanted.plant), demo=demo)
+                )
             )
             self.polygons.clear()  # every page asks again after its welcome
             choice.flown, choice.plant = number, self.driver.session.scenario.plant

@@ -26,11 +26,12 @@ class ScenarioList:
 
     def __init__(self, given: Scenario) -> None:
         names = sorted(built_in(), key=lambda name: (name not in FIRST, FIRST.index(name) if name in FIRST else 0))
-        infos = [to_page.ScenarioInfo(name, *about(name)[:2], given=False) for name in names]
+        infos = [_info(name) for name in names]
         own = given.name in names and about(given.name).file == given.text and not given.changes
         self._given = None if own else given
         if not own:
-            infos.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, given=True))
+            scripted = len(given.phases) > 0
+            infos.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, True, scripted))
         self.scenarios = tuple(infos)
         self.flown = names.index(given.name) if own else 0
         self.plant = given.plant
@@ -40,18 +41,20 @@ class ScenarioList:
         """Return the message with the list, for the pages."""
         return to_page.Scenarios(self.scenarios, self.flown, self.coming)
 
-    def choose(self, number: int, plant: Plant | None = None) -> None:
-        """Choose the scenario to prepare and run next.
+    def choose(self, number: int, plant: Plant | None = None, *, demo: bool = False) -> None:
+        """Choose the scenario to prepare and run next; `demo`: whether its script flies.
 
         Raises:
-            CommandError: the scenario is running already on this plant, its number does not exist, or another is being
-                prepared.
+            CommandError: the scenario is running already on this plant and its script was not asked for, it has no
+                script, its number does not exist, or another is being prepared.
         """
         if number >= len(self.scenarios):
             raise CommandError(f"scenarios are numbered 0 to {len(self.scenarios) - 1}, got {number}")
         if self.coming is not None:
             raise CommandError(f"{self.scenarios[self.coming].title!r} is being prepared: wait until it runs")
-        if number == self.flown and plant in (None, self.plant):
+        if demo and not self.scenarios[number].scripted:
+            raise CommandError(f"{self.scenarios[number].title!r} has no script that could fly it")
+        if number == self.flown and plant in (None, self.plant) and not demo:
             raise CommandError(
                 f"{self.scenarios[number].title!r} is running already: press Restart to run it from the beginning"
             )
@@ -72,3 +75,9 @@ class ScenarioList:
         if not info.given or self._given is None:
             return load_scenario(info.name, changes)
         return scenario_of(opening(self._given, 0, 0), changes) if changes else self._given
+
+
+def _info(name: str) -> to_page.ScenarioInfo:
+    """Return the entry of a built-in scenario."""
+    found = about(name)
+    return to_page.ScenarioInfo(name, found.title, found.text, False, found.scripted)

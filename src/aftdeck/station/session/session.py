@@ -135,12 +135,20 @@ class Session:
         self._axis: Axis | None = None
         self._controllers_recorded = NO_CONTROLLERS
 
-    def another(self, scenario: Scenario) -> Session:
-        """Return a session of another scenario with the same settings and the same recording folder."""
+    @property
+    def demo(self) -> bool:
+        """Whether each run begins with the script."""
+        return self._start_demo
+
+    def another(self, scenario: Scenario, *, demo: bool) -> Session:
+        """Return a session of another scenario with the same settings and the same recording folder.
+
+        `demo`: whether its runs begin with the script.
+        """
         return Session(
             scenario,
             self._seed,
-            demo=self._start_demo,
+            demo=demo,
             record=self._record,
             trial=self._trial,
             live=self._live,

@@ -5,7 +5,7 @@ import type { Display, Frame, PayloadInfo, Work } from '../../link/protocol';
 import { fixed, small } from '../../words/format';
 import { motionWords, TELESCOPE } from '../../words/motion-words';
 import type { Units } from '../../words/units';
-import { group, setAbout } from '../parts/dom';
+import { group, setAbout, setClass } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 import { prong } from './prong';
 import { seat } from './seat';
@@ -53,6 +53,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
       hand.set(frame.work.hand, units);
       seats?.set(frame.work);
       const motions = frame.work.motions.filter(({ text }) => !text.startsWith(TELESCOPE));
+      setClass(element, 'busy', motions.length > 0);
       setAbout(element, motionWords(motions) || graspWords(frame, desk.welcome.payloads, units));
     },
   };

@@ -12,6 +12,15 @@ const BEGUN_S = 1;
 
 const PLANTS: readonly Plant[] = ['kinematic', 'rigid', 'flexible'];
 
+interface Choice {
+  readonly number: number;
+  readonly plant: Plant | null;
+  /** Whether the scenario's script flies. */
+  readonly demo: boolean;
+}
+
+const DEMO = 'The script flies; move a stick to take over';
+
 export interface ScenarioChoice {
   /** The list, for the rail. */
   readonly element: HTMLElement;
@@ -31,7 +40,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
   let first: Frame | null = null;
   let flown = false;
   let recorded = false;
-  let asked: { readonly number: number; readonly plant: Plant | null } = { number: 0, plant: null };
+  let asked: Choice = { number: 0, plant: null, demo: false };
   const list = el('div', { class: 'choices scenarios', role: 'group', 'aria-label': 'Scenarios' });
   const drop = dropDown(welcome.title, `${welcome.title}: ${welcome.text}`, list);
   drop.element.classList.add('scenario');
@@ -50,13 +59,13 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     fly,
     stay,
   );
-  const take = (number: number, plant: Plant | null = null) => {
+  const take = (number: number, plant: Plant | null = null, demo = false) => {
     const info = known?.scenarios[number];
     drop.open(false);
     if (!info) return;
-    if (!info.given && plant === null) chosen(info.name);
-    if (number === known?.flown && (plant === null || plant === welcome.plant)) return;
-    asked = { number, plant };
+    if (!info.given && plant === null && !demo) chosen(info.name);
+    if (number === known?.flown && (plant === null || plant === welcome.plant) && !demo) return;
+    asked = { number, plant, demo };
     if (!flown) {
       send({ type: 'fly_scenario', ...asked });
       return;
@@ -83,11 +92,16 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     question,
     set(now) {
       known = now;
-      const rows = now.scenarios.map(({ title, text, given }, number) => {
+      const rows = now.scenarios.map(({ title, text, given, scripted }, number) => {
         const name = given ? `${title} (your file)` : title;
         const row = button({}, [el('b', {}, name), el('span', {}, text)], () => take(number));
         setPressed(row, number === now.flown);
-        return row;
+        const shows = button(
+          { class: 'demo', title: DEMO, 'aria-label': `Fly ${name} for me` },
+          ['Fly it for me'],
+          () => take(number, null, true),
+        );
+        return el('div', { class: 'choice' }, row, ...(scripted ? [shows] : []));
       });
       list.replaceChildren(...rows, plants(now.flown));
       const coming = now.coming === null ? undefined : now.scenarios[now.coming];
