@@ -168,16 +168,18 @@ def quaternion(rotation: Array) -> tuple[float, float, float, float]:
 def quaternion_of_rows(rotation: Rows) -> tuple[float, float, float, float]:
     """Return the quaternion of a rotation matrix that is given by its rows, as `quaternion` does."""
     (a, b, c), (d, e, f), (g, h, i) = rotation
-    squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
-    k = squares.index(max(squares))
-    rows = (
-        (squares[0], h - f, c - g, d - b),
-        (h - f, squares[1], d + b, c + g),
-        (c - g, d + b, squares[2], f + h),
-        (d - b, c + g, f + h, squares[3]),
-    )[k]
-    scale = math.copysign(0.5 / math.sqrt(squares[k]), rows[0] if rows[0] != 0.0 else 1.0)
-    return rows[0] * scale, rows[1] * scale, rows[2] * scale, rows[3] * scale
+    w, x, y, z = 1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i
+    greatest = max(w, x, y, z)
+    if greatest == w:
+        x, y, z = h - f, c - g, d - b
+    elif greatest == x:
+        w, y, z = h - f, d + b, c + g
+    elif greatest == y:
+        w, x, z = c - g, d + b, f + h
+    else:
+        w, x, y = d - b, c + g, f + h
+    scale = math.copysign(0.5 / math.sqrt(greatest), w if w != 0.0 else 1.0)
+    return w * scale, x * scale, y * scale, z * scale
 
 
 def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:

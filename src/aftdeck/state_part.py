@@ -73,9 +73,10 @@ def digest(part: StatePart) -> bytes:
         TypeError: a value is neither a plain value nor an array nor a cache.
     """
     others: list[Any] = []
+    array = np.ndarray
     plain = msgspec.msgpack.encode(part, enc_hook=others.append)
     # joining all arrays at once takes much less time than encoding each array
-    arrays: list[Any] = [value for value in others if type(value) is np.ndarray or not isinstance(value, Cache)]
+    arrays: list[Any] = [value for value in others if type(value) is array or not isinstance(value, Cache)]
     return sha256(b"".join((plain, *arrays))).digest()
 
 

@@ -56,11 +56,14 @@ def _written(fields: tuple[str, ...], values: Callable[[Any], Any], changes: dic
     numbers = [(name, change.decimals) for name, change in changes.items() if isinstance(change, _Number)]
     lists = [(name, change.decimals) for name, change in changes.items() if isinstance(change, _Numbers)]
     others = [(name, change) for name, change in changes.items() if not isinstance(change, _Number | _Numbers)]
+    rotations = [name for name, change in changes.items() if isinstance(change, _Rotation)]
 
     def write(box: Any, key: Any, rounding: Rounding) -> None:
         box[key] = out = dict(zip(fields, values(box[key]), strict=True))
         for name, change in others:
             change(out, name, rounding)
+        for name in rotations:
+            out[name] = quaternion_of_rows(out[name])
         rounding.add(out, numbers, lists)
 
     return write
@@ -88,7 +91,7 @@ def _of(hint: Any, decimals: int | None) -> Change | None:
         change = _of(kind, decimals)
         return None if change is None else _unless_none(change)
     if hint == Rows:
-        return _matrix if decimals is None else _rotation(_Numbers(bytes([decimals])))
+        return _matrix if decimals is None else _Rotation(bytes([decimals]))
     if hint is float and decimals is not None:
         return _Number(bytes([decimals]))
     if get_origin(hint) is tuple:
@@ -143,12 +146,12 @@ class _Numbers:
         rounding.add(box, (), ((key, self.decimals),))
 
 
-def _rotation(numbers: _Numbers) -> Change:
-    def write(box: Any, key: Any, rounding: Rounding) -> None:
-        box[key] = quaternion_of_rows(box[key])
-        numbers(box, key, rounding)
+class _Rotation(_Numbers):
+    """Change of a rotation: it becomes a quaternion, whose numbers are rounded."""
 
-    return write
+    def __call__(self, box: Any, key: Any, rounding: Rounding) -> None:
+        box[key] = quaternion_of_rows(box[key])
+        super().__call__(box, key, rounding)
 
 
 def _matrix(box: Any, key: Any, rounding: Rounding) -> None:

@@ -61,7 +61,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
     site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, worksite.watch, worksite.contacts
     worksite.monitored_before[:] = watch.active
-    touching, changed, worksite.nearest = update_contacts(
+    touching, changed, worksite.nearest, watch.least = update_contacts(
         *worksite.places(site),
         plant.angles,
         plant.stand.position,

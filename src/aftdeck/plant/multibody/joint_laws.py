@@ -87,10 +87,16 @@ def measure_joints(
     held: Array,
     torques: Array,
     overdriven: Mask,
+    given: Array,
+    period: float,
+    strict: bool,
+    reference: Array,
+    commanded: Array,
 ) -> None:
     """Measure angles at the joints' outputs, rates of the motors, and torques of the acting servos or brakes.
 
-    Angles and rates are measured in steps; a step of 0 is exact. Brakes slip that are at their holding torque.
+    Angles and rates are measured in steps; a step of 0 is exact. Brakes slip that are at their holding torque. Also
+    count the commanded rates.
 
     Args:
         braked: whether the brakes are on.
@@ -106,6 +112,11 @@ def measure_joints(
         held: (6,) angles that the brakes hold [rad]; updated. `NONE` while the brakes are off.
         torques: (6,) output [N m].
         overdriven: (6,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
+        given: (6,) commanded joint rates [rad/s].
+        period: control period [s].
+        strict: whether the steering's acceleration limits count from the measured rates.
+        reference: (6,) output: rates from which these limits count [rad/s].
+        commanded: (6,) angles that the joints would have without stops [rad]; updated.
     """
     acting, greatest = (BRAKE, HOLDING) if braked else (SERVO, TORQUE)
     for i in range(6):
@@ -120,6 +131,8 @@ def measure_joints(
         if held[i] == held[i]:
             give = most / stiffness
             held[i] = min(max(held[i], motor - give), motor + give)
+        reference[i] = rates[i] if strict else given[i]
+        commanded[i] += given[i] * period
 
 
 @law

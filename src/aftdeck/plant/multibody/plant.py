@@ -84,19 +84,20 @@ class MultibodyPlant:
         """
         self._thrusters = thrusters
         self._steps = math.ceil(period / STEP - 1e-9)
-        self._apart = [self._model(one, arm, period, solids=False) for one, _ in models]
-        self._near = [self._model(one, arm, period, solids=True) for _, one in models]
-        self._kind: Literal["rigid", "flexible"] = "flexible" if len(self._apart[0].view.gearboxes) else "rigid"
         self._travel, self._period, self._strict = travel, period, strict
+        self._apart = [self._model(one, arm, solids=False) for one, _ in models]
+        self._near = [self._model(one, arm, solids=True) for _, one in models]
+        self._kind: Literal["rigid", "flexible"] = "flexible" if len(self._apart[0].view.gearboxes) else "rigid"
 
-    def _model(self, model: Any, arm: ArmModel, period: float, *, solids: bool) -> _Model:
+    def _model(self, model: Any, arm: ArmModel, *, solids: bool) -> _Model:
         """Return a compiled model with its workspace."""
         view = View(model, arm)
-        model.opt.timestep = period / self._steps
+        model.opt.timestep = self._period / self._steps
         view.limit(arm.limits.hard)
         contacts = ContactPairs(model, view.data) if solids else None
         jets = None if self._thrusters is None else Jets(model, view.data, self._thrusters)
-        return _Model(view, Servos(view, arm.joints, servo_needed(arm)), Payloads(model, view.data), contacts, jets)
+        servos = Servos(view, arm.joints, servo_needed(arm), self._period, strict=self._strict)
+        return _Model(view, servos, Payloads(model, view.data), contacts, jets)
 
     @property
     def accuracy(self) -> Accuracy:
@@ -162,7 +163,8 @@ class MultibodyPlant:
         if one.contacts is not None:
             one.contacts.select(around.near)
         servos.command(bodies, state.angles, rates, brakes=brakes)
-        view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
+        if view.has_telescope:
+            view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
         view.drive_prong(around.prong, self._period)
         mujoco.mj_step(model, data, nstep=self._steps)
         if view.diverged():
@@ -170,9 +172,7 @@ class MultibodyPlant:
                 f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
             )
         _store(one, state)
-        servos.measure(bodies, state.angles, state.rates, brakes=brakes)
-        bodies.reference[:] = state.rates if self._strict else rates
-        state.commanded += rates * self._period
+        servos.measure(state, bodies, rates, brakes=brakes)
         height = view.height
         stand.velocity, stand.position = (height - stand.position) / self._period, height
 

@@ -15,17 +15,29 @@ from aftdeck.arrays import Array
 from aftdeck.plant.multibody.build import BRAKE_STIFFNESS, BRAKES, SERVOS
 from aftdeck.plant.multibody.joint_laws import command_joints, measure_joints
 from aftdeck.plant.multibody.view import View
-from aftdeck.plant.state import Bodies
+from aftdeck.plant.state import Bodies, PlantState
 
 
 class Servos:
     """Servos and brakes of one model."""
 
-    def __init__(self, view: View, joints: tuple[str, ...], servo: Servo) -> None:
+    def __init__(
+        self, view: View, joints: tuple[str, ...], servo: Servo, period: float, *, strict: bool = False
+    ) -> None:
+        """Set up the servos and brakes of a model.
+
+        Args:
+            view: the model.
+            joints: names of the joints.
+            servo: constants of the servos.
+            period: control period [s].
+            strict: whether the steering's acceleration limits count from the measured rates.
+        """
         model = view.model
         drives = [model.actuator(f"servo.{name}").id for name in joints]
         brakes = [model.actuator(f"brake.{name}").id for name in joints]
         self._view, self._option = view, model.opt
+        self._period, self._strict, self._braked = period, strict, False
         self._places = np.array([view.motors, view.motor_rates, drives, brakes])  # rows as in `joint_laws`
         self._servo = np.array(
             [
@@ -38,6 +50,7 @@ class Servos:
             ]
         )
         self._off = {True: 1 << SERVOS, False: 1 << BRAKES}  # with the brakes on, the servos are off
+        self._option.disableactuator = self._off[False]
         self._force, self._ctrl = view.data.actuator_force, view.data.ctrl
 
     def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
@@ -52,19 +65,22 @@ class Servos:
         command_joints(
             rates, angles, brakes, self._places, self._servo, self._view.qpos, bodies.holds, bodies.brakes, self._ctrl
         )
-        self._option.disableactuator = self._off[brakes]
+        if brakes != self._braked:
+            self._option.disableactuator, self._braked = self._off[brakes], brakes
 
-    def measure(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
-        """Measure the joints, and let brakes slip that are at their holding torque.
+    def measure(self, state: PlantState, bodies: Bodies, rates: Array, *, brakes: bool) -> None:
+        """Measure the joints, let brakes slip that are at their holding torque, and count the commanded rates.
 
         Args:
-            bodies: state of the bodies; torques are written.
-            angles: (6,) output: angles at the joints' outputs, in steps of the encoder [rad].
-            rates: (6,) output: rates of the motors, in steps of the tachometer [rad/s].
+            state: output: angles at the joints' outputs, in steps of the encoder, rates of the motors, in steps of the
+                tachometer, and commanded angles.
+            bodies: state of the bodies; torques and reference rates are written.
+            rates: (6,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
         """
         view = self._view
         measure_joints(
             brakes, self._places, view.gearboxes, self._servo, BRAKE_STIFFNESS, view.qpos, view.qvel, self._force,
-            angles, rates, bodies.brakes, bodies.torques, bodies.overdriven,
+            state.angles, state.rates, bodies.brakes, bodies.torques, bodies.overdriven,
+            rates, self._period, self._strict, bodies.reference, state.commanded,
         )  # fmt: skip

@@ -23,6 +23,7 @@ class View:
     Attributes:
         model: the compiled model.
         data: MuJoCo's workspace.
+        has_telescope: whether the arm has a telescope.
         rows: number of the arm's frames.
         flexures: number of the arm's parts that bend.
         motors: (6,) places of the motors' angles in MuJoCo's positions.
@@ -47,7 +48,7 @@ class View:
         self._prong = int(model.joint("prong").qposadr[0]) if PRONG in arm.frames else -1
         self._grip = model.actuator("drive.prong").id if PRONG in arm.frames else -1
         self._height = float(arm.links[0])
-        self.rows = len(self._frames)
+        self.has_telescope, self.rows = self._telescope >= 0, len(self._frames)
         parts = flexures_of(arm) if len(self.gearboxes) else ()
         self.flexures = len(parts)
         ends = [end_body(part) for part in parts]
@@ -81,9 +82,8 @@ class View:
             self.model.jnt_limited[joint], self.model.jnt_range[joint] = True, stop
 
     def drive_telescope(self, speed: float) -> None:
-        """Set the commanded speed of the telescope; + lengthens it [m/s]."""
-        if self._drive >= 0:
-            self.data.ctrl[self._drive] = speed
+        """Set the commanded speed of the telescope, which the arm has; + lengthens it [m/s]."""
+        self.data.ctrl[self._drive] = speed
 
     def drive_prong(self, position: float, period: float) -> None:
         """Drive the prong so that it reaches a position [m] after a time [s]."""

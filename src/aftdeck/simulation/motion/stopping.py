@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import nan, sqrt
+
 import numpy as np
 
 from aftdeck.arrays import Array
@@ -29,6 +31,8 @@ from aftdeck.worksite.conditions import quantity_text
 
 RELEASED = "BRAKES off"
 """Cause of a stop that begins when the brakes are released."""
+_NOWHERE = nan, nan, nan
+"""Position of the tip before the first step."""
 _DECIMALS = {"in": 2, "mm": 1}
 """Number of decimals of a length in the log."""
 
@@ -41,8 +45,11 @@ def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     nothing is logged. A release of the brakes that moves the tip by less than `tip_rest.AT_REST` is not logged.
     """
     motion, period = bodies.tip, flight.scenario.control_period
-    tip, before = tip_place(bodies.frames, flight.site.last_joint - 1, flight.site.hand), motion.place
-    driven, braked, stop = _is_driven(state), state.panel.brakes, motion.stop
+    site, panel, before = flight.site, state.panel, motion.place
+    tip, moved, commanded = tip_motion(
+        bodies.frames, site.last_joint - 1, site.hand, _NOWHERE if before is None else before, state.command
+    )
+    driven, braked, stop = commanded and not (panel.brakes or panel.safing), panel.brakes, motion.stop
     switched = braked != motion.braked
     if stop is not None and (driven or switched):
         if (state.tick - stop.began) * period >= WINDOW:
@@ -55,7 +62,7 @@ def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     if motion.stop is not None and observe(motion.stop, state.tick, tip):
         _report_rest(flight, state, motion.stop)
         motion.stop = None
-    motion.speed = 0.0 if before is None else distance(tip, before) / period
+    motion.speed = 0.0 if before is None else moved / period
     motion.place, motion.driven, motion.braked = tip, driven, braked
 
 
@@ -66,25 +73,34 @@ def is_at_rest(state: State) -> bool:
 
 
 @law
-def tip_place(frames: Array, last: int, hand: Array) -> Vec3:
-    """Return the true position of the tip in L [m].
+def tip_motion(frames: Array, last: int, hand: Array, before: Vec3, command: Array) -> tuple[Vec3, float, bool]:
+    """Return the true position of the tip in L [m], its distance from an earlier one [m], and `is_commanded`.
 
     Args:
         frames: (n, 12) true poses of the arm's frames in L.
         last: row of the last joint's frame.
         hand: (12,) pose of the tip in this frame.
+        before: the earlier position in L [m].
+        command: input of the steering laws.
     """
     tip = np.empty(POSE)
     compose(frames[last], hand, tip)
-    return vec3(tip, 0)
+    x, y, z = tip[0] - before[0], tip[1] - before[1], tip[2] - before[2]
+    return vec3(tip, 0), sqrt(x * x + y * y + z * z), is_commanded(command)
+
+
+@law
+def is_commanded(command: Array) -> bool:
+    """Return whether a stick or an automatic motion commands the arm; `command` is the input of the steering laws."""
+    driven = command[MOTION_ACTIVE] != 0.0 or command[DRIVE] != 0.0
+    for k in range(6):
+        driven = driven or command[STICKS + k] != 0.0
+    return bool(driven)
 
 
 def _is_driven(state: State) -> bool:
     """Return whether a stick or an automatic motion commands the arm, and no switch stops it."""
-    if state.panel.brakes or state.panel.safing:
-        return False
-    command = state.command
-    return bool(command[MOTION_ACTIVE] or command[DRIVE] or any(command[STICKS : STICKS + 6].tolist()))
+    return not (state.panel.brakes or state.panel.safing) and is_commanded(state.command)
 
 
 def _cause(state: State) -> str:

@@ -25,19 +25,20 @@ _HOLDERS: tuple[Literal["end effector", "orbiter", "space"], ...] = ("end effect
 
 @law
 def body_numbers(
-    hand: Array, tip: Array, torques: Array, base: Array, fired: Array
+    frames: Array, last: int, tip: Array, torques: Array, base: Array, fired: Array
 ) -> tuple[Vec3, Rows, Six, Vec3, Rows, Six]:
     """Return position and attitude of the tip, torques, position and attitude of L, and firing times.
 
     Args:
-        hand: (12,) pose of the last joint's frame in L.
+        frames: (F, 12) poses of all frames in L.
+        last: row of the last joint's frame.
         tip: (12,) pose of the tip in this frame.
         torques: (6,) torques [N m].
         base: (12,) pose of L, relative to its pose at the start of the run.
         fired: (6,) times for which the orbiter's jets have fired [s].
     """
     at = np.empty(POSE)
-    compose(hand, tip, at)
+    compose(frames[last], tip, at)
     return vec3(at, 0), rows(at, 3), six(torques, 0), vec3(base, 0), rows(base, 3), six(fired, 0)
 
 
@@ -47,7 +48,7 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
     if bodies is None:
         return None
     position, orientation, torques, at, axes, fired = body_numbers(
-        state.worksite.frames[site.last_joint], site.hand, bodies.torques, state.plant.base, bodies.fired
+        state.worksite.frames, site.last_joint, site.hand, bodies.torques, state.plant.base, bodies.fired
     )
     miss = None
     if target is not None:
@@ -77,6 +78,8 @@ def _contacts(site: Site, bodies: Bodies) -> tuple[Force, ...]:
 
 def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
     """Return the forces that hold payloads."""
+    if not site.cargo:
+        return ()
     return tuple(
         Holding(site.cargo[k].name, holder, force)
         for k, forces in enumerate(bodies.held.tolist())
@@ -87,5 +90,7 @@ def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
 
 def _bends(flight: Flight, bodies: Bodies) -> tuple[Bend, ...]:
     """Return the bends of base and booms."""
+    if not flight.scenario.flexures:
+        return ()
     numbers = zip(flight.scenario.flexures, bodies.bends.tolist(), strict=True)
     return tuple(Bend(part.part, (a, b, c), (d, e, f)) for part, (a, b, c, d, e, f) in numbers)

@@ -8,7 +8,6 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.bodies.pose import vec3
 from aftdeck.bodies.separation import named
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
@@ -74,14 +73,20 @@ def _displacement(site: Site, state: State) -> Vec3:
     """Return the displacement of the orbiter since the start, in L's axes at the start [m]."""
     if state.plant.bodies is None:
         return _in_l(site, state.worksite.orbiter)
-    return vec3(state.plant.base, 0)
+    return _three(state.plant.base)
 
 
 def _velocity(site: Site, state: State) -> Vec3:
     """Return the velocity of the orbiter in L's axes [m/s]; on a plant with masses, that of its centre of mass."""
     if state.plant.bodies is None:
         return _in_l(site, state.worksite.orbiter_velocity)
-    return vec3(state.plant.bodies.orbiter_velocity, 0)
+    return _three(state.plant.bodies.orbiter_velocity)
+
+
+def _three(values: Array) -> Vec3:
+    """Return the first three values of an array."""
+    x, y, z = values[:3].tolist()
+    return x, y, z
 
 
 def _in_l(site: Site, along: Array) -> Vec3:

@@ -39,6 +39,8 @@ def watch_forces(flight: Flight, state: State, bodies: Bodies) -> None:
             bodies.held_for[k, holder] = before + period
             if before < REPORTED_AFTER <= before + period:
                 _report(flight, state, k, holder, float(bodies.held_peaks[k, holder]))
+    if not (bodies.touches or bodies.touch_peaks):
+        return
     peaks, touching = bodies.touch_peaks, {touch.group for touch in bodies.touches}
     for touch in bodies.touches:
         peaks[touch.group] = max(peaks.get(touch.group, 0.0), length(touch.force))

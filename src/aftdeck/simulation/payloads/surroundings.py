@@ -10,7 +10,7 @@ from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.errors import SimulationError
 from aftdeck.law import law
-from aftdeck.plant.plant import MOST_PAIRS, Hold, Surroundings
+from aftdeck.plant.plant import MOST_PAIRS, NOTHING_NEAR, Hold, Surroundings
 from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
@@ -50,7 +50,10 @@ def _near(flight: Flight, state: State) -> Indices:
     Raises:
         SimulationError: more pairs are near each other than the plant can test.
     """
-    watch, layout, near = state.worksite.watch, flight.site.layout, np.empty((MOST_PAIRS, 3), np.int64)
+    watch, layout = state.worksite.watch, flight.site.layout
+    if watch.least >= NEAR:
+        return NOTHING_NEAR
+    near = np.empty((MOST_PAIRS, 3), np.int64)
     count = near_pairs(watch.active, watch.found, NEAR, layout.begins, layout.pairs, watch.placed, near)
     if count > MOST_PAIRS:
         raise SimulationError(
@@ -97,7 +100,8 @@ def follow_bodies(flight: Flight, state: State, bodies: Bodies) -> None:
     for k, floating in enumerate(worksite.floating):
         if floating is not None:
             floating.pose[:], floating.motion[:] = bodies.payloads[k], bodies.motions[k]
-    ride(site.scene, plant.base, plant.frames, worksite.carrier, bodies.payloads, worksite.poses_in_carrier)
+    if site.cargo:
+        ride(site.scene, plant.base, plant.frames, worksite.carrier, bodies.payloads, worksite.poses_in_carrier)
 
 
 @law

@@ -328,6 +328,7 @@ class ClearanceMonitor(Cache):
         at: (F, 12) poses of the frames at the last measurement, in L.
         placed: (n, 52) the solids at these poses, in L.
         bound: (g,) lower bound of each group's clearance at these poses [m].
+        least: lower bound of the clearances in `found` [m].
         packed: the arrays that the laws update.
     """
 
@@ -342,6 +343,7 @@ class ClearanceMonitor(Cache):
         self.bound = np.empty(len(layout.groups))
         self.at = np.empty((len(layout.frames), POSE))
         self.placed = np.zeros((len(layout.solids), SOLID))
+        self.least = -np.inf
         self.packed = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found)
         self.forget()
 
@@ -368,6 +370,7 @@ class ClearanceMonitor(Cache):
         The nearest active group with a 1 in `counts` (g,) is measured even if it is not nearer than `within`. The other
         arguments are those of `update`.
         """
+        self.least = -np.inf
         watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
 
     def nearest(self, counts: Mask) -> int:

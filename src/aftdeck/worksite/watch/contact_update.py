@@ -5,12 +5,15 @@ A group is a monitored pair of parts.
 
 from __future__ import annotations
 
+import numpy as np
+
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import HERE, compose, relative
 from aftdeck.kinematics.frames import place_frames, place_prong
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import Measured, measure_groups, minimum_clearance_group
 from aftdeck.worksite.watch.contacts import count_frames
+from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import POSE, PackedLayout
 
 
@@ -119,7 +122,7 @@ def update_contacts(
     memory: Array,
     found: Array,
     count: Mask,
-) -> tuple[bool, bool, int]:
+) -> tuple[bool, bool, int, float]:
     """Run `place_everything`, `measure_groups` and `count_frames`; the arguments are those of these three laws.
 
     The arrays of the tuples are separate arguments here, because Python passes separate arrays faster than a tuple.
@@ -127,9 +130,10 @@ def update_contacts(
     On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
 
     Returns:
-        Three values: whether a group is in contact; whether a contact began, ended or reached its second step; and the
-        group of least clearance among those with a 1 in `counts`, -1 if there is none. The result is a plain tuple,
-        because compiled code builds plain tuples in less time than named tuples.
+        Four values: whether a group is in contact; whether a contact began, ended or reached its second step; the
+        group of least clearance among those with a 1 in `counts`, -1 if there is none; and the least clearance that was
+        measured [m]. The result is a plain tuple, because compiled code builds plain tuples in less time than named
+        tuples.
     """
     before[:] = now
     place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, true, base, now)
@@ -137,7 +141,10 @@ def update_contacts(
     own = Measured(at, placed, bound, likely, memory, found)
     measure_groups(layout, own, active, counts, before, now, period, within)
     counted = count_frames(found, count)
-    return counted.touching, counted.changed, minimum_clearance_group(found, counts)
+    least = np.inf
+    for g in range(len(found)):
+        least = min(least, found[g, CLEARANCE])
+    return counted.touching, counted.changed, minimum_clearance_group(found, counts), least
 
 
 @law
