@@ -123,7 +123,14 @@ class ArmModel:
             raise InputError(
                 f"the telescope (`stand`) of {self.name} is {least:g} to {greatest:g} m long, got {stand:g} m"
             )
-        return replace(self, linkage=raised(self.linkage, stand))
+        return self.standing(stand)
+
+    def standing(self, height: float) -> ArmModel:
+        """Return the same arm with its shoulder at this height above L's origin [m].
+
+        The height is not checked: a telescope with a mass can pass the end of its range by some millimetres.
+        """
+        return replace(self, linkage=raised(self.linkage, height))
 
     def por_limits(self, payload_mass: float) -> PorLimits:
         """Return the limits of the point of resolution for a payload's mass [kg].

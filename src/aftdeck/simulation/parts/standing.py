@@ -21,7 +21,7 @@ class Standing(Cache):
     def at(self, height: float) -> Arm:
         """Return the arm with its shoulder at this height [m]."""
         if self._arm.model.links[L1] != height:
-            self._arm = self._arm.at(stand=height)
+            self._arm = Arm(self._arm.model.standing(height))
         return self._arm
 
     def copied(self) -> Standing:

@@ -9,6 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
+from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
@@ -116,7 +117,7 @@ class Displays:
         """Return the pose in L that the panel would show if the arm had followed the commanded rates."""
         stand = frame.work.stand
         if stand is not None and stand != self._raised.stand:
-            self._raised = self._arm.at(stand=stand)
+            self._raised = Arm(self._arm.model.standing(stand))
         commanded_tip = self._raised.forward(frame.angles_commanded)
         from_tip = commanded_tip.rotation @ tip.rotation.T
         return Pose(commanded_tip.position + from_tip @ (shown.position - tip.position), from_tip @ shown.rotation)
