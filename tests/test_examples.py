@@ -18,6 +18,7 @@ README = ROOT / "README.md"
 STEERING = ROOT / "docs" / "steering.md"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_example_runs_from_any_folder_without_a_warning(example: Path, tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", str(example)]

@@ -63,6 +63,7 @@ def test_pad_deflects_thc_and_rhc_at_once(open_page: OpenPage) -> None:
     flight.until(STICKS_AT_ZERO)
 
 
+@pytest.mark.slow
 def test_lost_pad_zeroes_the_sticks_until_it_was_centred(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.pad_axes(0, -1, 0, 0)

@@ -117,6 +117,7 @@ def test_contact_is_marked_and_shows_its_escape(open_worksite: OpenWorksite) -> 
     flight.until(f"{marks}.length === 0 && !document.querySelector('.inhibits .lit')")
 
 
+@pytest.mark.slow
 def test_conditions_keep_their_order_and_show_when_all_hold(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(
         Worksite(info(), work(objective=Objective("capture", "capture payload"), conditions=BEFORE_CAPTURE))
@@ -132,6 +133,7 @@ def test_conditions_keep_their_order_and_show_when_all_hold(open_worksite: OpenW
     assert flight.script(names) == "off axis,distance,tilt,roll"
 
 
+@pytest.mark.slow
 def test_payloads_are_listed_without_an_objective(open_worksite: OpenWorksite) -> None:
     flight, _ = open_worksite(Worksite(info(), work()))
     flight.until("document.querySelector('.cargo tr').textContent === 'payloadCargo bay'")
@@ -155,6 +157,7 @@ def test_capture_and_release_act_only_when_held(open_worksite: OpenWorksite) -> 
     assert [m["switch"] for m in site.sent if m["type"] == "effector"] == ["close", "open"]
 
 
+@pytest.mark.slow
 def test_key_press_stops_the_moving_prong(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(Worksite(info("prong", stand=True), work(hand=PRONG, stand=3.6)))
     flight.until("document.querySelector('.effector [aria-pressed=true]').textContent.startsWith('Close')")
@@ -162,6 +165,7 @@ def test_key_press_stops_the_moving_prong(open_worksite: OpenWorksite) -> None:
     site.until_sent(flight, "effector", switch="stop")
 
 
+@pytest.mark.slow
 def test_north_of_a_pad_captures_and_menu_north_releases(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(Worksite(info(), work()), pad=True)
     flight.pad_buttons(NORTH)
@@ -170,6 +174,7 @@ def test_north_of_a_pad_captures_and_menu_north_releases(open_worksite: OpenWork
     site.until_sent(flight, "effector", switch="open")
 
 
+@pytest.mark.slow
 def test_thc_switched_to_the_orbiter_moves_only_the_orbiter(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(Worksite(info(), work(orbiter=(1.2, 0.0, -0.1), orbiter_velocity=(0.06, 0.0, 0.0))))
     flight.press("`")
@@ -185,6 +190,7 @@ def test_thc_switched_to_the_orbiter_moves_only_the_orbiter(open_worksite: OpenW
     flight.until("document.querySelector('.thc .about').textContent === 'left hand'")
 
 
+@pytest.mark.slow
 def test_telescope_has_a_row_and_keys(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(Worksite(info("prong", stand=True), work(hand=SNARES, stand=3.6)))
     flight.until("document.querySelector('.stand .angle').textContent === '141.7'")
@@ -210,6 +216,7 @@ def test_master_slider_sends_one_changed_angle(open_worksite: OpenWorksite) -> N
     site.until_sent(flight, "stop")
 
 
+@pytest.mark.slow
 def test_task_phase_is_initialised_from_the_rail(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(Worksite(info("prong", stand=True), work(task=2)))
     flight.until("document.querySelector('.phases .present').textContent === 'Extract'")

@@ -66,6 +66,7 @@ def test_arm_without_telescope_has_a_fixed_height() -> None:
         assert (stand.position, stand.velocity) == (float(model.links[L1]), 0.0)
 
 
+@pytest.mark.slow
 def test_prong_closes_and_opens_in_3_5_s() -> None:
     travel = travel_of_prong(load_model("concept-1972").equipment.prong)
     prong = Slide(travel.low)

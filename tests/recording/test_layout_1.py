@@ -90,6 +90,7 @@ def test_file_is_read_without_loading_its_scenario_if_possible(tmp_path: Path) -
         list(Recording(tmp_path / "older.mcap").steps())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("position", ["", "ORB UNL"])
 @pytest.mark.parametrize("direction", range(12))
 def test_escape_by_stick_is_read_from_its_text(direction: int, position: str) -> None:

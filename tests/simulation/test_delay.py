@@ -44,6 +44,7 @@ def without_digest(frames: list[Frame]) -> bytes:
     return bits([msgspec.structs.replace(frame, sha256="") for frame in frames])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("delay", [1, 25, 150])
 @pytest.mark.parametrize("seed", [0, 1])
 def test_inputs_act_exactly_after_the_delay(delay: int, seed: int) -> None:

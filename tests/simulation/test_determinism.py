@@ -21,6 +21,7 @@ def bits(frames: list[Frame]) -> bytes:
     return msgspec.msgpack.encode(frames)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FLOWN)
 def test_two_runs_are_equal_bit_for_bit(name: str) -> None:
     one, two = aftdeck.run(name), aftdeck.run(name)

@@ -14,12 +14,12 @@ MISSION = ("latches open", "snares close", "carriage retracts", "rigidizing", "d
 
 
 def remaining(frame: Frame, text: str) -> float | None:
-    return next((motion.remaining_s for motion in frame.work.motions if motion.text == text), None)
+    return next((motion.remaining_s for motion in frame.motions if motion.text == text), None)
 
 
 def check(frames: list[Frame], period: float) -> set[str]:
     """Check that each motion's remaining time falls by the control period in each step; return the texts."""
-    texts = {motion.text for frame in frames for motion in frame.work.motions}
+    texts = {motion.text for frame in frames for motion in frame.motions}
     for text in texts:
         for before, now in pairwise(frames):
             old, new = remaining(before, text), remaining(now, text)
@@ -43,13 +43,13 @@ def test_prong_and_telescope_move_to_their_ends() -> None:
     period = sim.scenario.control_period
     frames = [sim.step(Inputs(effector="close")), *(sim.step(Inputs()) for _ in range(200))]
     assert check(frames, period) == {"prong closes"}
-    assert frames[0].work.motions[0].remaining_s == pytest.approx(3.5, abs=2 * period)
-    assert frames[-1].work.motions == ()
+    assert frames[0].motions[0].remaining_s == pytest.approx(3.5, abs=2 * period)
+    assert frames[-1].motions == ()
     pulled = [sim.step(Inputs(telescope=1.0)) for _ in range(50)]
     assert check(pulled, period) == {"telescope extends"}
-    assert sim.step(Inputs()).work.motions == ()
+    assert sim.step(Inputs()).motions == ()
 
 
 def test_nothing_moves_at_rest() -> None:
     for name in ("srms-berth", "concept-1972", "loaded"):
-        assert Simulation(name).step(Inputs()).work.motions == ()
+        assert Simulation(name).step(Inputs()).motions == ()

@@ -142,6 +142,7 @@ def test_released_payload_keeps_velocity_and_angular_velocity() -> None:
     assert turns[0] == pytest.approx(held, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_released_free_flyer_stays_in_its_deadband() -> None:
     made = scenario(ON_BAR, held=True, cargo=FREE_FLYER + '\nstart = { position = ["28 ft", "0 ft", "-5.82 ft"] }')
     sim = aftdeck.Simulation(made)

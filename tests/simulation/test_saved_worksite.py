@@ -100,6 +100,7 @@ def test_restored_state_continues_bit_for_bit(flight: object, seed: int) -> None
         assert bits([other.step(inputs) for inputs in given_[upto]]) == bits(frames[upto])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.__name__)
 @settings(max_examples=1, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(seed=seeds)

@@ -67,6 +67,7 @@ def test_file_contains_script_style_and_fonts(recording: Path, tmp_path: Path) -
     assert r"a licence <\/script>" in text
 
 
+@pytest.mark.slow
 def test_file_contains_all_frames_to_a_tenth_of_a_millimetre(recording: Path, tmp_path: Path) -> None:
     write_html(recording, tmp_path / "out.html")
     index, moments = parts((tmp_path / "out.html").read_text(encoding="utf-8"))

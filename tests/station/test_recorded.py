@@ -51,6 +51,7 @@ def test_recordings_are_listed_newest_first_with_the_present_run(tmp_path: Path)
     assert now.now and now.file.startswith(scenario().name)
 
 
+@pytest.mark.slow
 def test_recording_is_played_in_a_page_that_links_to_the_station(tmp_path: Path) -> None:
     record_run(tmp_path / "before.mcap", 300)
     with served(Session(scenario(), record=tmp_path)) as station:
@@ -76,6 +77,7 @@ def test_present_run_is_read_again_when_its_file_has_grown(tmp_path: Path) -> No
         assert not first.ended
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", ["none.mcap", "notes.txt", "broken.mcap", "..%2fsecret.mcap", "%2e%2e"])
 def test_file_that_cannot_be_played_is_not_found(tmp_path: Path, file: str) -> None:
     folder = tmp_path / "flights"

@@ -95,6 +95,7 @@ def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
             assert np.isfinite([*frame.angles, *frame.rates]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("kind", KINDS)
 def test_escape_of_the_frame_leads_out(kind: str, mode: str) -> None:

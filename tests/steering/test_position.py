@@ -141,6 +141,7 @@ def test_proceed_at_speed_first_stops_the_joints(before: str) -> None:
     assert np.degrees(frames[-1].angles) == pytest.approx([BAY[0] + 20.0, *BAY[1:]], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_mode_1_passes_every_singularity() -> None:
     """One joint at a time moves across a singularity; the first is wrist yaw, from 17 deg to 100 deg."""
     start = np.array([0.0, 60.0, -80.0, 20.0, 17.0, 0.0])

@@ -14,6 +14,7 @@ from tests.steering.flying import BAY, disturbed, fly, kinds, scenario
 LIMITS = table("srms-limits")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("rate", ["coarse", "vernier"])
 @pytest.mark.parametrize("drive", [1.0, -1.0, 0.5])

@@ -11,8 +11,9 @@ import msgspec
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.resample import SAME_TIME
 
-_NOT_COMPARED = {"wall_s", "latency_ms", "sha256", "tick", "events"}
-"""Fields that are not compared value by value: equal runs may differ in them. Events are compared separately."""
+_NOT_COMPARED = {"wall_s", "latency_ms", "sha256", "tick", "events", "motions"}
+"""Fields that are not compared value by value: equal runs may differ in them. Events are compared separately; files of
+earlier versions lack `motions`, which follow from the state."""
 
 
 class FieldChange(msgspec.Struct, frozen=True):

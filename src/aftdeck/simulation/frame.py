@@ -13,7 +13,7 @@ import msgspec
 from aftdeck.bodies.cameras import Setting
 from aftdeck.field_meta import field_meta
 from aftdeck.tuples import Rows, Six, Vec3
-from aftdeck.worksite.report import Work
+from aftdeck.worksite.report import Motion, Work
 
 Level = Literal["info", "caution", "warning"]
 Sequence = Literal["idle", "checking", "ready", "in progress"]
@@ -343,3 +343,9 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
             value="dynamics_of(flight, state)",
         ),
     ] = None
+    motions: Annotated[
+        tuple[Motion, ...],
+        field_meta(
+            "mechanisms in motion: latches, snares, carriage, prong, telescope", value="motions_of(flight, state)"
+        ),
+    ] = ()

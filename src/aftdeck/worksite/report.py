@@ -140,6 +140,3 @@ class Work(msgspec.Struct, frozen=True, gc=False):
     orbiter_velocity: Annotated[Vec3, field_meta("velocity of the orbiter", "m/s", "L")]
     cargo: Annotated[tuple[Cargo, ...], field_meta("state of each payload of the worksite")]
     master: Annotated[Six | None, field_meta("joint angles of the master arm; null in modes other than MASTER", "rad")]
-    motions: Annotated[
-        tuple[Motion, ...], field_meta("mechanisms in motion: latches, snares, carriage, prong, telescope")
-    ] = ()

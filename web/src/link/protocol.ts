@@ -966,6 +966,8 @@ export interface Frame {
   readonly sha256: string;
   /** motion of the bodies; null on the kinematic plant, where the encoders show it */
   readonly dynamics: Dynamics | null;
+  /** mechanisms in motion: latches, snares, carriage, prong, telescope */
+  readonly motions: readonly Motion[];
   readonly display: Display;
 }
 
@@ -1070,8 +1072,6 @@ export interface Work {
   readonly cargo: readonly Cargo[];
   /** joint angles of the master arm; null in modes other than MASTER [rad] */
   readonly master: Six | null;
-  /** mechanisms in motion: latches, snares, carriage, prong, telescope */
-  readonly motions: readonly Motion[];
 }
 
 /** Two monitored parts. */
@@ -1162,14 +1162,6 @@ export interface Cargo {
   readonly seat: string;
 }
 
-/** A mechanism in motion. */
-export interface Motion {
-  /** mechanism and what it does: `latches close`, `snares open` */
-  readonly text: string;
-  /** time in which the mechanism reaches its end position [s] */
-  readonly remaining_s: number;
-}
-
 /** Event of a step, as a line of the log. */
 export interface Event {
   /** simulated time [s] */
@@ -1244,6 +1236,14 @@ export interface Bend {
   readonly displacement: Vec3;
   /** rotation vector of the part's end [rad], along the axes of part */
   readonly rotation: Vec3;
+}
+
+/** A mechanism in motion. */
+export interface Motion {
+  /** mechanism and what it does: `latches close`, `snares open` */
+  readonly text: string;
+  /** time in which the mechanism reaches its end position [s] */
+  readonly remaining_s: number;
 }
 
 /** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame. */

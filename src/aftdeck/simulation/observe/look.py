@@ -10,6 +10,7 @@ from aftdeck.simulation.motion.active_limits import active_limits
 from aftdeck.simulation.observe.frame_numbers import carried_numbers, frame_numbers
 from aftdeck.simulation.observe.look_bodies import dynamics_of
 from aftdeck.simulation.observe.look_work import work_of
+from aftdeck.simulation.observe.motions import motions_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
@@ -88,6 +89,7 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         state.views,
         seal.hex(),
         dynamics_of(flight, state),
+        motions_of(flight, state),
     )
 
 

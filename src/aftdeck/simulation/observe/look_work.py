@@ -12,7 +12,6 @@ from aftdeck.bodies.separation import named
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.observe.frame_numbers import moving
-from aftdeck.simulation.observe.motions import motions_of
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
@@ -54,7 +53,6 @@ def work_of(flight: Flight, state: State) -> Work:
         orbiter=_displacement(site, state),
         orbiter_velocity=_velocity(site, state),
         cargo=tuple(_cargo(flight, state, k) for k in range(len(site.cargo))),
-        motions=motions_of(flight, state),
         master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
     )
 

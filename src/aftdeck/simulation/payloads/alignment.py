@@ -123,8 +123,8 @@ def alarm_pairs(
 def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, nearest: int, counts: Mask) -> None:
     """Write a 0 into `counts` for pairs of the held payload k and the berth that it is about to enter or has just left.
 
-    Pairs in contact keep their marks, and so do pairs that are nearer to each other than on the straight way into the
-    berth, by more than the berth's tolerance.
+    Pairs of the task and pairs in contact keep their marks. So do pairs that are nearer to each other than on the
+    straight way into the berth, by more than the berth's tolerance or by half.
     """
     row = site.cargo_row(k)
     number = nearest_place(frames, row, site.berth_rows[k], site.berth_places[k], NEAR)
@@ -134,14 +134,14 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     pairs = site.seated[k, berth.seat.name]
     factor = INNER if nearest >= 0 and pairs[nearest] else 1.0
     off, out = berth.offset(frames, row), berth.way_out
-    along = float(off[:3] @ out)
+    along = float(product(off[:3], out))
     aside, tilt = length((off[:3] - along * out).tolist()), angle_between(rows(off, 3), _UPRIGHT)
     if aside > factor * ASIDE or tilt > factor * TILTED:
         return
     before = min(max(0, int(along / STEP)), int(NEAR / STEP))
     on_way = clearances_on_way(site, k, number)[before : before + 2].min(axis=0)
-    least = np.maximum(on_way - berth.seat.distance, CONTACT)
-    counts[(pairs != 0) & (watch.found[:, CLEARANCE] > least)] = 0
+    least = np.maximum(np.maximum(on_way - berth.seat.distance, 0.5 * on_way), CONTACT)
+    counts[(pairs != 0) & (site.detrimental != 0) & (watch.found[:, CLEARANCE] > least)] = 0
 
 
 @lru_cache(maxsize=32)

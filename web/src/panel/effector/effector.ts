@@ -52,7 +52,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
     values({ frame, units }) {
       hand.set(frame.work.hand, units);
       seats?.set(frame.work);
-      const motions = frame.work.motions.filter(({ text }) => !text.startsWith(TELESCOPE));
+      const motions = frame.motions.filter(({ text }) => !text.startsWith(TELESCOPE));
       setClass(element, 'busy', motions.length > 0);
       setAbout(element, motionWords(motions) || graspWords(frame, desk.welcome.payloads, units));
     },

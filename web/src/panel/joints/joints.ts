@@ -94,7 +94,7 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
       const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
       const single = mode?.kind === 'single';
       setClass(element, 'single', single);
-      const telescope = motionWords(frame.work.motions.filter(({ text }) => text.startsWith(TELESCOPE)));
+      const telescope = motionWords(frame.motions.filter(({ text }) => text.startsWith(TELESCOPE)));
       setAbout(element, single ? `${desk.welcome.joints[frame.joint]?.label ?? ''} selected` : telescope);
       rows.forEach(({ row, angle, tag }, i) => {
         const zone = frame.zones[i] ?? 0;
