@@ -28,7 +28,12 @@ export default defineConfig({
     license: { fileName: 'notices.txt' },
     chunkSizeWarningLimit: 1000,
   },
-  server: { proxy: { '/ws': { target: station, ws: true, changeOrigin: true, rewriteWsOrigin: true } } },
+  server: {
+    proxy: {
+      '/ws': { target: station, ws: true, changeOrigin: true, rewriteWsOrigin: true },
+      '/planes': { target: station, changeOrigin: true },
+    },
+  },
   // What hangs shall fail; a slow machine shall not [ms].
   test: { include: ['tests/**/*.test.ts'], testTimeout: 60_000, css: true },
 });

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from itertools import pairwise
 
@@ -9,11 +10,13 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck import Inputs
 from aftdeck.arrays import Array
 from aftdeck.simulation.constants.site import all_solids
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.payloads.alignment import ASIDE, STEP, TILTED, alarm_pairs, clearances_on_way
 from aftdeck.simulation.run import Simulation
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
 
@@ -142,3 +145,33 @@ def test_clearances_on_the_way_are_those_of_the_solids(step: int) -> None:
             for pair in pairs
         ]
         assert min(aftdeck.separation(a, b).clearance for a, b in placed) == pytest.approx(found[group], abs=1e-9)
+
+
+@pytest.mark.parametrize("steps", [4500, pytest.param(6000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("way", [(0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (1.0, 0.0, 0.0)])
+def test_a_payload_that_leaves_the_way_sideways_is_warned_before_it_touches(steps: int, way: Vec3) -> None:
+    """Steps of a run measure few pairs; the alarm is compared with the clearances of all pairs."""
+    sim = Simulation("srms-berth")
+    for _ in range(steps):
+        sim.advance()
+    flight, state = sim._flight, sim._state
+    site = flight.site
+    closest, level = math.inf, ""
+    for _ in range(600):
+        frame = sim.step(Inputs(mode="ORB LD", translation=way))
+        if any(not contact.essential for contact in frame.work.contacts):
+            assert level != "info"
+            break
+        level = frame.work.clearance_level
+        watch = ClearanceMonitor(site.layout)
+        watch.active = state.worksite.watch.active.copy()
+        watch.update(state.worksite.frames, state.worksite.frames, 1.0)
+        pairs = (site.seated[0, site.berths[0][0].seat.name] != 0) & (site.detrimental != 0)
+        least = float(watch.found[pairs, CLEARANCE].min())
+        offset = site.berths[0][0].offset(state.worksite.frames, site.cargo_row(0))[:3]
+        along = max(0, int(float(offset @ site.berths[0][0].way_out) / STEP))
+        on_way = float(clearances_on_way(site, 0, 0)[along : along + 2][:, pairs].min())
+        closest = min(closest, least)
+        if least < 0.5 * on_way - 1e-3 and least < flight.scenario.caution:
+            assert level != "info", f"{least:.3f} m, on the way {on_way:.3f} m"
+    assert closest < 0.4

@@ -70,7 +70,7 @@ def test_participant_is_in_every_recording_and_in_no_message(tmp_path: Path) -> 
         restarted(session)
         steps(session)
         sent = (session.welcome, shown(session), session.log.since(0))
-        other = session.another(scenario("tutorial"), demo=False)
+        other = session.another(scenario("tutorial"))
     other.begin()
     other.step()
     other.close()

@@ -91,9 +91,9 @@ def test_arm_stops_while_another_scenario_is_prepared(station: Station, monkeypa
     made = threading.Event()
     another = Session.another
 
-    def slow(self: Session, chosen: Scenario, *, demo: bool) -> Session:
+    def slow(self: Session, chosen: Scenario, *, shown: bool) -> Session:
         assert made.wait(WAIT_S)
-        return another(self, chosen, demo=demo)
+        return another(self, chosen, shown=shown)
 
     monkeypatch.setattr(Session, "another", slow)
     with station.page() as page:
@@ -147,6 +147,8 @@ def test_script_flies_a_chosen_scenario_until_a_stick_moves(station: Station) ->
         assert "running already" in page.rejection()
         page.send(from_page.FlyScenario(page.next_seq(), other, demo=True))  # from the beginning
         page.wait_for(Frame, lambda frame: frame.by == "script" and frame.tick < 50)
+        page.send(from_page.Restart(page.next_seq()))
+        page.wait_for(Frame, lambda frame: frame.by == "hand" and frame.tick < 50)
         page.send(from_page.FlyScenario(page.next_seq(), scenarios.flown))
         page.wait_for(Welcome, lambda welcome: welcome.scenario != OTHER)
         assert page.wait_for(Frame).by == "hand"

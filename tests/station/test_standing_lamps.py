@@ -20,6 +20,13 @@ def test_a_lamp_stands_until_it_is_off_or_rises() -> None:
     assert [[lamp.standing for lamp in lamps] for lamps in shown] == [[True, True], [True], [False, False], [False]]
 
 
+def test_a_lamp_with_another_cause_does_not_stand() -> None:
+    standing = StandingLamps()
+    texts = ("elbow 0.12, wrist 0.20", "elbow 0.10", "elbow 0.09, shoulder 0.3", "wrist 0.2")
+    shown = [standing.marked((Lamp("SINGULAR", "caution", text),))[0].standing for text in texts]
+    assert shown == [True, True, False, False]
+
+
 @pytest.mark.parametrize("name", ["uncradle", "singular", "sts-400-closed", "srms-berth"])
 def test_no_run_begins_with_an_alarm(name: str) -> None:
     """Some scenarios begin near parts, stops or singularities: their lamps are lit, but all of them stand."""

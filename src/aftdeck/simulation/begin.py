@@ -121,7 +121,7 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
         k = start.grasped.cargo
         set_effector(flight, state, holding=True)
         frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, worksite.prong.position)
-        worksite.cargo[k].seat = ""
+        worksite.cargo[k].seat, worksite.cargo[k].released_from = "", worksite.cargo[k].seat
         attach(flight, state, k)
         frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
     poses = frames[site.space_row + 1 :].copy()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import chain
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import msgspec
@@ -108,21 +109,30 @@ class Lamp(msgspec.Struct, frozen=True, gc=False):
 
 
 class StandingLamps:
-    """Lamps that have been lit at the same level since the first step of a run."""
+    """Lamps that have been lit at the same level since the first step of a run, by causes that were there from then on.
+
+    A cause is a joint, a singularity or a pair of parts.
+    """
 
     def __init__(self) -> None:
-        self._standing: frozenset[tuple[str, Level]] | None = None
+        self._standing: frozenset[tuple[str, Level, str]] | None = None
 
     def marked(self, lamps: tuple[Lamp, ...]) -> tuple[Lamp, ...]:
         """Return the lamps of the next step, with `Lamp.standing`; call this once for each step, from the first."""
-        lit = frozenset((lamp.name, lamp.level) for lamp in lamps)
-        self._standing = lit if self._standing is None else self._standing & lit
-        if not self._standing:
+        if self._standing is not None and not self._standing:
             return lamps
+        causes = [frozenset((lamp.name, lamp.level, cause) for cause in _causes(lamp)) for lamp in lamps]
+        lit = frozenset(chain.from_iterable(causes))
+        self._standing = lit if self._standing is None else self._standing & lit
         return tuple(
-            msgspec.structs.replace(lamp, standing=True) if (lamp.name, lamp.level) in self._standing else lamp
-            for lamp in lamps
+            msgspec.structs.replace(lamp, standing=True) if own <= self._standing else lamp
+            for lamp, own in zip(lamps, causes, strict=True)
         )
+
+
+def _causes(lamp: Lamp) -> list[str]:
+    """Return the causes in a lamp's text, without their numbers."""
+    return [cause.rstrip("0123456789. ") for cause in lamp.text.split(", ")]
 
 
 def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) -> tuple[Lamp, ...]:

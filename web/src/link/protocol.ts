@@ -489,7 +489,7 @@ export interface FlyScenario {
   readonly number: number;
   /** Plant; null for that of the scenario's file. */
   readonly plant: Plant | null;
-  /** Whether the scenario's script flies, until the operator moves a stick or sends a command. */
+  /** Whether the script flies the first run, until the operator moves a stick or sends a command. */
   readonly demo: boolean;
 }
 

@@ -33,6 +33,8 @@ export class PlanesWindow {
   private readonly timer: number;
   private camera: string;
   private svg = '';
+  /** Camera of the sheet. */
+  private drawnCamera = '';
   private held = false;
   /** Request in progress, or pause before the next one. */
   private request = new AbortController();
@@ -134,14 +136,16 @@ export class PlanesWindow {
     this.request.abort();
     clearTimeout(this.pause);
     const request = new AbortController();
+    const { camera } = this;
     this.request = request;
     if (!document.hidden) {
       try {
-        const answer = await fetch(`planes/${encodeURIComponent(this.camera)}.svg`, {
+        const answer = await fetch(`planes/${encodeURIComponent(camera)}.svg`, {
           signal: request.signal,
         });
         const text = await answer.text();
         const made = answer.status === 200;
+        this.drawnCamera = camera;
         this.show(made ? text : '', made ? '' : text.trim());
       } catch {
         if (!request.signal.aborted) this.show('', NO_ANSWER);
@@ -167,7 +171,7 @@ export class PlanesWindow {
 
   private store(): void {
     const address = URL.createObjectURL(new Blob([this.svg], { type: 'image/svg+xml' }));
-    el('a', { href: address, download: `planes-${this.camera}.svg` }).click();
+    el('a', { href: address, download: `planes-${this.drawnCamera}.svg` }).click();
     URL.revokeObjectURL(address);
   }
 }

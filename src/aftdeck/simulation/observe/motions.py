@@ -24,16 +24,19 @@ speed at rest is not exactly zero."""
 
 
 def motions_of(flight: Flight, state: State) -> tuple[Motion, ...]:
-    """Return the mechanisms in motion: latches, snares, carriage, prong, telescope."""
+    """Return the mechanisms in motion: latches, snares, carriage, prong, telescope.
+
+    Latches and carriage that wait, because further motion would make a contact, are left out.
+    """
     worksite, found = state.worksite, []
     for k, payload in enumerate(worksite.cargo):
-        if payload.latches.motion:
+        if payload.latches.motion and not worksite.waiting:
             seat = next(berth.seat for berth in flight.site.berths[k] if berth.seat.name == payload.seat)
             closes = payload.latches.motion == "latch"
             left = 1.0 - payload.latches.closed if closes else payload.latches.closed
             found.append(Motion("latches close" if closes else "latches open", left * seat.time))
     snares = flight.site.snares
-    if snares is not None and (worksite.snare.motion or worksite.rigid != "off"):
+    if snares is not None and not worksite.waiting and (worksite.snare.motion or worksite.rigid != "off"):
         stage = next_stage(worksite.snare, snare_command(worksite, pressed=False))
         if stage is not None:
             part, target = stage
@@ -50,4 +53,4 @@ def _add(found: list[Motion], slide: Slide, travel: Travel, texts: tuple[str, st
     if abs(slide.velocity) > _LEAST * travel.rate and travel.rate > 0.0:
         left = travel.high - slide.position if slide.velocity > 0.0 else slide.position - travel.low
         if left > 0.0:
-            found.append(Motion(texts[0 if slide.velocity > 0.0 else 1], left / travel.rate))
+            found.append(Motion(texts[0 if slide.velocity > 0.0 else 1], left / abs(slide.velocity)))

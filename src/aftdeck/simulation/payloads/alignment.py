@@ -3,9 +3,9 @@
 Without this exception, every capture, docking and berthing would raise an alarm. If the end effector is aligned with a
 payload, the pairs of these two do not count. The same holds for a probe that is aligned with a port, and for trunnions
 that are aligned with their guides. A probe or trunnions are aligned if a straight motion over the remaining distance
-would bring them into a permitted contact (`payloads.relations`). The held payload and the body of a berth that it is
-about to enter or has just left do not count either, as long as they are not nearer to each other than they are on the
-straight way into the berth.
+would bring them into a permitted contact (`payloads.relations`). The held payload and the parts in the frame of
+a berth that it is about to enter or has just left do not count either, as long as they are not nearer to each other
+than they are on the straight way into the berth.
 Excepted pairs are still monitored for contacts, and a pair whose contact inhibits the arm counts.
 """
 
@@ -100,6 +100,8 @@ def alarm_pairs(
     """
     site = flight.site
     counts = site.detrimental.copy()
+    if held is not None:
+        _except_berth(site, held, watch, frames, nearest, counts)
     if site.meetings:
         undecided = mark_task_pairs(
             site.meeting_groups, site.meeting_aligns, watch.active, watch.found, watch.bound, permitted, nearest, NEAR,
@@ -107,8 +109,6 @@ def alarm_pairs(
         )  # fmt: skip
         if undecided:
             _decide(site, frames, nearest, counts)
-    if held is not None:
-        _except_berth(site, held, watch, frames, nearest, counts)
     k = None
     if held is None and site.bar is not None:
         enclosed = enclosed_bar(watch.placed, site.bar.bars, site.bar.packed, NEAR)
@@ -141,12 +141,12 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     before = min(max(0, int(along / STEP)), int(NEAR / STEP))
     on_way = clearances_on_way(site, k, number)[before : before + 2].min(axis=0)
     least = np.maximum(np.maximum(on_way - berth.seat.distance, 0.5 * on_way), CONTACT)
-    counts[(pairs != 0) & (site.detrimental != 0) & (watch.found[:, CLEARANCE] > least)] = 0
+    watch.except_far(pairs & site.detrimental, least, counts)
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=8)
 def clearances_on_way(site: Site, k: int, number: int) -> Array:
-    """Return the clearances (n, g) of payload k and the body of its berth `number`, for a payload on its way in [m].
+    """Return the clearances (n, g) of a payload on its way into a berth and of the parts in the berth's frame [m].
 
     Row i is for a payload with its attitude in the berth, `i * STEP` before its final position. Pairs of other parts
     have the clearance inf.

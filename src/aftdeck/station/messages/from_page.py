@@ -268,7 +268,7 @@ class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
     plant: Plant | None = None
     """Plant; null for that of the scenario's file."""
     demo: bool = False
-    """Whether the scenario's script flies, until the operator moves a stick or sends a command."""
+    """Whether the script flies the first run, until the operator moves a stick or sends a command."""
 
 
 class DriveCamera(WireMessage, frozen=True, tag="drive_camera"):

@@ -50,7 +50,7 @@ class Pages:
     """
 
     def __init__(self, session: Session, notify: Callable[[], None]) -> None:
-        self.driver, self._notify, self._demo = Driver(session), notify, session.demo
+        self.driver, self._notify = Driver(session), notify
         self.choice = ScenarioList(session.scenario)
         self.roles: ControlRoles[Connected] = ControlRoles()
         self.windows: set[Connected] = set()
@@ -99,11 +99,11 @@ class Pages:
 
     async def _change(self, wanted: from_page.FlyScenario, page: Connected) -> None:
         """Replace the present session by a session of another scenario; after an error, keep the present session."""
-        before, choice, number, demo = self.driver, self.choice, wanted.number, wanted.demo or self._demo
+        before, choice, number = self.driver, self.choice, wanted.number
         try:
             self.driver = Driver(
                 await _make_in_daemon_thread(
-                    lambda: before.session.another(choice.load(number, wanted.plant), demo=demo)
+                    lambda: before.session.another(choice.load(number, wanted.plant), shown=wanted.demo)
                 )
             )
             self.polygons.clear()  # every page asks again after its welcome

@@ -33,6 +33,7 @@ class Painter:
     Attributes:
         drawn: newest picture of each camera, encoded as JSON. Each new picture is a new object.
         newest: newest frame, and the light in it; None before the first frame.
+        failure: sentence about the error that ended the thread; empty if there was none.
         notify: called in the thread after each round of pictures.
     """
 
@@ -42,6 +43,7 @@ class Painter:
         self.notify: Callable[[], None] = lambda: None
         self._scenario, self._make = scenario, make
         self._wanted: Mapping[str, float] = {}
+        self.failure = ""
         self._text = PREPARING
         self._lock = threading.Lock()
         self._fresh = threading.Event()
@@ -96,7 +98,7 @@ class Painter:
                 self.notify()
         except Exception as error:  # any error must reach the monitors
             with self._lock:
-                self._text = f"The look of 1972 has failed: {error}"
+                self.failure = self._text = f"The look of 1972 has failed: {error}"
                 self._publish({})
             self.notify()
             _log.exception("the look of 1972 has failed")

@@ -86,6 +86,7 @@ class Session:
         seed: int | None = None,
         *,
         demo: bool = False,
+        shown: bool = False,
         record: Path | None = None,
         trial: Trial = NO_TRIAL,
         live: Live | None = None,
@@ -96,7 +97,8 @@ class Session:
         Args:
             scenario: the scenario to run.
             seed: random seed; None selects the scenario's seed.
-            demo: whether the script runs until the operator moves a stick or sends a command.
+            demo: whether the script runs until the operator moves a stick or sends a command; also after a restart.
+            shown: whether the script runs in this way in the first run.
             record: folder into which each run is recorded; None: runs are not recorded.
             trial: participant and condition, stored in each recording.
             live: server for viewers of the run; None: viewers cannot attach.
@@ -106,7 +108,7 @@ class Session:
         self._start_demo, self._record, self._trial, self._live = demo, record, trial, live
         self._clock = clock
         self._displays = Displays(scenario)
-        self.welcome = welcome_of(scenario, demo=demo)
+        self.welcome = welcome_of(scenario, demo=demo or shown)
         warm_up(scenario)
         self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles the laws of `station.conversion`
         self._recorder = SessionRecorder(record, Index(), live, trial)
@@ -121,6 +123,7 @@ class Session:
         self._look_s = LOOK_S
         self._cancelled_until = 0.0
         self._reset()
+        self._demo = demo or shown
 
     def _reset(self) -> None:
         """Create the simulation of a new run, and delete all data of the previous run."""
@@ -135,20 +138,16 @@ class Session:
         self._axis: Axis | None = None
         self._controllers_recorded = NO_CONTROLLERS
 
-    @property
-    def demo(self) -> bool:
-        """Whether each run begins with the script."""
-        return self._start_demo
-
-    def another(self, scenario: Scenario, *, demo: bool) -> Session:
+    def another(self, scenario: Scenario, *, shown: bool = False) -> Session:
         """Return a session of another scenario with the same settings and the same recording folder.
 
-        `demo`: whether its runs begin with the script.
+        `shown`: whether the script flies its first run, until the operator moves a stick or sends a command.
         """
         return Session(
             scenario,
             self._seed,
-            demo=demo,
+            demo=self._start_demo,
+            shown=shown,
             record=self._record,
             trial=self._trial,
             live=self._live,
