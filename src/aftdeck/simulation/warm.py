@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 
+import numpy as np
+
 from aftdeck.errors import AftdeckError
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
@@ -65,6 +67,8 @@ def _carry(flight: Flight, state: State) -> None:
     slide_along(flight, state, 0.0, 0)
     for berth in flight.site.berths[0]:
         conditions_at(flight, state, 0, berth)
+    counts = flight.site.detrimental.copy()
+    worksite.watch.except_far(flight.site.detrimental, np.zeros(len(counts)), counts)
     empty_grasp(flight, state, 0)
     start_free_flight(flight, state, 0, from_space=False)
     step(flight, state, None)
