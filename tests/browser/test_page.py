@@ -17,6 +17,7 @@ def test_nothing_scrolls_overlaps_or_is_cut_off(open_page: OpenPage, width: int,
     assert_tidy(flight)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["ORB UNL", "SINGLE", "OPR CMD", "TEST"])
 def test_every_mode_is_tidy_and_readable(flight: Flight, mode: str) -> None:
     flight.enter(mode)

@@ -100,6 +100,7 @@ def test_escape_by_stick_is_read_from_its_text(direction: int, position: str) ->
     assert read(escape) == escape and escape.position == position
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joint", range(6))
 def test_escape_by_joint_or_telescope_is_read_from_its_text(joint: int) -> None:
     sim = Simulation("concept-1972")

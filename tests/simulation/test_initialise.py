@@ -86,6 +86,7 @@ def check_initialised(made: Scenario, direct: Scenario, part: str, seed: int) ->
     assert initialised[0].events[0].kind == "initialise" and part in initialised[0].events[0].text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["concept-1972", "free-flyer"])
 @pytest.mark.parametrize("part", PARTS)
 def test_initialised_run_equals_run_that_starts_there(part: str, name: str) -> None:

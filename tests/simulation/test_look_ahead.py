@@ -44,6 +44,7 @@ def test_stopping_distance_equals_motion_after_centring() -> None:
     assert sim.ahead().stopping == 0.0 and not sim.ahead().moves and not sim.ahead().held
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("axis", [*range(6), 6])
 @pytest.mark.parametrize("sign", [-1, 1])
 def test_look_ahead_deflects_last_axis_when_sticks_are_centred(axis: int, sign: int) -> None:

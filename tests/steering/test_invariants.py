@@ -17,11 +17,13 @@ def test_random_run_keeps_invariants(seed: int) -> None:
     flight(seed)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(100, 110))
 def test_random_as_flown_run_keeps_invariants(seed: int) -> None:
     flight(seed, 'soft_stops = "as-flown"\n', mended=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(200, 210))
 def test_random_strict_run_keeps_rates_and_hard_stops(seed: int) -> None:
     flight(seed, "strict = true\n", mended=False)

@@ -19,6 +19,7 @@ def at(period: float, extra: str = "") -> aftdeck.Simulation:
     return aftdeck.Simulation(scenario(BAY, lines))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("mode", "payload_axes"),
     [("ORB UNL", False), ("END EFF", False), ("ORB LD", False), ("ORB LD", True), ("PL", False)],

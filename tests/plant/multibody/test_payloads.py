@@ -138,6 +138,7 @@ def test_release_changes_no_velocity() -> None:
     assert bodies_of(sim).motions[0, :3] == pytest.approx(after[:3], abs=1e-6)  # it tumbles by its inertia
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("at", [60, 100, 140, 400])
 def test_saved_run_continues_to_the_last_bit_during_a_capture(at: int) -> None:
     sim = free_flyer("flexible")

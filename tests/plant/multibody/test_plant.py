@@ -295,6 +295,7 @@ def test_state_with_other_bodies_is_rejected() -> None:
     Simulation(given).restore(saved)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
 def test_recording_is_replayed_to_the_last_bit(plant: str, tmp_path: Path) -> None:
     given = aftdeck.load_scenario("loaded", {("plant",): plant, ("duration",): 12.0, ("phase",): []})
