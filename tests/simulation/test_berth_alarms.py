@@ -74,12 +74,11 @@ def above_the_berth() -> Simulation:
     return sim
 
 
-def counted(side: float = 0.0, nearer: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
+def counted(side: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
     """Return which pairs of payload and berth count, which do not, and all their clearances, for a displaced payload.
 
     Args:
         side: displacement across the bay [m].
-        nearer: displacement towards the berth [m].
         tilt: rotation about the axis along the bay [rad].
     """
     sim = above_the_berth()
@@ -93,7 +92,7 @@ def counted(side: float = 0.0, nearer: float = 0.0, tilt: float = 0.0) -> tuple[
     frames[row, 3:] = (frames[row, 3:].reshape(3, 3) @ off[3:].reshape(3, 3).T).ravel()
     rotation = frames[row, 3:].reshape(3, 3)
     c, s = np.cos(tilt), np.sin(tilt)
-    along = float(off[:3] @ berth.way_out) - nearer
+    along = float(off[:3] @ berth.way_out)
     across = np.cross(berth.way_out, [1.0, 0.0, 0.0])
     frames[row, :3] += rotation @ (along * berth.way_out + side * across)
     frames[row, 3:] = (rotation @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).ravel()

@@ -46,7 +46,7 @@ def planes(
     frame = at(given, time)
     announce_compilation()
     scene = VisualScene(given.scenario)
-    title = f"{given.scenario.title}, camera {camera}"
+    title = given.scenario.title
     if out is not None:
         write(out, sheet(scene, frame, camera, light_of(given.scenario, None), title).encode())
         return print_line(str(out))
@@ -54,7 +54,7 @@ def planes(
     if as_json:
         print_json(_named(found))
     else:
-        _print(found, f"{title} at {frame.time_s:g} s")
+        _print(found, f"{title}, camera {camera} at {frame.time_s:g} s")
 
 
 def _named(value: object) -> object:

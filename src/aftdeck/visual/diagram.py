@@ -40,7 +40,7 @@ def sheet(scene: VisualScene, frame: Frame, camera: str, light: LightCondition, 
         frame: the frame.
         camera: name of the camera.
         light: direction and strength of the light.
-        title: title of the sheet; the time is added.
+        title: title of the scenario; camera and time follow it on the sheet.
 
     Raises:
         InputError: there is no such camera.
@@ -49,7 +49,7 @@ def sheet(scene: VisualScene, frame: Frame, camera: str, light: LightCondition, 
     aim = scene.aim(frame, camera, PICTURE[0] / PICTURE[1])
     found, picture = explained(scene, frame, aim), picture_of(scene, frame, camera, PICTURE, "colour", light)
     width = picture.width + len(VIEWS) * (SIZE[0] + GAP) + 2 * GAP
-    parts = [text_element(GAP, GAP + 8, f"{title} at {frame.time_s:.2f} s", size=17)]
+    parts = [text_element(GAP, GAP + 8, f"{title}, camera {camera} at {frame.time_s:.2f} s", size=17)]
     legend = "trees of separating planes: a bold branch leads to the side with the eye"
     parts.append(text_element(width - GAP, GAP + 8, legend, anchor="end"))
     y = 2 * GAP + 6

@@ -13,7 +13,7 @@ import type { View as DeskView } from '../panel/parts/part';
 import { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
 import type { View } from '../scene/drawn';
-import type { Pictured, Planes } from '../windows/opened';
+import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
 import { AllCameras } from './all-cameras';
 import { TARGETS, type Target } from './best-pair';
@@ -80,9 +80,7 @@ export class Pictures {
       turns: listener.turns ?? false,
       ...(tearOff ? { tearOff } : {}),
       ...(listener.polygons ? { seventies: (index) => this.toggleSeventies(index) } : {}),
-      ...(listener.polygons && tearOff
-        ? { planes: (index) => tearOff(index === 0 ? 'planes1' : 'planes2') }
-        : {}),
+      ...(listener.polygons && tearOff ? { planes: (index) => tearOff(PLANES[index]) } : {}),
     });
     this.matrix = new Matrix(cameras, {
       chosen: (camera) => this.monitors.choose(camera),

@@ -9,7 +9,7 @@ import { Station } from '../page/station';
 import type { DrawnBody } from '../scene/bodies';
 import { LiveStrips } from '../windows/live-strips';
 import { Display } from '../windows/monitor-window';
-import { tornHere } from '../windows/opened';
+import { PLANES, showsPlanes, tornHere } from '../windows/opened';
 import { PlanesWindow } from '../windows/planes-window';
 import { PolygonPictures } from './polygon-pictures';
 import type { Frame, Event as LogEvent, Recent, Role, Scenarios, Welcome } from './protocol';
@@ -58,8 +58,8 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
       station = new LiveStrips(root, message);
       return;
     }
-    if (torn === 'planes1' || torn === 'planes2') {
-      station = new PlanesWindow(root, message, torn === 'planes1' ? 0 : 1);
+    if (showsPlanes(torn)) {
+      station = new PlanesWindow(root, message, torn === PLANES[0] ? 0 : 1);
       return;
     }
     if (torn !== null) {

@@ -2,7 +2,7 @@
 
 import { notice } from '../page/notice';
 import type { Drawing } from '../page/quality';
-import { tornHere } from '../windows/opened';
+import { showsPlanes, tornHere } from '../windows/opened';
 import { Replay } from './replay';
 import { follow } from './second';
 import type { Source } from './source';
@@ -13,7 +13,7 @@ export function play(root: HTMLElement, drawing: Drawing, source: Source): void 
   source.index().then(
     (index) => {
       const torn = tornHere(location.search);
-      if (torn === null || torn === 'planes1' || torn === 'planes2') new Replay(root, drawing, source, index);
+      if (torn === null || showsPlanes(torn)) new Replay(root, drawing, source, index);
       else follow(root, drawing, source, index, torn);
     },
     () => notice(root, 'Cannot open the recording: its file is damaged, or its server does not answer.'),

@@ -182,9 +182,9 @@ function offAxis({ work: { conditions } }: Frame): Condition | undefined {
 
 /** Returns an explanation of what the desk displays near the berth, if it could mislead a beginner; else empty. */
 function besides(now: Frame): string {
-  if (now.work.clearance_level === 'warning')
-    return ' *CLEARANCE* warns because the berth is close: press *MASTER ALARM* and continue.';
-  return '';
+  return now.work.clearance_level === 'warning'
+    ? ' *CLEARANCE* warns because the berth is close: press *MASTER ALARM* and continue.'
+    : '';
 }
 
 /** Returns the text of a condition that prevents a capture, as the panel displays it. */

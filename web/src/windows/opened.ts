@@ -8,7 +8,14 @@ import type { UnitName } from '../words/units';
 export type Pictured = 0 | 1 | 'matrix';
 /** Content of a window: pictures, strips, or what decides the order in the picture of MON 1 or MON 2. */
 export type Torn = Pictured | 'strips' | Planes;
-export type Planes = 'planes1' | 'planes2';
+export type Planes = (typeof PLANES)[number];
+
+/** Windows with the planes of MON 1 and of MON 2. */
+export const PLANES = ['planes1', 'planes2'] as const;
+
+export function showsPlanes(torn: Torn | null): torn is Planes {
+  return torn === PLANES[0] || torn === PLANES[1];
+}
 
 /** State of a page, sent on request and after each change. */
 export interface PageState {
@@ -51,8 +58,7 @@ const VIEWS: readonly (readonly [string, Torn])[] = [
   ['mon2', 1],
   ['matrix', 'matrix'],
   ['strips', 'strips'],
-  ['planes1', 'planes1'],
-  ['planes2', 'planes2'],
+  ...PLANES.map((name) => [name, name] as const),
 ];
 /** Parameter of a window's address; its value is the name of the window's page. */
 const OF = 'of';

@@ -29,7 +29,6 @@ export class PlanesWindow {
     role: 'region',
     'aria-label': 'Sheet',
   });
-  private readonly ended = new AbortController();
   private readonly timer: number;
   private camera: string;
   private svg = '';
@@ -90,7 +89,6 @@ export class PlanesWindow {
     clearInterval(this.timer);
     clearTimeout(this.pause);
     this.request.abort();
-    this.ended.abort();
     this.tether.dispose();
   }
 
@@ -151,7 +149,7 @@ export class PlanesWindow {
         if (!request.signal.aborted) this.show('', NO_ANSWER);
       }
     }
-    if (request.signal.aborted || this.ended.signal.aborted) return;
+    if (request.signal.aborted) return;
     this.pause = window.setTimeout(() => void this.ask(), PAUSE_MS);
   }
 

@@ -139,12 +139,20 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     if aside > factor * ASIDE or tilt > factor * TILTED:
         return
     before = min(max(0, int(along / STEP)), int(NEAR / STEP))
-    on_way = clearances_on_way(site, k, number)[before : before + 2].min(axis=0)
-    least = np.maximum(np.maximum(on_way - berth.seat.distance, 0.5 * on_way), CONTACT)
-    watch.except_far(pairs & site.detrimental, least, counts)
+    watch.except_far(pairs & site.detrimental, least_on_way(site, k, number)[before], counts)
 
 
 @lru_cache(maxsize=8)
+def least_on_way(site: Site, k: int, number: int) -> Array:
+    """Return the clearances (n, g) up to which pairs of `clearances_on_way` count [m].
+
+    Row i is for a payload between `i * STEP` and the next step before its final position.
+    """
+    on_way, tolerance = clearances_on_way(site, k, number), site.berths[k][number].seat.distance
+    nearest = np.minimum(on_way[:-1], on_way[1:])
+    return np.asarray(np.maximum(np.maximum(nearest - tolerance, 0.5 * nearest), CONTACT))
+
+
 def clearances_on_way(site: Site, k: int, number: int) -> Array:
     """Return the clearances (n, g) of a payload on its way into a berth and of the parts in the berth's frame [m].
 

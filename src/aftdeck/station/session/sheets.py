@@ -29,4 +29,4 @@ class Sheets:
         with self._lock:
             if self._scene is None:
                 self._scene = VisualScene(self._scenario)
-            return sheet(self._scene, frame, camera, light, f"{self._scenario.title}, camera {camera}")
+            return sheet(self._scene, frame, camera, light, self._scenario.title)
