@@ -46,6 +46,7 @@ LAYERS = (
     ("historical",),
     ("scene",),
     ("visual",),
+    ("task",),
     ("recording",),
     ("station",),
     ("cli",),

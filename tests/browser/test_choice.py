@@ -12,7 +12,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 TITLE = "document.querySelector('.rail .scenario > button').textContent"
 LEAVING = "document.querySelector('.leaving').checkVisibility()"
-GUIDED = "document.querySelector('.tutorial')?.checkVisibility() === true"
+GUIDED = "document.querySelector('.task')?.checkVisibility() === true"
 FITS = """() => {
     const { left, right, top, bottom } = document.querySelector('.choices.scenarios').getBoundingClientRect();
     return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;

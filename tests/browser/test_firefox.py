@@ -15,7 +15,7 @@ from tests.browser.layout_checks import assert_readable, assert_tidy
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "tutorial"
-TUTORIAL = "document.querySelector('.tutorial').checkVisibility()"
+TUTORIAL = "document.querySelector('.task').checkVisibility()"
 STILL = "frame.translation.every((value) => value === 0)"
 
 COLOURS = """() => {

@@ -12,11 +12,11 @@ from tests.browser.layout_checks import assert_readable, assert_tidy
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "tutorial"
-STEP = "document.querySelector('.tutorial .steps span')?.textContent"
-OPEN = "document.querySelector('.tutorial')?.checkVisibility() === true"
-TITLE = "document.querySelector('.tutorial h2').textContent"
-WORDS = "document.querySelector('.tutorial .words').textContent"
-DRAWN = "document.querySelector('.tutorial .pad-drawing').checkVisibility()"
+STEP = "document.querySelector('.task .steps span')?.textContent"
+OPEN = "document.querySelector('.task')?.checkVisibility() === true"
+TITLE = "document.querySelector('.task h2').textContent"
+WORDS = "document.querySelector('.task .words').textContent"
+DRAWN = "document.querySelector('.task .pad-drawing').checkVisibility()"
 AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
 DEPTH = "frame.work.conditions.find(({ name }) => name === 'pin depth').value"
 SOUTH, NORTH, L_TRIGGER, R_TRIGGER, MENU = 0, 3, 6, 7, 9
@@ -32,7 +32,7 @@ MIDDLE = 1.5 * INCH
 
 CLASHES = """() => {
     const box = (node) => node.getBoundingClientRect();
-    const card = document.querySelector('.tutorial');
+    const card = document.querySelector('.task');
     const p = box(card);
     const clashes = [...document.querySelectorAll('.monitor, .spine, .thc, .rhc, .effector, .conditions, .events')]
         .filter((node) => node.checkVisibility())
@@ -73,7 +73,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
 
     # Move: towards the pin; the drawing of the pad lights the held control.
     flight.pad_axes(-1.0, 0.0, 0.0, 0.0)
-    flight.until("document.querySelector('.tutorial kbd.held')?.textContent === 'L stick ←left'")
+    flight.until("document.querySelector('.task kbd.held')?.textContent === 'L stick ←left'")
     assert flight.script("document.querySelectorAll('.pad-drawing .part.held').length") == 1
     assert_tidy(flight)
     flight.until(f"{STEP} === '3 of 6'")
@@ -139,8 +139,8 @@ def test_tutorial_shows_keys_or_the_drawing_of_the_pad(open_page: OpenPage) -> N
     flight.press_key("Skip step")
     flight.until(f"{STEP} === '2 of 6' && !({DRAWN}) && {WORDS}.includes('W moves')")
     flight.hold("a")
-    flight.until("document.querySelector('.tutorial kbd.held')?.textContent === 'Aleft'")
-    assert flight.script("getComputedStyle(document.querySelector('.tutorial kbd.held')).visibility") == "visible"
+    flight.until("document.querySelector('.task kbd.held')?.textContent === 'Aleft'")
+    assert flight.script("getComputedStyle(document.querySelector('.task kbd.held')).visibility") == "visible"
     flight.release("a")
     flight.pad_axes(0.0, 0.0, 0.5, 0.0)
     flight.until(f"{DRAWN} && {WORDS}.includes('L stick ↑ moves')")
@@ -156,11 +156,11 @@ def test_tutorial_names_another_mode_and_returns_from_it(open_page: OpenPage) ->
     flight.until(f"{STEP} === '1 of 6'")
     flight.press("[", "Enter")
     flight.until("frame.mode === 'ORB UNL'")
-    flight.until("document.querySelector('.tutorial .elsewhere').textContent.startsWith('The mode is ORB UNL')")
+    flight.until("document.querySelector('.task .elsewhere').textContent.startsWith('The mode is ORB UNL')")
     assert_tidy(flight)
     assert flight.script(CLASHES) == []
     flight.press_key("Enter END EFF")
-    flight.until("frame.mode === 'END EFF' && !document.querySelector('.tutorial .elsewhere').checkVisibility()")
+    flight.until("frame.mode === 'END EFF' && !document.querySelector('.task .elsewhere').checkVisibility()")
 
 
 @pytest.mark.parametrize(("width", "height"), [*SIZES, *NARROW])
@@ -181,7 +181,7 @@ def test_tutorial_card_covers_no_needed_group_and_is_readable(
         assert_readable(flight, ".tutorial", least=8)
         flight.press_key("Skip step")
     flight.until(f"{STEP} === 'All skipped' && {TITLE} === 'Not complete yet'")
-    assert flight.script("document.querySelectorAll('.tutorial li.done').length") == 0
+    assert flight.script("document.querySelectorAll('.task li.done').length") == 0
     assert flight.script(CLASHES) == []
     flight.press_key("Back")
     flight.until(f"{STEP} === '6 of 6'")

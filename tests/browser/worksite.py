@@ -144,7 +144,7 @@ class Worksite:
         display["gap"] = None if near is None else msgspec.to_builtins(closest_points(near))
         display["contacts"] = [msgspec.to_builtins(closest_points(pair)) for pair in self.work.contacts]
         display["orbiter"], display["orbiter_velocity"] = self.work.orbiter, self.work.orbiter_velocity
-        display["fixture"] = display["to_fixture"] = None
+        display["to_go"] = display["task"] = None
         display["lamps"] = [lamp for lamp in display["lamps"] if lamp["name"] != "CLEARANCE"]
         if near and level != CLEAR:
             display["lamps"].append({"name": "CLEARANCE", "level": level, "text": f"{near.a} to {near.b}"})

@@ -224,10 +224,33 @@ STARTS = [
         r"a\.toml:2: initial: .*joints.*pose",
     ),
 ]
+STEP = '[[step]]\ntitle = "s"\n'
+"""A step; it begins in line 4, and its next line is line 6."""
+MOVED = "done = { moved = 1 }\n"
+STEPS = [
+    ("text = 'a'", r"a\.toml:4: step\[0\]: .*'?done'?"),
+    ("text = 'a'\ndone = {}", r"a\.toml:7: step\[0\]\.done: .*looked.*moved.*alarm"),
+    (MOVED + "text = 'Hold {W}'", r"a\.toml:7: step\[0\]\.text: .*\{W\}.*\{2 in\}.*\{wanting\}.*\+X.*proceed"),
+    (MOVED + "text = 'Up {2 lb}'", r"a\.toml:7: step\[0\]\.text: .*\{2 lb\}"),
+    (MOVED + "text = 'Wait for *RIGID'", r"a\.toml:7: step\[0\]\.text: .*\*"),
+    (MOVED + "text = 'a'\nuses = ['+X']", r"a\.toml:8: step\[0\]\.uses\[0\]: .*'-X: back'.*'\+X'"),
+    (MOVED + "text = 'a'\nuses = ['jump: up']", r"a\.toml:8: step\[0\]\.uses\[0\]: .*'jump'.*\+X.*proceed"),
+    (MOVED + "text = 'a'\ncameras = ['A', 'Q']", r"a\.toml:8: step\[0\]\.cameras\[1\]: .*'Q'.*A, B, C"),
+    (MOVED + "text = 'a'\nmode = 'FLY'", r"a\.toml:8: step\[0\]\.mode: .*'FLY'.*ORB UNL"),
+    (MOVED + "text = 'a'\njoint = 'elbow_pitch'", r"a\.toml:4: step\[0\]: .*joint.*joint_at"),
+    (MOVED + "text = 'a'\njoint = 'knee'\njoint_at = 0", r"a\.toml:8: step\[0\]\.joint: .*'knee'.*elbow_pitch"),
+    (MOVED + "text = 'a'\ngroups = ['lamps']", r"a\.toml:8: step\[0\]\.groups\[0\]: .*thc.*effector.*'lamps'"),
+    (MOVED + "text = 'a'\ntarget = { cargo = 'x' }", r"a\.toml:8: step\[0\]\.target\.cargo: .*'x'"),
+    ("text = 'a'\ndone = { above = 1 }", r"a\.toml:7: step\[0\]\.done\.above: .*cargo.*seat"),
+    ("text = 'a'\ndone = { berth = 'x' }", r"a\.toml:7: step\[0\]\.done\.berth: .*'x'.*bay"),
+    ("text = 'a'\ndone = { mode = 'x' }", r"a\.toml:7: step\[0\]\.done\.mode: .*'x'.*ORB UNL"),
+    ("text = 'a'\ndone = { held = 1 }", r"a\.toml:7: step\[0\]\.done\.held: .*`bool`.*`int`"),
+]
 CASES = (
     [(HEAD + line + "\n" + INITIAL, pattern) for line, pattern in HEADS]
     + [(HEAD + INITIAL + table, pattern) for table, pattern in TABLES]
     + [(HEAD + INITIAL + PHASE + phase, pattern) for phase, pattern in PHASES]
+    + [(HEAD + INITIAL + STEP + step, pattern) for step, pattern in STEPS]
     + [(HEAD + start, pattern) for start, pattern in STARTS]
 )
 

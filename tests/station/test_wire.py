@@ -22,6 +22,7 @@ from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.commands import inputs_of
 from aftdeck.station.session.page_inputs import CENTRED
+from aftdeck.tuples import Vec3
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
 from tests.steering.flying import scenario as scenario_of_text
@@ -167,33 +168,37 @@ def test_derigidize_is_a_caution_when_the_switch_is_off() -> None:
 
 
 def test_empty_end_effector_has_the_distance_to_the_next_fixture() -> None:
-    _, held = flown(Inputs(), steps=1, name="srms-berth")
-    assert held.display.fixture is None
-    _, shown = flown(Inputs(), steps=1, name="srms-deploy")
-    assert shown.display.fixture is not None
-    assert 0.0 < shown.display.fixture < 40.0
     over = Simulation(load_scenario(OVER_THE_PIN))
     frame = Displays(over.scenario).frame(over.step(Inputs()), 0)
     (depth,) = (condition for condition in frame.work.conditions if condition.name == "pin depth")
-    assert frame.display.fixture == pytest.approx(depth.value, abs=1e-3)
+    assert frame.display.to_go is not None
+    assert frame.display.to_go.to == "pin"
+    assert frame.display.to_go.distance == pytest.approx(depth.value, abs=1e-3)
 
 
-def test_vector_to_the_fixture_is_along_the_axes_of_the_sticks() -> None:
+def test_motion_to_the_fixture_is_along_the_axes_of_the_sticks() -> None:
     sim = Simulation(scenario("tutorial"))
     displays = Displays(sim.scenario)
     for mode, axis in (("END EFF", 0), ("ORB UNL", 2)):  # the end effector points straight down
         sim.step(Inputs(mode=mode))
-        before = displays.frame(sim.step(Inputs()), 0).display.to_fixture
-        assert before is not None
+        before = left(displays.frame(sim.step(Inputs()), 0))
         assert max(before) == before[axis] == pytest.approx(2.0, abs=0.1)
         for _ in range(100):
             sim.step(Inputs(translation=(0.0, 1.0, 0.0)))
-        after = displays.frame(sim.step(Inputs()), 0).display.to_fixture
-        assert after is not None
+        after = left(displays.frame(sim.step(Inputs()), 0))
         assert after[1] < before[1] - 0.05
         assert (after[0], after[2]) == pytest.approx((before[0], before[2]), abs=0.01)
     sim.step(Inputs(mode="SINGLE"))
-    assert displays.frame(sim.step(Inputs()), 0).display.to_fixture is None
+    shown = displays.frame(sim.step(Inputs()), 0).display.to_go
+    assert shown is not None
+    assert (shown.translation, shown.rotation) == (None, None)
+
+
+def left(frame: Frame) -> Vec3:
+    """Return the translation that is left in a frame."""
+    assert frame.display.to_go is not None
+    assert frame.display.to_go.translation is not None
+    return frame.display.to_go.translation
 
 
 def test_frame_and_welcome_survive_json() -> None:

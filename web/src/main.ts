@@ -20,7 +20,7 @@ import './panel/controllers/key-map.css';
 import './panel/target/control-page.css';
 import './panel/controllers/controllers.css';
 import './panel/controllers/touch.css';
-import './tutorial/tutorial.css';
+import './task/task.css';
 import './cameras/all-cameras.css';
 import './windows/planes.css';
 import './replay/replay.css';

@@ -8,7 +8,6 @@ import { linesOf } from '../src/panel/clearance/contacts';
 import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/clearance/gap-scale';
 import { Places } from '../src/panel/clearance/places';
 import { SPAN_S, Trend } from '../src/panel/clearance/trend';
-import { wayParts } from '../src/panel/clearance/way-to-fixture';
 import { condition, FEET, near, SI, work } from './worksite';
 
 test('the clearance gauge is logarithmic and clamped to its ends', () => {
@@ -134,19 +133,6 @@ test('the bar of a range is continuous where the nearer bound changes', () => {
   };
   within(0.2);
   expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);
-});
-
-test('each component of the distance to the pin has the stick and key that reduce it', () => {
-  expect(wayParts([1.99, 0.3, -0.254], FEET, KEYS)).toEqual([
-    { stick: '+X', handle: 'W', value: '78' },
-    { stick: '+Y', handle: 'D', value: '12' },
-    { stick: '−Z', handle: 'Q', value: '10' },
-  ]);
-  expect(wayParts([0.004, -0.05, 0], SI, KEYS)).toEqual([
-    { stick: 'X', handle: '', value: '0.4' },
-    { stick: '−Y', handle: 'A', value: '5.0' },
-    { stick: 'Z', handle: '', value: '0.0' },
-  ]);
 });
 
 test('values are in the operator’s small units', () => {

@@ -1,9 +1,10 @@
 import { expect, test } from 'vitest';
 import { InHand, KEYS } from '../src/input/active-device';
 import { DEFAULTS } from '../src/input/defaults';
-import { wayParts } from '../src/panel/clearance/way-to-fixture';
+import { goParts } from '../src/task/to-go';
 import { unitsOf } from '../src/words/units';
 import { wayOutText } from '../src/words/way-out';
+import { toGo } from './worksite';
 
 const SI = unitsOf('SI');
 const WAY = { cause: 'elbow', text: '', position: '' };
@@ -32,7 +33,10 @@ test('the device that was moved last is named until a key is pressed', () => {
   expect(words()).toBe('THC +X (L↑), THC −Z (LT), RHC −roll (LB)');
   device.reading.axes = [0, 0, 0, 0];
   expect(inHand.name('latch')).toBe('Menu + South');
-  expect(wayParts([0.3, 0, 0], SI, inHand)[0]).toEqual({ stick: '+X', handle: 'L↑', value: '30' });
+  expect(goParts(toGo({ translation: [0.3, 0, 0] }), SI, inHand)[0]).toMatchObject({
+    stick: '+X',
+    handle: 'L↑',
+  });
   held.add('KeyW');
   expect(words()).toContain('THC +X (W)');
   held.clear();

@@ -41,7 +41,7 @@ function desk() {
     arrivals: { silence: () => 0, age: () => ({ s: 0, set: 0 }) },
     log: { refusedAt: -Infinity },
     controlPage: { values() {} },
-    tutorial: { values() {} },
+    task: { values() {} },
     rail: { values() {} },
     handOver: { words: () => '' },
     sounds: { update: vi.fn() },

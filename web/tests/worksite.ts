@@ -1,6 +1,6 @@
 /** Functions that make values of the worksite; a test sets only the fields that it needs. */
 
-import type { Condition, Near, Work } from '../src/link/protocol';
+import type { Condition, Near, ToGo, Work } from '../src/link/protocol';
 import { unitsOf } from '../src/words/units';
 
 export const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
@@ -26,4 +26,9 @@ export function condition(parts: Partial<Condition>): Condition {
 
 export function work(parts: Partial<Work>): Work {
   return { contacts: [], inhibits: [], conditions: [], cargo: [], objective: null, ...parts } as Work;
+}
+
+export function toGo(parts: Partial<ToGo>): ToGo {
+  const values = { to: 'pin', translation: null, rotation: null, distance: 1, angle: 0.1 };
+  return { ...values, near: [0.05, 0.05], shift: [0, 0, 0, 1, 0, 0, 0], ...parts };
 }

@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple, cast
 from aftdeck.errors import InputError
 from aftdeck.historical.frame_words import Direction, direction_of
 from aftdeck.historical.input_channels import FULL_SCALE, STATION, CameraMotion, OperatorInputs, Start, Station
-from aftdeck.scenario.model import Part
+from aftdeck.scenario.schema import Part
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs

@@ -9,17 +9,22 @@ from aftdeck.arms.shapes import shapes_of
 from aftdeck.bodies.cameras import KINDS, Camera
 from aftdeck.scenario.model import Scenario
 from aftdeck.worksite.file.check import ARM
+from aftdeck.worksite.model import Cargo, Worksite
 
 
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
-    """Return a scenario's cameras: television cameras first, then windows, then views for engineers only.
+    """Return a scenario's cameras: television cameras first, then windows, then views for engineers only."""
+    return present_cameras(scenario.arm.model, scenario.worksite, scenario.cargo)
 
-    A camera on a payload of the worksite is included if the scenario has that payload. A camera on a frame of the arm
-    is included if the arm has that frame.
+
+def present_cameras(model: ArmModel, worksite: Worksite, payloads: tuple[Cargo, ...]) -> tuple[Camera, ...]:
+    """Return the cameras of an arm and a worksite with these payloads, in the order of `cameras_of`.
+
+    A camera on a payload of the worksite is included if the payload is present. A camera on a frame of the arm is
+    included if the arm has that frame.
     """
-    model = scenario.arm.model
-    absent = {cargo.name for cargo in scenario.worksite.cargoes} - {cargo.name for cargo in scenario.cargo}
-    cameras = scenario.worksite.cameras + _on_the_arm(model)
+    absent = {cargo.name for cargo in worksite.cargoes} - {cargo.name for cargo in payloads}
+    cameras = worksite.cameras + _on_the_arm(model)
     present = [
         camera
         for camera in cameras

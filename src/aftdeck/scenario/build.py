@@ -25,6 +25,7 @@ from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sequences import stored_points
 from aftdeck.scenario.sources import Sources
 from aftdeck.scenario.starts import parts, start
+from aftdeck.scenario.steps import task_steps
 from aftdeck.scenario.target import AtSeat
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.file.load import worksite_of
@@ -75,6 +76,7 @@ def build(
         )
     grasp = Grasp(payload, cargo=bool(cargo))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
+    steps = task_steps(problems, arm, spec.step, references)
     _check_plant(problems, spec, arm, worksite, cargo, grasp.payloads)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
@@ -129,6 +131,7 @@ def build(
         own_payloads=tuple(grasp.payloads),
         payload=payload,
         phases=tuple(phase for phase in phases if phase is not None),
+        steps=tuple(steps),
         text=text,
         changes=changes,
         cautions=tuple(cautions),

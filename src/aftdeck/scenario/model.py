@@ -14,8 +14,9 @@ from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
-from aftdeck.scenario.schema import FreeContact, Orbiter, Plant, PorOverride, Rate, Until
+from aftdeck.scenario.schema import FreeContact, Orbiter, Part, Plant, PorOverride, Rate, Until
 from aftdeck.scenario.target import RelativeTarget, Target
+from aftdeck.scenario.task_step import TaskStep
 from aftdeck.steering.mode import MODES, LawChoice
 from aftdeck.worksite.model import Cargo, Worksite
 
@@ -113,9 +114,6 @@ class Point:
     pause: bool
 
 
-Part = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
-"""The full problem of the report, or one of its parts."""
-
 Sequences = dict[str, tuple[Point, ...]]
 """Points of AUTO 1-4, by panel position."""
 
@@ -201,6 +199,7 @@ class Scenario:
             the payloads of the phases. The end effector neither captures nor releases these payloads.
         payload: the payload of `[payload]`, which is attached at the start; None if there is none.
         phases: the script; empty if there is none.
+        steps: steps of the operator's task; empty if the scenario describes none.
         text: text of the file.
         changes: changes from the text to this scenario, each as KEY=VALUE.
         cautions: misfits (`scenario.fit`) that do not make every run meaningless.
@@ -247,6 +246,7 @@ class Scenario:
     own_payloads: tuple[Payload, ...]
     payload: Payload | None
     phases: tuple[PhasePlan, ...]
+    steps: tuple[TaskStep, ...]
     text: str
     changes: tuple[str, ...]
     cautions: tuple[Problem, ...]

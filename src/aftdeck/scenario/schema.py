@@ -17,6 +17,7 @@ from aftdeck.arms.model import (
     TipSpeed,
 )
 from aftdeck.bounds import COMPONENT, Bounds
+from aftdeck.scenario.task_file import DeskGroup, HintSpec, StateSpec
 from aftdeck.shapes import Shape
 from aftdeck.units import (
     Acceleration,
@@ -325,6 +326,39 @@ class SequenceSpec(_Part, frozen=True):
     point: Annotated[tuple[PointSpec, ...], msgspec.Meta(min_length=1)]
 
 
+Part = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
+"""The full problem of the report, or one of its parts."""
+
+
+class StepSpec(_Part, frozen=True):
+    """One step of the operator's task, which the station explains until it is done.
+
+    In `text`, `{+X}` stands for the operator's key or button with this function (`task_file.Use`), `{2 in}` for a
+    length in the operator's units, `{wanting}` for the first condition that fails, and `*...*` quotes the desk.
+    The first `hint` whose state holds replaces the text.
+
+    `done` is the state that completes the step. If it names `held`, `fixed` or `berth`, it also completes the earlier
+    steps that are still open. `target` is the pose to which the tip, or the held payload, has to move; or `joint_at`
+    is the angle to which the `joint` has to move. `mode` is the position of the MODE rotary that the step needs.
+
+    `uses` lists the functions that matter, each with its effect: ``"-X: back"``. `groups` are the groups of the desk
+    that the step needs, `cameras` the two cameras that show it best. A re-initialisation to `part` begins at this step.
+    """
+
+    title: Text
+    text: Text
+    done: StateSpec
+    target: PoseSpec | None = None
+    joint: Text | None = None
+    joint_at: Angle | None = None
+    mode: Text | None = None
+    uses: tuple[Text, ...] = ()
+    groups: tuple[DeskGroup, ...] = ()
+    cameras: tuple[Text, Text] | None = None
+    part: Part | None = None
+    hint: tuple[HintSpec, ...] = ()
+
+
 class ScenarioFile(_Part, frozen=True):
     """A scenario file, decoded; `scenario.build` makes the checks that types cannot make."""
 
@@ -366,3 +400,4 @@ class ScenarioFile(_Part, frozen=True):
     clearance: ClearanceSpec = ClearanceSpec()
     light: LightSpec = LightSpec()
     phase: tuple[Phase, ...] = ()
+    step: tuple[StepSpec, ...] = ()

@@ -9,12 +9,12 @@ from aftdeck.errors import AftdeckError, InputError
 from aftdeck.files import Where
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
-from aftdeck.scenario.model import Grasped, Part, Start
+from aftdeck.scenario.model import Grasped, Start
 from aftdeck.scenario.places import TargetReferences, at_the_start, cargo_index, is_relative
 from aftdeck.scenario.poses import joint_angles, pose_in_l
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
-from aftdeck.scenario.schema import Initial, InitialiseSpec, PoseSpec, SixAngles
+from aftdeck.scenario.schema import Initial, InitialiseSpec, Part, PoseSpec, SixAngles
 from aftdeck.units import Length
 
 

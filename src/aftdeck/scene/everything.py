@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import SCENE_FROM_PANEL_AXES, quaternion
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, quaternion
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import draws_payload
@@ -82,6 +82,12 @@ class ScenePoses:
         """Convert a vector's components in L to those in the scene."""
         x, y, z = product(self._turn, np.array(components)).tolist()
         return x, y, z
+
+    def motion(self, motion: Pose) -> tuple[float, ...]:
+        """Convert a rigid motion, x to R x + p in L, to the same motion in the scene, as seven numbers."""
+        turn = product(product(self._turn, motion.rotation), self._turn.T)
+        moved = product(self._turn, motion.position) + self._origin - product(turn, self._origin)
+        return *moved.tolist(), *quaternion(turn)
 
 
 def bends_in(frame: Frame) -> Array | None:

@@ -10,7 +10,8 @@ from aftdeck.bodies.pose import HERE, POSE, compose
 from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.matrices import product
-from aftdeck.scenario.model import Part, Scenario, Start
+from aftdeck.scenario.model import Scenario, Start
+from aftdeck.scenario.schema import Part
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_at, frames_with_prong_at

@@ -1,7 +1,7 @@
 // Generated from simulation/frame.py, station/lamps.py and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 
-export const PROTOCOL = 4;
+export const PROTOCOL = 5;
 
 export type Vec2 = readonly [number, number];
 export type Axis = 'x' | 'y' | 'z';
@@ -18,7 +18,9 @@ export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc j
 export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type Six = readonly [number, number, number, number, number, number];
 export type Vec3 = readonly [number, number, number];
-export type FromPage = Sticks | Shown | ShowPolygons | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Shown | ShowPolygons | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector';
+export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'slow camera' | 'light' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -435,6 +437,13 @@ export interface LookAhead {
   readonly seconds: number;
 }
 
+/** Go to the next step of the task without completing the present one, or back to the previous step. */
+export interface TurnStep {
+  readonly type: 'turn_step';
+  readonly seq: number;
+  readonly to: 'next' | 'previous';
+}
+
 /** Set or release BRAKES, which stop every joint immediately. */
 export interface SetBrakes {
   readonly type: 'brakes';
@@ -581,6 +590,8 @@ export interface Welcome {
   readonly sequences: readonly StoredSequence[];
   /** Normalised distance from a singularity; the page shows a caution below this value. */
   readonly singular: number;
+  /** Steps of the operator's task; empty if the scenario describes none. */
+  readonly steps: readonly StepInfo[];
   /**
    * Names of the script's phases in order, as in `Frame.phase`.
    *
@@ -806,6 +817,38 @@ export interface StoredPoint {
   readonly attitude: Vec3;
   /** True if the sequence waits for PROCEED at this point; false for a fly-by point. */
   readonly pause: boolean;
+}
+
+/**
+ * Step of the operator's task.
+ *
+ * In the texts, `{+X}` stands for the key or button of a function, `{0.05 m}` for a length, `{wanting}` for the first
+ * condition that fails; `*...*` quotes a text on the desk.
+ */
+export interface StepInfo {
+  readonly title: string;
+  readonly text: string;
+  /** Position of the MODE rotary that the step needs; null if any will do. */
+  readonly mode: string | null;
+  readonly uses: readonly UseInfo[];
+  /** Groups of the desk that the step needs. */
+  readonly groups: readonly DeskGroup[];
+  /** The two cameras that show the step best; empty if the scenario names none. */
+  readonly cameras: readonly string[];
+  readonly hints: readonly HintInfo[];
+}
+
+/** Function of the controls that a step of the task needs. */
+export interface UseInfo {
+  readonly use: Use;
+  /** Effect of the function in this step, in one or two words. */
+  readonly does: string;
+}
+
+/** Text that replaces a step's text in a certain state. */
+export interface HintInfo {
+  readonly text: string;
+  readonly uses: readonly UseInfo[];
 }
 
 /** Scenarios that this station can run. The server sends the list on connection and whenever it changes. */
@@ -1262,18 +1305,10 @@ export interface Display {
   readonly payload_id: number;
   /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
   readonly por_offset: Vec3;
-  /**
-   * Distance from the empty snares to the nearest grapple fixture [m]; 0 in the pose of a perfect grasp.
-   *
-   * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
-   */
-  readonly fixture: number | null;
-  /**
-   * Vector from the snares to this fixture, in the control frame [m].
-   *
-   * Null if `fixture` is null or the mode has no sticks.
-   */
-  readonly to_fixture: Vec3 | null;
+  /** Motion that is left; null if nothing tells where to move. */
+  readonly to_go: ToGo | null;
+  /** Progress through the task; null in a replay. */
+  readonly task: TaskNow | null;
   /** Displacement of the orbiter: forward, starboard, down [m]. */
   readonly orbiter: Vec3;
   /** Velocity of the orbiter along the same axes [m/s]. */
@@ -1310,6 +1345,38 @@ export interface Resolution {
 export interface Aim {
   readonly position: Vec3;
   readonly attitude: Vec3;
+}
+
+/** Motion that is left to the place where the task needs the tip or the held payload. */
+export interface ToGo {
+  /** The place: `pin`, `bar`, a berth's title, `target`, or a joint's name. */
+  readonly to: string;
+  /** Displacement of the point that the sticks move, along the axes of the sticks [m]; null without sticks. */
+  readonly translation: Vec3 | null;
+  /** Rotation vector about the axes of the sticks: roll, pitch, yaw [rad]; null without sticks. */
+  readonly rotation: Vec3 | null;
+  /** Distance to the place [m]; 0 for a joint. */
+  readonly distance: number;
+  /** Rotation that is left [rad]; for a joint, the signed angle. */
+  readonly angle: number;
+  /** Distance [m] and angle [rad] within which the place is reached. */
+  readonly near: Vec2;
+  /**
+   * Motion of the tip, and of a held payload, to the place, in the scene frame: x, y, z [m], then w, x, y, z.
+   *
+   * Empty if a joint has to move.
+   */
+  readonly shift: readonly number[];
+}
+
+/** Progress through `Welcome.steps`. */
+export interface TaskNow {
+  /** Index of the present step; the number of steps when all are past. */
+  readonly at: number;
+  /** Index of the present step's hint that applies; -1 for the step's own text. */
+  readonly hint: number;
+  /** For each step, the simulated time at which it was completed [s]; null if it is open or was skipped. */
+  readonly done_s: readonly (number | null)[];
 }
 
 /** A lit lamp and its cause. */

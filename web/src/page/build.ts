@@ -23,7 +23,7 @@ import { rail } from '../panel/rail/rail';
 import { type ScenarioChoice, scenarioChoice } from '../panel/rail/scenarios';
 import { Spine } from '../panel/spine/spine';
 import { ControlPage } from '../panel/target/control-page';
-import { Tutorial } from '../tutorial';
+import { Task } from '../task';
 import { ShownUnits } from '../words/units';
 import { Control } from './control';
 import { DeviceWatch } from './device-watch';
@@ -106,8 +106,8 @@ export function buildParts(
     flyOrbiter: (on) => operations.flyOrbiter(on),
     strips: () => operations.tearOff('strips'),
   });
-  const scenarios: ScenarioChoice = scenarioChoice(desk, (name) => tutorial.chosen(name));
-  const tutorial = new Tutorial(desk, controllers.inHand, (name) => scenarios.choose(name));
+  const scenarios: ScenarioChoice = scenarioChoice(desk, (name) => task.chosen(name));
+  const task = new Task(desk, controllers.inHand, (name) => scenarios.choose(name));
   const light = lightControl(desk, pictures);
   const [handOverParts, nameField] = [handOver(transmit), naming(keeper, transmit)];
   const { appearance } = pictures;
@@ -118,7 +118,7 @@ export function buildParts(
     appearance,
     naming: nameField,
     ask: handOverParts.ask,
-    tutorial: tutorial.key,
+    guide: task.key,
   };
   const topRail = rail(desk, drawing.software && drawing.quality === 'low', railParts, {
     units: () => operations.changeUnits(),
@@ -141,7 +141,7 @@ export function buildParts(
       polygons,
       windows,
     },
-    ...{ tones, spine, groups, light, controlPage, keys, scenarios, sheet, tutorial },
+    ...{ tones, spine, groups, light, controlPage, keys, scenarios, sheet, task },
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     report: new Report(transmit),
     sounds: new Sounds(tones, spine),

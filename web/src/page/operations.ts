@@ -109,8 +109,7 @@ export class Operations {
   }
 
   act(action: Action): void {
-    const { tutorial, groups, pictures, light, controlPage, keys, sheet, rail, operator } = this.parts;
-    tutorial.acted(action);
+    const { groups, pictures, light, controlPage, keys, sheet, rail, operator } = this.parts;
     act(action, {
       ...{ groups, pictures, light, controlPage, keys },
       sheets: [sheet, rail],

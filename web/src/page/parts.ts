@@ -18,7 +18,7 @@ import type { Rail } from '../panel/rail/rail';
 import type { ScenarioChoice } from '../panel/rail/scenarios';
 import type { Spine } from '../panel/spine/spine';
 import type { ControlPage } from '../panel/target/control-page';
-import type { Tutorial } from '../tutorial';
+import type { Task } from '../task';
 import type { ShownUnits } from '../words/units';
 import type { Control } from './control';
 import type { DeviceWatch } from './device-watch';
@@ -62,5 +62,5 @@ export interface Parts {
   readonly sheet: ControllersSheet;
   readonly swap: SwapQuestion;
   readonly touch: TouchView;
-  readonly tutorial: Tutorial;
+  readonly task: Task;
 }

@@ -35,11 +35,11 @@ export class Readouts implements Drawn {
   }
 
   bars(): void {
-    const { keys, operator, sheet, touch, tutorial } = this.parts;
+    const { keys, operator, sheet, touch, task } = this.parts;
     keys.light(operator.controllers.keyboard.held);
     sheet.tick();
     touch.draw();
-    tutorial.light();
+    task.light();
   }
 
   values(view: View, measured: Measured, now: number): void {
@@ -48,7 +48,7 @@ export class Readouts implements Drawn {
     const test = view.frame.mode === 'TEST';
     parts.controlPage.values(view);
     parts.spine.show([...inUnits(view), ...this.ownLamps(measured.delays, now)], test);
-    parts.tutorial.values(view);
+    parts.task.values(view);
     parts.rail.values(view, measured, parts.handOver.words(role, now), link);
     parts.sounds.update(view.frame);
     if (role.flying) parts.report.update(measured.picture, parts.pictures.monitors.shown, now);

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import cast
 
 import numpy as np
@@ -10,15 +9,28 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
 from aftdeck.kinematics.arm import Arm
+from aftdeck.matrices import product
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.observe import look_ahead
-from aftdeck.station.conversion.fixture import Fixtures
+from aftdeck.station.conversion.to_go import to_go
 from aftdeck.station.lamps import Lamp, lit_lamps
-from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Push, Resolution, with_display
+from aftdeck.station.messages.frame import (
+    Ahead,
+    Aim,
+    ClosestPoints,
+    Display,
+    Frame,
+    Push,
+    Resolution,
+    TaskNow,
+    with_display,
+)
 from aftdeck.steering.mode import MODES
+from aftdeck.task.progress import Progress
+from aftdeck.task.remaining import Aims
 from aftdeck.tuples import Six, Vec3
 from aftdeck.worksite.report import Near
 
@@ -33,7 +45,7 @@ class Displays:
         self._mount = mount
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
         self._poses = ScenePoses(scenario)
-        self._fixtures = Fixtures(scenario)
+        self._aims = Aims(scenario)
 
     def ahead(self, ahead: look_ahead.Ahead, frame: sim.Frame) -> Ahead:
         """Return the message about a look-ahead, which was computed from `frame`."""
@@ -61,17 +73,18 @@ class Displays:
         lighting: Lighting | None = None,
         flown_seq: int = -1,
         lamps: tuple[Lamp, ...] | None = None,
+        progress: Progress | None = None,
     ) -> Frame:
         """Return a frame as a message to a page.
 
         If `lighting` is None, the message has the scenario's lighting; if `lamps` is None, the lamps that this frame
-        lights.
+        lights. `progress` is the progress through the task, which has seen this frame; None in a replay.
         """
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
         control = self._control_axes(frame, tip)
-        work, to_fixture = frame.work, self._fixtures.nearest(frame.work, tip.position)
+        work, left = frame.work, progress.remaining if progress else self._aims.remaining(frame, None)
         display = Display(
             stick_seq=stick_seq,
             flown_seq=flown_seq,
@@ -81,10 +94,8 @@ class Displays:
             aim=self._aim(frame.goal),
             payload_id=_payload_id(frame),
             por_offset=self._por_offset(frame, tip),
-            fixture=None if to_fixture is None else math.hypot(*to_fixture.tolist()),
-            to_fixture=None
-            if to_fixture is None or MODES[frame.mode].kind != "manual"
-            else _vec3(to_fixture @ control),
+            to_go=None if left is None else to_go(left, frame, self._poses, product(self._mount.rotation.T, control)),
+            task=None if progress is None else TaskNow(progress.at, progress.hint, tuple(progress.done_s)),
             orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
             lamps=lit_lamps(self._scenario, frame) if lamps is None else lamps,

@@ -6,6 +6,7 @@ from aftdeck.arrays import Array
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.task_step import TaskStep, UseInStep
 from aftdeck.scene.bodies import bodies_of
 from aftdeck.simulation.operator.master import AXES, axes_of
 from aftdeck.station.conversion.payload_table import payload_table, stored_sequences
@@ -13,10 +14,13 @@ from aftdeck.station.messages import kinds
 from aftdeck.station.messages.welcome import (
     BodyInfo,
     FlexureInfo,
+    HintInfo,
     JointInfo,
     ModeInfo,
     SeatInfo,
     StandInfo,
+    StepInfo,
+    UseInfo,
     Welcome,
     WorkInfo,
 )
@@ -73,6 +77,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         payloads=payload_table(scenario),
         sequences=stored_sequences(scenario),
         singular=model.singular,
+        steps=tuple(_step(step) for step in scenario.steps),
         phases=tuple(phase.name for phase in scenario.phases) if demo else (),
     )
 
@@ -89,6 +94,16 @@ def _work(scenario: Scenario) -> WorkInfo:
         caution=scenario.caution,
         warning=scenario.warning,
     )
+
+
+def _step(step: TaskStep) -> StepInfo:
+    """Return a step of the operator's task."""
+    hints = tuple(HintInfo(hint.text, _uses(hint.uses)) for hint in step.hints)
+    return StepInfo(step.title, step.text, step.mode, _uses(step.uses), step.groups, step.cameras, hints)
+
+
+def _uses(uses: tuple[UseInStep, ...]) -> tuple[UseInfo, ...]:
+    return tuple(UseInfo(*use) for use in uses)
 
 
 def _flexures(scenario: Scenario) -> tuple[FlexureInfo, ...]:

@@ -86,6 +86,39 @@ class Ahead(msgspec.Struct, frozen=True):
     """Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`."""
 
 
+class ToGo(msgspec.Struct, frozen=True, gc=False):
+    """Motion that is left to the place where the task needs the tip or the held payload."""
+
+    to: str
+    """The place: ``pin``, ``bar``, a berth's title, ``target``, or a joint's name."""
+    translation: Vec3 | None
+    """Displacement of the point that the sticks move, along the axes of the sticks [m]; null without sticks."""
+    rotation: Vec3 | None
+    """Rotation vector about the axes of the sticks: roll, pitch, yaw [rad]; null without sticks."""
+    distance: float
+    """Distance to the place [m]; 0 for a joint."""
+    angle: float
+    """Rotation that is left [rad]; for a joint, the signed angle."""
+    near: tuple[float, float]
+    """Distance [m] and angle [rad] within which the place is reached."""
+    shift: tuple[float, ...]
+    """Motion of the tip, and of a held payload, to the place, in the scene frame: x, y, z [m], then w, x, y, z.
+
+    Empty if a joint has to move.
+    """
+
+
+class TaskNow(msgspec.Struct, frozen=True, gc=False):
+    """Progress through `Welcome.steps`."""
+
+    at: int
+    """Index of the present step; the number of steps when all are past."""
+    hint: int
+    """Index of the present step's hint that applies; -1 for the step's own text."""
+    done_s: tuple[float | None, ...]
+    """For each step, the simulated time at which it was completed [s]; null if it is open or was skipped."""
+
+
 class Display(msgspec.Struct, frozen=True):
     """Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene frame."""
 
@@ -103,16 +136,10 @@ class Display(msgspec.Struct, frozen=True):
     """PL ID of the captured payload, as in `Welcome.payloads`; 0 if there is none."""
     por_offset: Vec3
     """Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
-    fixture: float | None
-    """Distance from the empty snares to the nearest grapple fixture [m]; 0 in the pose of a perfect grasp.
-
-    Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
-    """
-    to_fixture: Vec3 | None
-    """Vector from the snares to this fixture, in the control frame [m].
-
-    Null if `fixture` is null or the mode has no sticks.
-    """
+    to_go: ToGo | None
+    """Motion that is left; null if nothing tells where to move."""
+    task: TaskNow | None
+    """Progress through the task; null in a replay."""
     orbiter: Vec3
     """Displacement of the orbiter: forward, starboard, down [m]."""
     orbiter_velocity: Vec3

@@ -195,6 +195,13 @@ class LookAhead(WireMessage, frozen=True, tag="look_ahead"):
     """Time span [s]."""
 
 
+class TurnStep(WireMessage, frozen=True, tag="turn_step"):
+    """Go to the next step of the task without completing the present one, or back to the previous step."""
+
+    seq: Seq
+    to: Literal["next", "previous"]
+
+
 class Proceed(WireMessage, frozen=True, tag="proceed"):
     """Set the AUTO SEQ switch to PROCEED."""
 
@@ -372,6 +379,7 @@ FromPage = (
     | TakeSeat
     | HandsOff
     | LookAhead
+    | TurnStep
     | SetBrakes
     | SetSafing
     | SetTarget

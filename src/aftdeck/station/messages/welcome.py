@@ -9,6 +9,7 @@ import msgspec
 from aftdeck.bodies.cameras import Camera
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.schema import Plant
+from aftdeck.scenario.task_file import DeskGroup, Use
 from aftdeck.shapes import Shape
 from aftdeck.station.messages.kinds import ProblemPart, WireMessage
 from aftdeck.tuples import Six, Vec3
@@ -148,6 +149,40 @@ class StoredSequence(msgspec.Struct, frozen=True):
     points: tuple[StoredPoint, ...]
 
 
+class UseInfo(msgspec.Struct, frozen=True):
+    """Function of the controls that a step of the task needs."""
+
+    use: Use
+    does: str
+    """Effect of the function in this step, in one or two words."""
+
+
+class HintInfo(msgspec.Struct, frozen=True):
+    """Text that replaces a step's text in a certain state."""
+
+    text: str
+    uses: tuple[UseInfo, ...]
+
+
+class StepInfo(msgspec.Struct, frozen=True):
+    """Step of the operator's task.
+
+    In the texts, `{+X}` stands for the key or button of a function, `{0.05 m}` for a length, `{wanting}` for the first
+    condition that fails; `*...*` quotes a text on the desk.
+    """
+
+    title: str
+    text: str
+    mode: str | None
+    """Position of the MODE rotary that the step needs; null if any will do."""
+    uses: tuple[UseInfo, ...]
+    groups: tuple[DeskGroup, ...]
+    """Groups of the desk that the step needs."""
+    cameras: tuple[str, ...]
+    """The two cameras that show the step best; empty if the scenario names none."""
+    hints: tuple[HintInfo, ...]
+
+
 class Welcome(WireMessage, frozen=True, tag="welcome"):
     """Answer to `Hello`, sent again when the scenario changes: all data that stays the same in a session."""
 
@@ -187,6 +222,8 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     sequences: tuple[StoredSequence, ...]
     singular: float
     """Normalised distance from a singularity; the page shows a caution below this value."""
+    steps: tuple[StepInfo, ...]
+    """Steps of the operator's task; empty if the scenario describes none."""
     phases: tuple[str, ...] = ()
     """Names of the script's phases in order, as in `Frame.phase`.
 

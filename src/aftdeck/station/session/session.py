@@ -52,6 +52,7 @@ from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
 from aftdeck.station.session.sheets import Sheets
 from aftdeck.station.session.unattended import safe_inputs
+from aftdeck.task.progress import Progress
 
 LOOK_EVERY = 10
 """Steps from one look-ahead to the next."""
@@ -130,6 +131,7 @@ class Session:
         self._sim = Simulation(self.scenario, self._seed)
         self.recent = RecentRun(self.scenario)
         self.delays = Delays()
+        self._progress = Progress(self.scenario)
         self._standing = StandingLamps()
         self._lost_logged = 0.0
         self._log_loss_from = -math.inf
@@ -217,6 +219,8 @@ class Session:
             CommandError: a camera does not exist.
         """
         check_shown(message, self.welcome)
+        if self._reported.monitors and message.monitors != self._reported.monitors:
+            self._progress.look()
         self._reported.latency_ms, self._reported.monitors = message.latency_ms, message.monitors
 
     def light(self, message: from_page.SetLight) -> None:
@@ -275,15 +279,13 @@ class Session:
         self._count(delay)
         with self._lock:
             taken = self._inputs.take(now, rate_held=self._rate_held(now))
-        command, cause = taken.command, taken.cause
-        restarted = isinstance(command, from_page.Restart)
+        cause = taken.cause
+        restarted = isinstance(taken.command, from_page.Restart)
         if restarted:
             self._restart()
-            command = None
-        elif isinstance(command, from_page.LookAhead):
-            self._look_s, command = command.seconds, None
-        elif isinstance(command, from_page.HandsOff):
-            cause, command = cause or command.cause, None
+        elif isinstance(taken.command, from_page.HandsOff):
+            cause = cause or taken.command.cause
+        command = self._for_simulation(taken.command)
         if taken.controllers is not self._controllers_recorded:
             self._controllers_recorded = taken.controllers
             self._recorder.controllers(self.time_s, controller_records(taken.controllers))
@@ -309,15 +311,38 @@ class Session:
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        self._see_progress(frame)
         seq, running_s = taken.sticks.seq, self._recorder.running_s
         lit = self._reported.lit
         lamps = self._standing.marked(lit_lamps(self.scenario, frame, self.delays))
-        shown = self._displays.frame(frame, seq, running_s, self._ahead, lit, flown_seq=flown, lamps=lamps)
+        shown = self._displays.frame(
+            frame, seq, running_s, self._ahead, lit, flown_seq=flown, lamps=lamps, progress=self._progress
+        )
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
         self.painter.show(frame, self._lights[shown.display.lighting.condition])
         self.log.add(frame.events)
         return restarted
+
+    def _for_simulation(self, command: from_page.FromPage | None) -> from_page.FromPage | None:
+        """Do a command that concerns the session only; return any other command."""
+        match command:
+            case from_page.LookAhead(seconds=seconds):
+                self._look_s = seconds
+            case from_page.TurnStep(to="next"):
+                self._progress.skip()
+            case from_page.TurnStep():
+                self._progress.back()
+            case from_page.Restart() | from_page.HandsOff():
+                pass
+            case _:
+                return command
+        return None
+
+    def _see_progress(self, frame: Frame) -> None:
+        """Update the progress through the task by a frame, and log each step that it completes."""
+        for i in self._progress.see(frame):
+            self._note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
 
     def _count(self, delay: Delay) -> None:
         """Record a delay of more than one control period, and log lost time, at most every `LOSS_LOGGED_EVERY`."""

@@ -9,7 +9,6 @@ import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../pa
 import type { Part } from '../parts/part';
 import { ConditionBars } from './condition-bar';
 import { Places } from './places';
-import { wayToFixture } from './way-to-fixture';
 
 /** Number of cells. */
 const MOST = 6;
@@ -23,11 +22,10 @@ const LENGTH = 100;
 
 export function conditionsGroup(): Part {
   const cells = Array.from({ length: MOST }, cell);
-  const way = wayToFixture();
   const element = group(
     'conditions',
     'Conditions',
-    el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
+    el('ol', { class: 'cells' }, ...cells.map((each) => each.element)),
   );
   // Two elements, so that the style sheet can hide the object's name if there is no room for the whole name.
   const [action, object] = [el('span'), el('span')];
@@ -55,7 +53,6 @@ export function conditionsGroup(): Part {
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
-      way.set(conditions.length > 0 ? frame.display.to_fixture : null, units, names);
       const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
       setClass(element, 'met', met);
       setAbout(element, met ? `all met${whatNow(frame.work, names)}` : failure(shown, units));

@@ -2,7 +2,7 @@
 
 import type { GripAction } from '../../input/keymap';
 import type { Display, Frame, PayloadInfo, Work } from '../../link/protocol';
-import { fixed, small } from '../../words/format';
+import { fixed } from '../../words/format';
 import { motionWords, TELESCOPE } from '../../words/motion-words';
 import type { Units } from '../../words/units';
 import { group, setAbout, setClass } from '../parts/dom';
@@ -59,28 +59,20 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   };
 }
 
-/** Below this distance to the fixture, the group of the conditions shows the distance [m]. */
-const CONDITIONS_M = 3;
-
-/**
- * Returns the name of the held payload, its mass and the speed limit of its POR. If no payload is held, returns
- * `empty`, with the distance to the nearest fixture if that distance is above `CONDITIONS_M`.
- */
+/** Returns the name of the held payload, its mass and the speed limit of its POR; `empty` if no payload is held. */
 export function graspWords(
   {
     work: { cargo },
-    display: { fixture, payload_id },
+    display: { payload_id },
     rate,
   }: Pick<Frame, 'rate'> & {
     readonly work: Pick<Work, 'cargo'>;
-    readonly display: Pick<Display, 'fixture' | 'payload_id'>;
+    readonly display: Pick<Display, 'payload_id'>;
   },
   payloads: readonly Pick<PayloadInfo, 'id' | 'mass' | 'translation'>[],
-  { mass, speed, gap }: Pick<Units, 'mass' | 'speed' | 'gap'>,
+  { mass, speed }: Pick<Units, 'mass' | 'speed'>,
 ): string {
   const held = cargo.find((each) => each.held);
-  if (!held && fixture !== null && fixture > CONDITIONS_M)
-    return `empty, fixture ${small(fixture, gap)} ${gap.name} away`;
   if (!held) return cargo.length > 0 ? 'empty' : '';
   const its = payloads.find(({ id }) => id === payload_id);
   if (!its) return held.name;

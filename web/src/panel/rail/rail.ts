@@ -32,8 +32,8 @@ export interface RailParts {
   readonly appearance: Appearance;
   readonly scenarios: ScenarioChoice;
   readonly naming: Naming;
-  /** Button that opens and closes the tutorial. */
-  readonly tutorial: HTMLElement;
+  /** Button that opens and closes the guide. */
+  readonly guide: HTMLElement;
   /** The observer's button that asks for control. */
   readonly ask: HTMLElement;
 }
@@ -55,7 +55,7 @@ export interface Rail {
 export function rail(
   desk: Desk,
   software: boolean,
-  { tones, light, ask, appearance, scenarios, naming, tutorial }: RailParts,
+  { tones, light, ask, appearance, scenarios, naming, guide }: RailParts,
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
@@ -99,7 +99,7 @@ export function rail(
       parts.element,
       light.element,
       dim,
-      tutorial,
+      guide,
       button({ title: 'Show the input devices, their keys and axes' }, ['Controllers'], () =>
         listener.controllers(),
       ),

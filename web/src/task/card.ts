@@ -1,61 +1,76 @@
-/** The tutorial's card. It covers those controls of the desk that a beginner does not need. */
+/** The card of the present step. It covers those groups of the desk that the step does not need. */
 
 import type { InHand } from '../input/active-device';
+import type { ToGo, UseInfo } from '../link/protocol';
 import { button, el, setClass, setText } from '../panel/parts/dom';
+import type { Units } from '../words/units';
 import { padDrawing } from './pad';
-import { isOver, type Progress } from './progress';
-import { type Cap, STEPS } from './steps';
-import { pieces } from './words';
-
-/** Note under every step. */
-const NOTE = 'You cannot damage anything here. {stop} stops all motion.';
+import { goElement } from './to-go';
+import { nodes, type Piece } from './words';
 
 export interface CardListener {
   back(): void;
   skip(): void;
   close(): void;
-  /** Enters the tutorial's mode. */
+  /** Enters the mode that the step needs. */
   enterMode(): void;
+}
+
+/** What the card shows of the present step. */
+export interface Shown {
+  readonly at: number;
+  readonly titles: readonly string[];
+  /** Whether each step is complete. */
+  readonly done: readonly boolean[];
+  readonly title: string;
+  readonly pieces: readonly Piece[];
+  /** Mode that the step needs, if another one is entered; else empty. */
+  readonly needs: string;
+  /** The entered mode. */
+  readonly mode: string;
 }
 
 export class Card {
   readonly element: HTMLElement;
-  private readonly marks = STEPS.map(() => el('li'));
+  private readonly marks;
   private readonly count = el('span');
   private readonly title = el('h2', { 'aria-live': 'polite' });
   private readonly words = el('p', { class: 'words' });
   private readonly note = el('p', { class: 'note' });
   private readonly mode: HTMLElement;
   private readonly modeWords = el('span');
+  private readonly enter: HTMLButtonElement;
   private readonly next = el('p', { class: 'next' });
   private readonly caps = el('div', { class: 'caps' });
   private readonly drawing = padDrawing();
   private readonly back: HTMLButtonElement;
   private readonly skip: HTMLButtonElement;
+  private readonly go = goElement();
   private lights: readonly { readonly use: string; readonly cap: HTMLElement }[] = [];
   private written = '';
 
+  /** `steps`: number of steps; `note`: text below the text of every step. */
   constructor(
     private readonly inHand: InHand,
+    steps: number,
+    private readonly noteWords: readonly Piece[],
     listener: CardListener,
   ) {
+    this.marks = Array.from({ length: steps }, () => el('li'));
     this.back = button({}, ['Back'], () => listener.back());
     this.skip = button({}, ['Skip step'], () => listener.skip());
-    this.mode = el(
-      'p',
-      { class: 'elsewhere' },
-      this.modeWords,
-      button({}, ['Enter END EFF'], () => listener.enterMode()),
-    );
+    this.enter = button({}, [], () => listener.enterMode());
+    this.mode = el('p', { class: 'elsewhere' }, this.modeWords, this.enter);
     this.element = el(
       'section',
-      { class: 'tutorial', 'aria-label': 'Tutorial' },
+      { class: 'task', 'aria-label': 'Guide' },
       el('div', { class: 'steps' }, el('ol', { 'aria-hidden': 'true' }, ...this.marks), this.count),
       el('div', { class: 'told' }, this.title, this.words, this.mode, this.note),
       el('div', { class: 'flown-with' }, this.drawing.element, this.caps),
       el(
         'div',
         { class: 'ways' },
+        this.go.element,
         this.next,
         this.back,
         this.skip,
@@ -64,25 +79,28 @@ export class Card {
     );
   }
 
-  /** `words`: text of the present step; `astray`: the entered mode if it is not the mode of the step, else empty. */
-  set(progress: Progress, words: string, title: string, astray: string): void {
-    const { at, skipped } = progress;
-    const over = isOver(progress);
+  set({ at, titles, done, title, pieces, needs, mode }: Shown): void {
+    const over = at >= titles.length;
     this.marks.forEach((mark, i) => {
-      setClass(mark, 'done', i < at && !skipped.has(i));
-      setClass(mark, 'skipped', i < at && skipped.has(i));
+      setClass(mark, 'done', done[i] === true);
+      setClass(mark, 'skipped', i < at && !done[i]);
       setClass(mark, 'present', i === at);
     });
-    setText(this.count, over ? doneWords(skipped.size) : `${at + 1} of ${STEPS.length}`);
+    setText(this.count, countWords(at, done));
     setText(this.title, title);
-    this.write(words, over);
-    this.mode.hidden = over || astray === '';
-    setText(this.modeWords, `The mode is ${astray}; this step needs END EFF.`);
+    this.write(pieces, over);
+    this.mode.hidden = needs === '';
+    setText(this.modeWords, `The mode is ${mode}; this step needs ${needs}.`);
+    setText(this.enter, `Enter ${needs}`);
     this.note.hidden = !this.mode.hidden;
-    const following = STEPS[at + 1]?.title.toLowerCase() ?? '';
+    const following = titles[at + 1] ?? '';
     setText(this.next, following && `Next: ${following}`);
     this.back.disabled = at === 0;
     this.skip.disabled = over;
+  }
+
+  setGo(go: ToGo | null, units: Units): void {
+    this.go.set(go, units, this.inHand);
   }
 
   /** Lights the caps of the controls that are held; called for each picture. */
@@ -95,34 +113,30 @@ export class Card {
   }
 
   /** Draws the key caps of a step. */
-  setCaps(caps: readonly Cap[]): void {
-    const there = caps.filter(([use]) => this.inHand.name(use) !== '');
+  setCaps(uses: readonly UseInfo[]): void {
+    const there = uses.filter(({ use }) => this.inHand.name(use) !== '');
     const keys = this.inHand.device === null;
     setClass(this.element, 'by-keys', keys);
-    this.lights = there.map(([use, does]) => ({
+    this.lights = there.map(({ use, does }) => ({
       use,
       cap: el('kbd', {}, el('b', {}, this.inHand.name(use)), el('small', {}, does)),
     }));
     this.caps.replaceChildren(...this.lights.map(({ cap }) => cap));
   }
 
-  private write(words: string, over: boolean): void {
-    const written = `${this.inHand.kinds.join()} ${words}`;
+  private write(pieces: readonly Piece[], over: boolean): void {
+    const written = `${this.inHand.kinds.join()} ${over} ${JSON.stringify(pieces)}`;
     if (written === this.written) return;
     this.written = written;
-    this.words.replaceChildren(...this.nodes(words));
-    this.note.replaceChildren(...(over ? [] : this.nodes(NOTE)));
-  }
-
-  private nodes(words: string): (Node | string)[] {
-    return pieces(words).map(({ kind, text }) => {
-      if (kind === 'text') return text;
-      return kind === 'use' ? el('b', {}, this.inHand.name(text) || '–') : el('em', {}, text);
-    });
+    this.words.replaceChildren(...nodes(pieces, this.inHand));
+    this.note.replaceChildren(...(over ? [] : nodes(this.noteWords, this.inHand)));
   }
 }
 
-function doneWords(skipped: number): string {
-  if (skipped === 0) return 'All six done';
-  return skipped === STEPS.length ? 'All skipped' : `${STEPS.length - skipped} done, ${skipped} skipped`;
+/** Returns the number of the present step, or of the completed steps when all are past. */
+export function countWords(at: number, done: readonly boolean[]): string {
+  const all = done.length;
+  if (at < all) return `${at + 1} of ${all}`;
+  const complete = done.filter((each) => each).length;
+  return complete === all ? `All ${all} done` : `${complete} of ${all} done, ${all - complete} skipped`;
 }

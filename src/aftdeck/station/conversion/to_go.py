@@ -1,0 +1,52 @@
+"""Conversion of the motion that is left to the axes of the sticks, and to the scene."""
+
+from __future__ import annotations
+
+import math
+from typing import cast
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.frames import Pose, quaternion
+from aftdeck.matrices import product
+from aftdeck.scenario.relative import composed, inverted
+from aftdeck.scene.everything import ScenePoses
+from aftdeck.simulation.frame import Frame
+from aftdeck.station.messages.frame import ToGo
+from aftdeck.steering.mode import MODES
+from aftdeck.task.remaining import Remaining
+from aftdeck.tuples import Vec3
+
+
+def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array) -> ToGo:
+    """Return the message about the motion that is left in a frame.
+
+    Args:
+        remaining: the motion that is left.
+        frame: the frame.
+        scene: poses in the scene.
+        axes: (3, 3) axes of the sticks in L, in columns.
+    """
+    translation = rotation = None
+    shift: tuple[float, ...] = ()
+    if remaining.pose is not None:
+        tip = Pose(np.array(frame.position), np.array(frame.orientation))
+        motion = composed(remaining.pose, inverted(tip))
+        shift = scene.motion(motion)
+        if MODES[frame.mode].kind == "manual":
+            point = np.array(frame.resolution)
+            moved = product(motion.rotation, point) + motion.position - point
+            translation, rotation = _vec3(product(moved, axes)), _vec3(product(_vector(motion.rotation), axes))
+    return ToGo(remaining.to, translation, rotation, remaining.distance, remaining.angle, remaining.near, shift)
+
+
+def _vector(rotation: Array) -> Array:
+    """Return the rotation vector (3,) of a rotation matrix: its axis times its angle [rad], at most pi."""
+    w, *vector = quaternion(rotation)
+    sine = math.hypot(*vector)
+    return np.array(vector) * (2.0 * math.atan2(sine, w) / sine if sine > 0.0 else 2.0)
+
+
+def _vec3(values: Array) -> Vec3:
+    return cast("Vec3", tuple(values.tolist()))

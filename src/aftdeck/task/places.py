@@ -1,0 +1,121 @@
+"""Poses of the tip, the payloads and the targets at the time of a frame."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.frames import Pose
+from aftdeck.matrices import dots, product
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.relative import at_cargo, at_seat, composed, inverted, scene_in_l, takes
+from aftdeck.scenario.target import AtCargo, AtSeat, InFrame, RelativeTarget, Target
+from aftdeck.simulation.frame import Frame
+from aftdeck.tuples import Rows, Vec3
+from aftdeck.worksite.model import Seat
+
+
+class Places:
+    """Poses in L of the things of one scenario, computed from frames."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._model, self._cargo = scenario.arm.model, scenario.cargo
+        self._index = {cargo.name: k for k, cargo in enumerate(scenario.cargo)}
+        self._seats = {seat.name: seat for seat in scenario.worksite.seats}
+        self._scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
+
+    def tip(self, frame: Frame) -> Pose:
+        """Return the pose of the tip."""
+        return _pose(frame.position, frame.orientation)
+
+    def payload(self, frame: Frame, k: int) -> Pose:
+        """Return the pose of payload k."""
+        cargo = frame.work.cargo[k]
+        return _pose(cargo.position, cargo.orientation)
+
+    def carrier(self, frame: Frame, name: str) -> Pose:
+        """Return the pose of a coordinate frame: ``orbiter``, ``space``, or a payload's."""
+        if name in self._index:
+            return self.payload(frame, self._index[name])
+        if name == "orbiter":
+            return self._scene
+        if frame.dynamics is None:
+            return Pose(self._scene.position - np.array(frame.work.orbiter), self._scene.rotation)
+        orbiter = frame.dynamics.orbiter  # includes the displacement
+        return composed(inverted(_pose(orbiter.position, orbiter.orientation)), self._scene)
+
+    def held(self, frame: Frame) -> int | None:
+        """Return the index of the held payload; None if the end effector holds none."""
+        return next((k for k, cargo in enumerate(frame.work.cargo) if cargo.held), None)
+
+    def target(self, frame: Frame, target: Target | RelativeTarget) -> Pose | None:
+        """Return the pose of the tip at a target; None if the target is a berth and no payload is held."""
+        match target:
+            case Target():
+                return target.pose
+            case AtCargo(cargo=k):
+                return composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
+            case InFrame():
+                return composed(self.carrier(frame, target.frame), target.pose)
+            case AtSeat():
+                if (held := self.held(frame)) is None:
+                    return None
+                in_payload = composed(inverted(self.payload(frame, held)), self.tip(frame))
+                return composed(self._seated(frame, target, held), in_payload)
+
+    def above(self, frame: Frame, target: Target | RelativeTarget) -> float | None:
+        """Return how far the tip is above a payload, or the held payload above a berth [m].
+
+        The distance is measured along the way out, from the target without its `above`: back along the end effector's
+        axis from a payload, up out of the bay, or out from a port. None if the target is neither, or no payload is
+        held above a berth.
+        """
+        match target:
+            case AtCargo(cargo=k, above=above):
+                pose = composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
+                return above - _along(pose.rotation[:, 0], self.tip(frame).position - pose.position)
+            case AtSeat(above=above):
+                if (held := self.held(frame)) is None:
+                    return None
+                seat, pose = self._seats[target.seat], self._seated(frame, target, held)
+                turn = product(self.carrier(frame, seat.frame).rotation, seat.pose.rotation)
+                out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
+                return above + _along(out, self.payload(frame, held).position - pose.position)
+            case _:
+                return None
+
+    def fixture(self, frame: Frame) -> int | None:
+        """Return the index of the payload whose fixture or bar is nearest to the tip; None if there is none."""
+        tip = self.tip(frame).position
+        able = (k for k, cargo in enumerate(self._cargo) if takes(self._model, cargo))
+        return min(able, key=lambda k: self._away(frame, AtCargo(k), tip), default=None)
+
+    def berth(self, frame: Frame, k: int) -> Seat | None:
+        """Return the nearest berth that accepts payload k; None if there is none."""
+        cargo = self._cargo[k]
+        fitting = [seat for seat in self._seats.values() if not seat.lacks(cargo.probe, cargo.trunnions)]
+        here = self.payload(frame, k).position
+        return min(
+            fitting,
+            key=lambda seat: math.dist(self._seated(frame, AtSeat(seat.name), k).position, here),
+            default=None,
+        )
+
+    def _away(self, frame: Frame, target: AtCargo, tip: Array) -> float:
+        pose = self.target(frame, target)
+        assert pose is not None, "a payload always has a pose"
+        return math.dist(pose.position, tip)
+
+    def _seated(self, frame: Frame, target: AtSeat, k: int) -> Pose:
+        seat = self._seats[target.seat]
+        return composed(self.carrier(frame, seat.frame), at_seat(seat, self._cargo[k], target))
+
+
+def _pose(position: Vec3, orientation: Rows) -> Pose:
+    return Pose(np.array(position), np.array(orientation))
+
+
+def _along(axis: Array, vector: Array) -> float:
+    return float(dots(axis, vector))

@@ -1,0 +1,110 @@
+"""Progress through the steps of the operator's task; each frame of the run updates it."""
+
+from __future__ import annotations
+
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.task_file import StateSpec
+from aftdeck.scenario.task_step import Hint, TaskStep
+from aftdeck.simulation.frame import Frame
+from aftdeck.task.reached import Since, reached
+from aftdeck.task.remaining import Aims, Remaining
+
+
+class Progress:
+    """Progress of one run through the steps of its scenario.
+
+    Attributes:
+        steps: all steps.
+        at: index of the present step; the number of steps when all are complete.
+        done_s: for each step, the simulated time at which it was completed [s]; None if it is open or was skipped.
+        hint: index of the present step's hint whose state holds; -1 if none does.
+        remaining: motion that is left in the newest frame; None if nothing tells where to move.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.steps: tuple[TaskStep, ...] = scenario.steps
+        self.at, self.hint = 0, -1
+        self.done_s: list[float | None] = [None] * len(self.steps)
+        self.remaining: Remaining | None = None
+        self._aims = Aims(scenario)
+        self._begin: Since | None = None
+        self._looked = False
+        self._again = False  # the present step was entered by `back`, and its state has held since then
+        self._open = False  # the next milestone has been seen not to hold since the present step began
+
+    @property
+    def present(self) -> TaskStep | None:
+        """The present step; None if all are past or the scenario has none."""
+        return self.steps[self.at] if self.at < len(self.steps) else None
+
+    @property
+    def skipped(self) -> tuple[int, ...]:
+        """Indices of the earlier steps that were skipped and not completed."""
+        return tuple(i for i in range(self.at) if self.done_s[i] is None)
+
+    def see(self, frame: Frame) -> tuple[int, ...]:
+        """Update the progress by the next frame; return the indices of the steps that this frame completes.
+
+        After a re-initialisation, the task begins again with the step of the same part, or with the first step.
+        """
+        for event in frame.events:
+            if event.kind == "initialise":
+                self._begin_part(event.text)
+        if self._begin is None:
+            self._begin = Since(frame.position, frame.orientation)
+        done = self._completed(frame)
+        for i in done:
+            self.done_s[i] = frame.time_s
+        if done:
+            self._enter(done[-1] + 1)
+        self.hint = next((i for i, hint in enumerate(self._hints()) if self._reached(frame, self.at, hint.when)), -1)
+        self.remaining = self._aims.remaining(frame, self.present)
+        return done
+
+    def look(self) -> None:
+        """Note that the operator has put another camera on a monitor."""
+        self._looked = True
+
+    def skip(self) -> None:
+        """Go to the next step without completing the present one."""
+        if self.present is not None:
+            self._enter(self.at + 1)
+
+    def back(self) -> None:
+        """Go to the previous step. If its state holds already, this state has to end before it completes the step."""
+        self._enter(max(0, self.at - 1))
+        self._again = True
+
+    def _begin_part(self, text: str) -> None:
+        """Begin again; `text` is the log line of the re-initialisation, which ends with the name of the part."""
+        self.done_s = [None] * len(self.steps)
+        self._enter(next((i for i, step in enumerate(self.steps) if step.part and text.endswith(step.part)), 0))
+
+    def _enter(self, at: int) -> None:
+        self.at, self._begin = at, None
+        self._looked = self._again = self._open = False
+
+    def _completed(self, frame: Frame) -> tuple[int, ...]:
+        """Return the steps that a frame completes: the present one, or all up to the next milestone."""
+        if self.present is None:
+            return ()
+        if not self._reached(frame, self.at, self.present.done):
+            self._again = False
+        elif not self._again:
+            return (self.at,)
+        later = range(self.at + 1, len(self.steps))
+        milestone = next((i for i in later if self.steps[i].is_milestone), None)
+        if milestone is None:
+            return ()
+        if not self._reached(frame, milestone, self.steps[milestone].done):
+            self._open = True
+        elif self._open:
+            return tuple(range(self.at, milestone + 1))
+        return ()
+
+    def _hints(self) -> tuple[Hint, ...]:
+        return () if self.present is None else self.present.hints
+
+    def _reached(self, frame: Frame, at: int, wanted: StateSpec) -> bool:
+        since = (self._begin or Since(frame.position, frame.orientation))._replace(looked=self._looked)
+        return reached(self._aims, self.steps[at], wanted, frame, since)

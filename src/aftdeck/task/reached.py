@@ -1,0 +1,116 @@
+"""Test whether a run has reached the state that a step of the task names."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from aftdeck.frames import angle_between
+from aftdeck.scenario.task_file import StateSpec
+from aftdeck.scenario.task_step import TaskStep
+from aftdeck.simulation.frame import Frame
+from aftdeck.task.remaining import Aims
+from aftdeck.tuples import Rows, Vec3
+from aftdeck.worksite.conditions import Condition
+
+REST_M, REST_RAD = 1e-3, 1e-3
+"""Speed [m/s] and angular rate [rad/s] below which the tip is at rest."""
+
+
+class Since(NamedTuple):
+    """What has to be remembered from the beginning of a step.
+
+    Attributes:
+        position: position of the tip [m].
+        orientation: attitude of the tip.
+        looked: whether the operator has put another camera on a monitor since then.
+    """
+
+    position: Vec3
+    orientation: Rows
+    looked: bool = False
+
+
+def reached(aims: Aims, step: TaskStep, wanted: StateSpec, now: Frame, since: Since) -> bool:
+    """Return whether all fields that `wanted` gives hold in a frame."""
+    return (
+        _panel(wanted, now)
+        and _work(wanted, now)
+        and wanted.looked in (None, since.looked)
+        and (wanted.moved is None or math.dist(now.position, since.position) >= wanted.moved)
+        and (wanted.turned is None or angle_between(now.orientation, since.orientation) >= wanted.turned)
+        and wanted.sticks_released in (None, sticks_released(now))
+        and wanted.at_rest in (None, at_rest(now))
+        and _near(aims, step, wanted, now)
+        and _above(aims, step, wanted, now)
+    )
+
+
+def sticks_released(now: Frame) -> bool:
+    """Return whether no stick is deflected."""
+    return not any(now.translation) and not any(now.rotation) and now.drive == 0.0
+
+
+def at_rest(now: Frame) -> bool:
+    """Return whether no stick is deflected and the tip is at rest."""
+    return sticks_released(now) and math.hypot(*now.twist[3:]) <= REST_M and math.hypot(*now.twist[:3]) <= REST_RAD
+
+
+def _panel(wanted: StateSpec, now: Frame) -> bool:
+    return (
+        wanted.mode in (None, now.mode)
+        and wanted.rate in (None, now.rate)
+        and wanted.sequence in (None, now.sequence)
+        and wanted.point in (None, now.point)
+        and wanted.singular in (None, bool(now.singular))
+        and wanted.alarm in (None, now.work.clearance_level == "warning")
+    )
+
+
+def _work(wanted: StateSpec, now: Frame) -> bool:
+    hand, payloads = now.work.hand, now.work.cargo
+    held = [cargo for cargo in payloads if cargo.held]
+    seats = {cargo.seat for cargo in held or payloads}
+    return (
+        wanted.held in (None, bool(held))
+        and wanted.fixed in (None, any(seats))
+        and (wanted.berth is None or wanted.berth in seats)
+        and (wanted.flag is None or wanted.flag in hand.flags)
+        and wanted.switch in (None, hand.switch)
+        and (wanted.ready is None or wanted.ready == all_ready(now.work.conditions))
+        and _conditions(wanted, now.work.conditions)
+    )
+
+
+def all_ready(conditions: tuple[Condition, ...]) -> bool:
+    """Return whether there are conditions and all hold."""
+    return bool(conditions) and all(condition.holds for condition in conditions)
+
+
+def _conditions(wanted: StateSpec, conditions: tuple[Condition, ...]) -> bool:
+    """Return whether each named condition exists and holds within the wanted share of its limit."""
+    found = {condition.name: condition for condition in conditions}
+    return all(
+        (condition := found.get(name)) is not None
+        and condition.holds
+        and (wanted.share == 1.0 or abs(condition.value) <= wanted.share * abs(condition.limit))
+        for name in wanted.holds
+    )
+
+
+def _near(aims: Aims, step: TaskStep, wanted: StateSpec, now: Frame) -> bool:
+    if wanted.within is None and wanted.within_angle is None:
+        return True
+    left = aims.remaining(now, step)
+    return (
+        left is not None
+        and (wanted.within is None or left.distance <= wanted.within)
+        and (wanted.within_angle is None or abs(left.angle) <= wanted.within_angle)
+    )
+
+
+def _above(aims: Aims, step: TaskStep, wanted: StateSpec, now: Frame) -> bool:
+    if wanted.above is None or step.target is None:
+        return wanted.above is None
+    above = aims.places.above(now, step.target)
+    return above is not None and above >= wanted.above

@@ -1,0 +1,104 @@
+"""Motion that is left to the place where the operator's task needs the tip or the held payload."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.frames import Pose, angle_between
+from aftdeck.matrices import product
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.relative import composed, inverted
+from aftdeck.scenario.target import AtCargo, AtSeat, RelativeTarget, Target, target_at
+from aftdeck.scenario.task_step import TaskStep
+from aftdeck.simulation.frame import Frame
+from aftdeck.steering.mode import MODES
+from aftdeck.task.places import Places
+from aftdeck.worksite.model import Seat
+
+_NEAR_M, _NEAR_RAD = 0.025, math.radians(2.0)
+"""Distance [m] and angle [rad] that count as arrived if neither a step nor a berth gives them."""
+
+
+class Remaining(NamedTuple):
+    """Motion that is left.
+
+    Attributes:
+        to: place for the operator: ``pin``, ``bar``, ``Cargo bay``, ``target``, or a joint's name.
+        pose: pose of the tip at this place, in L; None if a joint has to move.
+        distance: distance that the tip, or the held payload, still has to move [m]; 0 for a joint.
+        angle: rotation that is left [rad]; for a joint, the signed angle.
+        near: distance [m] and angle [rad] within which the tip has arrived.
+    """
+
+    to: str
+    pose: Pose | None
+    distance: float
+    angle: float
+    near: tuple[float, float]
+
+    @property
+    def arrived(self) -> bool:
+        """Whether the tip, or the joint, has arrived."""
+        return self.distance <= self.near[0] and abs(self.angle) <= self.near[1]
+
+
+class Aims:
+    """Finder of the place to which the operator has to move, for the frames of one scenario."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.places = Places(scenario)
+        self._joints = scenario.arm.model.joints
+        self._seats: dict[str, Seat] = {seat.name: seat for seat in scenario.worksite.seats}
+        self._fixture = "pin" if scenario.arm.model.equipment.prong is None else "bar"
+
+    def remaining(self, frame: Frame, step: TaskStep | None) -> Remaining | None:
+        """Return the motion that is left; None if nothing tells where to move.
+
+        The present step of the task tells the place. Without it, an automatic mode moves to its target, an empty end
+        effector to the nearest payload, and a held payload to the berth of the present objective.
+        """
+        if step is not None and step.joint is not None:
+            angle = step.joint_at - frame.angles[step.joint]
+            return Remaining(self._joints[step.joint].replace("_", " "), None, 0.0, angle, self._near(step))
+        aimed = step is not None and step.target is not None
+        if not aimed and frame.goal is not None and MODES[frame.mode].kind == "automatic":
+            goal = Pose(np.array(frame.goal.position), np.array(frame.goal.rotation))
+            return self._to(frame, "target", goal, self._near(step))
+        target = self._objective(frame) if step is None or step.target is None else step.target
+        pose = None if target is None else self.places.target(frame, target)
+        if target is None or pose is None:
+            return None
+        match target:
+            case AtSeat(seat=name):
+                seat = self._seats[name]
+                return self._to(frame, seat.title, pose, self._near(step, (seat.distance, seat.angle)))
+            case AtCargo():
+                return self._to(frame, self._fixture, pose, self._near(step))
+            case _:
+                return self._to(frame, "target", pose, self._near(step))
+
+    def _objective(self, frame: Frame) -> Target | RelativeTarget | None:
+        if (k := self.places.held(frame)) is None:
+            k = self.places.fixture(frame)
+            return None if k is None else AtCargo(k)
+        seat = None if frame.work.objective is None else self.places.berth(frame, k)
+        return None if seat is None else AtSeat(seat.name)
+
+    def _to(self, frame: Frame, to: str, pose: Pose, near: tuple[float, float]) -> Remaining:
+        at, point = target_at(pose), self.places.tip(frame)
+        if (k := self.places.held(frame)) is not None:
+            point = self.places.payload(frame, k)
+        motion = composed(pose, inverted(self.places.tip(frame)))
+        moved = product(motion.rotation, point.position) + motion.position
+        distance = math.dist(moved.tolist(), point.position.tolist())
+        return Remaining(to, pose, distance, angle_between(at.rotation, frame.orientation), near)
+
+    def _near(self, step: TaskStep | None, usual: tuple[float, float] = (_NEAR_M, _NEAR_RAD)) -> tuple[float, float]:
+        done = None if step is None else step.done
+        return (
+            usual[0] if done is None or done.within is None else float(done.within),
+            usual[1] if done is None or done.within_angle is None else float(done.within_angle),
+        )

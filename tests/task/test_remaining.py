@@ -1,0 +1,112 @@
+"""Motion that is left: it vanishes at the place, and moving by it leads there."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from aftdeck.scenario.schema import Plant
+from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
+from aftdeck.scenario.task_file import StateSpec
+from aftdeck.scenario.task_step import TaskStep
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.task.places import Places
+from aftdeck.task.remaining import Aims
+from tests.station.pages import scenario
+
+STILL = Inputs()
+
+
+def step_to(target: AtCargo | AtSeat | InFrame) -> TaskStep:
+    """Return a step with a target."""
+    return TaskStep("", "", StateSpec(), target, None, 0.0, None, (), (), (), None, ())
+
+
+@pytest.mark.parametrize("plant", ["kinematic", "rigid"])
+@pytest.mark.parametrize("name", ["srms-berth", "free-flyer"])
+def test_carriers_are_where_the_simulation_has_them(name: str, plant: Plant) -> None:
+    sim = Simulation(replace(scenario(name), plant=plant, orbiter="free" if name == "srms-berth" else "fixed"))
+    places = Places(sim.scenario)
+    for _ in range(150):
+        frame = sim.step(Inputs(orbiter=(1.0, 0.4, 0.0), translation=(0.3, 0.0, -0.5)))
+    site, frames = sim._flight.site, sim._state.worksite.frames
+    for carrier in ("orbiter", "space"):
+        pose, row = places.carrier(frame, carrier), frames[site.layout.frames.index(carrier)]
+        assert pose.position == pytest.approx(row[:3], abs=2e-9)
+        assert pose.rotation.ravel() == pytest.approx(row[3:], abs=2e-9)
+
+
+def test_payload_in_its_berth_has_nothing_left() -> None:
+    sim = Simulation(scenario("concept-1972"))
+    frame = sim.step(Inputs(initialise="extraction"))
+    left = Aims(sim.scenario).remaining(frame, step_to(AtSeat("bay")))
+    assert left is not None
+    assert left.arrived
+    assert left.distance == pytest.approx(0.0, abs=1e-6)
+    assert Places(sim.scenario).above(frame, AtSeat("bay", above=1.0)) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_height_above_a_payload_is_measured_back_along_the_end_effector() -> None:
+    sim = Simulation(scenario("tutorial"))
+    places, frame = Places(sim.scenario), sim.step(STILL)
+    high = places.above(frame, AtCargo(0))
+    assert high == pytest.approx(places.above(frame, AtCargo(0, above=0.3)))
+    assert high == pytest.approx(2.0, abs=0.02)  # the scenario begins 2 m above the fixture
+
+
+def test_angle_of_a_joint_is_signed() -> None:
+    sim = Simulation(scenario("uncradle"))
+    aims, step = Aims(sim.scenario), sim.scenario.steps[0]
+    left = aims.remaining(sim.step(STILL), step)
+    assert left is not None
+    assert (left.to, left.pose) == ("shoulder pitch", None)
+    assert left.angle == pytest.approx(math.radians(25.0), abs=1e-6)
+
+
+@pytest.mark.parametrize("mode", ["ORB UNL", "END EFF"])
+def test_motion_along_and_about_the_sticks_leads_to_the_place(mode: str) -> None:
+    """The components, applied about the axes of the sticks, move the tip to the pose of the target."""
+    sim = Simulation(scenario("srms-deploy"))
+    for _ in range(60):
+        sim.step(Inputs(rotation=(0.5, 0.3, -0.4)))
+    sim.step(Inputs(mode=mode))
+    frame = sim.step(STILL)
+    shown = Displays(sim.scenario).frame(frame, 0).display
+    left = Aims(sim.scenario).remaining(frame, None)
+    assert shown.to_go is not None and shown.to_go.translation is not None and shown.to_go.rotation is not None
+    assert left is not None and left.pose is not None
+    w, x, y, z = shown.axes
+    mount = sim.scenario.arm.model.mount.rotation
+    in_scene = np.diag([-1.0, 1.0, -1.0]) @ mount  # L to scene
+    axes = in_scene.T @ Rotation.from_quat([x, y, z, w]).as_matrix()
+    turn = Rotation.from_rotvec(axes @ shown.to_go.rotation).as_matrix()
+    assert frame.position + axes @ shown.to_go.translation == pytest.approx(left.pose.position, abs=1e-6)
+    assert turn @ np.array(frame.orientation) == pytest.approx(left.pose.rotation, abs=1e-6)
+
+
+def test_shift_moves_the_drawn_payload_into_its_berth() -> None:
+    sim = Simulation(scenario("srms-berth"))
+    displays, aims = Displays(sim.scenario), Aims(sim.scenario)
+    frame = sim.step(STILL)
+    seat = next(seat for seat in sim.scenario.worksite.seats if seat.name == "bay")
+    shown = displays.frame(frame, 0).display
+    assert shown.to_go is None  # the berth is too far to be an objective
+    from aftdeck.station.conversion.to_go import to_go  # noqa: PLC0415
+
+    left = aims.remaining(frame, step_to(AtSeat("bay")))
+    assert left is not None
+    message = to_go(left, frame, displays._poses, np.eye(3))
+    x, y, z, *payload_turn = shown.poses[-7:]
+    px, py, pz, *turn = message.shift
+    moving = Rotation.from_quat([*turn[1:], turn[0]])
+    moved = np.add(moving.apply([x, y, z]), [px, py, pz])
+    seated = seat.seated(sim.scenario.cargo[0].probe)
+    assert moved == pytest.approx(seated.position, abs=1e-5)  # the scene is the orbiter's frame
+    turned = moving * Rotation.from_quat([*payload_turn[1:], payload_turn[0]])
+    assert turned.as_matrix() == pytest.approx(seated.rotation, abs=1e-5)

@@ -1,0 +1,160 @@
+/** The operator's task: its present step as a line below the rail, or as a card over the desk. */
+
+import type { InHand } from '../input/active-device';
+import { revision } from '../input/store';
+import type { HintInfo, TaskNow } from '../link/protocol';
+import { keeper } from '../page/local-storage';
+import { button, setAttribute, setClass, setPressed } from '../panel/parts/dom';
+import type { Desk, View } from '../panel/parts/part';
+import { Card, countWords } from './card';
+import { Line } from './line';
+import { type Piece, pieces, present } from './words';
+
+/** Built-in scenario for beginners. */
+export const TUTORIAL = 'tutorial';
+/** Storage key: whether the guide was opened before. Without storage, the guide opens at each visit to the tutorial. */
+const KEY = 'aftdeck.tutorial';
+const OPENED = 'opened';
+const NOTE: readonly Piece[] = [
+  { kind: 'text', text: 'You cannot damage anything here. ' },
+  { kind: 'use', text: 'stop' },
+  { kind: 'text', text: ' stops all motion.' },
+];
+
+export class Task {
+  /** Button in the rail: opens and closes the guide; in a scenario without steps it loads the tutorial. */
+  readonly key: HTMLButtonElement;
+  readonly line: Line;
+  readonly card: Card;
+  private readonly titles: readonly string[];
+  private open = false;
+  /** Whether the card opens by itself as soon as this page is in control. */
+  private unasked: boolean;
+  private drawn = '';
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly inHand: InHand,
+    private readonly flyIt: (scenario: string) => void,
+  ) {
+    const { steps, scenario } = desk.welcome;
+    this.titles = steps.map(({ title }) => title);
+    this.unasked = scenario === TUTORIAL && keeper.getItem(KEY) !== OPENED;
+    const [name, title] = this.exists
+      ? ['Guide', 'Show the present step of the task with its controls']
+      : ['Tutorial', 'Learn a first capture in six steps'];
+    this.key = button({ title }, [name], () => this.toggle());
+    this.line = new Line(inHand, this.exists ? { open: () => this.show(true) } : null);
+    this.card = new Card(inHand, steps.length, NOTE, {
+      back: () => desk.send({ type: 'turn_step', to: 'previous' }),
+      skip: () => desk.send({ type: 'turn_step', to: 'next' }),
+      close: () => this.show(false),
+      enterMode: () => this.enterMode(),
+    });
+    this.show(false);
+  }
+
+  /**
+   * Called when the user chooses a scenario. For the tutorial, the guide opens: at once if this scenario is already
+   * loaded, otherwise after it has been loaded.
+   */
+  chosen(scenario: string): void {
+    if (scenario !== TUTORIAL) return;
+    if (this.desk.welcome.scenario === TUTORIAL) this.show(true);
+    else keeper.setItem(KEY, 'asked');
+  }
+
+  values({ frame, flying, units }: View): void {
+    const { task, to_go } = frame.display;
+    if (!task) return;
+    if (this.unasked && flying) this.show(true);
+    const { welcome } = this.desk;
+    const step = welcome.steps[task.at];
+    const marked = { units, conditions: frame.work.conditions };
+    const done = task.done_s.map((time) => time !== null);
+    const told = step ? present(step, task) : null;
+    const [title, words] =
+      step && told ? [step.title, told.text] : this.exists ? ending(task) : ['', welcome.text];
+    if (!this.open) {
+      this.line.set(this.exists ? countWords(task.at, done) : '', title, pieces(words, marked));
+      this.line.setGo(to_go, units);
+      return;
+    }
+    if (told) this.drawCaps(task, told);
+    this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
+    this.card.set({
+      at: task.at,
+      titles: this.titles,
+      done,
+      title,
+      pieces: pieces(words, marked),
+      needs: this.needs,
+      mode: frame.mode,
+    });
+    this.card.setGo(to_go, units);
+  }
+
+  light(): void {
+    if (this.open) this.card.light();
+  }
+
+  dispose(): void {
+    this.show(false);
+    setClass(document.body, 'tasked', false);
+  }
+
+  private get exists(): boolean {
+    return this.desk.welcome.steps.length > 0;
+  }
+
+  private toggle(): void {
+    if (this.exists) this.show(!this.open);
+    else this.flyIt(TUTORIAL);
+  }
+
+  private enterMode(): void {
+    if (this.needs !== '') this.desk.send({ type: 'enter_mode', mode: this.needs });
+  }
+
+  /** Mode that the present step needs, if another one is entered; else empty. */
+  private needs = '';
+
+  private show(open: boolean): void {
+    if (open) {
+      this.unasked = false;
+      if (this.desk.welcome.scenario === TUTORIAL) keeper.setItem(KEY, OPENED);
+    }
+    this.open = open;
+    this.card.element.hidden = !open;
+    this.line.element.hidden = open;
+    if (this.exists) setPressed(this.key, open);
+    setClass(document.body, 'guided', open);
+    setClass(document.body, 'tasked', !open);
+  }
+
+  private drawCaps(task: TaskNow, { uses }: HintInfo): void {
+    const drawn = `${task.at} ${task.hint} ${this.inHand.kinds.join()} ${revision()}`;
+    if (drawn === this.drawn) return;
+    this.drawn = drawn;
+    this.card.setCaps(uses);
+    const step = this.desk.welcome.steps[task.at];
+    setAttribute(document.body, 'data-step', step?.groups.join(' ') ?? '');
+  }
+}
+
+/** Returns the closing title and text, when all steps are past. */
+export function ending({ done_s }: Pick<TaskNow, 'done_s'>): readonly [title: string, words: string] {
+  const times = done_s.flatMap((time) => time ?? []);
+  if (times.length < done_s.length)
+    return [
+      'Not complete yet',
+      'These were all the steps, but some were skipped. Open the guide and go back to a skipped step, or press *Restart* to begin again.',
+    ];
+  const last = Math.max(0, ...times);
+  const [minutes, seconds] = [Math.floor(last / 60), Math.floor(last % 60)];
+  const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
+  return [
+    'Complete',
+    `All steps are done, ${took} after the start. Continue as you like; *Keys ?* shows all keys, *Restart* begins again.`,
+  ];
+}

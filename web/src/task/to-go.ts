@@ -1,0 +1,127 @@
+/**
+ * The motion that is left to the place where the task needs the end effector or the payload, in components along the
+ * axes of the sticks. Beside each component is the key, button or axis that reduces it; small components are green.
+ */
+
+import type { Names } from '../input/active-device';
+import type { ToGo, Vec3 } from '../link/protocol';
+import { el, setAttribute, setClass, setText } from '../panel/parts/dom';
+import { degrees, small } from '../words/format';
+import type { Units } from '../words/units';
+
+const MOVES = ['X', 'Y', 'Z'] as const;
+const TURNS = ['roll', 'pitch', 'yaw'] as const;
+/** A component that is a smaller part of the tolerance than this needs no motion. */
+const LEAST = 0.2;
+
+export interface GoPart {
+  /** Axis and direction of the stick: `−Z`, `+yaw`. */
+  readonly stick: string;
+  /** Key, button or axis; empty if no motion is needed. */
+  readonly handle: string;
+  /** Magnitude with its unit. */
+  readonly value: string;
+  /** Whether the component is within the tolerance. */
+  readonly near: boolean;
+}
+
+/** Returns the components that are left: three of translation and three of rotation; for a joint only one. */
+export function goParts(go: ToGo, units: Units, names: Names): readonly GoPart[] {
+  if (go.shift.length === 0) return [part('', 'X', go.angle, go.near[1], angle, names)];
+  const moves = components(go.translation, MOVES, go.near[0], (size) => lengthText(size, units), names);
+  return [...moves, ...components(go.rotation, TURNS, go.near[1], angle, names)];
+}
+
+/** Distance and angle as a text: `12.3 in, 4.5°`. */
+export function goWords(go: ToGo, units: Units): string {
+  const turn = angle(Math.abs(go.angle));
+  return go.shift.length === 0 ? turn : `${lengthText(go.distance, units)}, ${turn}`;
+}
+
+export function isThere(go: ToGo): boolean {
+  return go.distance <= go.near[0] && Math.abs(go.angle) <= go.near[1];
+}
+
+function components(
+  sizes: Vec3 | null,
+  axes: readonly string[],
+  near: number,
+  write: (size: number) => string,
+  names: Names,
+): readonly GoPart[] {
+  return sizes ? axes.map((axis, i) => part(axis, axis, sizes[i] ?? 0, near, write, names)) : [];
+}
+
+/** `label`: name of the axis in the text; `axis`: the axis in the names of the functions. */
+function part(
+  label: string,
+  axis: string,
+  size: number,
+  near: number,
+  write: (size: number) => string,
+  names: Names,
+): GoPart {
+  const sign = size > 0 ? '+' : '-';
+  const still = Math.abs(size) < LEAST * near;
+  return {
+    stick: still ? label : `${sign === '-' ? '−' : '+'}${label}`,
+    handle: still ? '' : names.short(`${sign}${axis}`),
+    value: write(Math.abs(size)),
+    near: Math.abs(size) <= near,
+  };
+}
+
+function angle(size: number): string {
+  return `${degrees(size, 1, false)}°`;
+}
+
+/** Lengths below this are written in the smaller unit [m]. */
+const SMALL = 1;
+
+function lengthText(size: number, { gap, length, name }: Units): string {
+  if (size < SMALL || name === 'ft-in') return `${small(size, gap)} ${gap.name}`;
+  return `${size.toFixed(2)} ${length.name}`;
+}
+
+/** Element with the motion that is left: a head, and a cell for each component. */
+export function goElement() {
+  const cells = Array.from({ length: 6 }, () => {
+    const [handle, value] = [el('kbd'), el('span')];
+    return { element: el('li', {}, handle, value), handle, value };
+  });
+  const [head, total] = [el('span', { class: 'head' }), el('b')];
+  const list = el('ol', {}, ...cells.map((cell) => cell.element));
+  const element = el('div', { class: 'to-go', role: 'group' }, el('p', {}, head, ' ', total), list);
+  return {
+    element,
+    set(go: ToGo | null, units: Units, names: Names) {
+      element.hidden = go === null;
+      if (!go) return;
+      const parts = goParts(go, units, names);
+      setText(head, `to ${go.to}`);
+      setText(total, goWords(go, units));
+      setClass(element, 'there', isThere(go));
+      setAttribute(element, 'aria-label', goSentence(go, units, names));
+      setAttribute(element, 'title', goSentence(go, units, names));
+      list.hidden = parts.length === 0;
+      cells.forEach((cell, i) => {
+        const each = parts[i];
+        cell.element.hidden = each === undefined;
+        if (!each) return;
+        setText(cell.handle, each.handle);
+        setText(cell.value, each.value);
+        setAttribute(cell.element, 'title', each.stick);
+        setClass(cell.element, 'near', each.near);
+      });
+    },
+  };
+}
+
+/** Returns the motion that is left as a sentence, with the controls for it. */
+export function goSentence(go: ToGo, units: Units, names: Names): string {
+  const flown = goParts(go, units, names).filter(({ handle }) => handle !== '');
+  const words = flown.map(({ stick, handle, value }) => `${stick} (${handle}) ${value}`).join(', ');
+  const place = `To ${go.to}: ${goWords(go, units)}`;
+  if (isThere(go)) return `${place}; there.`;
+  return words ? `${place}; ${words}.` : `${place}.`;
+}

@@ -1,0 +1,66 @@
+/**
+ * Texts of a step, with marks: `{+X}` stands for a key or a stick, `{0.05 m}` for a length, `{wanting}` for the first
+ * condition that fails; `*RIGID*` quotes a text on the desk.
+ */
+
+import type { Names } from '../input/active-device';
+import type { Condition, HintInfo, StepInfo, TaskNow } from '../link/protocol';
+import { el } from '../panel/parts/dom';
+import { conditionText } from '../words/condition-text';
+import { small } from '../words/format';
+import type { Units } from '../words/units';
+
+export interface Piece {
+  readonly kind: 'text' | 'use' | 'shown';
+  readonly text: string;
+}
+
+/** Data from which the marks of a text are replaced. */
+export interface Marked {
+  readonly units: Units;
+  readonly conditions: readonly Condition[];
+}
+
+const LENGTH = /^([\d.e+-]+) m$/;
+
+/** Splits a text into pieces; lengths and the failing condition become plain text, functions keep their names. */
+export function pieces(words: string, { units, conditions }: Marked): readonly Piece[] {
+  return words
+    .split(/(\{[^}]+\}|\*[^*]+\*)/)
+    .filter((part) => part !== '')
+    .map((part) => {
+      const inside = part.slice(1, -1);
+      if (part.startsWith('*')) return { kind: 'shown', text: inside };
+      if (!part.startsWith('{')) return { kind: 'text', text: part };
+      const metres = LENGTH.exec(inside)?.[1];
+      if (metres) return { kind: 'text', text: lengthText(Number(metres), units) };
+      return inside === 'wanting'
+        ? { kind: 'text', text: wanting(conditions, units) }
+        : { kind: 'use', text: inside };
+    });
+}
+
+/** Returns the nodes of a text: keys and quoted texts are emphasised. */
+export function nodes(text: readonly Piece[], names: Names): (Node | string)[] {
+  return text.map(({ kind, text }) => {
+    if (kind === 'text') return text;
+    return kind === 'use' ? el('b', {}, names.name(text) || '–') : el('em', {}, text);
+  });
+}
+
+/** Returns the text and the functions of the present step: its own, or those of the hint that applies. */
+export function present(step: StepInfo, { hint }: TaskNow): HintInfo {
+  return step.hints[hint] ?? step;
+}
+
+/** Returns a given length as a text, without a superfluous zero: `2 in`. */
+function lengthText(metres: number, { gap }: Units): string {
+  return `${small(metres, gap).replace(/\.0$/, '')} ${gap.name}`;
+}
+
+/** Returns the text of a condition that fails, as the panel displays it. The depth is met last. */
+function wanting(conditions: readonly Condition[], units: Units): string {
+  const fails = ({ holds, name }: Condition) => !holds && name !== 'pin depth';
+  const first = conditions.find(fails) ?? conditions.find(({ holds }) => !holds);
+  return first ? conditionText(first, units) : 'nothing to capture is near';
+}

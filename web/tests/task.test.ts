@@ -1,0 +1,110 @@
+import { expect, test } from 'vitest';
+import { isDown, KEYS } from '../src/input/active-device';
+import { DEFAULTS } from '../src/input/defaults';
+import { USES } from '../src/input/keymap';
+import { movers } from '../src/input/rebind';
+import protocol from '../src/link/protocol?raw';
+import { ending } from '../src/task';
+import { countWords } from '../src/task/card';
+import { goParts, goSentence, goWords, isThere } from '../src/task/to-go';
+import { pieces, present } from '../src/task/words';
+import { condition, FEET, SI, toGo } from './worksite';
+
+const NOTHING = { units: SI, conditions: [] };
+
+test('the functions that a scenario can name are those of the page', () => {
+  const names = /export type Use = (.*);/.exec(protocol)?.[1]?.match(/'[^']+'/g) ?? [];
+  expect(new Set(names.map((name) => name.slice(1, -1)))).toEqual(new Set(USES.keys()));
+});
+
+test('every function has a key, and those of the arm also a button of a pad', () => {
+  for (const use of USES.keys()) expect(movers(DEFAULTS.keyboard, use).length, use).toBeGreaterThan(0);
+  for (const use of ['+X', '-Z', 'stop', 'rate', 'close', 'open', 'latch', 'cameraStep +'])
+    expect(movers(DEFAULTS.pad, use).length, use).toBeGreaterThan(0);
+});
+
+test('marks split a text into pieces, and lengths are in the operator’s units', () => {
+  expect(pieces('Hold {+X} for {0.0508 m}: *RIGID*.', { ...NOTHING, units: FEET })).toEqual([
+    { kind: 'text', text: 'Hold ' },
+    { kind: 'use', text: '+X' },
+    { kind: 'text', text: ' for ' },
+    { kind: 'text', text: '2 in' },
+    { kind: 'text', text: ': ' },
+    { kind: 'shown', text: 'RIGID' },
+    { kind: 'text', text: '.' },
+  ]);
+  expect(pieces('{1 m}', NOTHING)).toEqual([{ kind: 'text', text: '100 cm' }]);
+});
+
+test('the mark {wanting} is the first failing condition, the depth last', () => {
+  const conditions = [
+    condition({ name: 'pin depth', margin: -1, words: 'too far' }),
+    condition({ name: 'roll', margin: 1, words: 'rolled' }),
+    condition({ name: 'pitch', margin: -1, words: 'pitched' }),
+  ];
+  const told = (shown: typeof conditions) => pieces('{wanting}', { units: SI, conditions: shown })[0]?.text;
+  expect(told(conditions)).toBe('pitched');
+  expect(told(conditions.slice(0, 2))).toBe('too far');
+  expect(told([])).toBe('nothing to capture is near');
+});
+
+test('a hint that applies replaces the text and the functions of its step', () => {
+  const hint = { text: 'other', uses: [] };
+  const step = { title: '', text: 'own', mode: null, uses: [], groups: [], cameras: [], hints: [hint] };
+  expect(present(step, { at: 0, hint: -1, done_s: [null] })).toBe(step);
+  expect(present(step, { at: 0, hint: 0, done_s: [null] })).toBe(hint);
+});
+
+test('each component that is left has the stick and key that reduce it', () => {
+  const go = toGo({ translation: [1.99, 0.3, -0.254], rotation: [0.005, -0.1, 0] });
+  expect(goParts(go, FEET, KEYS)).toEqual([
+    { stick: '+X', handle: 'W', value: '78 in', near: false },
+    { stick: '+Y', handle: 'D', value: '12 in', near: false },
+    { stick: '−Z', handle: 'Q', value: '10 in', near: false },
+    { stick: 'roll', handle: '', value: '0.3°', near: true },
+    { stick: '−pitch', handle: 'K', value: '5.7°', near: false },
+    { stick: 'yaw', handle: '', value: '0.0°', near: true },
+  ]);
+});
+
+test('a component turns green at its tolerance, and needs no motion only well inside it', () => {
+  const [inside, centred, outside] = goParts(toGo({ translation: [0.049, 0.009, -0.051] }), SI, KEYS);
+  expect([inside?.near, inside?.handle]).toEqual([true, 'W']);
+  expect([centred?.near, centred?.handle]).toEqual([true, '']);
+  expect([outside?.near, outside?.handle]).toEqual([false, 'Q']);
+});
+
+test('a joint has one component, along X', () => {
+  const go = toGo({ to: 'elbow pitch', distance: 0, angle: -0.2, shift: [] });
+  expect(goParts(go, SI, KEYS)).toEqual([{ stick: '−', handle: 'S', value: '11.5°', near: false }]);
+  expect(goWords(go, SI)).toBe('11.5°');
+});
+
+test('without sticks, only distance and angle are left', () => {
+  const go = toGo({ to: 'target', distance: 12.345, angle: 1 });
+  expect(goParts(go, SI, KEYS)).toEqual([]);
+  expect(goSentence(go, SI, KEYS)).toBe('To target: 12.35 m, 57.3°.');
+  expect(isThere(go)).toBe(false);
+  expect(goSentence(toGo({ distance: 0.01, angle: 0.01 }), FEET, KEYS)).toBe('To pin: 0.4 in, 0.6°; there.');
+});
+
+test('the count names the present step, or at the end those that were done', () => {
+  expect(countWords(1, [true, false, false])).toBe('2 of 3');
+  expect(countWords(3, [true, true, true])).toBe('All 3 done');
+  expect(countWords(3, [true, false, true])).toBe('2 of 3 done, 1 skipped');
+});
+
+test('the closing text says "complete", with the time, only without skipped steps', () => {
+  expect(ending({ done_s: [1, null] })[0]).toBe('Not complete yet');
+  expect(ending({ done_s: [1, 59.9] }).join()).toMatch(/^Complete.*, 59 s after/);
+  expect(ending({ done_s: [190, 185] }).join()).toMatch(/, 3 min 10 s after/);
+});
+
+test('an axis counts as held if it is past its deadband on the given side', () => {
+  const buttons = Array.from({ length: 17 }, (_, i) => ({ pressed: i === 9 || i === 3, value: 0 }));
+  const device = { reading: { axes: [0.02, -0.5], buttons }, mapping: DEFAULTS.pad };
+  const down = (source: string, sign: 1 | -1 = 1) => isDown(device, source, sign);
+  expect([down('a1', -1), down('a1'), down('a0')]).toEqual([true, false, false]);
+  expect([down('b3'), down('b9+b3'), down('b9+b0')]).toEqual([true, true, false]);
+  expect(isDown({ reading: null, mapping: DEFAULTS.pad }, 'b3', 1)).toBe(false);
+});
