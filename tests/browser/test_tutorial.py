@@ -81,7 +81,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
 
     _slow(flight)
     _align(flight)
-    flight.until(r"/ \([LR].\) /.test(document.querySelector('.cells .way').title)")
+    flight.until(r"/ \([LR].\) /.test(document.querySelector('.task .to-go').title)")
     _close_in(flight)
 
     # Capture: the button has to be held.
@@ -104,7 +104,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
     assert flight.script(STEP) == "6 of 6"
     low = _height(flight)
     flight.pad_axes(0.0, 1.0, 0.0, 0.0)
-    lifted = flight.until(f"{STEP} === 'All six done'")
+    lifted = flight.until(f"{STEP} === 'All 6 done'")
     flight.pad_axes(0.0, 0.0, 0.0, 0.0)
     assert lifted.work.cargo[0].held and lifted.work.cargo[0].seat == ""
     assert _height(flight) > low + 0.9
@@ -118,7 +118,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
 def test_tutorial_opens_once_by_itself_and_by_its_key(open_page: OpenPage) -> None:
     flight = open_page()
     flight.until(f"{OPEN} && {STEP} === '1 of 6'")
-    flight.press("x")
+    flight.press(".")
     flight.until(f"{STEP} === '2 of 6'")
     flight.page.get_by_role("button", name="Close the guide").press("Enter")
     flight.until(f"!({OPEN}) && !document.body.matches('.guided')")
@@ -178,10 +178,10 @@ def test_tutorial_card_covers_no_needed_group_and_is_readable(
             flight.pad_axes(0.0, 0.0, 0.0, 0.0)
         assert_tidy(flight)
         assert flight.script(CLASHES) == []
-        assert_readable(flight, ".tutorial", least=8)
+        assert_readable(flight, ".task", least=8)
         flight.press_key("Skip step")
-    flight.until(f"{STEP} === 'All skipped' && {TITLE} === 'Not complete yet'")
-    assert flight.script("document.querySelectorAll('.task li.done').length") == 0
+    flight.until(f"{STEP} === '0 of 6 done, 6 skipped' && {TITLE} === 'Not complete yet'")
+    assert flight.script("document.querySelectorAll('.task .marks .done').length") == 0
     assert flight.script(CLASHES) == []
     flight.press_key("Back")
     flight.until(f"{STEP} === '6 of 6'")

@@ -3,11 +3,12 @@ import { drawnGap } from '../src/cameras/pictures';
 import { KEYS } from '../src/input/active-device';
 import type { ClosestPoints, Frame, Near, Objective, WayOut } from '../src/link/protocol';
 import { ConditionBars } from '../src/panel/clearance/condition-bar';
-import { failure, figures, shortened, whatNow } from '../src/panel/clearance/conditions';
+import { figures, shortened, whatNow } from '../src/panel/clearance/conditions';
 import { linesOf } from '../src/panel/clearance/contacts';
 import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/clearance/gap-scale';
 import { Places } from '../src/panel/clearance/places';
 import { SPAN_S, Trend } from '../src/panel/clearance/trend';
+import { failureText } from '../src/words/condition-text';
 import { condition, FEET, near, SI, work } from './worksite';
 
 test('the clearance gauge is logarithmic and clamped to its ends', () => {
@@ -176,7 +177,7 @@ test('the fingers close last: the condition named first is the one to meet first
   const open = condition({ name: 'prong closed', margin: -1, words: 'fingers apart' });
   const high = condition({ name: 'palm height', margin: -1, words: 'palm high' });
   const along = condition({ name: 'palm along bar', words: 'along' });
-  expect(failure([open, high, along], SI)).toBe('palm high');
-  expect(failure([open, along], SI)).toBe('fingers apart');
-  expect(failure([along], SI)).toBe('');
+  expect(failureText([open, high, along], SI)).toBe('palm high');
+  expect(failureText([open, along], SI)).toBe('fingers apart');
+  expect(failureText([along], SI)).toBe('');
 });

@@ -18,7 +18,7 @@ function ghostOf(names: readonly string[]): { ghost: Ghost; parts: readonly Obje
   const bodies = names.map((name) => new Body({ name, shapes: [BOX] }, materials, 'low'));
   for (const body of bodies) body.setPose([0, 0, 0, 1, 0, 0, 0], 0);
   const stage = new Scene();
-  const ghost = new Ghost(stage, bodies);
+  const ghost = new Ghost(stage, bodies, '#ffffff', { fill: 0.1, rim: 0.9 });
   return { ghost, parts: stage.children };
 }
 

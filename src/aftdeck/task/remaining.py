@@ -21,12 +21,15 @@ from aftdeck.worksite.model import Seat
 _NEAR_M, _NEAR_RAD = 0.025, math.radians(2.0)
 """Distance [m] and angle [rad] that count as arrived if neither a step nor a berth gives them."""
 
+_AWAY_M = 0.1
+"""Distance above a payload or a berth from which on the place is named `over` or `before` it [m]."""
+
 
 class Remaining(NamedTuple):
     """Motion that is left.
 
     Attributes:
-        to: place for the operator: ``pin``, ``bar``, ``Cargo bay``, ``target``, or a joint's name.
+        to: place for the operator: ``pin``, ``over bar``, ``Cargo bay``, ``target``, or a joint's name.
         pose: pose of the tip at this place, in L; None if a joint has to move.
         distance: distance that the tip, or the held payload, still has to move [m]; 0 for a joint.
         angle: rotation that is left [rad]; for a joint, the signed angle.
@@ -72,11 +75,14 @@ class Aims:
         if target is None or pose is None:
             return None
         match target:
-            case AtSeat(seat=name):
+            case AtSeat(seat=name, above=above):
                 seat = self._seats[name]
-                return self._to(frame, seat.title, pose, self._near(step, (seat.distance, seat.angle)))
-            case AtCargo():
-                return self._to(frame, self._fixture, pose, self._near(step))
+                away = "before" if seat.kind == "port" else "over"
+                to = f"{away} {seat.title}" if above > _AWAY_M else seat.title
+                return self._to(frame, to, pose, self._near(step, (seat.distance, seat.angle)))
+            case AtCargo(above=above):
+                to = f"over {self._fixture}" if above > _AWAY_M else self._fixture
+                return self._to(frame, to, pose, self._near(step))
             case _:
                 return self._to(frame, "target", pose, self._near(step))
 

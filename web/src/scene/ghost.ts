@@ -13,11 +13,13 @@ import {
 } from 'three';
 import type { Body } from './bodies';
 
-/** Colour of the ghost, equal to the page's colour of commanded values. */
-const BLUE = '#78bdf7';
-/** Opacity of faces seen from the front, of faces seen from the side, and of edges. */
-const FILL = '0.16';
-const RIM = '0.9';
+/** Opacity of faces seen from the front and of faces seen from the side. */
+export interface Faces {
+  readonly fill: number;
+  readonly rim: number;
+}
+
+/** Opacity of edges. */
 const EDGE = 0.5;
 /** Time in which the ghost appears and disappears [s]. */
 const FADE_S = 0.15;
@@ -49,38 +51,44 @@ const vertexShader = /* glsl */ `
 const fragmentShader = /* glsl */ `
   varying vec3 ray, n;
   uniform vec3 colour;
-  uniform float shown;
+  uniform float shown, fill, rim;
   void main() {
     float turned = 1.0 - abs(dot(normalize(ray), normalize(n)));
-    gl_FragColor = vec4(colour, shown * mix(FILL, RIM, turned));
+    gl_FragColor = vec4(colour, shown * mix(fill, rim, turned));
   }`;
 
-/** The arm and its payload at the pose of the look-ahead. */
+/** Bodies at other poses than their own, as transparent shapes of one colour. */
 export class Ghost {
-  private readonly fill = new ShaderMaterial({
-    defines: { FILL, RIM },
-    // The colour is neither lit nor converted: exactly this colour is displayed.
-    uniforms: { colour: { value: new Color().setStyle(BLUE, LinearSRGBColorSpace) }, shown: { value: 0 } },
-    vertexShader,
-    fragmentShader,
-    transparent: true,
-    depthWrite: false,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-  });
-  private readonly edge = new LineBasicMaterial({
-    color: BLUE,
-    transparent: true,
-    opacity: 0,
-    depthWrite: false,
-    toneMapped: false,
-  });
+  private readonly fill;
+  private readonly edge;
   private readonly parts: readonly { readonly part: Object3D; readonly body: Body; moves: boolean }[];
   private readonly lines: LineSegments[] = [];
   private shown = 0;
   private at = performance.now();
 
-  constructor(stage: Stage, bodies: readonly Body[]) {
+  /** `colour`: a colour `#rrggbb`, which is displayed as it is, neither lit nor converted. */
+  constructor(stage: Stage, bodies: readonly Body[], colour: string, faces: Faces) {
+    this.fill = new ShaderMaterial({
+      uniforms: {
+        colour: { value: new Color().setStyle(colour, LinearSRGBColorSpace) },
+        shown: { value: 0 },
+        fill: { value: faces.fill },
+        rim: { value: faces.rim },
+      },
+      vertexShader,
+      fragmentShader,
+      transparent: true,
+      depthWrite: false,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+    });
+    this.edge = new LineBasicMaterial({
+      color: colour,
+      transparent: true,
+      opacity: 0,
+      depthWrite: false,
+      toneMapped: false,
+    });
     this.parts = bodies.map((body) => {
       const part = new Object3D();
       part.matrixAutoUpdate = false;

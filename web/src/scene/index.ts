@@ -8,6 +8,7 @@ import type { Rect, View } from './drawn';
 import { Exposures } from './exposures';
 import { Gap } from './gap';
 import { Ghost } from './ghost';
+import { GoalGhost } from './goal-ghost';
 import { Illumination } from './illumination';
 import { LambertLight } from './lambert';
 import { Materials } from './materials';
@@ -21,6 +22,8 @@ import { Television } from './television';
 const POSE = 7;
 /** Name of the body of the scenario's own payload. */
 const OWN_PAYLOAD = 'payload';
+/** Colour of the look-ahead's ghost, equal to the page's colour of commanded values. */
+const COMMANDED = '#78bdf7';
 /** Colour between the pictures, equal to the page's background. */
 const MARGIN = '#0c0d0e';
 const MARGIN_COLOUR = new Color(MARGIN);
@@ -44,7 +47,8 @@ export class Scene {
   private readonly exposures: Exposures;
   private readonly gap: Gap;
   private readonly ghost: Ghost;
-  /** Cameras on the arm. Their pictures do not show the ghost, because it would fill them. */
+  private readonly goal: GoalGhost;
+  /** Cameras on the arm. Their pictures do not show the ghosts, because these would fill them. */
   private readonly onArm: ReadonlySet<string>;
   private readonly television: Television;
   private readonly overhead = new Overhead();
@@ -85,7 +89,8 @@ export class Scene {
     this.television = new Television(this.renderer);
     this.gap = new Gap(stage, bodies);
     const ghosts = welcome.ghost.flatMap((i) => bodies[i] ?? []);
-    this.ghost = new Ghost(stage, ghosts);
+    this.ghost = new Ghost(stage, ghosts, COMMANDED, { fill: 0.16, rim: 0.9 });
+    this.goal = new GoalGhost(stage, bodies, new Set(welcome.work.cargo));
     const carried = new Set(ghosts.map(({ group }) => group.name));
     this.onArm = new Set(welcome.cameras.filter(({ body }) => carried.has(body)).map(({ name }) => name));
   }
@@ -98,12 +103,14 @@ export class Scene {
    * Sets the poses of all bodies to those in a frame's `display.poses`, and bends the booms. A pose is x, y, z [m],
    * w, x, y, z in the scene frame.
    */
-  setPoses({ display: { poses }, dynamics, work }: Frame, exaggerated: boolean): void {
+  setPoses(frame: Frame, exaggerated: boolean): void {
+    const { display, dynamics, work } = frame;
     this.bodies.forEach((body, i) => {
-      body.setPose(poses, POSE * i);
+      body.setPose(display.poses, POSE * i);
     });
     const held = [OWN_PAYLOAD, ...work.cargo.flatMap(({ held, name }) => (held ? [name] : []))];
     this.bending.show(dynamics?.bends ?? [], exaggerated ? EXAGGERATION : 1, held);
+    this.goal.set(frame, performance.now());
     this.illumination.follow();
   }
 
@@ -162,7 +169,7 @@ export class Scene {
     for (const { camera, rect, early } of views) {
       if (!this.aim(rect)) continue;
       this.gap.fit(rect.width, rect.height);
-      this.ghost.setVisible(!this.onArm.has(camera));
+      for (const ghost of [this.ghost, this.goal]) ghost.setVisible(!this.onArm.has(camera));
       const factor = this.illumination.expose(this.stops(camera));
       renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
       this.exposures.measure(camera, rect, this.height, factor); // before noise is added
@@ -178,7 +185,7 @@ export class Scene {
     renderer.setClearColor(PLATE);
     if (!this.aim(rect)) return;
     illumination.showEarth(false);
-    this.ghost.setVisible(false);
+    for (const ghost of [this.ghost, this.goal]) ghost.setVisible(false);
     illumination.expose(illumination.stops);
     renderer.render(this.stage, this.overhead.over(extent));
     this.relay?.add(rect, this.height);
@@ -199,6 +206,7 @@ export class Scene {
     this.relay?.dispose();
     this.gap.dispose();
     this.ghost.dispose();
+    this.goal.dispose();
     this.exposures.dispose();
     this.television.dispose();
     this.illumination.dispose();

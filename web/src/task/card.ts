@@ -64,13 +64,18 @@ export class Card {
     this.element = el(
       'section',
       { class: 'task', 'aria-label': 'Guide' },
-      el('div', { class: 'steps' }, el('ol', { 'aria-hidden': 'true' }, ...this.marks), this.count),
+      el(
+        'div',
+        { class: 'steps' },
+        el('ol', { class: 'marks', 'aria-hidden': 'true' }, ...this.marks),
+        this.count,
+        this.go.element,
+      ),
       el('div', { class: 'told' }, this.title, this.words, this.mode, this.note),
       el('div', { class: 'flown-with' }, this.drawing.element, this.caps),
       el(
         'div',
         { class: 'ways' },
-        this.go.element,
         this.next,
         this.back,
         this.skip,

@@ -12,10 +12,12 @@ export interface LineListener {
   open(): void;
 }
 
+const OPEN = 'Show this step with its controls';
+
 export class Line {
   readonly element: HTMLElement;
   private readonly count = el('span', { class: 'count' });
-  private readonly title = el('b', { 'aria-live': 'polite' });
+  private readonly title = el('b', { class: 'title', 'aria-live': 'polite' });
   private readonly words = el('span', { class: 'words' });
   private readonly go = goElement();
   private written = '';
@@ -28,12 +30,13 @@ export class Line {
     this.element = el(
       'section',
       { class: 'task-line', 'aria-label': 'Task' },
-      this.count,
-      el('p', {}, this.title, ' ', this.words),
-      this.go.element,
-      ...(listener
-        ? [button({ title: 'Show this step with its controls' }, ['Guide'], () => listener.open())]
-        : []),
+      el('div', {}, this.count, el('p', {}, this.title, ' ', this.words)),
+      el(
+        'div',
+        { class: 'far' },
+        this.go.element,
+        ...(listener ? [button({ title: OPEN }, ['Open the guide'], () => listener.open())] : []),
+      ),
     );
   }
 

@@ -6,7 +6,7 @@
 import type { Names } from '../input/active-device';
 import type { Condition, HintInfo, StepInfo, TaskNow } from '../link/protocol';
 import { el } from '../panel/parts/dom';
-import { conditionText } from '../words/condition-text';
+import { failureText } from '../words/condition-text';
 import { small } from '../words/format';
 import type { Units } from '../words/units';
 
@@ -21,6 +21,8 @@ export interface Marked {
   readonly conditions: readonly Condition[];
 }
 
+/** Text in place of a failing condition if there is none. */
+const NONE = 'nothing to capture is near';
 const LENGTH = /^([\d.e+-]+) m$/;
 
 /** Splits a text into pieces; lengths and the failing condition become plain text, functions keep their names. */
@@ -35,7 +37,7 @@ export function pieces(words: string, { units, conditions }: Marked): readonly P
       const metres = LENGTH.exec(inside)?.[1];
       if (metres) return { kind: 'text', text: lengthText(Number(metres), units) };
       return inside === 'wanting'
-        ? { kind: 'text', text: wanting(conditions, units) }
+        ? { kind: 'text', text: failureText(conditions, units) || NONE }
         : { kind: 'use', text: inside };
     });
 }
@@ -56,11 +58,4 @@ export function present(step: StepInfo, { hint }: TaskNow): HintInfo {
 /** Returns a given length as a text, without a superfluous zero: `2 in`. */
 function lengthText(metres: number, { gap }: Units): string {
   return `${small(metres, gap).replace(/\.0$/, '')} ${gap.name}`;
-}
-
-/** Returns the text of a condition that fails, as the panel displays it. The depth is met last. */
-function wanting(conditions: readonly Condition[], units: Units): string {
-  const fails = ({ holds, name }: Condition) => !holds && name !== 'pin depth';
-  const first = conditions.find(fails) ?? conditions.find(({ holds }) => !holds);
-  return first ? conditionText(first, units) : 'nothing to capture is near';
 }

@@ -73,3 +73,13 @@ function suffix({ unit }: Condition, { gap, creep }: Units): string {
       return '';
   }
 }
+
+/** Conditions that the operator meets last: the depth after the alignment, closed fingers when the palm is at the bar. */
+const LAST: ReadonlySet<string> = new Set(['pin depth', 'prong closed']);
+
+/** Returns the text of the condition to meet first of those that fail; empty if all hold. */
+export function failureText(conditions: readonly Condition[], units: Units): string {
+  const fails = conditions.filter(({ holds }) => !holds);
+  const first = fails.find(({ name }) => !LAST.has(name)) ?? fails[0];
+  return first ? conditionText(first, units) : '';
+}

@@ -2,7 +2,7 @@
 
 import type { Names } from '../../input/active-device';
 import type { Condition, Work } from '../../link/protocol';
-import { conditionText } from '../../words/condition-text';
+import { conditionText, failureText } from '../../words/condition-text';
 import { degrees, fixed, small } from '../../words/format';
 import type { Units } from '../../words/units';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../parts/dom';
@@ -55,19 +55,9 @@ export function conditionsGroup(): Part {
       });
       const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
       setClass(element, 'met', met);
-      setAbout(element, met ? `all met${whatNow(frame.work, names)}` : failure(shown, units));
+      setAbout(element, met ? `all met${whatNow(frame.work, names)}` : failureText(shown, units));
     },
   };
-}
-
-/** The condition that the operator meets last: the fingers close when the palm is at the bar. */
-const LAST = 'prong closed';
-
-/** Returns the text of the condition to meet first of those that fail; empty if all hold. */
-export function failure(conditions: readonly Condition[], units: Units): string {
-  const fails = conditions.filter(({ holds }) => !holds);
-  const first = fails.find(({ name }) => name !== LAST) ?? fails[0];
-  return first ? conditionText(first, units) : '';
 }
 
 /** Returns the next action of the operator when all conditions hold; empty if the mechanism acts automatically. */
