@@ -16,7 +16,7 @@ import type { View } from '../scene/drawn';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
 import { AllCameras } from './all-cameras';
-import { TARGETS, type Target } from './best-pair';
+import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
 import { Monitors } from './monitors';
 import { overlay } from './overlay';
@@ -24,6 +24,8 @@ import { PACES, type Pane, Panes } from './panes';
 
 /** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
+/** Centres of the engineering views, besides their initial centre. */
+const CENTRES: readonly Subject[] = ['tip', 'payload', 'gap'];
 /** Time between two attempts to put the pictures on the page [ms]. */
 const LOOK_MS = 3;
 
@@ -38,6 +40,12 @@ export interface PicturesListener {
   polygons?: PolygonPictures;
   /** Called when a monitor shows another camera, or was split. */
   changed?: () => void;
+}
+
+/** Cameras of the monitors, and the survey of all cameras. */
+export interface Views {
+  readonly monitors: readonly (readonly string[])[];
+  readonly cameras: readonly Sighting[];
 }
 
 export class Pictures {
@@ -58,10 +66,12 @@ export class Pictures {
   private count = 0;
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
-  private round: Target | null = null;
+  private round: Subject | null = null;
   /** Called when the pictures drawn last are on the page; null if they are there already. */
   private finish: (() => void) | null = null;
   private looking = 0;
+  /** Frame that was drawn last. */
+  private last: Frame | null = null;
 
   constructor(
     welcome: Welcome,
@@ -103,6 +113,14 @@ export class Pictures {
     return this.orbits;
   }
 
+  /** Surveys all cameras at the frame drawn last; null before the first frame. */
+  views(): Views | null {
+    if (!this.last) return null;
+    this.survey.lookAll(this.last, drawnGap(this.last));
+    const cameras = this.matrix.tiles.flatMap(({ camera }) => this.survey.of(camera) ?? []);
+    return { monitors: this.monitors.shown, cameras };
+  }
+
   /** Whether all cameras are shown in place of the monitors. */
   get matrixOpen(): boolean {
     return this.open;
@@ -138,7 +156,7 @@ export class Pictures {
 
   /** Selects the next centre of the engineering views: initial centre, tip, payload, minimum clearance. */
   private turnRound(): void {
-    const all = [null, ...TARGETS];
+    const all = [null, ...CENTRES];
     this.round = all[(all.indexOf(this.round) + 1) % all.length] ?? null;
     this.orbits += 1;
     this.scene.cameras.turnTo(null);
@@ -178,12 +196,13 @@ export class Pictures {
     const gap = drawnGap(frame);
     this.scene.setPoses(frame, this.exaggerated);
     this.scene.cameras.put(frame.views);
-    const round = this.round && this.survey.place(this.round, gap);
+    const round = this.round && this.survey.place(this.round, frame, gap);
     if (round) this.scene.cameras.follow(round);
     this.scene.setLighting(frame.display.lighting, frame.time_s);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
     const { ahead } = frame.display;
     this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
+    this.last = frame;
     this.begin(frame, gap);
     this.count += 1;
     const all = this.panes.all(this.open, this.seventies);
@@ -249,7 +268,7 @@ export class Pictures {
   /** Chooses the monitors' cameras at the first frame. */
   private begin(frame: Frame, gap: ClosestPoints | null): void {
     if (this.monitors.chosen) return;
-    this.survey.lookAll(frame, gap);
+    this.survey.open(frame, gap);
     this.monitors.begin(this.survey.first(frame));
   }
 

@@ -10,6 +10,7 @@ import { Gap } from './gap';
 import { Ghost } from './ghost';
 import { Illumination } from './illumination';
 import { LambertLight } from './lambert';
+import type { Lit } from './lit';
 import { Materials } from './materials';
 import { type Extent, Overhead } from './overhead';
 import { Relay } from './relay';
@@ -121,6 +122,17 @@ export class Scene {
   /** Whether a camera's exposure is neither locked nor set from a picture yet. */
   metering(camera: string): boolean {
     return this.exposures.metering(camera);
+  }
+
+  /** Computes the light on a point of the scene. */
+  get lit(): Lit {
+    return this.illumination.lit;
+  }
+
+  /** Returns the diameter of a body: the diagonal of its box [m]. */
+  diameter(name: string): number {
+    const box = this.bodies.find(({ group }) => group.name === name)?.box();
+    return box && !box.isEmpty() ? box.getSize(new Vector3()).length() : 0;
   }
 
   /** Returns the middle of a body in the scene; null if there is no such body, or if it has no drawn shape. */
