@@ -45,10 +45,10 @@ test('a camera sees a body that is in its picture and not hidden by another body
   expect(place(body('payload', [-10, 0, 0])).sight.visible(bay, 'payload')).toBe(0);
   expect(
     place(body('payload', [10, 0, 0]), body('wall', [5, 0, 0], [0.2, 8, 8])).sight.visible(bay, 'payload'),
-  ).toBe(false);
+  ).toBe(0);
   expect(
     place(body('payload', [10, 0, 0]), body('post', [5, 0, 0], [0.2, 0.2, 8])).sight.visible(bay, 'payload'),
-  ).toBe(true);
+  ).toBeGreaterThan(0);
   expect(sight.visible(bay, 'nothing')).toBe(0);
 });
 
@@ -91,5 +91,13 @@ test('a window sees through its pane; bodies between the eye and the pane hide n
   expect(place(body('payload', [10, 4, 0])).sight.visible(eye, 'payload')).toBe(0);
   expect(
     place(body('wall', [1.5, 0, 0], [0.2, 8, 8]), body('payload', [10, 0, 0])).sight.visible(eye, 'payload'),
-  ).toBe(false);
+  ).toBe(0);
+});
+
+test('a body that another body hides in part is seen in part', () => {
+  const whole = place(body('payload', [10, 0, 0])).sight.visible(bay, 'payload');
+  const half = place(body('payload', [10, 0, 0]), body('wall', [9, 0, 4], [0.2, 8, 8])).sight;
+  expect(whole).toBe(1);
+  expect(half.visible(bay, 'payload')).toBeGreaterThan(0);
+  expect(half.visible(bay, 'payload')).toBeLessThan(1);
 });

@@ -123,9 +123,8 @@ export class Survey {
     const named = (this.best()?.cameras ?? []).flatMap(({ camera }) =>
       cameras.filter(({ name }) => name === camera),
     );
-    const held = frame.work.cargo.some((cargo) => cargo.held);
     const own = cameras.find(({ body, kind }) => body === TIP && kind === 'camera');
-    const aimed = !held && own && this.isAimed(own) ? [own] : [];
+    const aimed = !this.subjects.holds(frame) && own && this.isAimed(own) ? [own] : [];
     return [
       ...named.filter((camera) => !aimed.includes(camera)).slice(0, 2 - aimed.length),
       ...aimed,

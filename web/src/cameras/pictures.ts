@@ -20,6 +20,7 @@ import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
 import { Monitors } from './monitors';
 import { overlay } from './overlay';
+import { type PairOffer, SituationWatch, situationOf, situationWords } from './pair-offer';
 import { PACES, type Pane, Panes } from './panes';
 
 /** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
@@ -38,6 +39,8 @@ export interface PicturesListener {
   turns?: boolean;
   /** Pictures in the look of 1972; absent if no station computes them. */
   polygons?: PolygonPictures;
+  /** Called when another pair of cameras is offered, or null when the offer ends. Absent if none are offered. */
+  offered?: (offer: PairOffer | null) => void;
   /** Called when a monitor shows another camera, or was split. */
   changed?: () => void;
 }
@@ -70,6 +73,10 @@ export class Pictures {
   /** Called when the pictures drawn last are on the page; null if they are there already. */
   private finish: (() => void) | null = null;
   private looking = 0;
+  private readonly watch: SituationWatch;
+  private offered: PairOffer | null = null;
+  /** Whether the next offer is shown at once, because the run starts again at a task phase. */
+  private reopening = false;
   /** Frame that was drawn last. */
   private last: Frame | null = null;
 
@@ -99,6 +106,7 @@ export class Pictures {
     this.appearance.follow(this.ended.signal);
     this.scene = new Scene(this.canvas, welcome, drawing);
     this.survey = new Survey(this.scene, welcome);
+    this.watch = new SituationWatch(cameras.length);
     this.all = new AllCameras(this.matrix, this.scene, this.survey, cameras, PACES[drawing.quality][3]);
     this.panes = new Panes(this.canvas, this.monitors, this.matrix, drawing);
   }
@@ -119,6 +127,27 @@ export class Pictures {
     this.survey.lookAll(this.last, drawnGap(this.last));
     const cameras = this.matrix.tiles.flatMap(({ camera }) => this.survey.of(camera) ?? []);
     return { monitors: this.monitors.shown, cameras };
+  }
+
+  /** Offers a pair of cameras, unless the monitors show it already; null ends an offer. */
+  offer(offer: PairOffer | null): void {
+    const shown = this.monitors.shown.map((names) => names.join());
+    const known = offer?.cameras.every((name) => shown.includes(name)) === true;
+    this.offered = known ? null : offer;
+    this.listener.offered?.(this.offered);
+  }
+
+  /** Shows the offered pair on the monitors. */
+  takeOffer(): void {
+    this.offered?.cameras.forEach((name, i) => {
+      this.monitors.show(i, [name]);
+    });
+    this.offer(null);
+  }
+
+  /** Shows the best pair as soon as the situation has changed, because the run starts again at a task phase. */
+  reopen(): void {
+    this.reopening = true;
   }
 
   /** Whether all cameras are shown in place of the monitors. */
@@ -204,6 +233,7 @@ export class Pictures {
     this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
     this.last = frame;
     this.begin(frame, gap);
+    if (this.listener.offered) this.watchSituation(frame, gap);
     this.count += 1;
     const all = this.panes.all(this.open, this.seventies);
     const [panes, flat] = [all.filter(({ polygons }) => !polygons), all.filter(({ polygons }) => polygons)];
@@ -270,6 +300,20 @@ export class Pictures {
     if (this.monitors.chosen) return;
     this.survey.open(frame, gap);
     this.monitors.begin(this.survey.first(frame));
+  }
+
+  /** After a change of situation, surveys one camera at each drawing, and then offers the best pair. */
+  private watchSituation(frame: Frame, gap: ClosestPoints | null): void {
+    const { watch, survey } = this;
+    watch.see(situationOf(frame, gap));
+    if (!watch.pending) return;
+    survey.look(frame, gap, 1);
+    if (!watch.surveyed()) return;
+    if (this.reopening) survey.open(frame, gap);
+    const [first, second] = survey.first(frame);
+    if (first && second) this.offer({ cameras: [first.name, second.name], why: situationWords(frame) });
+    if (this.reopening) this.takeOffer();
+    this.reopening = false;
   }
 
   /** For each monitor, whether it has the look of 1972. */

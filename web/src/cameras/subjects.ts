@@ -64,7 +64,7 @@ export class Subjects {
   }
 
   /** Returns whether the arm holds a payload. The scenario's own payload is always held. */
-  private holds({ work }: Frame): boolean {
+  holds({ work }: Frame): boolean {
     return work.cargo.some(({ held }) => held) || (work.cargo.length === 0 && this.payloads.length > 0);
   }
 
