@@ -19,6 +19,10 @@ MOST = math.pi / 2 + 0.01
 """Greatest angle between sticks and picture [rad]: a little over 90°, because a view straight down has 90°."""
 
 TITLE = "document.querySelector('.rail .scenario > button').textContent"
+"""JavaScript: text of the button with the scenario's title."""
+
+MONITORS = "[...document.querySelectorAll('.monitor .picture .name b')].map((name) => name.textContent).join()"
+"""JavaScript: names of the cameras on the monitors."""
 
 
 def opened(flight: Flight, label: str) -> list[str]:
@@ -42,7 +46,7 @@ def choose(flight: Flight, title: str) -> None:
     flight.until(f"{TITLE}.includes('{title}') || !document.querySelector('.leaving').hidden")
     if leave.is_visible():
         leave.click()
-    flight.until(f"{TITLE}.includes('{title}') && window.__aftdeck.views && window.__aftdeck.frames > 2")
+    flight.until(f"{TITLE}.includes('{title}') && window.__aftdeck.frames > 2")
 
 
 def test_every_scenario_opens_on_hand_or_target_with_sticks_at_most_90_degrees_off(open_page: OpenPage) -> None:
@@ -55,12 +59,20 @@ def test_every_scenario_opens_on_hand_or_target_with_sticks_at_most_90_degrees_o
             opened(flight, name)
 
 
-def test_initialisation_shows_the_best_pair_and_a_new_phase_offers_one(open_page: OpenPage) -> None:
-    flight = open_page().from_the_start()
-    flight.press_key("Initialise")
-    flight.press_key("manoeuvring")
-    flight.until("frame.work.task === 3 && !['B', 'D'].includes(window.__aftdeck.views.monitors[0][0])")
-    opened(flight, "manoeuvring")
-    flight.press("1", "x", "2")  # cameras that show little
-    flight.until(shows(1, "B"))
-    flight.page.get_by_role("button", name="Initialise").wait_for()
+def test_initialisation_shows_the_best_pair_and_restart_offers_one(open_page: OpenPage) -> None:
+    flight = open_page()
+    choose(flight, load_scenario(SCENARIO).title)
+    for part, task in (("manoeuvring", 3), ("extraction", 2)):
+        before = flight.script(MONITORS)
+        flight.press_key("Initialise")
+        flight.press_key(part)
+        flight.until(f"frame.work.task === {task} && {MONITORS} !== '{before}'")
+        opened(flight, part)
+    flight.press("6", "x", "8", "x")
+    flight.until(shows(1, "H"))
+    flight.press_key("Restart")  # the payload is in its berth again, and the monitors keep their cameras
+    flight.page.locator(".pair-offer").wait_for(state="visible")
+    assert flight.script(MONITORS) == "F,H"
+    flight.press("NumpadAdd")
+    flight.page.locator(".pair-offer").wait_for(state="hidden")
+    opened(flight, "restart")

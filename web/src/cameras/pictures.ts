@@ -8,9 +8,9 @@ import { keeper } from '../page/local-storage';
 import type { Drawing } from '../page/quality';
 import { FARTHEST } from '../panel/clearance/gap-scale';
 import { Matrix } from '../panel/monitors/matrix';
-import { el, setClass } from '../panel/parts/dom';
+import { setClass } from '../panel/parts/dom';
 import type { View as DeskView } from '../panel/parts/part';
-import { Scene } from '../scene';
+import type { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
 import type { View } from '../scene/drawn';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
@@ -18,6 +18,7 @@ import { small } from '../words/format';
 import { AllCameras } from './all-cameras';
 import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
+import { type Drawer, firstDrawer, fullDrawer } from './full-profile';
 import { Monitors } from './monitors';
 import { overlay } from './overlay';
 import { type PairOffer, SituationWatch, situationOf, situationWords } from './pair-offer';
@@ -25,6 +26,8 @@ import { PACES, type Pane, Panes } from './panes';
 
 /** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
+/** Number of drawings in the low profile before the full profile is prepared: the page then shows its pictures. */
+const SHOWN = 3;
 /** Centres of the engineering views, besides their initial centre. */
 const CENTRES: readonly Subject[] = ['tip', 'payload', 'gap'];
 /** Time between two attempts to put the pictures on the page [ms]. */
@@ -52,17 +55,18 @@ export interface Views {
 }
 
 export class Pictures {
-  readonly canvas = el('canvas', { class: 'scene', 'aria-hidden': 'true' });
   readonly monitors: Monitors;
   readonly matrix: Matrix;
   readonly appearance = new Appearance(keeper, ({ night }) =>
     setClass(document.documentElement, 'night', night),
   );
   private readonly ended = new AbortController();
-  private readonly scene: Scene;
-  private readonly survey: Survey;
-  private readonly all: AllCameras;
-  private readonly panes: Panes;
+  private drawer: Drawer;
+  private survey: Survey;
+  private all: AllCameras;
+  private panes: Panes;
+  /** Drawer that replaces the present one at the next drawing. */
+  private next: Drawer | null = null;
   private plane = false;
   private exaggerated = false;
   private open = false;
@@ -81,8 +85,8 @@ export class Pictures {
   private last: Frame | null = null;
 
   constructor(
-    welcome: Welcome,
-    drawing: Drawing,
+    private readonly welcome: Welcome,
+    private readonly profile: Drawing,
     private readonly listener: PicturesListener = {},
   ) {
     const { cameras } = welcome;
@@ -104,11 +108,49 @@ export class Pictures {
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
     });
     this.appearance.follow(this.ended.signal);
-    this.scene = new Scene(this.canvas, welcome, drawing);
-    this.survey = new Survey(this.scene, welcome);
+    this.drawer = firstDrawer(welcome, profile);
+    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawer));
     this.watch = new SituationWatch(cameras.length);
-    this.all = new AllCameras(this.matrix, this.scene, this.survey, cameras, PACES[drawing.quality][3]);
-    this.panes = new Panes(this.canvas, this.monitors, this.matrix, drawing);
+  }
+
+  /** The canvas behind the pictures. */
+  get canvas(): HTMLCanvasElement {
+    return this.drawer.canvas;
+  }
+
+  private get scene(): Scene {
+    return this.drawer.scene;
+  }
+
+  /** Makes the parts that depend on the drawer. */
+  private partsOf({ scene, canvas, quality }: Drawer) {
+    const { welcome, matrix, monitors } = this;
+    const survey = new Survey(scene, welcome);
+    const all = new AllCameras(matrix, scene, survey, welcome.cameras, PACES[quality][3]);
+    return { survey, all, panes: new Panes(canvas, monitors, matrix, quality) };
+  }
+
+  /** Prepares the full profile, and shows the progress in the pictures. */
+  private async prepareFull(frame: Frame): Promise<void> {
+    const { welcome, profile, ended } = this;
+    this.next = await fullDrawer(welcome, profile, frame, ended.signal, (done) => this.setPreparing(done));
+  }
+
+  /** Draws with the next drawer from now on. */
+  private change(next: Drawer): void {
+    const { drawer } = this;
+    next.scene.cameras.takeOrbits(drawer.scene.cameras);
+    drawer.canvas.replaceWith(next.canvas);
+    this.drawer = next;
+    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(next));
+    drawer.scene.dispose();
+    this.setPreparing(null);
+  }
+
+  /** Writes the progress of the full profile into the pictures; null when it is shown. */
+  private setPreparing(done: number | null): void {
+    const text = done === null ? '' : `Preparing the full picture: ${Math.floor(100 * done)} %`;
+    for (const picture of this.monitors.both.flatMap(({ halves }) => halves)) picture.setPreparing(text);
   }
 
   /** Exposure of a camera's picture [photographic stops above the exposure for full sunlight]. */
@@ -221,6 +263,8 @@ export class Pictures {
    * @param done called when the pictures are on the page, unless the page's layout has changed since they were drawn.
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
+    if (this.next) this.change(this.next);
+    this.next = null;
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
     this.scene.setPoses(frame, this.exaggerated);
@@ -261,6 +305,7 @@ export class Pictures {
       done();
     };
     this.put();
+    if (this.count === SHOWN && this.profile.quality === 'full') void this.prepareFull(frame);
     return drawn.complete && metered;
   }
 
@@ -293,6 +338,7 @@ export class Pictures {
     this.ended.abort();
     this.listener.polygons?.dispose();
     this.scene.dispose();
+    this.next?.scene.dispose();
   }
 
   /** Chooses the monitors' cameras at the first frame. */

@@ -95,6 +95,14 @@ export class Cameras {
     this.driven = [...this.mounted.values()].filter(({ camera }) => camera.drive !== null);
   }
 
+  /** Takes over the engineering views of another scene. */
+  takeOrbits(other: Cameras): void {
+    for (const [name, orbit] of other.orbits) {
+      this.orbits.set(name, orbit);
+      this.one(name).look(orbit.view);
+    }
+  }
+
   /** Sets the drives of each camera that has any, in the cameras' order: pan, tilt, horizontal field of view [rad]. */
   put(views: readonly Vec3[]): void {
     this.driven.forEach((mounted, i) => {

@@ -13,6 +13,7 @@ import { LambertLight } from './lambert';
 import type { Lit } from './lit';
 import { Materials } from './materials';
 import { type Extent, Overhead } from './overhead';
+import { prepare } from './prepare';
 import { Relay } from './relay';
 import { rendererFor } from './renderer';
 import { Sight } from './sight';
@@ -49,6 +50,7 @@ export class Scene {
   private readonly onArm: ReadonlySet<string>;
   private readonly television: Television;
   private readonly overhead = new Overhead();
+  private readonly firstCamera: string;
   private width = 0;
   private height = 0;
 
@@ -82,6 +84,7 @@ export class Scene {
       conditions,
     );
     const names = welcome.cameras.map(({ name }) => name);
+    this.firstCamera = names[0] ?? '';
     this.exposures = new Exposures(names, this.renderer, quality);
     this.television = new Television(this.renderer);
     this.gap = new Gap(stage, bodies);
@@ -152,6 +155,11 @@ export class Scene {
   /** Shows the bodies of `Welcome.ghost` at the poses of the look-ahead; null hides them. */
   setGhost(poses: readonly number[] | null): void {
     this.ghost.set(poses, performance.now());
+  }
+
+  /** Prepares the first picture; `progress` receives the fraction that is done. */
+  prepare(progress: (done: number) => void): Promise<void> {
+    return prepare(this.renderer, this.stage, this.cameras.at(this.firstCamera, 1), progress);
   }
 
   /** Clears the canvas, because its pictures have new positions. */

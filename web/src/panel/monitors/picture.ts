@@ -54,6 +54,7 @@ export class Picture {
   private readonly age = el('span');
   private readonly lens = el('span');
   private readonly stale = el('p', { class: 'stale' });
+  private readonly preparing = el('p', { class: 'preparing', role: 'status', hidden: '' });
   private readonly pane = el('div', { class: 'pane', 'aria-hidden': 'true' });
   private readonly axes = axesOverlay();
   private readonly pushes = pushOverlay();
@@ -84,6 +85,7 @@ export class Picture {
       this.pushes.element,
       ...this.gap.elements,
       this.stale,
+      this.preparing,
     );
     this.element.addEventListener('click', () => listener.taken());
     this.followMouse();
@@ -152,6 +154,12 @@ export class Picture {
     setText(this.age, marks.filter((mark) => mark !== '').join('  '));
     setText(this.stale, stale ? old : '');
     setClass(this.element, 'is-stale', stale);
+  }
+
+  /** Writes the progress of the full drawing profile; empty when it is shown. */
+  setPreparing(text: string): void {
+    setText(this.preparing, text);
+    this.preparing.hidden = text === '';
   }
 
   private burnedIn(picture: Size): readonly Box[] {
