@@ -56,6 +56,11 @@ export class Survey {
     }
   }
 
+  /** Returns whether the sticks drive one joint. */
+  drivesOneJoint({ mode }: Frame): boolean {
+    return this.oneJoint.has(mode);
+  }
+
   /** Surveys all cameras. */
   lookAll(frame: Frame, gap: ClosestPoints | null): void {
     this.look(frame, gap, this.welcome.cameras.length);
@@ -159,7 +164,7 @@ export class Survey {
       onArm: this.subjects.isCarried(camera.body, frame),
       shows: { tip: clear('tip'), payload: clear('payload'), target: clear('target'), gap: clear('gap') },
       lens,
-      turned: this.oneJoint.has(frame.mode)
+      turned: this.drivesOneJoint(frame)
         ? 0
         : stickToPicture(cameras.directions(camera.name, frame.display.axes)),
     };

@@ -297,7 +297,12 @@ export class Pictures {
       const shown = [...due, ...flat.map((pane) => [pane, this.viewOf(pane)] as const)];
       for (const [{ picture, polygons }, view] of shown) {
         if (!picture) continue;
-        overlay(this.scene, picture, view, { frame, gap, caution });
+        overlay(this.scene, picture, view, {
+          frame,
+          gap,
+          caution,
+          oneJoint: this.survey.drivesOneJoint(frame),
+        });
         if (polygons)
           picture.polygons.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, view.rect);
         else picture.polygons.hide();

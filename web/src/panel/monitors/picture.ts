@@ -123,9 +123,9 @@ export class Picture {
     this.drawBand();
   }
 
-  /** Draws the control frame's axes, at picture rate. */
-  setAxes(directions: readonly [Vec3, Vec3, Vec3]): void {
-    this.axes.set(directions);
+  /** Draws the control frame's axes, at picture rate; `marked`: whether a large angle to the picture is marked. */
+  setAxes(directions: readonly [Vec3, Vec3, Vec3], marked: boolean): void {
+    this.axes.set(directions, marked);
   }
 
   /** Draws the minimum clearance and the contacts at picture rate; `picture`: size of the picture. */
