@@ -200,7 +200,7 @@ export function pairWords(pair: Pair | null): readonly string[] {
   const apart =
     pair.apart === null
       ? `${a.camera} and ${b.camera} show different subjects.`
-      : `${a.camera} and ${b.camera} both see the ${pair.both.join(' and the ')}, ${angle(pair.apart)} apart.`;
+      : `${a.camera} and ${b.camera} both see ${pair.both.join(', ')}, ${angle(pair.apart)} apart.`;
   return [
     apart,
     `Angle between stick axes and picture: ${a.camera} ${angle(a.turned)}, ${b.camera} ${angle(b.turned)}.`,
