@@ -144,7 +144,7 @@ def test_c_shows_all_cameras_and_a_click_or_digit_selects_one(flight: Flight) ->
     flight.until(f"document.querySelectorAll('.tile').length === {len(CAMERAS)}")
     assert flight.page.locator(".tile .caption > b").all_inner_texts() == CAMERAS
     flight.until("document.querySelectorAll('.tile.used').length === 2")
-    flight.page.locator(".pair-words").get_by_text(re.compile(r"both see the gap, \d+° apart")).wait_for()
+    flight.page.locator(".pair-words").get_by_text(re.compile(r"both see tip, .*gap, \d+° apart")).wait_for()
     assert flight.page.locator(".strip-below .lamp").count() >= 8
     assert flight.page.locator(".strip-below .gap-value").inner_text() != ""
     tiles.filter(has_text="CAE2").click()

@@ -197,13 +197,6 @@ test.each<[Action['name'] & ('stop' | 'rate hold'), Command['type']]>([
   expect(sent).toEqual([{ type }]);
 });
 
-test('the tutorial receives every action', () => {
-  const { operations, parts } = station();
-  const actions: Action[] = [{ name: 'rate hold' }, { name: 'light' }, { name: 'keys' }];
-  for (const action of actions) operations.act(action);
-  expect(parts.tutorial.acted.mock.calls).toEqual(actions.map((action) => [action]));
-});
-
 test('a pressed lamp filters the log by its kinds and outlines its elements for 2 s', () => {
   vi.useFakeTimers();
   const outlined = new Set<string>();

@@ -2,7 +2,6 @@ import { afterEach, beforeEach, describe, expect, it, test, vi } from 'vitest';
 import type { Monitors } from '../src/cameras/monitors';
 import { PACES, type Pane, Panes } from '../src/cameras/panes';
 import type { Camera } from '../src/link/protocol';
-import type { Drawing } from '../src/page/quality';
 import type { Matrix } from '../src/panel/monitors/matrix';
 import type { Quality } from '../src/scene/drawn';
 
@@ -42,7 +41,7 @@ function page(quality: Quality = 'low') {
     canvas as unknown as HTMLCanvasElement,
     { both } as unknown as Monitors,
     { tiles } as unknown as Matrix,
-    { quality } as Drawing,
+    quality,
   );
   return { first, second, both, tiles, canvas, panes };
 }

@@ -40,23 +40,23 @@ const eye: Camera = {
 
 test('a camera sees a body that is in its picture and not hidden by another body', () => {
   const { sight } = place(body('payload', [10, 0, 0]));
-  expect(sight.body(bay, 'payload')).toBe(true);
-  expect(place(body('payload', [10, -20, 0])).sight.body(bay, 'payload')).toBe(false);
-  expect(place(body('payload', [-10, 0, 0])).sight.body(bay, 'payload')).toBe(false);
+  expect(sight.visible(bay, 'payload')).toBeGreaterThan(0);
+  expect(place(body('payload', [10, -20, 0])).sight.visible(bay, 'payload')).toBe(0);
+  expect(place(body('payload', [-10, 0, 0])).sight.visible(bay, 'payload')).toBe(0);
   expect(
-    place(body('payload', [10, 0, 0]), body('wall', [5, 0, 0], [0.2, 8, 8])).sight.body(bay, 'payload'),
-  ).toBe(false);
+    place(body('payload', [10, 0, 0]), body('wall', [5, 0, 0], [0.2, 8, 8])).sight.visible(bay, 'payload'),
+  ).toBe(0);
   expect(
-    place(body('payload', [10, 0, 0]), body('post', [5, 0, 0], [0.2, 0.2, 8])).sight.body(bay, 'payload'),
-  ).toBe(true);
-  expect(sight.body(bay, 'nothing')).toBe(false);
+    place(body('payload', [10, 0, 0]), body('post', [5, 0, 0], [0.2, 0.2, 8])).sight.visible(bay, 'payload'),
+  ).toBeGreaterThan(0);
+  expect(sight.visible(bay, 'nothing')).toBe(0);
 });
 
 test('a camera that was turned sees the body in its new direction', () => {
   const { sight, cameras } = place(body('payload', [0, -10, 0]));
-  expect(sight.body(bay, 'payload')).toBe(false);
+  expect(sight.visible(bay, 'payload')).toBe(0);
   cameras.put([[90 * degree, 0, 60 * degree]]);
-  expect(sight.body(bay, 'payload')).toBe(true);
+  expect(sight.visible(bay, 'payload')).toBeGreaterThan(0);
   near(sight.direction(bay), [0, -1, 0]);
   cameras.put([[90 * degree, 0, 9 * degree]]);
   expect(cameras.project('B', 1, [0, -10, 0]).visible).toBe(true);
@@ -66,9 +66,9 @@ test('a camera that was turned sees the body in its new direction', () => {
 test('a body that fills the picture is visible and hides others', () => {
   const wall = body('payload', [5, 40, 0], [0.2, 100, 100]);
   const { sight } = place(wall, body('post', [9, 0, 0]));
-  expect(sight.body(bay, 'payload')).toBe(false);
-  expect([...sight.ahead(bay)]).toEqual(['payload']);
-  expect([...place().sight.ahead(bay)]).toEqual([]);
+  expect(sight.visible(bay, 'payload')).toBe(0);
+  expect([...sight.ahead(bay).keys()]).toEqual(['payload']);
+  expect([...place().sight.ahead(bay).keys()]).toEqual([]);
 });
 
 test('a clearance line is visible if any part of it is unobstructed', () => {
@@ -86,10 +86,18 @@ test('a clearance line is visible if any part of it is unobstructed', () => {
 
 test('a window sees through its pane; bodies between the eye and the pane hide nothing', () => {
   const ahead = place(body('payload', [10, 0, 0]), body('wall', [0.5, 0, 0], [0.2, 8, 8]));
-  expect(ahead.sight.body(eye, 'payload')).toBe(true);
+  expect(ahead.sight.visible(eye, 'payload')).toBeGreaterThan(0);
   // A pane edge 0.2 m from the axis, 1 m away, limits the view to 2 m from the axis at 10 m.
-  expect(place(body('payload', [10, 4, 0])).sight.body(eye, 'payload')).toBe(false);
+  expect(place(body('payload', [10, 4, 0])).sight.visible(eye, 'payload')).toBe(0);
   expect(
-    place(body('wall', [1.5, 0, 0], [0.2, 8, 8]), body('payload', [10, 0, 0])).sight.body(eye, 'payload'),
-  ).toBe(false);
+    place(body('wall', [1.5, 0, 0], [0.2, 8, 8]), body('payload', [10, 0, 0])).sight.visible(eye, 'payload'),
+  ).toBe(0);
+});
+
+test('a body that another body hides in part is seen in part', () => {
+  const whole = place(body('payload', [10, 0, 0])).sight.visible(bay, 'payload');
+  const half = place(body('payload', [10, 0, 0]), body('wall', [9, 0, 4], [0.2, 8, 8])).sight;
+  expect(whole).toBe(1);
+  expect(half.visible(bay, 'payload')).toBeGreaterThan(0);
+  expect(half.visible(bay, 'payload')).toBeLessThan(1);
 });

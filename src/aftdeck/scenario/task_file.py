@@ -55,6 +55,7 @@ Use = Literal[
     "cameraStep +",
     "split",
     "matrix",
+    "offered pair",
     "slow camera",
     "light",
     "lock exposure",

@@ -1,4 +1,4 @@
-/** Updates the view of all cameras: the targets that each one sees, the best pair, and the plan of their positions. */
+/** Updates the view of all cameras: the subjects that each one sees, the best pair, and the plan of their positions. */
 
 import type { Camera, ClosestPoints, Frame } from '../link/protocol';
 import type { Matrix } from '../panel/monitors/matrix';

@@ -1,15 +1,32 @@
-/** The best two cameras: both see the same target, and their directions of view differ as much as possible. */
+/**
+ * The rule that chooses the two cameras of the monitors.
+ *
+ * A picture has to show the *subjects* of the work: the tip, the payload, the target and the minimum clearance. The
+ * rule compares all pairs of cameras that each show a subject, in this order:
+ *
+ * 1. Fewest cameras whose picture is turned by more than 90° against the sticks. Such a camera is chosen only if no
+ *    other camera shows a subject.
+ * 2. Fewest missing needs: the hand and what it works on (`Subjects.needs`).
+ * 3. Kind: television cameras before windows, windows before engineering views.
+ * 4. Score: what the two pictures show, see `score`.
+ */
 
-import type { Vec3 } from '../link/protocol';
+import type { Camera, Vec3 } from '../link/protocol';
 
-/** What a camera should show (not targets of a motion): tip, payload, minimum clearance. The last is most important. */
-export const TARGETS = ['tip', 'payload', 'gap'] as const;
-export type Target = (typeof TARGETS)[number];
+export const SUBJECTS = ['tip', 'payload', 'target', 'gap'] as const;
+export type Subject = (typeof SUBJECTS)[number];
 
 /** Result of a survey of one camera. */
 export interface Sighting {
   readonly camera: string;
-  readonly sees: ReadonlySet<Target>;
+  readonly kind: Camera['kind'];
+  /** Whether the camera is on the arm or on a held payload: its view changes when the arm moves. */
+  readonly onArm: boolean;
+  /**
+   * For each subject, how well the picture shows it, from 0 (not at all) to 1: visible fraction, apparent size and
+   * light, multiplied. See `clarity`.
+   */
+  readonly shows: Readonly<Record<Subject, number>>;
   /** Position of the camera's lens in the scene [m]. */
   readonly lens: Vec3;
   /** Angle between the directions in the camera's picture and the directions of the sticks [rad]. */
@@ -17,56 +34,125 @@ export interface Sighting {
 }
 
 export interface Pair {
-  /** Targets that both cameras see. */
-  readonly targets: readonly Target[];
+  /** Subjects that both cameras show. */
+  readonly both: readonly Subject[];
   /** The two cameras; the first one has the smaller `turned`. */
   readonly cameras: readonly [Sighting, Sighting];
-  /** Angle between the two lines of sight, at most 90° [rad]. */
-  readonly apart: number;
+  /** Angle between the two lines of sight to the first subject of `both`, at most 90°; null if there is none [rad]. */
+  readonly apart: number | null;
 }
 
-/** Sets of targets for a pair, the most important first. The angle is measured at the first target of a set. */
-const PURPOSES: readonly (readonly [Target, ...Target[]])[] = [
-  ['gap'],
-  ['tip', 'payload'],
-  ['tip'],
-  ['payload'],
-];
-/** All angles above this count as equally good [rad]. */
+/** Positions of the subjects in the scene; null if there is no such subject. */
+export type Places = Readonly<Record<Subject, Vec3 | null>>;
+
+/** Alternatives of which a pair has to show at least one: `['tip', 'payload']` is the hand that holds a payload. */
+export type Need = readonly Subject[];
+
+/** Importance of the subjects. */
+const WEIGHT: Readonly<Record<Subject, number>> = { tip: 3, payload: 3, target: 3, gap: 2 };
+/** All angles between lines of sight above this count as equally good [rad]. */
 const GOOD = (70 * Math.PI) / 180;
+/** The greatest `turned` of a picture that is easy to use: a little over 90°, for a view straight down [rad]. */
+export const CROSSED = Math.PI / 2 + 0.01;
+/** Part of its score that a pair loses if a picture is turned by 180°. */
+const TURNED = 0.8;
+/** Factor for the picture of a camera on the arm. */
+const UNSTEADY = 0.6;
+/** Apparent sizes between which a subject is easy to see, as multiples of the picture's width. */
+const [LARGE, FILLS] = [0.05, 2];
+/** Factor for a subject without light, and for a picture with the sun in it. */
+const [DARK, GLARE] = [0.2, 0.6];
+
+/** How a picture shows a subject. */
+export interface Appearance {
+  /** Fraction of the subject that is in the picture and not hidden. */
+  readonly visible: number;
+  /** Diameter of the subject, as a fraction of the picture's width. */
+  readonly size: number;
+  /** Light on the side of the subject that the camera sees, 0 to 1. */
+  readonly light: number;
+  /** Whether the sun is in the picture. */
+  readonly glare: boolean;
+}
+
+/** Returns how well a picture shows a subject, 0 to 1. */
+export function clarity({ visible, size, light, glare }: Appearance): number {
+  const lit = DARK + (1 - DARK) * Math.min(1, light);
+  return visible * Math.min(1, size / LARGE, FILLS / size) * lit * (glare ? GLARE : 1);
+}
+
+/** Returns the best pair of cameras, or null if fewer than two cameras show a subject. */
+export function bestPair(sightings: readonly Sighting[], at: Places, needs: readonly Need[]): Pair | null {
+  const useful = sightings.filter(({ shows }) => SUBJECTS.some((subject) => shows[subject] > 0));
+  let best: readonly [Sighting, Sighting] | null = null;
+  let bestRank: readonly number[] = [];
+  useful.forEach((a, i) => {
+    for (const b of useful.slice(i + 1)) {
+      const rank = [
+        crossed(a) + crossed(b),
+        missing(a, b, needs),
+        Math.max(tier(a), tier(b)),
+        -score(a, b, at),
+      ];
+      if (best && !isLess(rank, bestRank)) continue;
+      bestRank = rank;
+      best = a.turned <= b.turned ? [a, b] : [b, a];
+    }
+  });
+  return best && pairOf(best, at);
+}
+
+/** Returns a pair with the subjects that both cameras show. */
+function pairOf([a, b]: readonly [Sighting, Sighting], at: Places): Pair {
+  const both = SUBJECTS.filter((subject) => at[subject] && a.shows[subject] > 0 && b.shows[subject] > 0);
+  const place = both[0] && at[both[0]];
+  return { both, cameras: [a, b], apart: place ? between(a.lens, b.lens, place) : null };
+}
 
 /**
- * Returns the best pair of cameras, or null if no two cameras see the same target.
- *
- * The function takes the first set of `PURPOSES` that at least two cameras see, and compares all pairs of these
- * cameras. The best pair has the greatest angle between the lines of sight. All angles above `GOOD` count as equal.
- * If the angles are equal, the rating of a pair is the greater `turned` of its cameras. The smallest rating is best.
- *
- * @param at positions of the targets in the scene; null if there is no such target.
+ * Returns the score of a pair. For each subject it adds twice what the better picture shows, and once what the other
+ * shows; the other counts twice if the lines of sight differ by `GOOD` or more, because the operator then sees the
+ * subject's position in depth. A pair loses part of the score in proportion to the greater `turned` of its pictures.
  */
-export function bestPair(
-  sightings: readonly Sighting[],
-  at: Readonly<Record<Target, Vec3 | null>>,
-): Pair | null {
-  for (const targets of PURPOSES) {
-    const place = at[targets[0]];
-    const seeing = sightings.filter(({ sees }) => targets.every((target) => sees.has(target)));
-    if (!place || seeing.length < 2) continue;
-    let best: Pair | null = null;
-    let least = Number.POSITIVE_INFINITY;
-    seeing.forEach((a, i) => {
-      for (const b of seeing.slice(i + 1)) {
-        const apart = between(a.lens, b.lens, place);
-        // `turned` is at most π, so it decides only between pairs with equally good angles.
-        const missing = 1e3 * Math.max(0, GOOD - apart) + Math.max(a.turned, b.turned);
-        if (missing >= least) continue;
-        least = missing;
-        best = { targets, cameras: a.turned <= b.turned ? [a, b] : [b, a], apart };
-      }
-    });
-    return best;
+export function score(a: Sighting, b: Sighting, at: Places): number {
+  let sum = 0;
+  for (const subject of SUBJECTS) {
+    const place = at[subject];
+    if (!place) continue;
+    const [x, y] = [steady(a, subject), steady(b, subject)];
+    const depth = Math.min(1, between(a.lens, b.lens, place) / GOOD);
+    sum += WEIGHT[subject] * (2 * Math.max(x, y) + Math.min(x, y) * (1 + depth));
   }
-  return null;
+  return sum * (1 - (TURNED * Math.max(a.turned, b.turned)) / Math.PI);
+}
+
+function steady({ onArm, shows }: Sighting, subject: Subject): number {
+  return shows[subject] * (onArm ? UNSTEADY : 1);
+}
+
+/** Returns the number of needs that neither picture meets. */
+function missing(a: Sighting, b: Sighting, needs: readonly Need[]): number {
+  const met = (need: Need) => need.some((subject) => a.shows[subject] + b.shows[subject] > 0);
+  return needs.filter((need) => !met(need)).length;
+}
+
+/** Returns whether a pair needs no help: no picture is turned too far, and it meets all needs. */
+export function suffices({ cameras: [a, b] }: Pair, needs: readonly Need[]): boolean {
+  return crossed(a) + crossed(b) + missing(a, b, needs) === 0;
+}
+
+function crossed({ turned }: Sighting): number {
+  return turned > CROSSED ? 1 : 0;
+}
+
+function tier({ kind }: Sighting): number {
+  return { camera: 0, window: 1, engineering: 2 }[kind];
+}
+
+/** Returns whether a list of numbers comes before another one of the same length, compared number by number. */
+function isLess(a: readonly number[], b: readonly number[]): boolean {
+  const i = a.findIndex((value, k) => value !== b[k]);
+  return i >= 0 && (a[i] ?? 0) < (b[i] ?? 0);
 }
 
 /** Returns the angle between the lines from a point to two lenses, at most 90° [rad]. */

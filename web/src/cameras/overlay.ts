@@ -17,13 +17,15 @@ export interface Over {
   /** The minimum clearance to draw, and whether it is a caution. */
   readonly gap: ClosestPoints | null;
   readonly caution: boolean;
+  /** Whether the sticks drive one joint: they then have no direction in a picture. */
+  readonly oneJoint: boolean;
 }
 
 export function overlay(scene: Scene, picture: Picture, view: View, over: Over): void {
-  const { frame, gap, caution } = over;
+  const { frame, gap, caution, oneJoint } = over;
   const [w, x, y, z] = frame.display.axes;
   picture.setLens(scene.cameras.setting(picture.camera.name), view.rect);
-  picture.setAxes(scene.cameras.directions(view.camera, [w, x, y, z]));
+  picture.setAxes(scene.cameras.directions(view.camera, [w, x, y, z]), !oneJoint);
   const line = gap && gapLine(scene, view, gap, caution);
   picture.setGap(line, touches(scene, view, frame), view.rect);
   picture.setPushes(pushes(scene, view, frame));

@@ -1,11 +1,10 @@
 /** The pictures on the canvas: their positions on the page, how often each is drawn, and which are due now. */
 
 import type { Camera } from '../link/protocol';
-import type { Drawing } from '../page/quality';
 import { inset } from '../page/room';
 import type { Matrix } from '../panel/monitors/matrix';
 import type { Picture } from '../panel/monitors/picture';
-import type { Rect } from '../scene/drawn';
+import type { Quality, Rect } from '../scene/drawn';
 import type { Monitors } from './monitors';
 
 /** How often MON 1, MON 2, a tile and the plan are drawn: 3 means at every third drawing of the page. */
@@ -31,9 +30,9 @@ export class Panes {
     private readonly canvas: HTMLCanvasElement,
     private readonly monitors: Monitors,
     private readonly matrix: Matrix,
-    drawing: Drawing,
+    quality: Quality,
   ) {
-    this.paces = PACES[drawing.quality];
+    this.paces = PACES[quality];
   }
 
   /**

@@ -8,22 +8,28 @@ import { keeper } from '../page/local-storage';
 import type { Drawing } from '../page/quality';
 import { FARTHEST } from '../panel/clearance/gap-scale';
 import { Matrix } from '../panel/monitors/matrix';
-import { el, setClass } from '../panel/parts/dom';
+import { setClass } from '../panel/parts/dom';
 import type { View as DeskView } from '../panel/parts/part';
-import { Scene } from '../scene';
+import type { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
 import type { View } from '../scene/drawn';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
 import { AllCameras } from './all-cameras';
-import { TARGETS, type Target } from './best-pair';
+import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
+import { type Drawer, firstDrawer, fullDrawer } from './full-profile';
 import { Monitors } from './monitors';
 import { overlay } from './overlay';
+import { type PairOffer, SituationWatch, situationOf, situationWords } from './pair-offer';
 import { PACES, type Pane, Panes } from './panes';
 
 /** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
+/** Number of drawings in the low profile before the full profile is prepared: the page then shows its pictures. */
+const SHOWN = 3;
+/** Centres of the engineering views, besides their initial centre. */
+const CENTRES: readonly Subject[] = ['tip', 'payload', 'gap'];
 /** Time between two attempts to put the pictures on the page [ms]. */
 const LOOK_MS = 3;
 
@@ -36,36 +42,51 @@ export interface PicturesListener {
   turns?: boolean;
   /** Pictures in the look of 1972; absent if no station computes them. */
   polygons?: PolygonPictures;
+  /** Called when another pair of cameras is offered, or null when the offer ends. Absent if none are offered. */
+  offered?: (offer: PairOffer | null) => void;
   /** Called when a monitor shows another camera, or was split. */
   changed?: () => void;
 }
 
+/** Cameras of the monitors, and the survey of all cameras. */
+export interface Views {
+  readonly monitors: readonly (readonly string[])[];
+  readonly cameras: readonly Sighting[];
+}
+
 export class Pictures {
-  readonly canvas = el('canvas', { class: 'scene', 'aria-hidden': 'true' });
   readonly monitors: Monitors;
   readonly matrix: Matrix;
   readonly appearance = new Appearance(keeper, ({ night }) =>
     setClass(document.documentElement, 'night', night),
   );
   private readonly ended = new AbortController();
-  private readonly scene: Scene;
-  private readonly survey: Survey;
-  private readonly all: AllCameras;
-  private readonly panes: Panes;
+  private drawer: Drawer;
+  private survey: Survey;
+  private all: AllCameras;
+  private panes: Panes;
+  /** Drawer that replaces the present one at the next drawing. */
+  private next: Drawer | null = null;
   private plane = false;
   private exaggerated = false;
   private open = false;
   private count = 0;
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
-  private round: Target | null = null;
+  private round: Subject | null = null;
   /** Called when the pictures drawn last are on the page; null if they are there already. */
   private finish: (() => void) | null = null;
   private looking = 0;
+  private readonly watch: SituationWatch;
+  private offered: PairOffer | null = null;
+  /** Whether the next offer is shown at once, because the run starts again at a task phase. */
+  private reopening = false;
+  /** Frame that was drawn last. */
+  private last: Frame | null = null;
 
   constructor(
-    welcome: Welcome,
-    drawing: Drawing,
+    private readonly welcome: Welcome,
+    private readonly profile: Drawing,
     private readonly listener: PicturesListener = {},
   ) {
     const { cameras } = welcome;
@@ -87,10 +108,49 @@ export class Pictures {
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
     });
     this.appearance.follow(this.ended.signal);
-    this.scene = new Scene(this.canvas, welcome, drawing);
-    this.survey = new Survey(this.scene, welcome);
-    this.all = new AllCameras(this.matrix, this.scene, this.survey, cameras, PACES[drawing.quality][3]);
-    this.panes = new Panes(this.canvas, this.monitors, this.matrix, drawing);
+    this.drawer = firstDrawer(welcome, profile);
+    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawer));
+    this.watch = new SituationWatch(cameras.length);
+  }
+
+  /** The canvas behind the pictures. */
+  get canvas(): HTMLCanvasElement {
+    return this.drawer.canvas;
+  }
+
+  private get scene(): Scene {
+    return this.drawer.scene;
+  }
+
+  /** Makes the parts that depend on the drawer. */
+  private partsOf({ scene, canvas, quality }: Drawer) {
+    const { welcome, matrix, monitors } = this;
+    const survey = new Survey(scene, welcome);
+    const all = new AllCameras(matrix, scene, survey, welcome.cameras, PACES[quality][3]);
+    return { survey, all, panes: new Panes(canvas, monitors, matrix, quality) };
+  }
+
+  /** Prepares the full profile, and shows the progress in the pictures. */
+  private async prepareFull(frame: Frame): Promise<void> {
+    const { welcome, profile, ended } = this;
+    this.next = await fullDrawer(welcome, profile, frame, ended.signal, (done) => this.setPreparing(done));
+  }
+
+  /** Draws with the next drawer from now on. */
+  private change(next: Drawer): void {
+    const { drawer } = this;
+    next.scene.cameras.takeOrbits(drawer.scene.cameras);
+    drawer.canvas.replaceWith(next.canvas);
+    this.drawer = next;
+    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(next));
+    drawer.scene.dispose();
+    this.setPreparing(null);
+  }
+
+  /** Writes the progress of the full profile into the pictures; null when it is shown. */
+  private setPreparing(done: number | null): void {
+    const text = done === null ? '' : `Preparing the full picture: ${Math.floor(100 * done)} %`;
+    for (const picture of this.monitors.both.flatMap(({ halves }) => halves)) picture.setPreparing(text);
   }
 
   /** Exposure of a camera's picture [photographic stops above the exposure for full sunlight]. */
@@ -101,6 +161,35 @@ export class Pictures {
   /** Number of times that an engineering view was moved. */
   get moved(): number {
     return this.orbits;
+  }
+
+  /** Surveys all cameras at the frame drawn last; null before the first frame. */
+  views(): Views | null {
+    if (!this.last) return null;
+    this.survey.lookAll(this.last, drawnGap(this.last));
+    const cameras = this.matrix.tiles.flatMap(({ camera }) => this.survey.of(camera) ?? []);
+    return { monitors: this.monitors.shown, cameras };
+  }
+
+  /** Offers a pair of cameras, unless the monitors show it already; null ends an offer. */
+  offer(offer: PairOffer | null): void {
+    const shown = this.monitors.shown.map((names) => names.join());
+    const known = offer?.cameras.every((name) => shown.includes(name)) === true;
+    this.offered = known ? null : offer;
+    this.listener.offered?.(this.offered);
+  }
+
+  /** Shows the offered pair on the monitors. */
+  takeOffer(): void {
+    this.offered?.cameras.forEach((name, i) => {
+      this.monitors.show(i, [name]);
+    });
+    this.offer(null);
+  }
+
+  /** Shows the best pair as soon as the situation has changed, because the run starts again at a task phase. */
+  reopen(): void {
+    this.reopening = true;
   }
 
   /** Whether all cameras are shown in place of the monitors. */
@@ -138,7 +227,7 @@ export class Pictures {
 
   /** Selects the next centre of the engineering views: initial centre, tip, payload, minimum clearance. */
   private turnRound(): void {
-    const all = [null, ...TARGETS];
+    const all = [null, ...CENTRES];
     this.round = all[(all.indexOf(this.round) + 1) % all.length] ?? null;
     this.orbits += 1;
     this.scene.cameras.turnTo(null);
@@ -174,17 +263,21 @@ export class Pictures {
    * @param done called when the pictures are on the page, unless the page's layout has changed since they were drawn.
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
+    if (this.next) this.change(this.next);
+    this.next = null;
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
     this.scene.setPoses(frame, this.exaggerated);
     this.scene.cameras.put(frame.views);
-    const round = this.round && this.survey.place(this.round, gap);
+    const round = this.round && this.survey.place(this.round, frame, gap);
     if (round) this.scene.cameras.follow(round);
     this.scene.setLighting(frame.display.lighting, frame.time_s);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
     const { ahead } = frame.display;
     this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
+    this.last = frame;
     this.begin(frame, gap);
+    if (this.listener.offered) this.watchSituation(frame, gap);
     this.count += 1;
     const all = this.panes.all(this.open, this.seventies);
     const [panes, flat] = [all.filter(({ polygons }) => !polygons), all.filter(({ polygons }) => polygons)];
@@ -204,7 +297,12 @@ export class Pictures {
       const shown = [...due, ...flat.map((pane) => [pane, this.viewOf(pane)] as const)];
       for (const [{ picture, polygons }, view] of shown) {
         if (!picture) continue;
-        overlay(this.scene, picture, view, { frame, gap, caution });
+        overlay(this.scene, picture, view, {
+          frame,
+          gap,
+          caution,
+          oneJoint: this.survey.drivesOneJoint(frame),
+        });
         if (polygons)
           picture.polygons.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, view.rect);
         else picture.polygons.hide();
@@ -212,6 +310,7 @@ export class Pictures {
       done();
     };
     this.put();
+    if (this.count === SHOWN && this.profile.quality === 'full') void this.prepareFull(frame);
     return drawn.complete && metered;
   }
 
@@ -244,13 +343,28 @@ export class Pictures {
     this.ended.abort();
     this.listener.polygons?.dispose();
     this.scene.dispose();
+    this.next?.scene.dispose();
   }
 
   /** Chooses the monitors' cameras at the first frame. */
   private begin(frame: Frame, gap: ClosestPoints | null): void {
     if (this.monitors.chosen) return;
-    this.survey.lookAll(frame, gap);
+    this.survey.open(frame, gap);
     this.monitors.begin(this.survey.first(frame));
+  }
+
+  /** After a change of situation, surveys one camera at each drawing, and then offers the best pair. */
+  private watchSituation(frame: Frame, gap: ClosestPoints | null): void {
+    const { watch, survey } = this;
+    watch.see(situationOf(frame, gap));
+    if (!watch.pending) return;
+    survey.look(frame, gap, 1);
+    if (!watch.surveyed()) return;
+    if (this.reopening) survey.open(frame, gap);
+    const [first, second] = survey.first(frame);
+    if (first && second) this.offer({ cameras: [first.name, second.name], why: situationWords(frame) });
+    if (this.reopening) this.takeOffer();
+    this.reopening = false;
   }
 
   /** For each monitor, whether it has the look of 1972. */

@@ -57,6 +57,7 @@ const KEYBOARD = {
   Period: 'cameraStep +',
   KeyZ: 'split',
   KeyC: 'matrix',
+  NumpadAdd: 'offered pair',
   Semicolon: 'slow camera',
   Home: 'light',
   End: 'lock exposure',

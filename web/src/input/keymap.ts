@@ -22,6 +22,7 @@ export type Action =
         | 'otherMonitor'
         | 'split'
         | 'matrix'
+        | 'offered pair'
         | 'acknowledge'
         | 'plane'
         | 'bending'
@@ -118,6 +119,7 @@ const ACTIONS: readonly Use[] = [
   once('cameraStep +', 'next camera', { name: 'cameraStep', by: 1 }),
   once('split', 'split', { name: 'split' }),
   once('matrix', 'all cameras', { name: 'matrix' }),
+  once('offered pair', 'offered cameras', { name: 'offered pair' }),
   once('slow camera', 'slow cameras', { name: 'slow camera' }),
   once('light', 'light and lamps', { name: 'light' }),
   once('lock exposure', 'lock the exposure', { name: 'lock exposure' }),

@@ -10,9 +10,9 @@ import { mappingOf } from './store';
 const NAMES: Readonly<Record<string, string>> = {
   Space: 'Space',
   Enter: 'Enter',
-  NumpadAdd: 'Num +',
   NumpadSubtract: 'Num −',
   NumpadMultiply: 'Num *',
+  NumpadAdd: 'Num +',
   NumpadDivide: 'Num /',
   NumpadDecimal: 'Num .',
   Escape: 'Esc',

@@ -130,11 +130,15 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     if (station instanceof Station) station.setTooNarrow(tooNarrow());
     link.reseat();
   });
-  publish(drawing.renderer, () => ({
-    frames: station?.drawn ?? 0,
-    lastFrame: station?.shown.frame ?? null,
-    restarts: station?.shown.restarts ?? 0,
-    bodies: station?.bodies ?? [],
-    latency95: station instanceof Station ? station.latency95 : null,
-  }));
+  publish(
+    drawing.renderer,
+    () => ({
+      frames: station?.drawn ?? 0,
+      lastFrame: station?.shown.frame ?? null,
+      restarts: station?.shown.restarts ?? 0,
+      bodies: station?.bodies ?? [],
+      latency95: station instanceof Station ? station.latency95 : null,
+    }),
+    () => (station instanceof Station ? station.views : null),
+  );
 }

@@ -15,6 +15,7 @@ import { swapQuestion } from '../panel/controllers/swap';
 import { touchView } from '../panel/controllers/touch-sticks';
 import { deskGroups } from '../panel/desk/desk';
 import { EventsGroup } from '../panel/desk/events';
+import { pairNotice } from '../panel/monitors/pair-notice';
 import type { Desk } from '../panel/parts/part';
 import { handOver } from '../panel/rail/hand-over';
 import { lightControl } from '../panel/rail/light';
@@ -67,7 +68,12 @@ export function buildParts(
     turns: true,
     opened: (matrix) => operations.showMatrix(matrix),
     changed: () => windows.update(),
+    offered: (offer) => notice.show(offer),
   });
+  const notice = pairNotice(
+    () => pictures.takeOffer(),
+    () => pictures.offer(null),
+  );
   const operator = new Operator(latency, {
     acted: (action) => operations.act(action),
     send: transmit,
@@ -107,7 +113,10 @@ export function buildParts(
     strips: () => operations.tearOff('strips'),
   });
   const scenarios: ScenarioChoice = scenarioChoice(desk, (name) => task.chosen(name));
-  const task = new Task(desk, controllers.inHand, (name) => scenarios.choose(name));
+  const task = new Task(desk, controllers.inHand, {
+    flyIt: (name) => scenarios.choose(name),
+    offer: (pair) => pictures.offer(pair),
+  });
   const light = lightControl(desk, pictures);
   const [handOverParts, nameField] = [handOver(transmit), naming(keeper, transmit)];
   const { appearance } = pictures;
@@ -143,6 +152,7 @@ export function buildParts(
     },
     ...{ tones, spine, groups, light, controlPage, keys, scenarios, sheet, task },
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
+    pairNotice: notice,
     report: new Report(transmit),
     sounds: new Sounds(tones, spine),
     swap: swapQuestion(controllers.pads),

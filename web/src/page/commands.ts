@@ -63,6 +63,9 @@ export function act(action: Action, by: Acting): void {
     case 'matrix':
       pictures.toggleMatrix();
       break;
+    case 'offered pair':
+      pictures.takeOffer();
+      break;
     case 'split':
       pictures.monitors.toggleSplit();
       break;

@@ -1,5 +1,6 @@
 /** `window.__aftdeck`, for tests and measurements. */
 
+import type { Views } from '../cameras/pictures';
 import type { Frame } from '../link/protocol';
 import type { DrawnBody } from '../scene/bodies';
 
@@ -15,6 +16,8 @@ export interface Hook {
   latency95: number | null;
   /** The bodies of the scene as they are drawn now. */
   readonly bodies: readonly DrawnBody[];
+  /** Result of a survey of each camera at the frame drawn last, and the cameras of the two monitors. */
+  readonly views: Views | null;
   /** Renderer's name in WebGL. */
   renderer: string;
 }
@@ -26,7 +29,11 @@ declare global {
 }
 
 /** Publishes the hook; `read` returns its present values and is called at each access. */
-export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'renderer'>): void {
+export function publish(
+  renderer: string,
+  read: () => Omit<Hook, 'fps' | 'renderer' | 'views'>,
+  views: () => Views | null = () => null,
+): void {
   let fps = 0;
   let before = 0;
   setInterval(() => {
@@ -52,6 +59,9 @@ export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'render
     },
     get bodies() {
       return read().bodies;
+    },
+    get views() {
+      return views();
     },
     renderer,
   };

@@ -22,8 +22,10 @@ export class Operations {
   /** Sends a command if this page is in control; otherwise logs that only the operator can do that. */
   send(command: Command): void {
     const { control, log } = this.parts;
-    if (control.role.flying) this.transmit(command);
-    else log.say(OBSERVING);
+    if (control.role.flying) {
+      if (command.type === 'initialise') this.parts.pictures.reopen();
+      this.transmit(command);
+    } else log.say(OBSERVING);
   }
 
   acknowledge(): void {

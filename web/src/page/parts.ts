@@ -11,6 +11,7 @@ import type { KeyMap } from '../panel/controllers/key-map';
 import type { SwapQuestion } from '../panel/controllers/swap';
 import type { TouchView } from '../panel/controllers/touch-sticks';
 import type { Groups } from '../panel/desk/desk';
+import type { PairNotice } from '../panel/monitors/pair-notice';
 import type { HandOver } from '../panel/rail/hand-over';
 import type { LightControl } from '../panel/rail/light';
 import type { Naming } from '../panel/rail/naming';
@@ -63,4 +64,5 @@ export interface Parts {
   readonly swap: SwapQuestion;
   readonly touch: TouchView;
   readonly task: Task;
+  readonly pairNotice: PairNotice;
 }

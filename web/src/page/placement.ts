@@ -22,6 +22,7 @@ export function place(root: HTMLElement, parts: Parts): void {
     parts.swap.element,
     parts.handOver.question,
     parts.scenarios.question,
+    parts.pairNotice.element,
     parts.keys.element,
     parts.controlPage.element,
     parts.sheet.element,

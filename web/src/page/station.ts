@@ -1,5 +1,6 @@
 /** The operator's station: applies the server's messages to the parts of the page, and draws these parts. */
 
+import type { Views } from '../cameras/pictures';
 import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Frame, Event as LogEvent, Role, Scenarios, Welcome } from '../link/protocol';
 import type { Command, LinkState } from '../link/socket';
@@ -47,6 +48,11 @@ export class Station {
 
   get bodies(): readonly DrawnBody[] {
     return this.parts.pictures.bodies;
+  }
+
+  /** Survey of all cameras at the frame drawn last. */
+  get views(): Views | null {
+    return this.parts.pictures.views();
   }
 
   /** Time from a stick to its picture, 95th percentile of the last 10 s [ms]; null if no stick moved. */

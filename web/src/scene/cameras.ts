@@ -2,7 +2,7 @@ import { MathUtils, Matrix4, PerspectiveCamera, Quaternion, Vector3 } from 'thre
 import { present } from '../basics/assert';
 import type { Camera, Quat, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
-import { Orbit } from './orbit';
+import { Orbit, type Placed } from './orbit';
 import { settingOf, type View, viewOf } from './view';
 
 /** Near plane [m]. For a camera behind a window, the near plane is beyond the window's pane. */
@@ -95,6 +95,14 @@ export class Cameras {
     this.driven = [...this.mounted.values()].filter(({ camera }) => camera.drive !== null);
   }
 
+  /** Takes over the engineering views of another scene. */
+  takeOrbits(other: Cameras): void {
+    for (const [name, orbit] of other.orbits) {
+      this.orbits.set(name, orbit);
+      this.one(name).look(orbit.view);
+    }
+  }
+
   /** Sets the drives of each camera that has any, in the cameras' order: pan, tilt, horizontal field of view [rad]. */
   put(views: readonly Vec3[]): void {
     this.driven.forEach((mounted, i) => {
@@ -134,6 +142,14 @@ export class Cameras {
     else orbit.turn(right, upwards);
     orbit.approach(nearer);
     this.one(name).look(orbit.view);
+  }
+
+  /** Directs an engineering view at a place of the scene. */
+  place(name: string, placed: Placed): void {
+    const orbit = this.orbits.get(name);
+    const one = this.one(name);
+    orbit?.lookAt(placed, one.toBody);
+    if (orbit) one.look(orbit.view);
   }
 
   /** Returns the camera at its present pose and setting; `aspect`: the picture's width over its height. */

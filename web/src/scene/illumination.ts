@@ -16,6 +16,7 @@ import { Earth } from './earth';
 import { lampsOf } from './floodlights';
 import type { LambertLight } from './lambert';
 import { Lights } from './lights';
+import { Lit } from './lit';
 import type { Materials } from './materials';
 import { Sun } from './sun';
 
@@ -31,6 +32,8 @@ export class Illumination {
   private reflections: Texture | null = null;
   private daylight: Daylight | null = null;
   private setting = '';
+  /** Computes the light on a point of the scene. */
+  readonly lit: Lit;
 
   /** The first body of `bodies` is fixed, all others move. */
   constructor(
@@ -44,6 +47,7 @@ export class Illumination {
   ) {
     const lamps = lampsOf(bodies);
     lambert.take(lamps);
+    this.lit = new Lit(lamps);
     this.lights = quality === 'full' ? new Lights(stage, lamps) : null;
     this.earth = new Earth(stage, quality, lambert.exposure);
     this.sun = new Sun(stage);
@@ -70,6 +74,7 @@ export class Illumination {
     const on = new Set(lamps);
     this.materials.lightUp(on);
     this.lambert.set(daylight, on);
+    this.lit.set(daylight, on);
     this.lights?.set(daylight, on);
     if (daylight === before) return false;
     this.earth.set(daylight);

@@ -11,8 +11,10 @@ import { Ghost } from './ghost';
 import { GoalGhost } from './goal-ghost';
 import { Illumination } from './illumination';
 import { LambertLight } from './lambert';
+import type { Lit } from './lit';
 import { Materials } from './materials';
 import { type Extent, Overhead } from './overhead';
+import { prepare } from './prepare';
 import { Relay } from './relay';
 import { rendererFor } from './renderer';
 import { Sight } from './sight';
@@ -52,6 +54,7 @@ export class Scene {
   private readonly onArm: ReadonlySet<string>;
   private readonly television: Television;
   private readonly overhead = new Overhead();
+  private readonly firstCamera: string;
   private width = 0;
   private height = 0;
 
@@ -85,6 +88,7 @@ export class Scene {
       conditions,
     );
     const names = welcome.cameras.map(({ name }) => name);
+    this.firstCamera = names[0] ?? '';
     this.exposures = new Exposures(names, this.renderer, quality);
     this.television = new Television(this.renderer);
     this.gap = new Gap(stage, bodies);
@@ -130,6 +134,17 @@ export class Scene {
     return this.exposures.metering(camera);
   }
 
+  /** Computes the light on a point of the scene. */
+  get lit(): Lit {
+    return this.illumination.lit;
+  }
+
+  /** Returns the diameter of a body: the diagonal of its box [m]. */
+  diameter(name: string): number {
+    const box = this.bodies.find(({ group }) => group.name === name)?.box();
+    return box && !box.isEmpty() ? box.getSize(new Vector3()).length() : 0;
+  }
+
   /** Returns the middle of a body in the scene; null if there is no such body, or if it has no drawn shape. */
   middle(name: string): Vec3 | null {
     const body = this.bodies.find(({ group }) => group.name === name);
@@ -147,6 +162,11 @@ export class Scene {
   /** Shows the bodies of `Welcome.ghost` at the poses of the look-ahead; null hides them. */
   setGhost(poses: readonly number[] | null): void {
     this.ghost.set(poses, performance.now());
+  }
+
+  /** Prepares the first picture; `progress` receives the fraction that is done. */
+  prepare(progress: (done: number) => void): Promise<void> {
+    return prepare(this.renderer, this.stage, this.cameras.at(this.firstCamera, 1), progress);
   }
 
   /** Clears the canvas, because its pictures have new positions. */

@@ -11,6 +11,16 @@ const UP = new Vector3(0, 0, 1);
 const [NEAREST, FARTHEST] = [1.5, 120];
 const [way, across] = [new Vector3(), new Vector3()];
 
+/** A view of a place of the scene. */
+export interface Placed {
+  readonly centre: Vec3;
+  /** Distance of the lens from the centre [m]. */
+  readonly distance: number;
+  /** Azimuth and elevation of the lens, seen from the centre, in the frame of the camera's body [rad]. */
+  readonly heading: number;
+  readonly rise: number;
+}
+
 export class Orbit {
   /** Initial centre, present centre, and shift of the view, in the frame of the camera's body [m]. */
   private readonly place: Vector3;
@@ -42,6 +52,14 @@ export class Orbit {
     this.shifted.set(0, 0, 0);
     this.middle.copy(this.place);
     if (at) this.follow(at, toBody);
+  }
+
+  /** Looks at a place of the scene from a direction. */
+  lookAt({ centre, distance, heading, rise }: Placed, toBody: Matrix4): void {
+    this.turnTo(centre, toBody);
+    this.heading = heading;
+    this.rise = clamp(rise, -STEEPEST, STEEPEST);
+    this.distance = clamp(distance, NEAREST, FARTHEST);
   }
 
   /** Moves the centre to a position in the scene. */

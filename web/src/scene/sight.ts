@@ -32,15 +32,19 @@ export class Sight {
     );
   }
 
-  /** Returns the bodies at sample points of the picture. A near body need not be entirely in the picture. */
-  ahead(camera: Camera): ReadonlySet<string> {
+  /**
+   * Returns the bodies at sample points of the picture, each with the fraction of the picture that it fills. A near
+   * body need not be entirely in the picture.
+   */
+  ahead(camera: Camera): ReadonlyMap<string, number> {
     const seen = this.cameras.at(camera.name, ASPECT);
-    const found = new Set<string>();
+    const found = new Map<string, number>();
     for (const [x, y] of SPREAD) {
       lens.setFromMatrixPosition(seen.matrixWorld);
       way.set(x, y, 0.5).unproject(seen).sub(lens).normalize();
       const [first] = this.cast(seen, FARTHEST);
-      if (first?.object.parent) found.add(first.object.parent.name);
+      const name = first?.object.parent?.name;
+      if (name !== undefined) found.set(name, (found.get(name) ?? 0) + 1 / SPREAD.length);
     }
     found.delete(camera.body);
     return found;
@@ -48,10 +52,7 @@ export class Sight {
 
   /** Returns whether the camera sees any part of a line of the scene; its ends do not count, as they are on bodies. */
   line(camera: Camera, a: Vec3, b: Vec3): boolean {
-    return ALONG.some((part) => {
-      const place = between(a, b, part);
-      return this.within(camera, place) && this.clear(camera, place, null);
-    });
+    return ALONG.some((part) => this.point(camera, between(a, b, part)));
   }
 
   /** Returns two values: whether no body hides the line near its first end, and near its second end. */
@@ -61,15 +62,30 @@ export class Sight {
     return [first, last];
   }
 
-  /** Whether the camera sees the middle of a body's box, or the middle of one of the box's faces. */
-  body(camera: Camera, name: string): boolean {
+  /**
+   * Returns the fraction of a body that the camera sees. Sample points are the middle of the body's box and the
+   * middles of the box's faces.
+   */
+  visible(camera: Camera, name: string): number {
     const body = this.bodies.find(({ group }) => group.name === name);
-    if (!body || camera.body === name) return false;
-    return this.samplesOf(body).some((sample) => {
+    if (!body || camera.body === name) return 0;
+    const samples = this.samplesOf(body);
+    const seen = samples.filter((sample) => {
       const { x, y, z } = way.copy(sample).applyMatrix4(body.group.matrixWorld);
       const place: Vec3 = [x, y, z];
       return this.within(camera, place) && this.clear(camera, place, body);
     });
+    return samples.length > 0 ? seen.length / samples.length : 0;
+  }
+
+  /** Returns whether a point of the scene is in the camera's picture and not hidden. */
+  point(camera: Camera, place: Vec3): boolean {
+    return this.within(camera, place) && this.clear(camera, place, null);
+  }
+
+  /** Returns the width of the camera's picture at a distance from the lens [m]. */
+  width({ name }: Camera, distance: number): number {
+    return 2 * distance * Math.tan(this.cameras.setting(name)[2] / 2);
   }
 
   /** Position of the camera's lens in the scene. */

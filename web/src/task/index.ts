@@ -1,8 +1,9 @@
 /** The operator's task: its present step as a line below the rail, or as a card over the desk. */
 
+import type { PairOffer } from '../cameras/pair-offer';
 import type { InHand } from '../input/active-device';
 import { revision } from '../input/store';
-import type { HintInfo, TaskNow } from '../link/protocol';
+import type { HintInfo, StepInfo, TaskNow } from '../link/protocol';
 import { keeper } from '../page/local-storage';
 import { button, setAttribute, setClass, setPressed } from '../panel/parts/dom';
 import type { Desk, View } from '../panel/parts/part';
@@ -21,6 +22,13 @@ const NOTE: readonly Piece[] = [
   { kind: 'text', text: ' stops all motion.' },
 ];
 
+export interface TaskListener {
+  /** Loads a scenario. */
+  flyIt(scenario: string): void;
+  /** Offers the cameras of a step that begins. */
+  offer(offer: PairOffer): void;
+}
+
 export class Task {
   /** Button in the rail: opens and closes the guide; in a scenario without steps it loads the tutorial. */
   readonly key: HTMLButtonElement;
@@ -31,11 +39,13 @@ export class Task {
   /** Whether the card opens by itself as soon as this page is in control. */
   private unasked: boolean;
   private drawn = '';
+  /** Index of the step of the last frame; null before the first frame. */
+  private at: number | null = null;
 
   constructor(
     private readonly desk: Desk,
     private readonly inHand: InHand,
-    private readonly flyIt: (scenario: string) => void,
+    private readonly listener: TaskListener,
   ) {
     const { steps, scenario } = desk.welcome;
     this.titles = steps.map(({ title }) => title);
@@ -70,6 +80,7 @@ export class Task {
     if (this.unasked && flying) this.show(true);
     const { welcome } = this.desk;
     const step = welcome.steps[task.at];
+    this.offerCameras(task.at, step);
     const marked = { units, conditions: frame.work.conditions };
     const done = task.done_s.map((time) => time !== null);
     const told = step ? present(step, task) : null;
@@ -109,7 +120,7 @@ export class Task {
 
   private toggle(): void {
     if (this.exists) this.show(!this.open);
-    else this.flyIt(TUTORIAL);
+    else this.listener.flyIt(TUTORIAL);
   }
 
   private enterMode(): void {
@@ -130,6 +141,15 @@ export class Task {
     if (this.exists) setPressed(this.key, open);
     setClass(document.body, 'guided', open);
     setClass(document.body, 'tasked', !open);
+  }
+
+  /** Offers the cameras of a step when it begins, but not when the page opens. */
+  private offerCameras(at: number, step: StepInfo | undefined): void {
+    if (at === this.at) return;
+    const [first, second] = step?.cameras ?? [];
+    if (this.at !== null && step && first && second)
+      this.listener.offer({ cameras: [first, second], why: step.title });
+    this.at = at;
   }
 
   private drawCaps(task: TaskNow, { uses }: HintInfo): void {

@@ -41,6 +41,7 @@ const FLYING: readonly Row[] = [
   [['camera 1', 'camera 10'], 'camera 1 to 10; twice: camera 11 to 20'],
   [['cameraStep -', 'cameraStep +'], 'previous, next camera'],
   [['-pan', '+tilt', '+zoom'], 'and opposites: pan, tilt, zoom'],
+  [['offered pair'], 'show the offered pair of cameras'],
   [['slow camera'], 'cameras turn slowly'],
   [['matrix', 'split'], 'all cameras, and back; split'],
   [['light', 'lock exposure'], 'sun and lamps; lock the exposure'],

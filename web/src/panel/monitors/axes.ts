@@ -16,7 +16,8 @@ const ABOUT =
 export interface AxesOverlay {
   readonly element: SVGSVGElement;
   /** Axes as the camera sees them: x right, y up, z towards the viewer. */
-  set(directions: readonly [Vec3, Vec3, Vec3]): void;
+  /** `marked`: whether the ring shows a large angle. It does not if the sticks drive one joint. */
+  set(directions: readonly [Vec3, Vec3, Vec3], marked: boolean): void;
 }
 
 export function axesOverlay(): AxesOverlay {
@@ -39,7 +40,7 @@ export function axesOverlay(): AxesOverlay {
   );
   return {
     element,
-    set(directions) {
+    set(directions, marked) {
       axes.forEach(({ line, end, label }, i) => {
         const [right = 0, up = 0, towards = 0] = directions[i] ?? [];
         const [x, y] = [right * LENGTH, -up * LENGTH];
@@ -56,7 +57,7 @@ export function axesOverlay(): AxesOverlay {
         setAttribute(label, 'y', (y + (side ? -9 : -up * push)).toFixed(1));
       });
       const apart = stickToPicture(directions);
-      const crossed = apart > CROSSED;
+      const crossed = marked && apart > CROSSED;
       setClass(ring, 'crossed', crossed);
       setText(angle, crossed ? `${Math.round((apart * 180) / Math.PI)}°` : '');
     },

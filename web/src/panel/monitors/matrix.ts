@@ -1,6 +1,6 @@
-/** All cameras at once. Each tile names the targets that its camera sees. Clearance and lamps are below the tiles. */
+/** All cameras at once. Each tile names the subjects that its camera sees. Clearance and lamps are below the tiles. */
 
-import type { Target } from '../../cameras/best-pair';
+import type { Subject } from '../../cameras/best-pair';
 import { type Age, isStale } from '../../link/delay-line';
 import type { Camera } from '../../link/protocol';
 import { button, el, group, setAttribute, setClass, setStyle, setText } from '../parts/dom';
@@ -104,8 +104,8 @@ export class Matrix {
     this.back = [];
   }
 
-  /** Writes the targets that a camera sees, and the monitors that show it. */
-  say(index: number, sees: readonly Target[], tags: readonly string[]): void {
+  /** Writes the subjects that a camera sees, and the monitors that show it. */
+  say(index: number, sees: readonly Subject[], tags: readonly string[]): void {
     const part = this.parts[index];
     if (!part) return;
     const { tile, words, tags: shown, camera, pane, picture } = part;
@@ -118,7 +118,7 @@ export class Matrix {
       camera.name,
       camera.title,
       ...tags,
-      sees.length > 0 ? `sees ${sees.join(', ')}` : 'sees no target',
+      sees.length > 0 ? `sees ${sees.join(', ')}` : 'sees no subject',
     ];
     setAttribute(tile, 'aria-label', label.join(', '));
   }
@@ -133,7 +133,10 @@ export class Matrix {
   }
 
   setAdvice(sentences: readonly string[]): void {
-    const lines = [...sentences, 'Under each picture: the targets that its camera sees.'];
+    const lines = [
+      ...sentences,
+      'Under each picture: what its camera shows of tip, payload, target and minimum clearance (gap).',
+    ];
     if (this.views.childElementCount !== lines.length)
       this.views.replaceChildren(...lines.map(() => el('p')));
     lines.forEach((sentence, i) => {

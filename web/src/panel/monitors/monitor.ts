@@ -1,6 +1,6 @@
 /** One monitor: one picture, or two beside each other, and the selector of its cameras. */
 
-import type { Target } from '../../cameras/best-pair';
+import type { Subject } from '../../cameras/best-pair';
 import { nameOf } from '../../input/layout';
 import type { Camera } from '../../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
@@ -184,8 +184,8 @@ export class Monitor {
   }
 
   /** Shows the name of the centre of the engineering views; null for their initial centre. */
-  setRound(target: Target | null): void {
-    setText(this.roundKey, `Centre: ${target ?? 'start'}`);
+  setRound(subject: Subject | null): void {
+    setText(this.roundKey, `Centre: ${subject ?? 'start'}`);
   }
 
   private setSplit(on: boolean): void {

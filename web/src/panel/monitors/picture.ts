@@ -54,6 +54,7 @@ export class Picture {
   private readonly age = el('span');
   private readonly lens = el('span');
   private readonly stale = el('p', { class: 'stale' });
+  private readonly preparing = el('p', { class: 'preparing', role: 'status', hidden: '' });
   private readonly pane = el('div', { class: 'pane', 'aria-hidden': 'true' });
   private readonly axes = axesOverlay();
   private readonly pushes = pushOverlay();
@@ -84,6 +85,7 @@ export class Picture {
       this.pushes.element,
       ...this.gap.elements,
       this.stale,
+      this.preparing,
     );
     this.element.addEventListener('click', () => listener.taken());
     this.followMouse();
@@ -121,9 +123,9 @@ export class Picture {
     this.drawBand();
   }
 
-  /** Draws the control frame's axes, at picture rate. */
-  setAxes(directions: readonly [Vec3, Vec3, Vec3]): void {
-    this.axes.set(directions);
+  /** Draws the control frame's axes, at picture rate; `marked`: whether a large angle to the picture is marked. */
+  setAxes(directions: readonly [Vec3, Vec3, Vec3], marked: boolean): void {
+    this.axes.set(directions, marked);
   }
 
   /** Draws the minimum clearance and the contacts at picture rate; `picture`: size of the picture. */
@@ -152,6 +154,12 @@ export class Picture {
     setText(this.age, marks.filter((mark) => mark !== '').join('  '));
     setText(this.stale, stale ? old : '');
     setClass(this.element, 'is-stale', stale);
+  }
+
+  /** Writes the progress of the full drawing profile; empty when it is shown. */
+  setPreparing(text: string): void {
+    setText(this.preparing, text);
+    this.preparing.hidden = text === '';
   }
 
   private burnedIn(picture: Size): readonly Box[] {

@@ -1,0 +1,35 @@
+/** Notice over MON 1 that offers a pair of cameras, with the button that shows it. */
+
+import type { PairOffer } from '../../cameras/pair-offer';
+import { keyOf } from '../../input/layout';
+import { button, el, setText } from '../parts/dom';
+
+export interface PairNotice {
+  readonly element: HTMLElement;
+  /** Shows an offer; null hides the notice. */
+  show(offer: PairOffer | null): void;
+}
+
+/** `take` shows the offered pair; `leave` rejects it. */
+export function pairNotice(take: () => void, leave: () => void): PairNotice {
+  const words = el('span');
+  const names = el('span');
+  const key = el('kbd');
+  const element = el(
+    'p',
+    { class: 'pair-offer', role: 'status', hidden: '' },
+    words,
+    button({ title: 'Show this pair of cameras on the monitors' }, [names, ' ', key], take),
+    button({ title: 'Keep the cameras', 'aria-label': 'Keep the cameras' }, ['×'], leave),
+  );
+  return {
+    element,
+    show(offer) {
+      element.hidden = offer === null;
+      if (!offer) return;
+      setText(words, `${offer.why}:`);
+      setText(names, `Cameras ${offer.cameras.join(', ')}`);
+      setText(key, keyOf('offered pair'));
+    },
+  };
+}
