@@ -133,7 +133,12 @@ export class Pictures {
   /** Prepares the full profile, and shows the progress in the pictures. */
   private async prepareFull(frame: Frame): Promise<void> {
     const { welcome, profile, ended } = this;
-    this.next = await fullDrawer(welcome, profile, frame, ended.signal, (done) => this.setPreparing(done));
+    try {
+      this.next = await fullDrawer(welcome, profile, frame, ended.signal, (done) => this.setPreparing(done));
+    } catch (error) {
+      this.setPreparing(null); // the page keeps the low profile
+      throw error;
+    }
   }
 
   /** Draws with the next drawer from now on. */
