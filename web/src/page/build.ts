@@ -154,6 +154,9 @@ export function buildParts(
 
 /** Returns a line of the log that names the keys of the sticks. It uses the mapping at the time when the page opens. */
 function keysHint(): string {
-  const list = (uses: string) => uses.split(' ').map(keyOf).join(' ');
-  return `${list(MOVE)} move the arm, ${list(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;
+  const list = (uses: string) => {
+    const names = uses.split(' ').map(keyOf);
+    return names.join(names.every(({ length }) => length === 1) ? '' : ' ');
+  };
+  return `${list(MOVE)} move, ${list(TURN)} turn, ? all keys`;
 }

@@ -50,6 +50,11 @@ export class Log {
     this.group.keepTo(lamp, kinds);
   }
 
+  /** Writes the lines that fit into the present size of the window. */
+  resized(): void {
+    this.group.draw();
+  }
+
   clear(): void {
     this.arrivals.takeEvents();
     this.group.clear();

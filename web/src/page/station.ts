@@ -30,6 +30,7 @@ export class Station {
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => tones.wake(), { signal });
     window.addEventListener('blur', () => pictures.monitors.release(), { signal });
+    window.addEventListener('resize', () => this.parts.log.resized(), { signal });
     window.addEventListener('pagehide', () => windows.gone(), { signal });
     const pace = BAR_PACE[drawing.quality];
     this.loop = new DrawLoop(welcome, pace, arrivals, latency, operator, new Readouts(this.parts));
