@@ -25,10 +25,10 @@ LIGHT = f"""document.querySelectorAll('.lamp').forEach((lamp) => {{
 
 CUT = """() => {
     const found = [];
-    // The newest line of the log and its hints, the state of each group, the causes of the lamps, the conditions, and the guide.
+    // The newest line of the log, its hints, the state of each group, causes of lamps, conditions, the guide.
     const advice = '.log .whole:not(.unseen) span, .about, .lamp small, .pair, .cells .name, .tutorial p';
-    for (const node of document.querySelectorAll(advice)) {
-        if (!node.textContent || !node.checkVisibility({ visibilityProperty: true })) continue;
+    const texts = [...document.querySelectorAll(advice)].filter(({ textContent }) => textContent);
+    for (const node of texts.filter((text) => text.checkVisibility({ visibilityProperty: true }))) {
         const wide = node.scrollWidth > node.clientWidth + 1 && getComputedStyle(node).display !== 'inline';
         if (wide || node.scrollHeight > node.clientHeight + 3) found.push(`“${node.textContent}” is cut off`);
     }

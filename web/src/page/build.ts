@@ -72,6 +72,7 @@ export function buildParts(
     acted: (action) => operations.act(action),
     send: transmit,
     taken: (event) => sheet.taken(event),
+    pressedInVain: () => log.sayOnce(control.bar),
   });
   const { controllers } = operator;
   const windows: WindowLink = new WindowLink(

@@ -11,9 +11,13 @@ import type { LampName } from '../panel/spine/lamps';
 /** Greatest age of a rejection that lights a lamp [s]. A page that reconnects also receives old rejections. */
 const RECENT_S = 2;
 
+/** Least time between two equal lines of `sayOnce` [ms]. */
+const OFTEN_MS = 5000;
+
 export class Log {
   /** Time of the last rejected command [ms]. */
   refusedAt = -Infinity;
+  private often = { text: '', at: -Infinity };
 
   constructor(
     private readonly group: EventsGroup,
@@ -37,6 +41,14 @@ export class Log {
   /** Adds a line that comes from the page, not from the station. */
   say(text: string, kind = 'page', level: Level = 'caution'): void {
     this.group.add([{ time_s: this.arrivals.telemetry?.time_s ?? 0, kind, level, text }]);
+  }
+
+  /** Adds a line that comes from the page, unless the page has added the same line in the last seconds. */
+  sayOnce(text: string): void {
+    const now = performance.now();
+    if (text === this.often.text && now - this.often.at < OFTEN_MS) return;
+    this.often = { text, at: now };
+    this.say(text);
   }
 
   /** Adds the reason for a rejected command, and lights CHECK CRT. */

@@ -6,7 +6,9 @@ import type { Command, LinkState } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
 import type { DrawnBody } from '../scene/bodies';
 import { buildParts } from './build';
+import { NO_CONNECTION } from './control';
 import { DrawLoop } from './draw-loop';
+import { keyRows } from './key-rows';
 import { LOST_MS } from './operator';
 import type { Parts } from './parts';
 import { place } from './placement';
@@ -27,6 +29,7 @@ export class Station {
     place(root, this.parts);
     const { tones, pictures, windows, arrivals, latency, operator } = this.parts;
     const { signal } = this.ended;
+    keyRows(root, signal);
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => tones.wake(), { signal });
     window.addEventListener('blur', () => pictures.monitors.release(), { signal });
@@ -94,7 +97,9 @@ export class Station {
   }
 
   setLink(link: LinkState): void {
-    this.parts.control.link = link;
+    const { control, log } = this.parts;
+    if (link.kind === 'lost' && control.link.kind !== 'lost') log.say(NO_CONNECTION);
+    control.link = link;
     this.updateControl();
     if (link.kind !== 'open') this.parts.latency.forget();
   }

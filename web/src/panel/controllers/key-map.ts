@@ -115,6 +115,7 @@ export class KeyMap {
   private fill(): void {
     this.caps = new Map();
     this.element.replaceChildren(
+      el('h2', { class: 'unseen' }, 'Key map'),
       el('div', { class: 'hands' }, this.hand('Left hand moves', LEFT), this.hand('Right hand turns', RIGHT)),
       el('div', {}, el('h3', {}, 'Arm and cameras'), this.table(FLYING)),
       el(

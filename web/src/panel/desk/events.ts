@@ -102,7 +102,7 @@ export function logLine({ time_s, kind, level, text }: LogEvent): HTMLElement {
     'li',
     { class: level, 'data-kind': kind },
     el('time', {}, clock(time_s)),
-    el('i', { class: 'sign', 'aria-label': level }),
+    el('i', { class: 'sign', role: 'img', 'aria-label': level }),
     el('span', { title: text }, text),
   );
 }
