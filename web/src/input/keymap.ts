@@ -23,6 +23,7 @@ export type Action =
         | 'split'
         | 'matrix'
         | 'acknowledge'
+        | 'mute'
         | 'plane'
         | 'bending'
         | 'slow camera'
@@ -111,6 +112,7 @@ const ACTIONS: readonly Use[] = [
   once('joint +', 'next joint', { name: 'turn joint', by: 1 }),
   once('fly orbiter', 'THC to orbiter', { name: 'fly orbiter' }),
   once('acknowledge', 'acknowledge', { name: 'acknowledge' }),
+  once('mute', 'sounds off, on', { name: 'mute' }),
   once('plane', 'separating plane', { name: 'plane' }),
   once('bending', 'bending, exaggerated', { name: 'bending' }),
   once('otherMonitor', 'other monitor', { name: 'otherMonitor' }),

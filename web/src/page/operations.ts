@@ -109,7 +109,7 @@ export class Operations {
   }
 
   act(action: Action): void {
-    const { tutorial, groups, pictures, light, controlPage, keys, sheet, rail, operator } = this.parts;
+    const { tutorial, groups, pictures, light, controlPage, keys, sheet, rail, operator, tones } = this.parts;
     tutorial.acted(action);
     act(action, {
       ...{ groups, pictures, light, controlPage, keys },
@@ -118,6 +118,7 @@ export class Operations {
       changeRate: () => this.changeRate(),
       holdRate: () => this.send({ type: 'rate_hold' }),
       acknowledge: () => this.acknowledge(),
+      mute: () => tones.set({ muted: !tones.muted }),
       showPlane: () => this.togglePlane(),
       showBending: () => this.toggleBending(),
       flyOrbiter: () => this.flyOrbiter(!operator.sticks.flyingOrbiter),

@@ -66,7 +66,7 @@ export function working({
     [['safing', 'position hold'], 'safing, position hold; again: off'],
     [['plane'], 'separating plane in the pictures'],
     ...(flexures.length > 0 ? ([[['bending'], 'bending exaggerated in the pictures']] as const) : []),
-    [['acknowledge'], 'acknowledge the master alarm'],
+    [['acknowledge', 'mute'], 'acknowledge the master alarm; sounds off, on'],
     [['control page'], 'PDRS control: target, stored points, payloads'],
     ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),
     [['fly orbiter'], 'assign the THC to the orbiter, or to the arm'],
