@@ -24,7 +24,7 @@ _CLASHES = """async () => {
             clashes.push(`${name(a)} leaves the page`);
         for (const b of parts.slice(i + 1)) {
             if (a.contains(b)) continue;
-            if (innerWidth < 1100 && a.matches('.monitor') && b.matches('.monitor')) continue; // MON 2 is inside MON 1
+            if (innerWidth < 1280 && a.matches('.monitor') && b.matches('.monitor')) continue; // MON 2 is inside MON 1
             const q = box(b);
             const apart = p.right <= q.left + .5 || q.right <= p.left + .5
                 || p.bottom <= q.top + .5 || q.bottom <= p.top + .5;

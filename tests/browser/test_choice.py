@@ -52,7 +52,7 @@ def test_scenario_chosen_from_the_list_opens_on_every_page(flight: Flight, open_
 
 def test_script_flies_a_scenario_until_a_stick_moves(flight: Flight) -> None:
     flight.page.locator(".rail .scenario > button").click()
-    flight.press_key("Fly Deploy a payload for me")
+    flight.press_key("Fly it for me: Deploy a payload")
     flight.until(f"frame && {TITLE} === 'Deploy a payload' && frame.by === 'script'")
     flight.until("frame.rates.some((rate) => Math.abs(rate) > 1e-4)")
     flight.hold("s")

@@ -115,9 +115,9 @@ def test_west_button_of_a_pad_sets_rate_hold(open_page: OpenPage) -> None:
 
 def test_position_hold_is_switched_on_and_off(flight: Flight) -> None:
     flight.enter("ORB UNL")
-    flight.press_key("Position hold")
+    flight.press_key("Pos hold Ins")
     flight.until("frame.position_hold")
-    flight.press_key("Position hold")
+    flight.press_key("Pos hold Ins")
     flight.until("!frame.position_hold")
 
 
@@ -125,7 +125,7 @@ def test_brakes_safing_and_position_hold_work_in_automatic_modes(flight: Flight)
     flight.turn_to("AUTO 1")
     flight.page.get_by_label("Brakes", exact=False).wait_for(state="visible")
     flight.enter("OPR CMD")
-    for name in ("Safing", "Position hold"):
+    for name in ("Safing Del", "Pos hold Ins"):
         flight.page.get_by_role("button", name=name, exact=True).wait_for(state="visible")
     assert_tidy(flight)
     flight.press("Delete")

@@ -1,4 +1,4 @@
-"""Windows narrower than 1100 px have MON 2 in a corner of MON 1; below 720 px the page only observes."""
+"""Windows narrower than 1280 px have MON 2 in a corner of MON 1; below 720 px the page only observes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.browser.layout_checks import assert_readable, assert_tidy
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "srms-deploy"
-ENDS = [(1099, 800), (720, 1024)]
+ENDS = [(1279, 800), (720, 1024)]
 """Widest narrow window, and narrowest window in which the arm can be flown [px]."""
 PHONE = (390, 844)
 TABLET = (768, 1024)

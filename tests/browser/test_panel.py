@@ -19,6 +19,7 @@ UNREACHED = """() => {
     const visited = new Set(window.visited);
     const within = document.querySelector('dialog:modal') ?? document.body;
     return [...within.querySelectorAll('button, a[href], input, select, [role=slider]')]
+        .filter((each) => each.tabIndex >= 0) // arrow keys reach the other keys of a row
         .filter((each) => each.checkVisibility({ visibilityProperty: true }) && !each.disabled && !visited.has(each))
         .map((each) => each.getAttribute('aria-label') || each.textContent || each.title);
 }"""

@@ -149,7 +149,7 @@ def test_capture_and_release_act_only_when_held(open_worksite: OpenWorksite) -> 
     flight.until(full.format(0))
     flight.release("g")
     assert [m["switch"] for m in site.sent if m["type"] == "effector"] == ["close"]
-    release = flight.page.get_by_role("button", name="Release, hold 1 s")
+    release = flight.page.get_by_role("button", name="Release R, hold 1 s")
     release.focus()
     flight.hold("Enter")
     flight.until(full.format(1))

@@ -26,6 +26,7 @@ import './windows/planes.css';
 import './replay/replay.css';
 import './replay/timeline.css';
 import './style/night.css';
+import './style/forced.css';
 import { present } from './basics/assert';
 import { fly } from './link/live';
 import { notice } from './page/notice';

@@ -27,3 +27,23 @@ test('the loss of a device centres all devices; acknowledging removes the lost d
   expect(controllers.devices.map(({ name }) => name)).toEqual(['Left']);
   expect(controllers.lost).toEqual([]);
 });
+
+test('all devices are centred when one is lost while another takes the place of a lost one', () => {
+  const world = plugged({ id: 'Left' }, { id: 'Right' }, { id: 'Third' });
+  const controllers = new Controllers(() => {}, { moved() {}, taken: () => false });
+  const after = (now: number, which: number, y: number) => {
+    world.axes(which, 0, y, 0, 0);
+    return controllers.poll(now, 0.01);
+  };
+  after(0, 0, 0);
+  after(20, 1, -1);
+  after(40, 1, 0);
+  world.unplug(1);
+  after(60, 0, 0);
+  after(80, 0, 0);
+  world.unplug(0);
+  controllers.keyboard.held.add('KeyD');
+  expect(isZero(after(100, 2, -1))).toBe(true);
+  expect(controllers.keyboard.held.size).toBe(0);
+  expect(controllers.lost.map(({ name }) => name)).toEqual(['Left']);
+});

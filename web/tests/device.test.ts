@@ -73,6 +73,20 @@ test('Menu alone steps the camera when it is released', () => {
   expect([press(9), press(9, 12), press()]).toEqual([[], [], []]);
 });
 
+test('View with a button works the panel; View alone selects the other monitor', () => {
+  const { press } = pressed();
+  expect([press(8), press(8, 15), press(8), press(8, 0), press()]).toEqual([
+    [],
+    ['turn mode'],
+    [],
+    ['enter'],
+    [],
+  ]);
+  expect([press(8), press(8, 3), press()]).toEqual([[], ['proceed'], []]);
+  expect([press(8), press(8, 2), press(2), press()]).toEqual([[], ['brakes+'], [], ['brakes-']]);
+  expect([press(8), press()]).toEqual([[], ['otherMonitor']]);
+});
+
 test('a lost or disarmed pad ends its held functions', () => {
   const first = pressed();
   first.press(3);

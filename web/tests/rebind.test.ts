@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { DEFAULTS } from '../src/input/defaults';
 import { USES } from '../src/input/keymap';
 import { parseMapping, sourcesOf } from '../src/input/mapping';
-import { bind, isFixed, keyRefusal, movers, unbind, zeroed } from '../src/input/rebind';
+import { bind, exchange, isFixed, keyRefusal, movers, unbind, zeroed } from '../src/input/rebind';
 
 test('a key can be assigned to any function, which then loses its former keys', () => {
   const mapping = DEFAULTS.keyboard;
@@ -35,6 +35,33 @@ test('a stick assigned to +X inverted replaces both sides of X', () => {
   expect(changed.bindings['a1']).toBeUndefined();
   expect(movers(changed, '+X')).toEqual([{ source: 'a3', sign: -1 }]);
   expect(movers(changed, '-X')).toEqual([{ source: 'a3', sign: 1 }]);
+});
+
+test('a used key is exchanged: its function has the former keys of the other one', () => {
+  const mapping = DEFAULTS.keyboard;
+  for (const [source, its] of Object.entries(mapping.bindings)) {
+    for (const use of ['+X', 'rate', 'close']) {
+      if (its === use || isFixed('keyboard', its)) continue;
+      const changed = exchange('keyboard', mapping, use, { source, sign: 1 });
+      expect(sourcesOf(changed, use)).toEqual([source]);
+      expect(sourcesOf(changed, its)).toEqual(sourcesOf(mapping, use));
+      expect(parseMapping(changed)).toEqual(changed);
+    }
+  }
+});
+
+test('exchanged sticks keep their directions; the other function of a free control has none', () => {
+  const changed = exchange('pad', DEFAULTS.pad, '+X', { source: 'a3', sign: -1 });
+  expect([changed.bindings['a3'], changed.bindings['a1']]).toEqual(['-X', '-pitch']);
+  const inverted = exchange('pad', DEFAULTS.pad, '+X', { source: 'a3', sign: 1 });
+  expect([inverted.bindings['a3'], inverted.bindings['a1']]).toEqual(['+X', '+pitch']);
+  const given = exchange('pad', DEFAULTS.pad, 'safing', { source: 'b0', sign: 1 });
+  expect(sourcesOf(given, 'rate')).toEqual([]);
+});
+
+test('an axis and a button cannot be exchanged', () => {
+  const put = () => exchange('pad', DEFAULTS.pad, '+X', { source: 'b0', sign: 1 });
+  expect(put).toThrow('South is already “coarse, vernier”, which cannot move to Left stick ↕');
 });
 
 test('an axis is rejected for a button function, and also if it already has another function', () => {

@@ -1,33 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { kept, Tones } from '../src/page/tones';
-
-/** An audio context that records the pitch, start and end of each oscillator. */
-class FakeAudio {
-  currentTime = 0;
-  state = 'running';
-  destination = {};
-  readonly gain = { gain: { value: -1 }, connect: () => {} };
-  readonly tones: { frequency: { value: number }; began: number; ended: number | null }[] = [];
-  createGain = () => this.gain;
-  createOscillator = () => {
-    const tone = {
-      frequency: { value: 440 },
-      began: Number.NaN,
-      ended: null as number | null,
-      connect: () => {},
-      start: (at?: number) => {
-        tone.began = at ?? this.currentTime;
-      },
-      stop: (at?: number) => {
-        tone.ended = at ?? this.currentTime;
-      },
-    };
-    this.tones.push(tone);
-    return tone;
-  };
-  close = async () => {};
-  resume = async () => {};
-}
+import { FakeAudio } from './fake-audio';
 
 function made(text: string | null = null) {
   const audio = new FakeAudio();

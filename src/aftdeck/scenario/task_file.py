@@ -58,6 +58,7 @@ Use = Literal[
     "offered pair",
     "slow camera",
     "light",
+    "mute",
     "lock exposure",
     "control page",
     "leave",

@@ -80,9 +80,9 @@ export class Controllers {
    * centres all devices and returns zero.
    */
   poll(now: number, dt: number): Deflection {
-    const gone = this.lost.length;
+    const before = this.lost;
     const parts = [this.pads.poll(now), this.readCap(now), this.readScreen(now)];
-    if (this.lost.length > gone) {
+    if (this.lost.some((device) => !before.includes(device))) {
       this.release();
       return ZERO;
     }

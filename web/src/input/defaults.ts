@@ -50,6 +50,7 @@ const KEYBOARD = {
   Equal: 'joint +',
   Backquote: 'fly orbiter',
   KeyM: 'acknowledge',
+  NumpadDivide: 'mute',
   KeyF: 'plane',
   NumpadMultiply: 'bending',
   KeyX: 'otherMonitor',
@@ -78,6 +79,15 @@ const PAD_CAMERAS = {
   b9: 'cameraStep +',
 };
 
+/** Functions of the panel, on the buttons of a pad while View is held. */
+const PAD_PANEL = {
+  'b8+b14': 'mode -',
+  'b8+b15': 'mode +',
+  'b8+b0': 'enter',
+  'b8+b3': 'proceed',
+  'b8+b2': 'brakes',
+};
+
 /** Axes are positive to the right and towards the operator. A stick pushed away commands +X or nose up. */
 const PAD = {
   a1: '-X',
@@ -99,6 +109,7 @@ const PAD = {
   'b9+b2': 'plane',
   'b9+b8': 'fly orbiter',
   ...PAD_CAMERAS,
+  ...PAD_PANEL,
 };
 
 const THC_PAD = {
@@ -112,6 +123,7 @@ const THC_PAD = {
   'b9+b13': '-telescope',
   'b9+b8': 'fly orbiter',
   ...PAD_CAMERAS,
+  ...PAD_PANEL,
 };
 
 const RHC_PAD = {
@@ -125,6 +137,7 @@ const RHC_PAD = {
   b1: 'stop',
   b3: 'latch',
   ...PAD_CAMERAS,
+  ...PAD_PANEL,
 };
 
 /** Joysticks have no standard mapping. Most begin with the axes x, y, twist and the buttons trigger, thumb, pinkie. */

@@ -150,7 +150,7 @@ export class Device {
       if (pressed) {
         const chord = held === undefined || held === index ? undefined : bindings[`b${held}+b${index}`];
         const use = chord ?? bindings[`b${index}`];
-        this.alone = changers.has(index) ? index : null;
+        this.alone = chord === undefined && changers.has(index) ? index : null;
         this.down.set(index, this.alone !== null ? undefined : use);
         if (this.alone === null) this.begin(use);
       } else {

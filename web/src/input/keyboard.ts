@@ -1,7 +1,7 @@
 /** The keyboard as two hand controllers and switches, according to its mapping. */
 
 import { clamp } from '../basics/clamp';
-import { type Deflection, ZERO } from './deflection';
+import { type Deflection, isZero, PAN, ZERO } from './deflection';
 import { type Action, USES, type Use } from './keymap';
 import { learnLetter } from './layout';
 import { mappingOf } from './store';
@@ -50,6 +50,11 @@ export class Keyboard {
       if (does?.kind === 'axis') target[does.axis] = (target[does.axis] ?? 0) + does.sign;
     }
     return target.map((value) => clamp(value));
+  }
+
+  /** Whether the held keys command the arm. */
+  get commandsArm(): boolean {
+    return !isZero(this.target.slice(0, PAN));
   }
 
   /** Moves the deflections for `dt` [s] towards `target` and returns them. */
@@ -128,14 +133,19 @@ function takesSpaces(target: EventTarget | null): boolean {
   return isTyping(target) && target.inputMode === 'text';
 }
 
-/** Returns whether the element in focus handles this key, as a slider or a list handles the arrow keys. */
+/** Returns whether the element in focus handles this key, as a slider or a row of keys handles the arrow keys. */
 function isOwn({ code, target }: KeyboardEvent): boolean {
-  const arrows = /^(Arrow|Page|Home|End)/.test(code);
+  if (!(target instanceof HTMLElement)) return false;
+  if (/^Arrow(Left|Right)$/.test(code) && target.closest('[data-row]')) return isForCameras(code);
   return (
-    arrows &&
-    target instanceof HTMLElement &&
-    target.matches('[role=slider], [type=range], select, [role=tab]')
+    /^(Arrow|Page|Home|End)/.test(code) && target.matches('[role=slider], [type=range], select, [role=tab]')
   );
+}
+
+/** Returns whether a key has no function, or deflects an axis of the cameras. */
+export function isForCameras(code: string): boolean {
+  const does = useOf(code)?.does;
+  return does === undefined || (does.kind === 'axis' && does.axis >= PAN);
 }
 
 export function isControl(target: EventTarget | null): boolean {

@@ -24,6 +24,7 @@ export type Action =
         | 'matrix'
         | 'offered pair'
         | 'acknowledge'
+        | 'mute'
         | 'plane'
         | 'bending'
         | 'slow camera'
@@ -112,6 +113,7 @@ const ACTIONS: readonly Use[] = [
   once('joint +', 'next joint', { name: 'turn joint', by: 1 }),
   once('fly orbiter', 'THC to orbiter', { name: 'fly orbiter' }),
   once('acknowledge', 'acknowledge', { name: 'acknowledge' }),
+  once('mute', 'sounds off, on', { name: 'mute' }),
   once('plane', 'separating plane', { name: 'plane' }),
   once('bending', 'bending, exaggerated', { name: 'bending' }),
   once('otherMonitor', 'other monitor', { name: 'otherMonitor' }),

@@ -1,7 +1,8 @@
 /**
  * Gamepads and joysticks. A single device is both THC and RHC. Of two devices, the device that was moved first is the
  * THC, and the other is the RHC. A device is used and reported only after it was moved. Exception: if the first device
- * has the standard mapping, it is used at once.
+ * has the standard mapping, it is used at once. A lost device has its place again when it is plugged in again, unless
+ * another device was moved first: this one then has the place.
  */
 
 import { type Deflection, sum, ZERO } from './deflection';
@@ -19,6 +20,8 @@ interface Seat {
   readonly standard: boolean;
   /** The browser's number for the device, which may change when the device is plugged in again. */
   index: number;
+  /** Present reading; null if the device is not connected. */
+  pad: Gamepad | null;
   device: Device;
 }
 
@@ -40,20 +43,20 @@ export class Pads {
   poll(now: number): Deflection {
     const connected = navigator.getGamepads().filter((pad): pad is Gamepad => pad?.connected === true);
     const free = new Set(connected);
-    const found = this.seats.map((seat) => {
-      const own = connected.find(({ id, index }) => id === seat.id && index === seat.index);
-      const pad = own ?? connected.find((each) => each.id === seat.id && !this.taken(each));
+    for (const seat of this.seats) {
+      const pad = this.padOf(seat, free);
+      seat.pad = pad;
+      if (!pad) continue;
       // If two devices are plugged in again, the browser may have exchanged them.
-      if (pad && seat.device.state === 'lost') this.asks = this.seats.length === MOST;
-      if (pad) seat.index = pad.index;
-      if (pad) free.delete(pad);
-      return pad ?? null;
-    });
+      if (seat.device.state === 'lost') this.asks = this.seats.length === MOST;
+      seat.index = pad.index;
+      free.delete(pad);
+    }
     for (const index of this.first.keys()) {
       if (![...free].some((pad) => pad.index === index)) this.first.delete(index);
     }
-    for (const pad of free) if (this.seats.length < MOST && this.joins(pad)) found.push(pad);
-    return sum(ZERO, ...this.seats.map(({ device }, i) => device.read(found[i] ?? null, now)));
+    for (const pad of free) this.join(pad);
+    return sum(ZERO, ...this.seats.map(({ device, pad }) => device.read(pad, now)));
   }
 
   /** Exchanges the devices of THC and RHC. */
@@ -81,26 +84,44 @@ export class Pads {
     this.assign();
   }
 
-  private taken({ index }: Gamepad): boolean {
-    return this.seats.some((seat) => seat.index === index);
+  /**
+   * Returns the device of a place, among devices that have no place yet. When a lost device returns, the browser's number
+   * for it may have changed: of two equal devices, the first to return has the place of the THC.
+   */
+  private padOf(seat: Seat, free: ReadonlySet<Gamepad>): Gamepad | null {
+    const equal = [...free].filter(({ id }) => id === seat.id);
+    const used = this.seats.filter(({ device }) => device.state !== 'lost').map(({ index }) => index);
+    const fits = ({ index }: Gamepad) =>
+      seat.device.state === 'lost' ? !used.includes(index) : index === seat.index;
+    return equal.find(fits) ?? null;
   }
 
-  /** Takes a device into use if it was moved. The first device needs no motion if its mapping is standard. */
-  private joins(pad: Gamepad): boolean {
-    const standard = pad.mapping === 'standard';
-    const first = this.first.get(pad.index) ?? copied(pad);
-    this.first.set(pad.index, first);
-    // Compare with the first reading: some devices have switches that are always on, and levers that rest anywhere.
-    const moved =
-      pad.axes.some((value, i) => Math.abs(value - (first.axes[i] ?? 0)) > MOVED) ||
-      pad.buttons.some(({ pressed }, i) => pressed !== first.buttons[i]?.pressed);
-    if (!moved && !(standard && this.seats.length === 0)) return false;
+  /**
+   * Takes a device into use if it was moved and there is a place for it: the place of a lost device, or else a free one.
+   * The first device needs no motion if its mapping is standard.
+   */
+  private join(pad: Gamepad): void {
+    const lost = this.seats.findIndex(({ device }) => device.state === 'lost');
+    const place = lost < 0 ? this.seats.length : lost;
+    if (place === MOST || !this.wasMoved(pad)) return;
     const device = new Device('pad', this.acted);
-    this.seats.push({ id: pad.id, standard, index: pad.index, device });
+    const standard = pad.mapping === 'standard';
+    this.seats[place] = { id: pad.id, standard, index: pad.index, pad, device };
     this.first.delete(pad.index);
     this.assign();
     this.asks = this.seats.length === MOST;
-    return true;
+  }
+
+  /** Returns whether a device was moved since its first reading, or is the first device and needs no motion. */
+  private wasMoved(pad: Gamepad): boolean {
+    if (pad.mapping === 'standard' && this.seats.length === 0) return true;
+    const first = this.first.get(pad.index) ?? copied(pad);
+    this.first.set(pad.index, first);
+    // Compare with the first reading: some devices have switches that are always on, and levers that rest anywhere.
+    return (
+      pad.axes.some((value, i) => Math.abs(value - (first.axes[i] ?? 0)) > MOVED) ||
+      pad.buttons.some(({ pressed }, i) => pressed !== first.buttons[i]?.pressed)
+    );
   }
 
   /** Assigns each device to THC, RHC or both. A device whose assignment changes acts only after it was at zero. */

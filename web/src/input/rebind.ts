@@ -51,28 +51,50 @@ export function keyRefusal(
   return null;
 }
 
+/** Returns the other function that a source already has; null if it is free. */
+export function otherUse(mapping: Mapping, use: string, { source }: Source): string | null {
+  const before = mapping.bindings[source];
+  return before === undefined || sameAxis(before, use, isAxis(source)) ? null : before;
+}
+
 /**
  * Returns a mapping in which the source that was pressed or moved has this function.
  *
  * Throws an Error with the reason for a rejection.
  */
 export function bind(kind: Kind, mapping: Mapping, use: string, { source, sign }: Source): Mapping {
-  const does = USES.get(use)?.does;
-  if (!does) throw new Error(`“${use}” is not a function.`);
-  const analogue = indexOf(source, 'a') !== null;
-  const name = nameOfSource(kind, source);
-  if (analogue && does.kind !== 'axis')
-    throw new Error(`${name} is an axis; “${labelOf(use)}” needs a button.`);
-  const goal = does.kind === 'axis' && sign < 0 ? axisUse(does.axis, -does.sign) : use;
-  const before = mapping.bindings[source];
-  if (before !== undefined && !sameAxis(before, use, analogue))
-    throw new Error(`${name} is already “${labelOf(before)}”: assign that to another control first.`);
+  const goal = goalOf(kind, use, { source, sign });
+  const analogue = isAxis(source);
+  const before = otherUse(mapping, use, { source, sign });
+  if (before !== null) throw new Error(`${nameOfSource(kind, source)} is already “${labelOf(before)}”.`);
   const bindings: Record<string, string> = {};
   for (const [each, its] of Object.entries(mapping.bindings)) {
-    const whole = (analogue || indexOf(each, 'a') !== null) && sameAxis(its, use, true);
+    const whole = (analogue || isAxis(each)) && sameAxis(its, use, true);
     if (each !== source && its !== use && !whole) bindings[each] = its;
   }
   bindings[source] = goal;
+  return { ...mapping, bindings };
+}
+
+/**
+ * Returns a mapping in which a source with another function has this function, and in which the former sources of this
+ * function have the other one.
+ *
+ * Throws an Error with the reason for a rejection.
+ */
+export function exchange(kind: Kind, mapping: Mapping, use: string, { source, sign }: Source): Mapping {
+  const goal = goalOf(kind, use, { source, sign });
+  const other = otherUse(mapping, use, { source, sign });
+  if (other === null) throw new Error(`${nameOfSource(kind, source)} has no other function.`);
+  const former = movers(mapping, use).map((each) => each.source);
+  const unlike = former.find((each) => isAxis(each) !== isAxis(source));
+  if (unlike !== undefined)
+    throw new Error(
+      `${nameOfSource(kind, source)} is already “${labelOf(other)}”, which cannot move to ` +
+        `${nameOfSource(kind, unlike)}: an axis and a button cannot be exchanged.`,
+    );
+  const bindings: Record<string, string> = { ...mapping.bindings, [source]: goal };
+  for (const each of former) bindings[each] = mapping.bindings[each] === goal ? other : opposite(other);
   return { ...mapping, bindings };
 }
 
@@ -110,9 +132,28 @@ export function zeroed(kind: Kind, mapping: Mapping, axes: readonly number[]): M
   return { ...mapping, centres };
 }
 
+/** Returns the function that a source gets: for an axis moved to its negative side, the opposite of `use`. */
+function goalOf(kind: Kind, use: string, { source, sign }: Source): string {
+  const does = USES.get(use)?.does;
+  if (!does) throw new Error(`“${use}” is not a function.`);
+  if (isAxis(source) && does.kind !== 'axis')
+    throw new Error(`${nameOfSource(kind, source)} is an axis; “${labelOf(use)}” needs a button.`);
+  return sign < 0 ? opposite(use) : use;
+}
+
+/** Returns the function that deflects an axis to its other side. */
+function opposite(use: string): string {
+  const does = USES.get(use)?.does;
+  return does?.kind === 'axis' ? axisUse(does.axis, -does.sign) : use;
+}
+
+function isAxis(source: string): boolean {
+  return indexOf(source, 'a') !== null;
+}
+
 function wholeAxes(mapping: Mapping, use: string): readonly string[] {
   return Object.entries(mapping.bindings)
-    .filter(([source, its]) => indexOf(source, 'a') !== null && sameAxis(its, use, true))
+    .filter(([source, its]) => isAxis(source) && sameAxis(its, use, true))
     .map(([source]) => source);
 }
 

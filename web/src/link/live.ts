@@ -19,7 +19,8 @@ import { type FromSession, Link, type LinkState } from './socket';
 function words(link: LinkState): string {
   if (link.kind === 'preparing') return link.text;
   return link.kind === 'lost'
-    ? `No answer from the station, attempt ${link.attempt}.`
+    ? `No answer from the station, attempt ${link.attempt}. Check that aftdeck fly still runs, or start it again and open ` +
+        'the address that it prints.'
     : 'Connecting to the station.';
 }
 

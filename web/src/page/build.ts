@@ -78,6 +78,7 @@ export function buildParts(
     acted: (action) => operations.act(action),
     send: transmit,
     taken: (event) => sheet.taken(event),
+    pressedInVain: () => log.sayOnce(control.bar),
   });
   const { controllers } = operator;
   const windows: WindowLink = new WindowLink(
@@ -164,6 +165,9 @@ export function buildParts(
 
 /** Returns a line of the log that names the keys of the sticks. It uses the mapping at the time when the page opens. */
 function keysHint(): string {
-  const list = (uses: string) => uses.split(' ').map(keyOf).join(' ');
-  return `${list(MOVE)} move the arm, ${list(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;
+  const list = (uses: string) => {
+    const names = uses.split(' ').map(keyOf);
+    return names.join(names.every(({ length }) => length === 1) ? '' : ' ');
+  };
+  return `${list(MOVE)} move, ${list(TURN)} turn, ? all keys`;
 }

@@ -22,6 +22,7 @@ export interface Acting {
   changeRate(): void;
   holdRate(): void;
   acknowledge(): void;
+  mute(): void;
   showPlane(): void;
   showBending(): void;
   flyOrbiter(): void;
@@ -74,6 +75,9 @@ export function act(action: Action, by: Acting): void {
       break;
     case 'acknowledge':
       by.acknowledge();
+      break;
+    case 'mute':
+      by.mute();
       break;
     case 'grip':
       groups.grip(action);

@@ -2,6 +2,11 @@
 
 import type { Role } from '../link/protocol';
 import type { LinkState } from '../link/socket';
+import { calledFirst } from '../panel/rail/operator-name';
+import { TOO_NARROW_WORDS } from './room';
+
+/** What to do if there is no connection to the station. */
+export const NO_CONNECTION = 'Connection lost: check that aftdeck fly still runs, or start it again';
 
 export class Control {
   role: Role = {
@@ -22,6 +27,21 @@ export class Control {
   tooNarrow = false;
 
   get flies(): boolean {
-    return this.role.flying && this.link.kind === 'open' && !this.leaving && !this.tooNarrow;
+    return this.bar === '';
+  }
+
+  /** Reason why this page's sticks do not move the arm, and what to do; empty if they move it. */
+  get bar(): string {
+    if (this.link.kind === 'preparing') return this.link.text;
+    if (this.link.kind !== 'open') return NO_CONNECTION;
+    if (this.tooNarrow) return TOO_NARROW_WORDS;
+    if (this.leaving) return 'Another scenario is being prepared: the sticks are centred';
+    const { flying, may_fly, flier } = this.role;
+    if (flying) return '';
+    const who = flier === 0 ? 'the station is unattended' : `${calledFirst(this.role, flier)} flies`;
+    const what = may_fly
+      ? 'Press “Ask for the sticks” in the top rail'
+      : 'The address of this page is for observing';
+    return `Observing: ${who}. ${what}`;
   }
 }

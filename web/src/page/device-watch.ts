@@ -4,6 +4,8 @@ import type { Controllers } from '../input/controllers';
 import type { Level } from '../link/protocol';
 import type { Command } from '../link/socket';
 
+const REMEDY = 'Plug it in again, or move another device';
+
 export interface DeviceWatchListener {
   send(command: Command): void;
   /** Adds a line to the log. */
@@ -38,7 +40,7 @@ export class DeviceWatch {
     const lost = new Set(controllers.lost.map(({ short }) => short));
     const newlyLost = [...lost].filter((short) => !this.lost.has(short));
     if (newlyLost.length > 0 && ours) listener.send({ type: 'hands_off', cause: 'device lost' });
-    for (const short of newlyLost) listener.say(`${short} lost: sticks at zero`, 'caution');
+    for (const short of newlyLost) listener.say(`${short} lost: sticks at zero. ${REMEDY}`, 'caution');
     for (const short of this.lost) if (!lost.has(short)) listener.say(`${short}: loss cleared`, 'info');
     this.lost = lost;
     const { revision } = controllers;

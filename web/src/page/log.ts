@@ -11,9 +11,13 @@ import type { LampName } from '../panel/spine/lamps';
 /** Greatest age of a rejection that lights a lamp [s]. A page that reconnects also receives old rejections. */
 const RECENT_S = 2;
 
+/** Least time between two equal lines of `sayOnce` [ms]. */
+const OFTEN_MS = 5000;
+
 export class Log {
   /** Time of the last rejected command [ms]. */
   refusedAt = -Infinity;
+  private often = { text: '', at: -Infinity };
 
   constructor(
     private readonly group: EventsGroup,
@@ -39,6 +43,14 @@ export class Log {
     this.group.add([{ time_s: this.arrivals.telemetry?.time_s ?? 0, kind, level, text }]);
   }
 
+  /** Adds a line that comes from the page, unless the page has added the same line in the last seconds. */
+  sayOnce(text: string): void {
+    const now = performance.now();
+    if (text === this.often.text && now - this.often.at < OFTEN_MS) return;
+    this.often = { text, at: now };
+    this.say(text);
+  }
+
   /** Adds the reason for a rejected command, and lights CHECK CRT. */
   refuse(text: string): void {
     this.refusedAt = performance.now();
@@ -48,6 +60,11 @@ export class Log {
   /** Shows only the lines of these kinds; the kinds belong to `lamp`. A second call for this lamp shows all lines. */
   keepTo(lamp: LampName, kinds: readonly string[]): void {
     this.group.keepTo(lamp, kinds);
+  }
+
+  /** Writes the lines that fit into the present size of the window. */
+  resized(): void {
+    this.group.draw();
   }
 
   clear(): void {

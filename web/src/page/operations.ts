@@ -111,7 +111,7 @@ export class Operations {
   }
 
   act(action: Action): void {
-    const { groups, pictures, light, controlPage, keys, sheet, rail, operator } = this.parts;
+    const { groups, pictures, light, controlPage, keys, sheet, rail, operator, tones } = this.parts;
     act(action, {
       ...{ groups, pictures, light, controlPage, keys },
       sheets: [sheet, rail],
@@ -119,6 +119,7 @@ export class Operations {
       changeRate: () => this.changeRate(),
       holdRate: () => this.send({ type: 'rate_hold' }),
       acknowledge: () => this.acknowledge(),
+      mute: () => tones.set({ muted: !tones.muted }),
       showPlane: () => this.togglePlane(),
       showBending: () => this.toggleBending(),
       flyOrbiter: () => this.flyOrbiter(!operator.sticks.flyingOrbiter),

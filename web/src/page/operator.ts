@@ -25,6 +25,8 @@ export interface OperatorListener {
   send(command: Command): number;
   /** Called first with every key event; returns true if it has used the event, which then has no other effect. */
   taken(event: KeyboardEvent): boolean;
+  /** A key of the arm was pressed while the sticks do not move the arm. */
+  pressedInVain(): void;
 }
 
 export class Operator {
@@ -47,6 +49,7 @@ export class Operator {
     this.controllers = new Controllers(acted, {
       moved: (at) => {
         if (this.flying && !document.hidden) this.sticks.moved(at);
+        else if (!this.flying && this.controllers.keyboard.commandsArm) listener.pressedInVain();
       },
       taken: (event) => listener.taken(event),
     });

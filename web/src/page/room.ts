@@ -2,9 +2,11 @@
 
 export const ROOM = {
   /** MON 2 is in a corner of MON 1, and the desk has more rows. */
-  inset: '(width < 1100px)',
+  inset: '(width < 1280px)',
   /** The desk's two tables are side by side in a row that contains nothing else. */
   upright: '(width < 956px)',
+  /** The names of the cameras are close together. */
+  slender: '(width < 768px)',
   /** The page can only observe. */
   watching: '(width < 720px)',
   /** Lamps are in two columns. */

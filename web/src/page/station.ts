@@ -7,7 +7,9 @@ import type { Command, LinkState } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
 import type { DrawnBody } from '../scene/bodies';
 import { buildParts } from './build';
+import { NO_CONNECTION } from './control';
 import { DrawLoop } from './draw-loop';
+import { keyRows } from './key-rows';
 import { LOST_MS } from './operator';
 import type { Parts } from './parts';
 import { place } from './placement';
@@ -28,9 +30,11 @@ export class Station {
     place(root, this.parts);
     const { tones, pictures, windows, arrivals, latency, operator } = this.parts;
     const { signal } = this.ended;
+    keyRows(root, signal);
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => tones.wake(), { signal });
     window.addEventListener('blur', () => pictures.monitors.release(), { signal });
+    window.addEventListener('resize', () => this.parts.log.resized(), { signal });
     window.addEventListener('pagehide', () => windows.gone(), { signal });
     const pace = BAR_PACE[drawing.quality];
     this.loop = new DrawLoop(welcome, pace, arrivals, latency, operator, new Readouts(this.parts));
@@ -99,7 +103,9 @@ export class Station {
   }
 
   setLink(link: LinkState): void {
-    this.parts.control.link = link;
+    const { control, log } = this.parts;
+    if (link.kind === 'lost' && control.link.kind !== 'lost') log.say(NO_CONNECTION);
+    control.link = link;
     this.updateControl();
     if (link.kind !== 'open') this.parts.latency.forget();
   }

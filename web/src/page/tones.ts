@@ -1,5 +1,6 @@
-/** Generates the station's sounds: tones for alarms, and clicks for entered modes and captured payloads. */
+/** Generates the station's sounds: tones for alarms, clicks for modes and captures, soft sounds of motors and latches. */
 
+import { Hum } from './hum';
 import type { Keeper } from './local-storage';
 
 export type Alarm = 'none' | 'caution' | 'warning';
@@ -10,6 +11,12 @@ const CAUTION = { pitch: 500, seconds: 0.25 };
 const WARNING = { pitches: [375, 1000], half: 0.2 } as const;
 /** Clicks: duration, time between the starts of two clicks [s]; pitches for an entered mode and a capture [Hz]. */
 const CLICK = { seconds: 0.03, apart: 0.11, entered: [1200], captured: [900, 1500] } as const;
+/** Motors of the joints: pitch at rest and at the rate limit [Hz], gain at the rate limit. */
+const MOTORS = { rest: 90, limit: 180, gain: 0.25 } as const;
+/** A smaller fraction of the rate limit is silent. */
+const STILL = 0.01;
+/** Latches, snares and other mechanisms: pitch [Hz], gain. */
+const MECHANISM = { pitch: 240, gain: 0.12 } as const;
 /** Gain at full volume, 0 to 1. */
 const LOUD = 0.25;
 const KEPT = 'aftdeck.tones';
@@ -37,6 +44,8 @@ export class Tones {
   private context: AudioContext | null = null;
   private master: GainNode | null = null;
   private warble: OscillatorNode | null = null;
+  private motors: Hum | null = null;
+  private mechanism: Hum | null = null;
   private alarm: Alarm = 'none';
   private settings: Kept;
 
@@ -72,6 +81,8 @@ export class Tones {
     this.master = this.context.createGain();
     this.master.gain.value = this.level;
     this.master.connect(this.context.destination);
+    this.motors = new Hum(this.context, this.master, 'triangle', MOTORS.gain);
+    this.mechanism = new Hum(this.context, this.master, 'sawtooth', MECHANISM.gain);
   }
 
   /** Sounds the unacknowledged alarm; called ten times a second. `more`: an alarm was added since the last call. */
@@ -93,6 +104,18 @@ export class Tones {
     this.warble.frequency.value = WARNING.pitches[Math.floor(context.currentTime / WARNING.half) % 2] ?? 0;
   }
 
+  /**
+   * Sounds motors and mechanisms; called ten times a second.
+   *
+   * @param rate greatest joint rate as a fraction of its limit.
+   * @param mechanism whether a latch, the snares or another mechanism moves.
+   */
+  moving(rate: number, mechanism: boolean): void {
+    const part = Math.min(1, rate);
+    this.motors?.set(part < STILL ? 0 : part, MOTORS.rest + part * (MOTORS.limit - MOTORS.rest));
+    this.mechanism?.set(Number(mechanism), MECHANISM.pitch);
+  }
+
   /** Sounds the click for a captured payload. */
   captured(): void {
     CLICK.captured.forEach((pitch, k) => {
@@ -107,7 +130,7 @@ export class Tones {
 
   dispose(): void {
     void this.context?.close();
-    this.context = this.master = this.warble = null;
+    this.context = this.master = this.warble = this.motors = this.mechanism = null;
   }
 
   private get level(): number {

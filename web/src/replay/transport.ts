@@ -45,7 +45,7 @@ export class Transport {
       const name = SPEED_NAMES[speed] ?? String(speed);
       return {
         speed,
-        key: button({ 'aria-label': `Speed ${speed}` }, [`${name}×`], () => {
+        key: button({ 'aria-label': `${name}×: speed ${speed}` }, [`${name}×`], () => {
           player.speed = speed;
         }),
       };

@@ -78,7 +78,7 @@ function cell() {
   const name = el('span', { class: 'name' });
   const value = el('b');
   const unit = el('span', { class: 'unit' });
-  const tick = el('i', { class: 'tick', 'aria-label': 'met' });
+  const tick = el('i', { class: 'tick', role: 'img', 'aria-label': 'met' });
   const fill = svg('rect', { class: 'fill', x: '0', y: '3', width: '0', height: '4' });
   const element = el(
     'li',

@@ -53,7 +53,15 @@ export class AxisTable {
       el(
         'table',
         {},
-        el('thead', {}, el('tr', {}, ...titles.map((title) => el('th', { scope: 'col' }, title)))),
+        el(
+          'thead',
+          {},
+          el(
+            'tr',
+            {},
+            ...titles.map((title) => (title === '' ? el('td') : el('th', { scope: 'col' }, title))),
+          ),
+        ),
         el('tbody', {}, ...this.rows.map(({ element }) => element)),
       ),
       this.unused,

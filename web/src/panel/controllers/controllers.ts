@@ -1,34 +1,29 @@
 /** The sheet “Controllers”: live axes and assignments of each device. It changes assignments and centres the sticks. */
 
-import { Capture } from '../../input/capture';
 import type { Controllers } from '../../input/controllers';
 import type { Device } from '../../input/device';
-import { labelOf } from '../../input/keymap';
 import { type Kind, MOST_DEADBAND } from '../../input/mapping';
-import { bind, keyRefusal, type Source, unbind, zeroed } from '../../input/rebind';
+import { zeroed } from '../../input/rebind';
 import { isDefault, mappingOf, restore, revision, save } from '../../input/store';
 import { button, el, setText } from '../parts/dom';
 import { range } from '../parts/range';
+import { Assignment } from './assignment';
 import { AxisTable } from './axis-table';
 import { Choices } from './choices';
 import { UseTable } from './use-table';
 
-const WHILE_OPEN =
-  'Sticks are centred while this sheet is open; STOP and BRAKES work. Press a cap to assign another key, button or axis.';
-
 export class ControllersSheet {
   readonly element: HTMLDialogElement;
   private kind: Kind = 'keyboard';
-  /** The function for which the sheet waits for a press or a movement; null if it does not wait. */
-  private asked: { readonly use: string; readonly capture: Capture } | null = null;
   private drawn = '';
   private readonly choices;
   private readonly axes = new AxisTable((use) => this.ask(use));
   private readonly uses = new UseTable((use) => this.ask(use));
+  private readonly assignment = new Assignment((use) => {
+    this.axes.ask(use);
+    this.uses.ask(use);
+  });
   private readonly state = el('span', { class: 'state' });
-  private readonly prompt = el('p', { class: 'told', role: 'status' }, WHILE_OPEN);
-  private readonly cancel = button({ class: 'quiet' }, ['Cancel'], () => this.answer(WHILE_OPEN));
-  private readonly empty = button({ class: 'quiet' }, ['Remove'], () => this.leave());
   private readonly deadband = range('Deadband', MOST_DEADBAND, 0.01, percent, (deadband) =>
     this.change({ deadband }),
   );
@@ -73,7 +68,7 @@ export class ControllersSheet {
         this.zero,
         this.restore,
       ),
-      el('div', { class: 'asking' }, this.prompt, this.empty, this.cancel),
+      this.assignment.element,
       el('div', { class: 'tables' }, this.axes.element, this.uses.element),
     );
     this.element.addEventListener('close', () => this.left());
@@ -96,25 +91,14 @@ export class ControllersSheet {
 
   /** Assigns a pressed key if the sheet waits for a key; returns whether it has used the key. */
   taken(event: KeyboardEvent): boolean {
-    if (!this.element.open || !this.asked) return false;
-    if (event.repeat) return true;
-    if (event.code === 'Escape') this.answer(WHILE_OPEN);
-    else if (event.code === 'Delete') this.leave();
-    else if (this.kind === 'keyboard') {
-      const refusal = keyRefusal(event);
-      if (refusal === null) this.take({ source: event.code, sign: 1 });
-      else setText(this.prompt, refusal);
-    } else return false;
-    return true;
+    return this.element.open && this.assignment.taken(event);
   }
 
   /** Displays all present values. */
   tick(): void {
     if (!this.element.open) return;
     const device = this.device;
-    const found =
-      this.kind === 'keyboard' || !this.asked ? null : this.asked.capture.look(device?.reading ?? null);
-    if (found) this.take(found);
+    this.assignment.look(device?.reading ?? null);
     this.choices.show(this.controllers, this.kind);
     const signature = `${this.kind} ${revision()}`;
     if (signature !== this.drawn) this.fill(signature);
@@ -132,7 +116,7 @@ export class ControllersSheet {
   private choose(kind: Kind): void {
     this.kind = kind;
     this.drawn = '';
-    this.answer(WHILE_OPEN);
+    this.assignment.end();
     this.tick();
   }
 
@@ -156,45 +140,11 @@ export class ControllersSheet {
     this.swap.hidden = pads.devices.length < 2 || !/pad|joystick/.test(this.kind);
     this.zero.hidden = keyboard || this.kind === 'touch' || !device?.reading;
     this.restore.hidden = isDefault(this.kind);
-    this.cancel.hidden = this.empty.hidden = this.asked === null;
   }
 
   private ask(use: string): void {
     this.controllers.keyboard.release();
-    this.asked = { use, capture: new Capture(mappingOf(this.kind)) };
-    this.asked.capture.look(this.device?.reading ?? null);
-    this.axes.ask(use);
-    this.uses.ask(use);
-    const what = this.kind === 'keyboard' ? 'Press the key' : 'Press or move the control for';
-    const words = this.kind === 'keyboard' ? `for “${labelOf(use)}”` : `“${labelOf(use)}”`;
-    setText(this.prompt, `${what} ${words}. Delete: no assignment. Esc: unchanged.`);
-  }
-
-  private take(source: Source): void {
-    if (!this.asked) return;
-    const { use } = this.asked;
-    try {
-      const kept = save(this.kind, bind(this.kind, mappingOf(this.kind), use, source));
-      const how = kept ? 'and stored in this browser' : 'but this browser cannot store it';
-      this.answer(`“${labelOf(use)}” is assigned, ${how}.`);
-    } catch (error) {
-      this.asked = { use, capture: new Capture(mappingOf(this.kind)) };
-      setText(this.prompt, error instanceof Error ? error.message : String(error));
-    }
-  }
-
-  private leave(): void {
-    if (!this.asked) return;
-    const { use } = this.asked;
-    save(this.kind, unbind(mappingOf(this.kind), use));
-    this.answer(`“${labelOf(use)}” is no longer assigned on this device.`);
-  }
-
-  private answer(text: string): void {
-    this.asked = null;
-    this.axes.ask(null);
-    this.uses.ask(null);
-    setText(this.prompt, text);
+    this.assignment.ask(this.kind, use, this.device?.reading ?? null);
   }
 
   private change(part: { readonly deadband?: number; readonly expo?: number }): void {
@@ -203,7 +153,7 @@ export class ControllersSheet {
 
   private toDefault(): void {
     restore(this.kind);
-    this.answer('All assignments are the defaults.');
+    this.assignment.end('All assignments are the defaults.');
   }
 
   private zeroNow(): void {
@@ -211,15 +161,15 @@ export class ControllersSheet {
     if (!reading) return;
     try {
       save(this.kind, zeroed(this.kind, mappingOf(this.kind), reading.axes));
-      this.answer('The present positions of the axes are now zero.');
+      this.assignment.end('The present positions of the axes are now zero.');
     } catch (error) {
-      setText(this.prompt, error instanceof Error ? error.message : String(error));
+      this.assignment.end(error instanceof Error ? error.message : String(error));
     }
   }
 
   private left(): void {
     if (!this.controllers.paused) return;
-    this.answer(WHILE_OPEN);
+    this.assignment.end();
     this.controllers.release();
     this.controllers.paused = false;
   }

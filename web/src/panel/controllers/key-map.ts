@@ -67,7 +67,7 @@ export function working({
     [['safing', 'position hold'], 'safing, position hold; again: off'],
     [['plane'], 'separating plane in the pictures'],
     ...(flexures.length > 0 ? ([[['bending'], 'bending exaggerated in the pictures']] as const) : []),
-    [['acknowledge'], 'acknowledge the master alarm'],
+    [['acknowledge', 'mute'], 'acknowledge the master alarm; sounds off, on'],
     [['control page'], 'PDRS control: target, stored points, payloads'],
     ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),
     [['fly orbiter'], 'assign the THC to the orbiter, or to the arm'],
@@ -116,6 +116,7 @@ export class KeyMap {
   private fill(): void {
     this.caps = new Map();
     this.element.replaceChildren(
+      el('h2', { class: 'unseen' }, 'Key map'),
       el('div', { class: 'hands' }, this.hand('Left hand moves', LEFT), this.hand('Right hand turns', RIGHT)),
       el('div', {}, el('h3', {}, 'Arm and cameras'), this.table(FLYING)),
       el(

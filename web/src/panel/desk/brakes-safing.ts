@@ -37,18 +37,16 @@ export function brakesSafing(desk: Desk): BrakesSafing {
     {
       class: 'safing',
       title: 'Command zero joint rates until cancelled',
-      'aria-label': 'Safing',
     },
-    [el('b', {}, 'Safing'), safingKey],
+    [el('b', {}, 'Safing'), ' ', safingKey],
     safe,
   );
   const positionHold = button(
     {
       class: 'hold',
       title: 'Hold position and attitude while the sticks are centred',
-      'aria-label': 'Position hold',
     },
-    [el('b', {}, 'Pos hold'), holdKey],
+    [el('b', {}, 'Pos hold'), ' ', holdKey],
     hold,
   );
   const device = el('p', { class: 'device' });

@@ -70,7 +70,8 @@ export class EventsGroup {
     this.draw();
   }
 
-  private draw(): void {
+  /** Writes the lines that fit; called again if the size of the window changes. */
+  draw(): void {
     const { keptTo } = this;
     setAbout(this.element, keptTo ? `${keptTo.name} only` : '');
     this.all.hidden = keptTo === null;
@@ -78,13 +79,16 @@ export class EventsGroup {
     const events = this.events.filter((event) => this.shows(event));
     const entries = (count = KEPT) => [...events.slice(0, count).map(logLine), ...under.map(hintLine)];
     const lines = entries(LINES).slice(0, LINES);
-    // The newest caution or warning, or else the newest line, may take more than one line.
+    // Hints, and the newest caution or warning or else the newest line, may take more than one line.
     const important = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
     const place = Math.max(0, important);
-    lines[place]?.classList.add('whole');
-    lines[place]?.style.setProperty('--lines', String(events.length > 0 ? LINES - 1 : LINES));
+    const count = String(events.length > 0 ? LINES - 1 : LINES);
+    for (const line of lines.filter(({ classList }, i) => i === place || classList.contains('hint'))) {
+      line.classList.add('whole');
+      line.style.setProperty('--lines', count);
+    }
     this.list.replaceChildren(...lines);
-    // Lines for which the wrapped line leaves no room become invisible, but screen readers still read them.
+    // Lines for which the wrapped lines leave no room become invisible, but screen readers still read them.
     const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
     for (const line of over) line.classList.add('unseen');
     this.whole.hidden = !this.open;
@@ -98,7 +102,7 @@ export function logLine({ time_s, kind, level, text }: LogEvent): HTMLElement {
     'li',
     { class: level, 'data-kind': kind },
     el('time', {}, clock(time_s)),
-    el('i', { class: 'sign', 'aria-label': level }),
+    el('i', { class: 'sign', role: 'img', 'aria-label': level }),
     el('span', { title: text }, text),
   );
 }

@@ -44,7 +44,7 @@ export function resolution(desk: Desk): Part {
         el(
           'tr',
           {},
-          el('th'),
+          el('td'),
           ...['actual', 'commanded', 'rate /s', 'of limit'].map((name) => el('th', { scope: 'col' }, name)),
         ),
       ),

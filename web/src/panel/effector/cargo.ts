@@ -22,7 +22,7 @@ export function cargoGroup({ welcome }: Desk): Part {
   return {
     element,
     values({ frame, units: { creep } }) {
-      setAbout(element, `phase ${frame.work.task}, ${DOING[frame.work.task - 1] ?? ''}`);
+      setAbout(element, DOING[frame.work.task - 1] ?? '');
       for (const { name, state, speed } of rows) {
         const cargo = frame.work.cargo.find((each) => each.name === name);
         const seat = cargo ? seatTitle(welcome.work, cargo.seat) : '';

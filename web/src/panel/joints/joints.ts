@@ -52,7 +52,7 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
         el(
           'tr',
           {},
-          el('th'),
+          el('td'),
           el(
             'th',
             { class: 'legend', scope: 'col' },

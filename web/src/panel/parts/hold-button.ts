@@ -3,7 +3,7 @@
 import { Hold } from '../../input/hold';
 import type { Grip } from '../../input/keymap';
 import { keyOf } from '../../input/layout';
-import { el, setText } from './dom';
+import { el, setAttribute, setText } from './dom';
 
 export interface HoldButton {
   readonly element: HTMLButtonElement;
@@ -34,10 +34,10 @@ export function holdButton(
       type: 'button',
       class: 'hold-button',
       title: `Hold ${seconds} s`,
-      'aria-label': `${label}, hold ${seconds} s`,
     },
     fill,
     el('b', {}, label),
+    ' ',
     key,
   );
   let filled = 0;
@@ -66,6 +66,7 @@ export function holdButton(
       if (part !== filled) fill.style.transform = `scaleX(${part.toFixed(3)})`;
       filled = part;
       setText(key, keyOf(grip));
+      setAttribute(element, 'aria-label', `${label} ${keyOf(grip)}, hold ${seconds} s`.replace(' ,', ','));
     },
   };
 }

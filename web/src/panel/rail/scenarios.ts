@@ -97,7 +97,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
         const row = button({}, [el('b', {}, name), el('span', {}, text)], () => take(number));
         setPressed(row, number === now.flown);
         const shows = button(
-          { class: 'demo', title: DEMO, 'aria-label': `Fly ${name} for me` },
+          { class: 'demo', title: DEMO, 'aria-label': `Fly it for me: ${name}` },
           ['Fly it for me'],
           () => take(number, null, true),
         );

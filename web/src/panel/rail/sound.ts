@@ -10,7 +10,7 @@ export interface Sound {
 
 export function sound(tones: Tones): Sound {
   const mute = button(
-    { class: 'mute', title: 'Switch the tones of alarms, captures and modes on or off' },
+    { class: 'mute', title: 'Switch the sounds of alarms, captures, modes, motors and latches on or off' },
     [],
     () => tones.set({ muted: !tones.muted }),
   );

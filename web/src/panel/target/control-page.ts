@@ -71,7 +71,12 @@ export class ControlPage {
       ['30', 'POR display', this.point],
     ];
     this.element.append(
-      el('header', {}, el('h2', {}, 'PDRS control ', el('small', {}, 'as SPEC 94')), this.done),
+      el(
+        'header',
+        { role: 'presentation' },
+        el('h2', {}, 'PDRS control ', el('small', {}, 'as SPEC 94')),
+        this.done,
+      ),
       el(
         'div',
         { class: 'set' },
