@@ -25,6 +25,7 @@ def problems(text: str) -> list[str]:
 
 
 HEADS = [
+    ("next = 'moon'", r"a\.toml:2: next: .*'moon'"),
     (
         "mode = 9",
         r"a\.toml:2: mode: .*9.*1.*8.*OPR CMD.*AUTO 1.*AUTO 2.*AUTO 3.*AUTO 4",

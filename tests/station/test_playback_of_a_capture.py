@@ -13,7 +13,8 @@ import aftdeck
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.curves import Strip
-from aftdeck.station.messages.playback import Measure, PlaybackIndex
+from aftdeck.station.messages.measure import Measure
+from aftdeck.station.messages.playback import PlaybackIndex
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.worksite.watch.alarm import CLEAR, level_of

@@ -51,8 +51,8 @@ test('the mark {wanting} is the first failing condition, the depth last', () => 
 test('a hint that applies replaces the text and the functions of its step', () => {
   const hint = { text: 'other', uses: [] };
   const step = { title: '', text: 'own', mode: null, uses: [], groups: [], cameras: [], hints: [hint] };
-  expect(present(step, { at: 0, hint: -1, done_s: [null] })).toBe(step);
-  expect(present(step, { at: 0, hint: 0, done_s: [null] })).toBe(hint);
+  expect(present(step, { at: 0, hint: -1, done_s: [null], debrief: null })).toBe(step);
+  expect(present(step, { at: 0, hint: 0, done_s: [null], debrief: null })).toBe(hint);
 });
 
 test('each component that is left has the stick and key that reduce it', () => {

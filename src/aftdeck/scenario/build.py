@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 from aftdeck.arms.masses import check_masses
 from aftdeck.errors import ArmError, ScenarioError
@@ -31,6 +32,8 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.file.load import worksite_of
 from aftdeck.worksite.model import Cargo, Worksite
 
+BUILT_IN = Path(__file__).parent / "builtin"
+"""Folder of the scenarios that come with Aftdeck."""
 END_SPHERE = {"kinematic": (1e-4, 2e-5), "rigid": (2e-3, 3.5e-4), "flexible": (2e-3, 3.5e-4)}
 """Radius [m] and angle [rad] of the end sphere on each plant, if the scenario does not give them.
 
@@ -76,6 +79,8 @@ def build(
         )
     grasp = Grasp(payload, cargo=bool(cargo))
     phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
+    if spec.next is not None and not (BUILT_IN / f"{spec.next}.toml").is_file():
+        problems.add(("next",), f"no built-in scenario {spec.next!r}")
     steps = task_steps(problems, arm, spec.step, references)
     _check_plant(problems, spec, arm, worksite, cargo, grasp.payloads)
     _check_clearance(problems, spec)
@@ -132,6 +137,7 @@ def build(
         payload=payload,
         phases=tuple(phase for phase in phases if phase is not None),
         steps=tuple(steps),
+        next=spec.next or "",
         text=text,
         changes=changes,
         cautions=tuple(cautions),

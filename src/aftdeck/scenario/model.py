@@ -200,6 +200,7 @@ class Scenario:
         payload: the payload of `[payload]`, which is attached at the start; None if there is none.
         phases: the script; empty if there is none.
         steps: steps of the operator's task; empty if the scenario describes none.
+        next: name of the scenario that the station proposes after the last step; empty if it proposes none.
         text: text of the file.
         changes: changes from the text to this scenario, each as KEY=VALUE.
         cautions: misfits (`scenario.fit`) that do not make every run meaningless.
@@ -247,6 +248,7 @@ class Scenario:
     payload: Payload | None
     phases: tuple[PhasePlan, ...]
     steps: tuple[TaskStep, ...]
+    next: str
     text: str
     changes: tuple[str, ...]
     cautions: tuple[Problem, ...]

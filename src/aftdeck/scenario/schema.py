@@ -401,3 +401,5 @@ class ScenarioFile(_Part, frozen=True):
     light: LightSpec = LightSpec()
     phase: tuple[Phase, ...] = ()
     step: tuple[StepSpec, ...] = ()
+    next: Text | None = None
+    """Name of the built-in scenario that the station proposes after the last step."""

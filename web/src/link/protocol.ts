@@ -21,6 +21,7 @@ export type Vec3 = readonly [number, number, number];
 export type FromPage = Sticks | Shown | ShowPolygons | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector';
 export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
+export type Grade = 'A' | 'B' | 'C' | 'D' | 'E';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -592,6 +593,8 @@ export interface Welcome {
   readonly singular: number;
   /** Steps of the operator's task; empty if the scenario describes none. */
   readonly steps: readonly StepInfo[];
+  /** Name of the scenario that the page proposes after the last step; empty if it proposes none. */
+  readonly next: string;
   /**
    * Names of the script's phases in order, as in `Frame.phase`.
    *
@@ -1377,6 +1380,33 @@ export interface TaskNow {
   readonly hint: number;
   /** For each step, the simulated time at which it was completed [s]; null if it is open or was skipped. */
   readonly done_s: readonly (number | null)[];
+  /** Result of the run; null until all steps are past. */
+  readonly debrief: Debrief | null;
+}
+
+/** Result of a run, when all steps of the task are past. */
+export interface Debrief {
+  /** A without faults; each kind of fault lowers the grade by one. */
+  readonly grade: Grade;
+  /** Kinds of faults: `2 warnings by CLEARANCE`. */
+  readonly faults: readonly string[];
+  /** Values that summarise the run. */
+  readonly figures: readonly Measure[];
+}
+
+/** Number or text that describes the whole run. */
+export interface Measure {
+  readonly name: string;
+  readonly quantity: Quantity;
+  readonly value: number | null;
+  /** Value as text if `quantity` is `words`; otherwise empty. */
+  readonly text: string;
+  /** Explanation of the figure, in a sentence. */
+  readonly about: string;
+  /** Angle between the two objects whose distance is `value` [rad]; null if not applicable. */
+  readonly angle: number | null;
+  /** Worst alarm level of this figure during the run. */
+  readonly level: Level;
 }
 
 /** A lit lamp and its cause. */
@@ -1577,21 +1607,6 @@ export interface Pictured {
   readonly time_s: number;
   /** Names of the cameras on MON 1 and on MON 2: two if the monitor was split, none if no page was in control. */
   readonly monitors: readonly (readonly string[])[];
-}
-
-/** Number or text that describes the whole run. */
-export interface Measure {
-  readonly name: string;
-  readonly quantity: Quantity;
-  readonly value: number | null;
-  /** Value as text if `quantity` is `words`; otherwise empty. */
-  readonly text: string;
-  /** Explanation of the figure, in a sentence. */
-  readonly about: string;
-  /** Angle between the two objects whose distance is `value` [rad]; null if not applicable. */
-  readonly angle: number | null;
-  /** Worst alarm level of this figure during the run. */
-  readonly level: Level;
 }
 
 /** Result of comparing the re-simulated frames with the recorded ones. */

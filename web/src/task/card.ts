@@ -1,14 +1,15 @@
 /** The card of the present step. It covers those groups of the desk that the step does not need. */
 
 import type { InHand } from '../input/active-device';
-import type { ToGo, UseInfo } from '../link/protocol';
+import type { Debrief, ToGo, UseInfo, Welcome } from '../link/protocol';
 import { button, el, setClass, setText } from '../panel/parts/dom';
 import type { Units } from '../words/units';
+import { type DebriefListener, DebriefView } from './debrief';
 import { padDrawing } from './pad';
 import { goElement } from './to-go';
 import { nodes, type Piece } from './words';
 
-export interface CardListener {
+export interface CardListener extends DebriefListener {
   back(): void;
   skip(): void;
   close(): void;
@@ -46,17 +47,19 @@ export class Card {
   private readonly back: HTMLButtonElement;
   private readonly skip: HTMLButtonElement;
   private readonly go = goElement();
+  private readonly debrief: DebriefView;
   private lights: readonly { readonly use: string; readonly cap: HTMLElement }[] = [];
   private written = '';
 
-  /** `steps`: number of steps; `note`: text below the text of every step. */
+  /** `noteWords`: text below the text of every step. */
   constructor(
     private readonly inHand: InHand,
-    steps: number,
+    welcome: Pick<Welcome, 'steps' | 'scenario' | 'next'>,
     private readonly noteWords: readonly Piece[],
     listener: CardListener,
   ) {
-    this.marks = Array.from({ length: steps }, () => el('li'));
+    this.marks = welcome.steps.map(() => el('li'));
+    this.debrief = new DebriefView(welcome, listener);
     this.back = button({}, ['Back'], () => listener.back());
     this.skip = button({}, ['Skip step'], () => listener.skip());
     this.enter = button({}, [], () => listener.enterMode());
@@ -72,11 +75,12 @@ export class Card {
         this.go.element,
       ),
       el('div', { class: 'told' }, this.title, this.words, this.mode, this.note),
-      el('div', { class: 'flown-with' }, this.drawing.element, this.caps),
+      el('div', { class: 'flown-with' }, this.drawing.element, this.caps, this.debrief.element),
       el(
         'div',
         { class: 'ways' },
         this.next,
+        this.debrief.ways,
         this.back,
         this.skip,
         button({}, ['Close the guide'], () => listener.close()),
@@ -106,6 +110,12 @@ export class Card {
 
   setGo(go: ToGo | null, units: Units): void {
     this.go.set(go, units, this.inHand);
+  }
+
+  /** Shows the result of the run in place of the key caps; null if there is none. */
+  setDebrief(debrief: Debrief | null, units: Units, recorded: boolean): void {
+    this.caps.hidden = debrief !== null;
+    this.debrief.set(debrief, units, recorded);
   }
 
   /** Lights the caps of the controls that are held; called for each picture. */

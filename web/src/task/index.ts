@@ -39,6 +39,8 @@ export class Task {
   /** Whether the card opens by itself as soon as this page is in control. */
   private unasked: boolean;
   private drawn = '';
+  /** Whether the last frame had the result of the run. */
+  private ended = false;
   /** Index of the step of the last frame; null before the first frame. */
   private at: number | null = null;
 
@@ -55,11 +57,13 @@ export class Task {
       : ['Tutorial', 'Learn a first capture in six steps'];
     this.key = button({ title }, [name], () => this.toggle());
     this.line = new Line(inHand, this.exists ? { open: () => this.show(true) } : null);
-    this.card = new Card(inHand, steps.length, NOTE, {
+    this.card = new Card(inHand, desk.welcome, NOTE, {
       back: () => desk.send({ type: 'turn_step', to: 'previous' }),
       skip: () => desk.send({ type: 'turn_step', to: 'next' }),
       close: () => this.show(false),
       enterMode: () => this.enterMode(),
+      again: () => desk.send({ type: 'restart' }),
+      next: (name) => listener.flyIt(name),
     });
     this.show(false);
   }
@@ -75,12 +79,14 @@ export class Task {
   }
 
   values({ frame, flying, units }: View): void {
-    const { task, to_go } = frame.display;
+    const { task, to_go, recording_s } = frame.display;
     if (!task) return;
     if (this.unasked && flying) this.show(true);
     const { welcome } = this.desk;
     const step = welcome.steps[task.at];
     this.offerCameras(task.at, step);
+    if (task.debrief && !this.ended && flying) this.show(true);
+    this.ended = task.debrief !== null;
     const marked = { units, conditions: frame.work.conditions };
     const done = task.done_s.map((time) => time !== null);
     const told = step ? present(step, task) : null;
@@ -92,6 +98,7 @@ export class Task {
       return;
     }
     if (told) this.drawCaps(task, told);
+    else setAttribute(document.body, 'data-step', '');
     this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
     this.card.set({
       at: task.at,
@@ -102,7 +109,8 @@ export class Task {
       needs: this.needs,
       mode: frame.mode,
     });
-    this.card.setGo(to_go, units);
+    this.card.setGo(step ? to_go : null, units);
+    this.card.setDebrief(task.debrief, units, recording_s !== null);
   }
 
   light(): void {

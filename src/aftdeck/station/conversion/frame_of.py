@@ -21,6 +21,7 @@ from aftdeck.station.messages.frame import (
     Ahead,
     Aim,
     ClosestPoints,
+    Debrief,
     Display,
     Frame,
     Push,
@@ -74,11 +75,13 @@ class Displays:
         flown_seq: int = -1,
         lamps: tuple[Lamp, ...] | None = None,
         progress: Progress | None = None,
+        debrief: Debrief | None = None,
     ) -> Frame:
         """Return a frame as a message to a page.
 
         If `lighting` is None, the message has the scenario's lighting; if `lamps` is None, the lamps that this frame
-        lights. `progress` is the progress through the task, which has seen this frame; None in a replay.
+        lights. `progress` is the progress through the task, which has seen this frame, and `debrief` its result;
+        both are None in a replay.
         """
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
@@ -95,7 +98,7 @@ class Displays:
             payload_id=_payload_id(frame),
             por_offset=self._por_offset(frame, tip),
             to_go=None if left is None else to_go(left, frame, self._poses, product(self._mount.rotation.T, control)),
-            task=None if progress is None else TaskNow(progress.at, progress.hint, tuple(progress.done_s)),
+            task=None if progress is None else TaskNow(progress.at, progress.hint, tuple(progress.done_s), debrief),
             orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
             lamps=lit_lamps(self._scenario, frame) if lamps is None else lamps,

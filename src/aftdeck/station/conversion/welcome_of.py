@@ -78,6 +78,7 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
         sequences=stored_sequences(scenario),
         singular=model.singular,
         steps=tuple(_step(step) for step in scenario.steps),
+        next=scenario.next,
         phases=tuple(phase.name for phase in scenario.phases) if demo else (),
     )
 

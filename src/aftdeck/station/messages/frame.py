@@ -10,6 +10,8 @@ from aftdeck.scenario.light import Lighting
 from aftdeck.simulation import frame as sim
 from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages.kinds import Quat
+from aftdeck.station.messages.measure import Measure
+from aftdeck.task.grade import Grade
 from aftdeck.tuples import Vec3
 
 
@@ -108,6 +110,17 @@ class ToGo(msgspec.Struct, frozen=True, gc=False):
     """
 
 
+class Debrief(msgspec.Struct, frozen=True):
+    """Result of a run, when all steps of the task are past."""
+
+    grade: Grade
+    """A without faults; each kind of fault lowers the grade by one."""
+    faults: tuple[str, ...]
+    """Kinds of faults: ``2 warnings by CLEARANCE``."""
+    figures: tuple[Measure, ...]
+    """Values that summarise the run."""
+
+
 class TaskNow(msgspec.Struct, frozen=True, gc=False):
     """Progress through `Welcome.steps`."""
 
@@ -117,6 +130,8 @@ class TaskNow(msgspec.Struct, frozen=True, gc=False):
     """Index of the present step's hint that applies; -1 for the step's own text."""
     done_s: tuple[float | None, ...]
     """For each step, the simulated time at which it was completed [s]; null if it is open or was skipped."""
+    debrief: Debrief | None = None
+    """Result of the run; null until all steps are past."""
 
 
 class Display(msgspec.Struct, frozen=True):

@@ -12,9 +12,9 @@ from typing import Literal
 import msgspec
 
 from aftdeck.simulation.frame import Event
-from aftdeck.station.messages.curves import Lane, Quantity, Strip
+from aftdeck.station.messages.curves import Lane, Strip
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.messages.kinds import Level
+from aftdeck.station.messages.measure import Measure
 from aftdeck.station.messages.welcome import Welcome
 
 BLOCK = 256
@@ -27,22 +27,6 @@ class Pictured(msgspec.Struct, frozen=True):
     time_s: float
     monitors: tuple[tuple[str, ...], ...]
     """Names of the cameras on MON 1 and on MON 2: two if the monitor was split, none if no page was in control."""
-
-
-class Measure(msgspec.Struct, frozen=True):
-    """Number or text that describes the whole run."""
-
-    name: str
-    quantity: Quantity
-    value: float | None
-    text: str
-    """Value as text if `quantity` is ``words``; otherwise empty."""
-    about: str
-    """Explanation of the figure, in a sentence."""
-    angle: float | None = None
-    """Angle between the two objects whose distance is `value` [rad]; null if not applicable."""
-    level: Level = "info"
-    """Worst alarm level of this figure during the run."""
 
 
 class Verdict(msgspec.Struct, frozen=True):

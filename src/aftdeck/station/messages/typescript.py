@@ -19,7 +19,7 @@ from aftdeck.field_meta import comments
 from aftdeck.recording.hints import apart, is_object, names
 from aftdeck.simulation import frame as sim
 from aftdeck.station import lamps
-from aftdeck.station.messages import frame, from_page, kinds, playback, to_page, welcome
+from aftdeck.station.messages import curves, frame, from_page, kinds, measure, playback, to_page, welcome
 from aftdeck.worksite import report
 
 HEADER = """\
@@ -27,7 +27,7 @@ HEADER = """\
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 """
 
-MODULES = (kinds, from_page, welcome, frame, to_page, playback)
+MODULES = (kinds, from_page, welcome, frame, to_page, curves, measure, playback)
 """Modules whose structs the page uses."""
 NAMED = (shapes, lamps, *MODULES, sim, report)
 """Modules whose aliases become types in TypeScript."""

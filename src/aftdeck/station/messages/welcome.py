@@ -224,6 +224,8 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     """Normalised distance from a singularity; the page shows a caution below this value."""
     steps: tuple[StepInfo, ...]
     """Steps of the operator's task; empty if the scenario describes none."""
+    next: str
+    """Name of the scenario that the page proposes after the last step; empty if it proposes none."""
     phases: tuple[str, ...] = ()
     """Names of the script's phases in order, as in `Frame.phase`.
 

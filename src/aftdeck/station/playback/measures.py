@@ -9,10 +9,14 @@ from aftdeck.recording.records import ControllerRecord
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages.curves import Quantity
-from aftdeck.station.messages.playback import Measure
+from aftdeck.station.messages.measure import Measure
 from aftdeck.station.playback.captured import CaptureMisalignment, capture_misalignment
 from aftdeck.station.playback.strips import worst_rate
 from aftdeck.worksite.watch.alarm import Level
+
+RUN_TIME, TIP_PATH, ALARMS_RAISED = "Run time", "Tip path", "Alarms raised"
+CAPTURE_MISALIGNMENT, SMALLEST_CLEARANCE = "Capture misalignment", "Smallest clearance"
+"""Names of figures that the result of a task also has."""
 
 _MINUTE = 60.0
 _AXES = ("X", "Y", "Z", "roll", "pitch", "yaw")
@@ -109,7 +113,7 @@ class RunMetrics:
         assert frame is not None, "PlaybackStore rejects a recording without a frame"
         duration = self._ticks * self._period_s
         figures = [
-            Measure("Run time", "time", duration, "", "Simulated time in the recording."),
+            Measure(RUN_TIME, "time", duration, "", "Simulated time in the recording."),
             Measure("Ended", "words", None, ended or "cut short", "Reason for the end of the run."),
             _figure("Manual share", "share", self._manual / self._ticks, "Share of the run's time with manual inputs."),
         ]
@@ -124,13 +128,13 @@ class RunMetrics:
         if self._nearest is not None:
             least, pair, when = self._nearest
             about = f"Minimum clearance of the run, without essential contacts: {pair}, at {when:.1f} s."
-            figures.append(Measure("Smallest clearance", "gap", least, "", about, level=self._worst_clearance))
+            figures.append(Measure(SMALLEST_CLEARANCE, "gap", least, "", about, level=self._worst_clearance))
         if self._captures:
             figures += self._capture_figures()
         moved = max(self._deflected, 1)
         return (
             *figures,
-            _figure("Tip path", "distance", self._path, "Length of the tip's path."),
+            _figure(TIP_PATH, "distance", self._path, "Length of the tip's path."),
             _figure(
                 "Greatest POR speed", "speed", self._fastest, "Greatest measured speed of the point of resolution."
             ),
@@ -161,7 +165,7 @@ class RunMetrics:
             ),
             self._worst_axis(),
             Measure(
-                "Alarms raised",
+                ALARMS_RAISED,
                 "count",
                 float(self._alarms),
                 "",
@@ -185,7 +189,7 @@ class RunMetrics:
         figures = []
         if offset is not None:
             about = f"Offset and angle between end effector and payload, in the step before the capture.{number}"
-            figures.append(Measure("Capture misalignment", "gap", offset, "", about, angle))
+            figures.append(Measure(CAPTURE_MISALIGNMENT, "gap", offset, "", about, angle))
         about = f"Speed of the tip relative to the payload, in the step before the capture.{number}"
         return [*figures, _figure("Rate at capture", "speed", rate, about)]
 

@@ -51,8 +51,8 @@ from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
 from aftdeck.station.session.sheets import Sheets
+from aftdeck.station.session.task_run import TaskRun
 from aftdeck.station.session.unattended import safe_inputs
-from aftdeck.task.progress import Progress
 
 LOOK_EVERY = 10
 """Steps from one look-ahead to the next."""
@@ -131,7 +131,7 @@ class Session:
         self._sim = Simulation(self.scenario, self._seed)
         self.recent = RecentRun(self.scenario)
         self.delays = Delays()
-        self._progress = Progress(self.scenario)
+        self._task = TaskRun(self.scenario)
         self._standing = StandingLamps()
         self._lost_logged = 0.0
         self._log_loss_from = -math.inf
@@ -220,7 +220,7 @@ class Session:
         """
         check_shown(message, self.welcome)
         if self._reported.monitors and message.monitors != self._reported.monitors:
-            self._progress.look()
+            self._task.progress.look()
         self._reported.latency_ms, self._reported.monitors = message.latency_ms, message.monitors
 
     def light(self, message: from_page.SetLight) -> None:
@@ -311,12 +311,21 @@ class Session:
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
-        self._see_progress(frame)
         seq, running_s = taken.sticks.seq, self._recorder.running_s
         lit = self._reported.lit
         lamps = self._standing.marked(lit_lamps(self.scenario, frame, self.delays))
+        for i in self._task.see(frame, lamps):
+            self._note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
         shown = self._displays.frame(
-            frame, seq, running_s, self._ahead, lit, flown_seq=flown, lamps=lamps, progress=self._progress
+            frame,
+            seq,
+            running_s,
+            self._ahead,
+            lit,
+            flown_seq=flown,
+            lamps=lamps,
+            progress=self._task.progress,
+            debrief=self._task.debrief,
         )
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
@@ -330,19 +339,14 @@ class Session:
             case from_page.LookAhead(seconds=seconds):
                 self._look_s = seconds
             case from_page.TurnStep(to="next"):
-                self._progress.skip()
+                self._task.progress.skip()
             case from_page.TurnStep():
-                self._progress.back()
+                self._task.progress.back()
             case from_page.Restart() | from_page.HandsOff():
                 pass
             case _:
                 return command
         return None
-
-    def _see_progress(self, frame: Frame) -> None:
-        """Update the progress through the task by a frame, and log each step that it completes."""
-        for i in self._progress.see(frame):
-            self._note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
 
     def _count(self, delay: Delay) -> None:
         """Record a delay of more than one control period, and log lost time, at most every `LOSS_LOGGED_EVERY`."""
