@@ -76,6 +76,7 @@ Use = Literal[
 """Functions of keys, buttons and axes that a step can name; the page has them in ``web/src/input/keymap.ts``."""
 DeskGroup = Literal["thc", "rhc", "mode", "target", "joints", "clearance", "conditions", "effector"]
 """Groups of the desk that a step can point at."""
+PointNumber = Annotated[int, Bounds(1, 1000, "points are counted from 1, and a sequence has some tens")]
 Share = Annotated[float, Bounds(0.0, 1.0, "1 is the whole limit")]
 
 
@@ -121,7 +122,7 @@ class StateSpec(_Part, frozen=True):
     mode: Text | None = None
     rate: Literal["coarse", "vernier"] | None = None
     sequence: Literal["idle", "checking", "ready", "in progress"] | None = None
-    point: int | None = None
+    point: PointNumber | None = None
     singular: bool | None = None
     alarm: bool | None = None
 
