@@ -42,6 +42,7 @@ def test_page_is_used_by_keys_and_with_forced_colours(open_page: OpenPage) -> No
     assert flight.script(FOCUSED) == "Skip to the desk"
     flight.press("Enter")
     assert flight.script("document.activeElement.id") == "desk"
+    flight.press("2")  # camera B
     page.evaluate("document.querySelector('.cameras button[aria-pressed=true]').focus()")
     flight.press("ArrowRight")
     assert flight.script(FOCUSED) == "C"
