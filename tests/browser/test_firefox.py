@@ -69,6 +69,7 @@ def test_key_moves_the_arm_and_space_stops_it(firefox: Firefox) -> None:
 
 
 def test_drag_turns_the_camera_until_it_is_released(firefox: Firefox) -> None:
+    firefox.press("2")  # a camera with a drive
     driven = "frame.views.map(([pan]) => pan)"
     before = firefox.script(f"(() => {{ const frame = window.__aftdeck.lastFrame; return {driven}; }})()")
     firefox.point(
@@ -98,7 +99,7 @@ def test_sheet_opens_is_readable_and_closes(firefox: Firefox, name: str, key: st
 def test_tutorial_opens_and_closes(firefox: Firefox) -> None:
     press_rail(firefox, "Guide")
     firefox.until(TUTORIAL)
-    assert_readable(firefox, ".tutorial", least=5)
+    assert_readable(firefox, ".task", least=5)
     press_rail(firefox, "Guide")
     firefox.until(f"!{TUTORIAL}")
 

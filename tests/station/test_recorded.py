@@ -45,10 +45,23 @@ def test_recordings_are_listed_newest_first_with_the_present_run(tmp_path: Path)
     os.utime(tmp_path / "before.mcap", (1e9, 1e9))
     (tmp_path / "notes.txt").write_text("no recording", encoding="utf-8")
     with served(Session(scenario(), record=tmp_path)) as station:
-        until(lambda: len(listed(station)) == 2 and listed(station)[0].now, "the file of the present run")
+        until(lambda: len(listed(station)) == 2 and listed(station)[0].title, "the file of the present run")
         now, before = listed(station)
     assert (before.file, before.now, before.changed) == ("before.mcap", False, "2001-09-09T01:46:40+00:00")
     assert now.now and now.file.startswith(scenario().name)
+    assert (now.title, now.time_s, now.ended) == (scenario().title, None, "")
+
+
+def test_finished_recording_is_listed_with_its_title_length_and_end(tmp_path: Path) -> None:
+    with served(Session(scenario(), record=tmp_path)) as station:
+        until(lambda: bool(listed(station)) and station.get("/health")[0] == 200, "the file of the first run")
+        (first,) = listed(station)
+    with served(Session(scenario(), record=tmp_path)) as station:
+        until(lambda: len(listed(station)) == 2 and listed(station)[0].now, "the file of the second run")
+        (ended,) = (each for each in listed(station) if each.file == first.file)
+    assert (ended.title, ended.ended) == (scenario().title, "stopped")
+    assert ended.time_s is not None
+    assert ended.time_s >= 0.0
 
 
 @pytest.mark.slow

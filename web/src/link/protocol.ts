@@ -1624,6 +1624,12 @@ export interface Recorded {
   readonly changed: string;
   /** True if the present run is being recorded into this file. */
   readonly now: boolean;
+  /** Title of the scenario; empty if the list of recordings does not have this file. */
+  readonly title: string;
+  /** Simulated time of the run [s]; null during the run, and if the list does not have this file. */
+  readonly time_s: number | null;
+  /** End of the run: `completed`, `time`, `fault`, `stopped`, `restarted`, `cut`; empty if not known. */
+  readonly ended: string;
 }
 
 /** Data of a recording that the page needs before it draws the first frame. */

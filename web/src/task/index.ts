@@ -30,7 +30,7 @@ export interface TaskListener {
 }
 
 export class Task {
-  /** Button in the rail: opens and closes the guide; in a scenario without steps it loads the tutorial. */
+  /** Button in the rail: in the tutorial, opens and closes the guide; in another scenario, loads the tutorial. */
   readonly key: HTMLButtonElement;
   readonly line: Line;
   readonly card: Card;
@@ -49,10 +49,10 @@ export class Task {
     private readonly inHand: InHand,
     private readonly listener: TaskListener,
   ) {
-    const { steps, scenario } = desk.welcome;
+    const { steps } = desk.welcome;
     this.titles = steps.map(({ title }) => title);
-    this.unasked = scenario === TUTORIAL && keeper.getItem(KEY) !== OPENED;
-    const [name, title] = this.exists
+    this.unasked = this.isTutorial && keeper.getItem(KEY) !== OPENED;
+    const [name, title] = this.isTutorial
       ? ['Guide', 'Show the present step of the task with its controls']
       : ['Tutorial', 'Learn a first capture in six steps'];
     this.key = button({ title }, [name], () => this.toggle());
@@ -74,7 +74,7 @@ export class Task {
    */
   chosen(scenario: string): void {
     if (scenario !== TUTORIAL) return;
-    if (this.desk.welcome.scenario === TUTORIAL) this.show(true);
+    if (this.isTutorial) this.show(true);
     else keeper.setItem(KEY, 'asked');
   }
 
@@ -122,12 +122,16 @@ export class Task {
     setClass(document.body, 'tasked', false);
   }
 
+  private get isTutorial(): boolean {
+    return this.desk.welcome.scenario === TUTORIAL;
+  }
+
   private get exists(): boolean {
     return this.desk.welcome.steps.length > 0;
   }
 
   private toggle(): void {
-    if (this.exists) this.show(!this.open);
+    if (this.isTutorial) this.show(!this.open);
     else this.listener.flyIt(TUTORIAL);
   }
 
@@ -141,12 +145,12 @@ export class Task {
   private show(open: boolean): void {
     if (open) {
       this.unasked = false;
-      if (this.desk.welcome.scenario === TUTORIAL) keeper.setItem(KEY, OPENED);
+      if (this.isTutorial) keeper.setItem(KEY, OPENED);
     }
     this.open = open;
     this.card.element.hidden = !open;
     this.line.element.hidden = open;
-    if (this.exists) setPressed(this.key, open);
+    if (this.isTutorial) setPressed(this.key, open);
     setClass(document.body, 'guided', open);
     setClass(document.body, 'tasked', !open);
   }

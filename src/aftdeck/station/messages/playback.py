@@ -46,6 +46,12 @@ class Recorded(msgspec.Struct, frozen=True):
     """Wall time of the last write to the file, ISO 8601, UTC."""
     now: bool
     """True if the present run is being recorded into this file."""
+    title: str
+    """Title of the scenario; empty if the list of recordings does not have this file."""
+    time_s: float | None
+    """Simulated time of the run [s]; null during the run, and if the list does not have this file."""
+    ended: str
+    """End of the run: ``completed``, ``time``, ``fault``, ``stopped``, ``restarted``, ``cut``; empty if not known."""
 
 
 class PlaybackIndex(msgspec.Struct, frozen=True):

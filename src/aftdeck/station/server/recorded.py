@@ -15,6 +15,7 @@ from starlette.routing import BaseRoute, Mount, Route, Router
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from aftdeck.errors import RecordingError
+from aftdeck.recording.index import Entry, Index
 from aftdeck.station.messages.playback import Recorded
 from aftdeck.station.server.playback_process import PlaybackProcess
 from aftdeck.station.server.player import RECORDING_META, STATION_META, Player
@@ -46,7 +47,7 @@ class Recordings:
 
     def __init__(self, folder: Path, present: Callable[[], Path | None]) -> None:
         """Serve `folder`; `present` returns the file of the present run, or None if this run is not recorded."""
-        self._folder, self._present = folder, present
+        self._folder, self._present, self._index = folder, present, Index()
         self._open: dict[str, _Opened] = {}
         self._lock = asyncio.Lock()
 
@@ -55,7 +56,7 @@ class Recordings:
         return [Route("/recordings.json", self._listed), Mount("/replay/{file}", app=self._play)]
 
     def listed(self) -> tuple[Recorded, ...]:
-        """Return the newest recordings, newest first."""
+        """Return the newest recordings, newest first, with what the list of recordings tells about them."""
         now = self._present()
         files = []
         for path in self._folder.glob("*.mcap"):
@@ -64,10 +65,18 @@ class Recordings:
             except OSError:
                 continue  # the file was deleted after `glob` found it
         files.sort(reverse=True)
+        entries = self._entries()
         return tuple(
-            Recorded(path.name, datetime.fromtimestamp(changed, UTC).isoformat(), path == now)
+            _recorded(path, changed, entries.get(str(path.absolute())), now=path == now)
             for changed, path in files[:MAX_LISTED]
         )
+
+    def _entries(self) -> dict[str, Entry]:
+        """Return the entries of the list of recordings by path; empty if the list cannot be read."""
+        try:
+            return {entry.path: entry for entry in self._index.entries()}
+        except RecordingError:
+            return {}
 
     async def close(self) -> None:
         """Close all recordings."""
@@ -129,3 +138,12 @@ class Recordings:
         opened = _Opened(size, process, router, asyncio.create_task(process.ready()))
         self._open[path.name] = opened
         return opened
+
+
+def _recorded(path: Path, changed: float, entry: Entry | None, *, now: bool) -> Recorded:
+    """Return a file of the list; `changed` is the time of its last write [s since 1970]."""
+    when = datetime.fromtimestamp(changed, UTC).isoformat()
+    if entry is None:
+        return Recorded(path.name, when, now, "", None, "")
+    over = entry.ended != "recording"
+    return Recorded(path.name, when, now, entry.title, entry.time_s if over else None, entry.ended if over else "")

@@ -46,14 +46,31 @@ export function recordings(): RecordingsControl {
   };
 }
 
-function row({ file, changed, now }: Recorded): HTMLElement {
+function row(run: Recorded): HTMLElement {
+  const { file, changed, now, title } = run;
   const when = new Date(changed).toLocaleString(undefined, { dateStyle: 'short', timeStyle: 'short' });
   return el(
     'a',
-    { href: `replay/${encodeURIComponent(file)}/`, title: now ? SO_FAR : '' },
-    el('b', {}, file.replace(/\.mcap$/, '')),
+    { href: `replay/${encodeURIComponent(file)}/`, title: now ? SO_FAR : file },
+    el('b', {}, title || file.replace(/\.mcap$/, '')),
+    el('small', {}, resultWords(run)),
     el('small', {}, now ? 'this run so far' : when),
   );
+}
+
+/** Ends of a run as the list shows them; a run that the operator stopped or restarted has only its length. */
+const ENDS: Readonly<Record<string, string>> = {
+  completed: 'completed',
+  time: 'time is up',
+  fault: 'fault',
+  cut: 'cut short',
+};
+
+/** Returns length and end of a run: `4:05, completed`. */
+export function resultWords({ time_s, ended }: Pick<Recorded, 'time_s' | 'ended'>): string {
+  if (time_s === null) return '';
+  const [minutes, seconds] = [Math.floor(time_s / 60), String(Math.floor(time_s % 60)).padStart(2, '0')];
+  return [`${minutes}:${seconds}`, ENDS[ended] ?? ''].filter((word) => word !== '').join(', ');
 }
 
 const TITLE = 'Open a replay of this run or of an earlier one';
