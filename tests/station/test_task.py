@@ -1,0 +1,56 @@
+"""The operator's task in a session: a page's part in its progress, and the log."""
+
+from __future__ import annotations
+
+from aftdeck.station.messages import from_page
+from aftdeck.station.messages.frame import TaskNow
+from aftdeck.station.session.session import Session
+from tests.station.flying import flying, shown, steps
+from tests.station.pages import scenario
+
+
+def task(session: Session) -> TaskNow:
+    """Return the progress in the newest frame."""
+    now = shown(session).display.task
+    assert now is not None
+    return now
+
+
+def turn(session: Session, to: str) -> None:
+    session.command(from_page.TurnStep(0, "next" if to == "next" else "previous"))
+    steps(session, 2)
+
+
+def test_page_turns_the_steps_and_the_result_tells_the_skipped_ones() -> None:
+    with flying(made=scenario("uncradle")) as session:
+        steps(session, 2)
+        assert (task(session).at, task(session).done_s) == (0, (None, None, None))
+        turn(session, "next")
+        turn(session, "next")
+        turn(session, "previous")
+        assert (task(session).at, task(session).debrief) == (1, None)
+        turn(session, "next")
+        turn(session, "next")
+        result = task(session).debrief
+        assert result is not None
+        assert result.grade == "B"
+        turn(session, "previous")
+        assert task(session).debrief is None
+
+
+def test_camera_on_a_monitor_counts_as_looking_around() -> None:
+    with flying(made=scenario("tutorial")) as session:
+        session.shown(from_page.Shown(1, None, (("A",), ("WR",))))
+        steps(session, 3)
+        assert task(session).at == 0, "the page only reports its first cameras"
+        session.shown(from_page.Shown(2, None, (("B",), ("WR",))))
+        steps(session, 3)
+        assert task(session).at == 1
+        assert any(event.kind == "task" and event.text.endswith("Look around") for event in session.log.since(0))
+
+
+def test_turning_a_step_does_not_stop_the_script() -> None:
+    with flying(made=scenario("uncradle"), demo=True) as session:
+        steps(session, 3)
+        turn(session, "next")
+        assert shown(session).by == "script"
