@@ -45,7 +45,7 @@ def test_recordings_are_listed_newest_first_with_the_present_run(tmp_path: Path)
     os.utime(tmp_path / "before.mcap", (1e9, 1e9))
     (tmp_path / "notes.txt").write_text("no recording", encoding="utf-8")
     with served(Session(scenario(), record=tmp_path)) as station:
-        until(lambda: len(listed(station)) == 2 and listed(station)[0].title, "the file of the present run")
+        until(lambda: len(listed(station)) == 2 and listed(station)[0].title != "", "the file of the present run")
         now, before = listed(station)
     assert (before.file, before.now, before.changed) == ("before.mcap", False, "2001-09-09T01:46:40+00:00")
     assert now.now and now.file.startswith(scenario().name)
