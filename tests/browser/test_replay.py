@@ -73,7 +73,7 @@ def test_replay_plays_faster_pauses_and_ends_at_the_last_frame(replay: Flight) -
     replay.press(" ")
     replay.until("document.querySelector('.play').textContent === 'Play'")
     tick = replay.frame().tick
-    press(replay, "Speed 8")
+    press(replay, "8×: speed 8")
     drawn = replay.script("window.__aftdeck.frames")
     assert replay.frame().tick == tick
     replay.press(" ")

@@ -69,7 +69,7 @@ def test_seek_in_the_page_or_the_strips_moves_all_windows(replay: Flight, strips
 
 
 def test_keys_of_windows_play_the_replay_in_all_windows(replay: Flight, strips: Flight, monitor: Flight) -> None:
-    replay.page.get_by_role("button", name="Speed 2", exact=True).click()
+    replay.page.get_by_role("button", name="2×: speed 2", exact=True).click()
     monitor.press(" ")
     replay.until("document.querySelector('.play').textContent === 'Pause' && frame.tick > 20")
     strips.until("frame.tick > 40")

@@ -33,7 +33,7 @@ def test_page_turns_the_steps_and_the_result_tells_the_skipped_ones() -> None:
         turn(session, "next")
         result = task(session).debrief
         assert result is not None
-        assert result.grade == "B"
+        assert (result.grade, len(result.faults)) == (None, 1)
         turn(session, "previous")
         assert task(session).debrief is None
 

@@ -25,7 +25,7 @@ test('a better grade or a shorter time with the same grade is kept, and nothing 
 });
 
 test('a stored text that is no result counts as none', () => {
-  for (const text of ['', 'A', 'F 10', 'A ten', 'A -1', 'AB 10'])
+  for (const text of ['', 'A', 'E 10', 'A ten', 'A -1', 'AB 10'])
     expect(bestOf(keeperOf(new Map([['aftdeck.best.x', text]])), 'x')).toBeNull();
 });
 

@@ -27,7 +27,6 @@ USES: tuple[str, ...] = get_args(Use)
 WANTING = "wanting"
 """Mark that stands for the first condition that fails."""
 _MARK = re.compile(r"\{([^{}]*)\}")
-_NEEDS_PLACE = ("within", "within_angle", "above")
 
 
 def task_steps(problems: Problems, arm: Arm, specs: Sequence[StepSpec], references: TargetReferences) -> list[TaskStep]:

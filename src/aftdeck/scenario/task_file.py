@@ -93,7 +93,7 @@ class StateSpec(_Part, frozen=True):
     step without a target uses the target of the automatic mode. `above`: the tip is at least this far from its pose at
     the target's payload, or the held payload from its pose in the target's berth, measured along the way out like
     `above` of a target. `sticks_released`: no stick is deflected; `at_rest`: and
-    the tip is at rest.
+    the tip is at rest. `orbiter_at_rest`: the orbiter does not translate.
 
     `held`: the end effector holds a payload. `fixed`: the payload is fixed to a berth; `berth`: to the berth of this
     name. `ready`: all conditions on the panel hold. `holds` names conditions that hold; `share` is the part of each
@@ -111,6 +111,7 @@ class StateSpec(_Part, frozen=True):
     above: Length | None = None
     sticks_released: bool | None = None
     at_rest: bool | None = None
+    orbiter_at_rest: bool | None = None
     held: bool | None = None
     fixed: bool | None = None
     berth: Text | None = None

@@ -1,4 +1,4 @@
-"""Grade of a run after its task: each kind of fault lowers it by one."""
+"""Grade of a run after its task: each of three kinds of faults lowers it by one."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Literal, get_args
 
 from aftdeck.simulation.frame import AT_HARD, Frame
 
-Grade = Literal["A", "B", "C", "D", "E"]
+Grade = Literal["A", "B", "C", "D"]
 _GRADES: tuple[Grade, ...] = get_args(Grade)
 
 
@@ -32,13 +32,12 @@ class Faults:
         self.stops += now[2] and not before[2]
         self._before = now
 
-    def texts(self, skipped: int) -> tuple[str, ...]:
-        """Return each kind of fault as a text for the operator; `skipped` is the number of skipped steps."""
+    def texts(self) -> tuple[str, ...]:
+        """Return each kind of fault as a text for the operator."""
         kinds = (
             (self.contacts, "contact that inhibited the arm", "contacts that inhibited the arm"),
             (self.warnings, "warning by CLEARANCE", "warnings by CLEARANCE"),
             (self.stops, "joint at its hard stop", "joints at their hard stops"),
-            (skipped, "step skipped", "steps skipped"),
         )
         return tuple(f"{count} {one if count == 1 else more}" for count, one, more in kinds if count)
 

@@ -15,6 +15,7 @@ class Progress:
 
     Attributes:
         steps: all steps.
+        first: index of the step at which the run began: 0, or the first step of the part that was re-initialised.
         at: index of the present step; the number of steps when all are complete.
         done_s: for each step, the simulated time at which it was completed [s]; None if it is open or was skipped.
         hint: index of the present step's hint whose state holds; -1 if none does.
@@ -23,7 +24,7 @@ class Progress:
 
     def __init__(self, scenario: Scenario) -> None:
         self.steps: tuple[TaskStep, ...] = scenario.steps
-        self.at, self.hint = 0, -1
+        self.first, self.at, self.hint = 0, 0, -1
         self.done_s: list[float | None] = [None] * len(self.steps)
         self.remaining: Remaining | None = None
         self._aims = Aims(scenario)
@@ -39,8 +40,8 @@ class Progress:
 
     @property
     def skipped(self) -> tuple[int, ...]:
-        """Indices of the earlier steps that were skipped and not completed."""
-        return tuple(i for i in range(self.at) if self.done_s[i] is None)
+        """Indices of the steps of the run that were skipped and not completed."""
+        return tuple(i for i in range(self.first, self.at) if self.done_s[i] is None)
 
     def see(self, frame: Frame) -> tuple[int, ...]:
         """Update the progress by the next frame; return the indices of the steps that this frame completes.
@@ -72,13 +73,14 @@ class Progress:
 
     def back(self) -> None:
         """Go to the previous step. If its state holds already, this state has to end before it completes the step."""
-        self._enter(max(0, self.at - 1))
+        self._enter(max(self.first, self.at - 1))
         self._again = True
 
     def _begin_part(self, text: str) -> None:
         """Begin again; `text` is the log line of the re-initialisation, which ends with the name of the part."""
         self.done_s = [None] * len(self.steps)
-        self._enter(next((i for i, step in enumerate(self.steps) if step.part and text.endswith(step.part)), 0))
+        self.first = next((i for i, step in enumerate(self.steps) if step.part and text.endswith(step.part)), 0)
+        self._enter(self.first)
 
     def _enter(self, at: int) -> None:
         self.at, self._begin = at, None

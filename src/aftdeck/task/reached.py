@@ -9,6 +9,7 @@ from aftdeck.frames import angle_between
 from aftdeck.scenario.task_file import StateSpec
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
+from aftdeck.steering.mode import MODES
 from aftdeck.task.remaining import Aims
 from aftdeck.tuples import Rows, Vec3
 from aftdeck.worksite.conditions import Condition
@@ -41,6 +42,7 @@ def reached(aims: Aims, step: TaskStep, wanted: StateSpec, now: Frame, since: Si
         and (wanted.turned is None or angle_between(now.orientation, since.orientation) >= wanted.turned)
         and wanted.sticks_released in (None, sticks_released(now))
         and wanted.at_rest in (None, at_rest(now))
+        and wanted.orbiter_at_rest in (None, math.hypot(*now.work.orbiter_velocity) <= REST_M)
         and _near(aims, step, wanted, now)
         and _above(aims, step, wanted, now)
     )
@@ -101,6 +103,9 @@ def _conditions(wanted: StateSpec, conditions: tuple[Condition, ...]) -> bool:
 def _near(aims: Aims, step: TaskStep, wanted: StateSpec, now: Frame) -> bool:
     if wanted.within is None and wanted.within_angle is None:
         return True
+    aimed = step.target is not None or step.joint is not None
+    if not aimed and (now.goal is None or MODES[now.mode].kind != "automatic"):
+        return False
     left = aims.remaining(now, step)
     return (
         left is not None

@@ -21,7 +21,7 @@ export type Vec3 = readonly [number, number, number];
 export type FromPage = Sticks | Shown | ShowPolygons | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector';
 export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
-export type Grade = 'A' | 'B' | 'C' | 'D' | 'E';
+export type Grade = 'A' | 'B' | 'C' | 'D';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -1378,6 +1378,8 @@ export interface TaskNow {
   readonly at: number;
   /** Index of the present step's hint that applies; -1 for the step's own text. */
   readonly hint: number;
+  /** Index of the step at which the run began; above 0 after a re-initialisation to a part of the problem. */
+  readonly first: number;
   /** For each step, the simulated time at which it was completed [s]; null if it is open or was skipped. */
   readonly done_s: readonly (number | null)[];
   /** Result of the run; null until all steps are past. */
@@ -1386,8 +1388,8 @@ export interface TaskNow {
 
 /** Result of a run, when all steps of the task are past. */
 export interface Debrief {
-  /** A without faults; each kind of fault lowers the grade by one. */
-  readonly grade: Grade;
+  /** A without faults; each kind of fault lowers the grade by one. Null if a step was skipped or the script flew. */
+  readonly grade: Grade | null;
   /** Kinds of faults: `2 warnings by CLEARANCE`. */
   readonly faults: readonly string[];
   /** Values that summarise the run. */

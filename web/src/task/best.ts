@@ -4,7 +4,7 @@ import type { Debrief } from '../link/protocol';
 import type { Keeper } from '../page/local-storage';
 
 export interface Best {
-  readonly grade: Debrief['grade'];
+  readonly grade: NonNullable<Debrief['grade']>;
   /** Time of the run [s]. */
   readonly time: number;
 }
@@ -15,7 +15,7 @@ const KEY = 'aftdeck.best.';
 export function bestOf(keeper: Keeper, scenario: string): Best | null {
   const [grade, time] = keeper.getItem(KEY + scenario)?.split(' ') ?? [];
   const seconds = Number(time);
-  return grade && /^[A-E]$/.test(grade) && seconds > 0
+  return grade && /^[A-D]$/.test(grade) && seconds > 0
     ? { grade: grade as Best['grade'], time: seconds }
     : null;
 }

@@ -113,9 +113,9 @@ export class Card {
   }
 
   /** Shows the result of the run in place of the key caps; null if there is none. */
-  setDebrief(debrief: Debrief | null, units: Units, recorded: boolean): void {
+  setDebrief(debrief: Debrief | null, units: Units, recorded: boolean, flying: boolean): void {
     this.caps.hidden = debrief !== null;
-    this.debrief.set(debrief, units, recorded);
+    this.debrief.set(debrief, units, recorded, flying);
   }
 
   /** Lights the caps of the controls that are held; called for each picture. */

@@ -47,14 +47,14 @@ export class DebriefView {
     this.element.hidden = this.ways.hidden = true;
   }
 
-  /** `recorded`: whether the run is recorded. */
-  set(debrief: Debrief | null, units: Units, recorded: boolean): void {
+  /** `recorded`: whether the run is recorded; `flying`: whether this page is in control. */
+  set(debrief: Debrief | null, units: Units, recorded: boolean, flying: boolean): void {
     this.element.hidden = this.ways.hidden = debrief === null;
     if (!debrief) {
       this.shown = null;
       return;
     }
-    if (JSON.stringify(debrief) !== JSON.stringify(this.shown)) this.begin(debrief, recorded);
+    if (JSON.stringify(debrief) !== JSON.stringify(this.shown)) this.begin(debrief, recorded, flying);
     this.rows.replaceChildren(
       ...debrief.figures.map((each) =>
         el('div', { title: each.about }, el('dt', {}, each.name), el('dd', {}, figure(each, units))),
@@ -62,16 +62,17 @@ export class DebriefView {
     );
   }
 
-  private begin(debrief: Debrief, recorded: boolean): void {
+  private begin(debrief: Debrief, recorded: boolean, flying: boolean): void {
     const { scenario } = this.welcome;
     this.shown = debrief;
     const time = debrief.figures.find(({ name }) => name === TIME)?.value ?? 0;
     const before = bestOf(keeper, scenario);
-    const better = keepBest(keeper, scenario, { grade: debrief.grade, time });
-    setText(this.grade, debrief.grade);
+    const run = debrief.grade && flying ? { grade: debrief.grade, time } : null;
+    const better = run !== null && keepBest(keeper, scenario, run);
+    setText(this.grade, debrief.grade ?? '–');
     setClass(this.grade, 'good', debrief.grade === 'A');
     setText(this.faults, debrief.faults.join(', ') || 'No faults');
-    setText(this.best, bestWords(before, better));
+    setText(this.best, run || before ? bestWords(before, better) : '');
     this.replay.hidden = true;
     if (recorded) void this.findReplay();
   }

@@ -88,7 +88,7 @@ export class Task {
     if (task.debrief && !this.ended && flying) this.show(true);
     this.ended = task.debrief !== null;
     const marked = { units, conditions: frame.work.conditions };
-    const done = task.done_s.map((time) => time !== null);
+    const done = task.done_s.map((time, i) => time !== null || i < task.first);
     const told = step ? present(step, task) : null;
     const [title, words] =
       step && told ? [step.title, told.text] : this.exists ? ending(task) : ['', welcome.text];
@@ -110,7 +110,7 @@ export class Task {
       mode: frame.mode,
     });
     this.card.setGo(step ? to_go : null, units);
-    this.card.setDebrief(task.debrief, units, recording_s !== null);
+    this.card.setDebrief(task.debrief, units, recording_s !== null, flying);
   }
 
   light(): void {
@@ -175,9 +175,12 @@ export class Task {
 }
 
 /** Returns the closing title and text, when all steps are past. */
-export function ending({ done_s }: Pick<TaskNow, 'done_s'>): readonly [title: string, words: string] {
+export function ending({
+  done_s,
+  first,
+}: Pick<TaskNow, 'done_s' | 'first'>): readonly [title: string, words: string] {
   const times = done_s.flatMap((time) => time ?? []);
-  if (times.length < done_s.length)
+  if (times.length < done_s.length - first)
     return [
       'Not complete yet',
       'These were all the steps, but some were skipped. Open the guide and go back to a skipped step, or press *Restart* to begin again.',

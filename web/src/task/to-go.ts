@@ -6,7 +6,7 @@
 import type { Names } from '../input/active-device';
 import type { ToGo, Vec3 } from '../link/protocol';
 import { el, setAttribute, setClass, setText } from '../panel/parts/dom';
-import { degrees, small } from '../words/format';
+import { degrees, lengthText } from '../words/format';
 import type { Units } from '../words/units';
 
 const MOVES = ['X', 'Y', 'Z'] as const;
@@ -25,9 +25,9 @@ export interface GoPart {
   readonly near: boolean;
 }
 
-/** Returns the components that are left: three of translation and three of rotation; for a joint only one. */
+/** Returns the components that are left: three of translation and three of rotation; for a joint only one, without a key. */
 export function goParts(go: ToGo, units: Units, names: Names): readonly GoPart[] {
-  if (go.shift.length === 0) return [part('', 'X', go.angle, go.near[1], angle, names)];
+  if (go.shift.length === 0) return [part('', '', go.angle, go.near[1], angle, names)];
   const moves = components(go.translation, MOVES, go.near[0], (size) => lengthText(size, units), names);
   return [...moves, ...components(go.rotation, TURNS, go.near[1], angle, names)];
 }
@@ -63,24 +63,17 @@ function part(
 ): GoPart {
   const sign = size > 0 ? '+' : '-';
   const still = Math.abs(size) < LEAST * near;
+  const share = label === '' ? 1 : 1 / Math.sqrt(3); // three such components together are within the tolerance
   return {
     stick: still ? label : `${sign === '-' ? '−' : '+'}${label}`,
-    handle: still ? '' : names.short(`${sign}${axis}`),
+    handle: still || axis === '' ? '' : names.short(`${sign}${axis}`),
     value: write(Math.abs(size)),
-    near: Math.abs(size) <= near,
+    near: Math.abs(size) <= near * share,
   };
 }
 
 function angle(size: number): string {
   return `${degrees(size, 1, false)}°`;
-}
-
-/** Lengths below this are written in the smaller unit [m]. */
-const SMALL = 1;
-
-function lengthText(size: number, { gap, length, name }: Units): string {
-  if (size < SMALL || name === 'ft-in') return `${small(size, gap)} ${gap.name}`;
-  return `${size.toFixed(2)} ${length.name}`;
 }
 
 /** Element with the motion that is left: a head, and a cell for each component. */

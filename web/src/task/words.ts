@@ -7,7 +7,7 @@ import type { Names } from '../input/active-device';
 import type { Condition, HintInfo, StepInfo, TaskNow } from '../link/protocol';
 import { el } from '../panel/parts/dom';
 import { failureText } from '../words/condition-text';
-import { small } from '../words/format';
+import { lengthText } from '../words/format';
 import type { Units } from '../words/units';
 
 export interface Piece {
@@ -35,7 +35,7 @@ export function pieces(words: string, { units, conditions }: Marked): readonly P
       if (part.startsWith('*')) return { kind: 'shown', text: inside };
       if (!part.startsWith('{')) return { kind: 'text', text: part };
       const metres = LENGTH.exec(inside)?.[1];
-      if (metres) return { kind: 'text', text: lengthText(Number(metres), units) };
+      if (metres) return { kind: 'text', text: shortLength(Number(metres), units) };
       return inside === 'wanting'
         ? { kind: 'text', text: failureText(conditions, units) || NONE }
         : { kind: 'use', text: inside };
@@ -55,7 +55,7 @@ export function present(step: StepInfo, { hint }: TaskNow): HintInfo {
   return step.hints[hint] ?? step;
 }
 
-/** Returns a given length as a text, without a superfluous zero: `2 in`. */
-function lengthText(metres: number, { gap }: Units): string {
-  return `${small(metres, gap).replace(/\.0$/, '')} ${gap.name}`;
+/** Returns a given length as a text, without superfluous zeros: `2 in`. */
+function shortLength(metres: number, units: Units): string {
+  return lengthText(metres, units).replace(/\.0+ /, ' ');
 }

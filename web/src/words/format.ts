@@ -1,6 +1,6 @@
 /** Formats of numbers and times on the panel. */
 
-import type { Unit } from './units';
+import type { Unit, Units } from './units';
 
 const DEGREE = 180 / Math.PI;
 
@@ -27,6 +27,17 @@ export function degrees(radians: number, decimals = 1, signed = true): string {
 export function small(value: number, unit: Unit): string {
   const shown = value * unit.perSi;
   return fixed(shown, Math.abs(shown) < 9.95 ? unit.decimals : 0, false);
+}
+
+/** Lengths from which on the greater unit is used: 2 ft, or 1 m [m]. */
+const [FEET_FROM, METRES_FROM] = [0.6096, 1];
+const FOOT = 0.3048;
+
+/** A length [m] with its unit: `5.2 in`, `6.5 ft`, `42 cm`, `1.28 m`. */
+export function lengthText(size: number, { gap, name }: Pick<Units, 'gap' | 'name'>): string {
+  if (name === 'SI')
+    return size < METRES_FROM ? `${small(size, gap)} ${gap.name}` : `${fixed(size, 2, false)} m`;
+  return size < FEET_FROM ? `${small(size, gap)} ${gap.name}` : `${fixed(size / FOOT, 1, false)} ft`;
 }
 
 /** Mission elapsed time [s] as `ddd/hh:mm:ss`. */

@@ -98,7 +98,9 @@ class Displays:
             payload_id=_payload_id(frame),
             por_offset=self._por_offset(frame, tip),
             to_go=None if left is None else to_go(left, frame, self._poses, product(self._mount.rotation.T, control)),
-            task=None if progress is None else TaskNow(progress.at, progress.hint, tuple(progress.done_s), debrief),
+            task=None
+            if progress is None
+            else TaskNow(progress.at, progress.hint, progress.first, tuple(progress.done_s), debrief),
             orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
             lamps=lit_lamps(self._scenario, frame) if lamps is None else lamps,

@@ -113,8 +113,8 @@ class ToGo(msgspec.Struct, frozen=True, gc=False):
 class Debrief(msgspec.Struct, frozen=True):
     """Result of a run, when all steps of the task are past."""
 
-    grade: Grade
-    """A without faults; each kind of fault lowers the grade by one."""
+    grade: Grade | None
+    """A without faults; each kind of fault lowers the grade by one. Null if a step was skipped or the script flew."""
     faults: tuple[str, ...]
     """Kinds of faults: ``2 warnings by CLEARANCE``."""
     figures: tuple[Measure, ...]
@@ -128,6 +128,8 @@ class TaskNow(msgspec.Struct, frozen=True, gc=False):
     """Index of the present step; the number of steps when all are past."""
     hint: int
     """Index of the present step's hint that applies; -1 for the step's own text."""
+    first: int
+    """Index of the step at which the run began; above 0 after a re-initialisation to a part of the problem."""
     done_s: tuple[float | None, ...]
     """For each step, the simulated time at which it was completed [s]; null if it is open or was skipped."""
     debrief: Debrief | None = None

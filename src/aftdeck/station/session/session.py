@@ -248,7 +248,7 @@ class Session:
         """
         with self._lock:
             self._inputs.hand_over(text)
-        self._reported.latency_ms = None
+        self._reported.latency_ms, self._reported.monitors = None, ()
 
     # --- called by the thread that steps the session ---------------------------------------------------------------
 

@@ -31,24 +31,33 @@ class TaskRun:
 
     def __init__(self, scenario: Scenario) -> None:
         self.progress = Progress(scenario)
+        self._period_s = scenario.control_period
+        self._begin()
+
+    def _begin(self) -> None:
         self.debrief: Debrief | None = None
-        self._faults, self._metrics = Faults(), RunMetrics(scenario.control_period)
+        self._faults, self._metrics, self._scripted = Faults(), RunMetrics(self._period_s), False
 
     def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> tuple[int, ...]:
         """Add the next frame and its lamps; return the indices of the steps that it completes."""
         done = self.progress.see(frame)
         if not self.progress.steps:
             return done
+        if any(event.kind == "initialise" for event in frame.events):
+            self._begin()
         if self.progress.present is not None:
             self.debrief = None
         if self.debrief is None:
             self._faults.see(frame)
+            self._scripted = self._scripted or frame.by == "script"
             self._metrics.add(frame, lamps)
         if self.progress.present is None and self.debrief is None:
             self.debrief = self._result()
         return done
 
     def _result(self) -> Debrief:
-        faults = self._faults.texts(len(self.progress.skipped))
+        skipped, faults = len(self.progress.skipped), self._faults.texts()
         figures = [figure for figure in self._metrics.measures("completed") if figure.name in _SHOWN]
-        return Debrief(grade(faults), faults, tuple(figures))
+        others = [f"{skipped} step skipped" if skipped == 1 else f"{skipped} steps skipped"] if skipped else []
+        others += ["flown by the script"] if self._scripted else []
+        return Debrief(None if others else grade(faults), (*faults, *others), tuple(figures))
