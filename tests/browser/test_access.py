@@ -8,7 +8,7 @@ from tests.browser.accessibility import violations
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import OBSERVES
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "tutorial"
 

@@ -8,7 +8,7 @@ from tests.browser.conftest import OpenPage
 from tests.browser.flight import Flight
 from tests.browser.layout_checks import assert_tidy, collisions
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "tutorial"
 SIZES = [(1024, 768), (1180, 820), (1440, 900), (1920, 1080), (2560, 1440)]
