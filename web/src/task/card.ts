@@ -132,6 +132,7 @@ export class Card {
     const there = uses.filter(({ use }) => this.inHand.name(use) !== '');
     const keys = this.inHand.device === null;
     setClass(this.element, 'by-keys', keys);
+    setClass(this.caps, 'many', there.length > 6);
     this.lights = there.map(({ use, does }) => ({
       use,
       cap: el('kbd', {}, el('b', {}, this.inHand.name(use)), el('small', {}, does)),
