@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from aftdeck.scenario.load import HERE, parse_scenario
+from aftdeck.scenario.build import BUILT_IN
+from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.run import Run, run
 
 MOVES = {"1": "sts-400-position", "2": "sts-400-closed", "3": "sts-400-open"}
@@ -14,10 +15,10 @@ MOVES = {"1": "sts-400-position", "2": "sts-400-closed", "3": "sts-400-open"}
 
 def flown(name: str, strict: bool, period: float) -> Run:
     """Run a built-in scenario with these values of `strict` and of the control period [s]."""
-    text = (HERE / f"{name}.toml").read_text()
+    text = (BUILT_IN / f"{name}.toml").read_text()
     top = text.index("\n[initial]")
     settings = f"\nstrict = {str(strict).lower()}\ncontrol_period = {period}\n"
-    return run(parse_scenario(text[:top] + settings + text[top:], name, f"{name}.toml", HERE))
+    return run(parse_scenario(text[:top] + settings + text[top:], name, f"{name}.toml", BUILT_IN))
 
 
 def off_the_line(flight: Run) -> float:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import aftdeck.arms.load
+import aftdeck.scenario.build
 import aftdeck.scenario.light
 import aftdeck.scenario.load
 import aftdeck.worksite.file.load
@@ -25,7 +26,7 @@ LONGEST_PROBLEM = 4_000
 """Greatest length of one problem's sentence [characters]."""
 _ARMS = aftdeck.arms.load.HERE
 _WORKSITES = Path(aftdeck.worksite.file.load.__file__).parents[1]
-_SCENARIOS = aftdeck.scenario.load.HERE
+_SCENARIOS = aftdeck.scenario.build.BUILT_IN
 _LIGHT = Path(aftdeck.scenario.light.__file__).parent / "light.toml"
 
 

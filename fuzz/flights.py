@@ -12,7 +12,7 @@ import msgspec
 from aftdeck.arms.load import HERE as ARMS
 from aftdeck.errors import ScenarioError, SimulationError
 from aftdeck.files import Where
-from aftdeck.scenario.load import HERE as SCENARIOS
+from aftdeck.scenario.build import BUILT_IN as SCENARIOS
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs

@@ -9,7 +9,8 @@ import pytest
 from typer.main import get_command
 
 from aftdeck.cli import app
-from aftdeck.scenario.load import HERE, built_in, parse_scenario
+from aftdeck.scenario.build import BUILT_IN
+from aftdeck.scenario.load import built_in, parse_scenario
 from aftdeck.steering.mode import MODES
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -63,7 +64,7 @@ def test_sequence_in_steering_md_loads_unchanged() -> None:
     end = next(i for i, line in enumerate(lines) if i > begin and line and not line.startswith("    "))
     shown = "\n".join(line.strip() for line in lines[begin:end])
     text = f'title = "shown"\n[initial]\njoints = [0, 0.9, -1.4, 0.5, 0.2, 0]\n{shown}\n'
-    points = parse_scenario(text, "shown", "steering.md", HERE).sequences["AUTO 1"]
+    points = parse_scenario(text, "shown", "steering.md", BUILT_IN).sequences["AUTO 1"]
     assert [point.pause for point in points] == [False, True]
 
 

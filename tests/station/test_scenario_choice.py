@@ -13,7 +13,8 @@ import pytest
 from aftdeck.errors import CommandError, ScenarioError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
-from aftdeck.scenario.load import HERE, about, built_in, load_scenario, parse_scenario
+from aftdeck.scenario.build import BUILT_IN
+from aftdeck.scenario.load import about, built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Plant
 from aftdeck.station.messages import from_page, to_page
@@ -50,7 +51,7 @@ def choose(page: Page, name: str) -> None:
 def own_file() -> Scenario:
     """Return a user's scenario with the name of a built-in scenario."""
     text = about("first-flight").file.replace('"First flight"', '"My own flight"')
-    return parse_scenario(text, "first-flight", "first-flight.toml", HERE)
+    return parse_scenario(text, "first-flight", "first-flight.toml", BUILT_IN)
 
 
 def test_list_has_every_built_in_scenario_with_title_and_description() -> None:
@@ -156,7 +157,7 @@ def test_script_flies_a_chosen_scenario_until_a_stick_moves(station: Station) ->
 
 def test_scenario_without_a_script_is_not_flown_by_it() -> None:
     text, *_ = about("first-flight").file.split("[[phase]]")
-    choice = ScenarioList(parse_scenario(text, "mine", "mine.toml", HERE))
+    choice = ScenarioList(parse_scenario(text, "mine", "mine.toml", BUILT_IN))
     assert not choice.scenarios[0].scripted
     with pytest.raises(CommandError, match="no script"):
         choice.choose(0, demo=True)

@@ -105,7 +105,7 @@ def test_milestone_completes_the_open_steps_before_it() -> None:
     progress = Progress(sim.scenario)
     held = False
     done: tuple[int, ...] = ()
-    while not held:  # nobody looks around, so that the first step stays open
+    while not held:  # no camera is changed, so that the first step stays open
         frame = sim.step()
         done, held = progress.see(frame), any(cargo.held for cargo in frame.work.cargo)
         assert frame.tick < 4000

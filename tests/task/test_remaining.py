@@ -16,6 +16,7 @@ from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.to_go import to_go
 from aftdeck.task.places import Places
 from aftdeck.task.remaining import Aims
 from tests.station.pages import scenario
@@ -97,8 +98,6 @@ def test_shift_moves_the_drawn_payload_into_its_berth() -> None:
     seat = next(seat for seat in sim.scenario.worksite.seats if seat.name == "bay")
     shown = displays.frame(frame, 0).display
     assert shown.to_go is None  # the berth is too far to be an objective
-    from aftdeck.station.conversion.to_go import to_go  # noqa: PLC0415
-
     left = aims.remaining(frame, step_to(AtSeat("bay")))
     assert left is not None
     message = to_go(left, frame, displays._poses, np.eye(3))

@@ -42,10 +42,11 @@ test('the mark {wanting} is the first failing condition, the depth last', () => 
     condition({ name: 'roll', margin: 1, words: 'rolled' }),
     condition({ name: 'pitch', margin: -1, words: 'pitched' }),
   ];
-  const told = (shown: typeof conditions) => pieces('{wanting}', { units: SI, conditions: shown })[0]?.text;
-  expect(told(conditions)).toBe('pitched');
-  expect(told(conditions.slice(0, 2))).toBe('too far');
-  expect(told([])).toBe('nothing to capture is near');
+  const wanting = (shown: typeof conditions) =>
+    pieces('{wanting}', { units: SI, conditions: shown })[0]?.text;
+  expect(wanting(conditions)).toBe('pitched');
+  expect(wanting(conditions.slice(0, 2))).toBe('too far');
+  expect(wanting([])).toBe('nothing to capture is near');
 });
 
 test('a hint that applies replaces the text and the functions of its step', () => {

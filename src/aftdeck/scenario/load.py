@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from aftdeck.dimensions import KEY, derive_from, has_formulas
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Changes, Problem, Text, as_path, examine, read, sentences
-from aftdeck.scenario.build import build
+from aftdeck.scenario.build import BUILT_IN, build
 from aftdeck.scenario.changes import change_text
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
@@ -17,12 +17,10 @@ from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sources import Folder, Sources
 from aftdeck.worksite.file.load import dimensions_of
 
-HERE = Path(__file__).parent / "builtin"
-
 
 def built_in() -> tuple[str, ...]:
     """Return the names of the scenarios that come with Aftdeck."""
-    return tuple(sorted(path.stem for path in HERE.glob("*.toml")))
+    return tuple(sorted(path.stem for path in BUILT_IN.glob("*.toml")))
 
 
 class About(NamedTuple):
@@ -41,7 +39,7 @@ def about(name: str) -> About:
 
     The scenario is not built, because building takes about a second.
     """
-    file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
+    file = (BUILT_IN / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(file)
     return About(table["title"], table["text"], file, scripted="phase" in table)
 
@@ -70,7 +68,7 @@ def find_scenario(name_or_path: str | Path) -> Source:
                     "a path to a scenario file ends in .toml"
                 ]
             )
-        path = HERE / f"{name_or_path}.toml"
+        path = BUILT_IN / f"{name_or_path}.toml"
     return Source(read(path).text, path.stem, path.name, path.parent)
 
 

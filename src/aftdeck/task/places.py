@@ -18,12 +18,16 @@ from aftdeck.worksite.model import Seat
 
 
 class Places:
-    """Poses in L of the things of one scenario, computed from frames."""
+    """Poses in L of the things of one scenario, computed from frames.
+
+    Attributes:
+        seats: the worksite's berths by name.
+    """
 
     def __init__(self, scenario: Scenario) -> None:
         self._model, self._cargo = scenario.arm.model, scenario.cargo
         self._index = {cargo.name: k for k, cargo in enumerate(scenario.cargo)}
-        self._seats = {seat.name: seat for seat in scenario.worksite.seats}
+        self.seats = {seat.name: seat for seat in scenario.worksite.seats}
         self._scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
 
     def tip(self, frame: Frame) -> Pose:
@@ -79,7 +83,7 @@ class Places:
             case AtSeat(above=above):
                 if (held := self.held(frame)) is None:
                     return None
-                seat, pose = self._seats[target.seat], self._seated(frame, target, held)
+                seat, pose = self.seats[target.seat], self._seated(frame, target, held)
                 turn = product(self.carrier(frame, seat.frame).rotation, seat.pose.rotation)
                 out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
                 return above + _along(out, self.payload(frame, held).position - pose.position)
@@ -95,7 +99,7 @@ class Places:
     def berth(self, frame: Frame, k: int) -> Seat | None:
         """Return the nearest berth that accepts payload k; None if there is none."""
         cargo = self._cargo[k]
-        fitting = [seat for seat in self._seats.values() if not seat.lacks(cargo.probe, cargo.trunnions)]
+        fitting = [seat for seat in self.seats.values() if not seat.lacks(cargo.probe, cargo.trunnions)]
         here = self.payload(frame, k).position
         return min(
             fitting,
@@ -109,7 +113,7 @@ class Places:
         return math.dist(pose.position, tip)
 
     def _seated(self, frame: Frame, target: AtSeat, k: int) -> Pose:
-        seat = self._seats[target.seat]
+        seat = self.seats[target.seat]
         return composed(self.carrier(frame, seat.frame), at_seat(seat, self._cargo[k], target))
 
 

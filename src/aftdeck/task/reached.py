@@ -12,7 +12,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
 from aftdeck.task.remaining import Aims
 from aftdeck.tuples import Rows, Vec3
-from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.conditions import Condition, all_hold
 
 REST_M, REST_RAD = 1e-3, 1e-3
 """Speed [m/s] and angular rate [rad/s] below which the tip is at rest."""
@@ -86,7 +86,7 @@ def _work(wanted: StateSpec, now: Frame) -> bool:
 
 def all_ready(conditions: tuple[Condition, ...]) -> bool:
     """Return whether there are conditions and all hold."""
-    return bool(conditions) and all(condition.holds for condition in conditions)
+    return bool(conditions) and all_hold(conditions)
 
 
 def _conditions(wanted: StateSpec, conditions: tuple[Condition, ...]) -> bool:

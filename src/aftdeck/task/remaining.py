@@ -16,7 +16,6 @@ from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
 from aftdeck.task.places import Places
-from aftdeck.worksite.model import Seat
 
 _NEAR_M, _NEAR_RAD = 0.025, math.radians(2.0)
 """Distance [m] and angle [rad] that count as arrived if neither a step nor a berth gives them."""
@@ -31,6 +30,7 @@ class Remaining(NamedTuple):
     Attributes:
         to: place for the operator: ``pin``, ``over bar``, ``Cargo bay``, ``target``, or a joint's name.
         pose: pose of the tip at this place, in L; None if a joint has to move.
+        motion: motion of the tip to this pose, x to R x + p in L; None if a joint has to move.
         distance: distance that the tip, or the held payload, still has to move [m]; 0 for a joint.
         angle: rotation that is left [rad]; for a joint, the signed angle.
         near: distance [m] and angle [rad] within which the tip has arrived.
@@ -38,6 +38,7 @@ class Remaining(NamedTuple):
 
     to: str
     pose: Pose | None
+    motion: Pose | None
     distance: float
     angle: float
     near: tuple[float, float]
@@ -54,7 +55,6 @@ class Aims:
     def __init__(self, scenario: Scenario) -> None:
         self.places = Places(scenario)
         self._joints = scenario.arm.model.joints
-        self._seats: dict[str, Seat] = {seat.name: seat for seat in scenario.worksite.seats}
         self._fixture = "pin" if scenario.arm.model.equipment.prong is None else "bar"
 
     def remaining(self, frame: Frame, step: TaskStep | None) -> Remaining | None:
@@ -65,7 +65,7 @@ class Aims:
         """
         if step is not None and step.joint is not None:
             angle = step.joint_at - frame.angles[step.joint]
-            return Remaining(self._joints[step.joint].replace("_", " "), None, 0.0, angle, self._near(step))
+            return Remaining(self._joints[step.joint].replace("_", " "), None, None, 0.0, angle, self._near(step))
         aimed = step is not None and step.target is not None
         if not aimed and frame.goal is not None and MODES[frame.mode].kind == "automatic":
             goal = Pose(np.array(frame.goal.position), np.array(frame.goal.rotation))
@@ -76,7 +76,7 @@ class Aims:
             return None
         match target:
             case AtSeat(seat=name, above=above):
-                seat = self._seats[name]
+                seat = self.places.seats[name]
                 away = "before" if seat.kind == "port" else "over"
                 to = f"{away} {seat.title}" if above > _AWAY_M else seat.title
                 return self._to(frame, to, pose, self._near(step, (seat.distance, seat.angle)))
@@ -94,13 +94,14 @@ class Aims:
         return None if seat is None else AtSeat(seat.name)
 
     def _to(self, frame: Frame, to: str, pose: Pose, near: tuple[float, float]) -> Remaining:
-        at, point = target_at(pose), self.places.tip(frame)
+        at, tip = target_at(pose), self.places.tip(frame)
+        point = tip
         if (k := self.places.held(frame)) is not None:
             point = self.places.payload(frame, k)
-        motion = composed(pose, inverted(self.places.tip(frame)))
+        motion = composed(pose, inverted(tip))
         moved = product(motion.rotation, point.position) + motion.position
         distance = math.dist(moved.tolist(), point.position.tolist())
-        return Remaining(to, pose, distance, angle_between(at.rotation, frame.orientation), near)
+        return Remaining(to, pose, motion, distance, angle_between(at.rotation, frame.orientation), near)
 
     def _near(self, step: TaskStep | None, usual: tuple[float, float] = (_NEAR_M, _NEAR_RAD)) -> tuple[float, float]:
         done = None if step is None else step.done

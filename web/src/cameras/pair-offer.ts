@@ -1,6 +1,7 @@
 /** Offers another pair of cameras when the situation changes: a new task phase, capture, release, berth or near goal. */
 
 import type { ClosestPoints, Frame } from '../link/protocol';
+import { ACTIVITIES } from '../words/task-phases';
 
 export interface PairOffer {
   /** Names of the cameras for MON 1 and MON 2. */
@@ -8,9 +9,6 @@ export interface PairOffer {
   /** Reason for the offer, in a few words: `extraction`. */
   readonly why: string;
 }
-
-/** Names of the report's task phases 1 to 4. */
-const PHASES = ['acquisition', 'extraction', 'manoeuvring', 'docked'] as const;
 
 /** Returns a text that changes with the situation. */
 export function situationOf({ work }: Frame, gap: ClosestPoints | null): string {
@@ -20,7 +18,9 @@ export function situationOf({ work }: Frame, gap: ClosestPoints | null): string 
 
 /** Returns the name of the situation: the action that becomes possible, or else the task phase. */
 export function situationWords({ work }: Frame): string {
-  return work.objective?.text ?? (work.cargo.length > 0 ? PHASES[work.task - 1] : undefined) ?? 'clearance';
+  return (
+    work.objective?.text ?? (work.cargo.length > 0 ? ACTIVITIES[work.task - 1] : undefined) ?? 'clearance'
+  );
 }
 
 /** Counts surveys after a change of situation: the cameras are surveyed one after the other, one for each drawing. */

@@ -7,7 +7,7 @@ import type { Units } from '../words/units';
 import { type DebriefListener, DebriefView } from './debrief';
 import { padDrawing } from './pad';
 import { goElement } from './to-go';
-import { nodes, type Piece } from './words';
+import { MarkedText, type Piece } from './words';
 
 export interface CardListener extends DebriefListener {
   back(): void;
@@ -36,8 +36,8 @@ export class Card {
   private readonly marks;
   private readonly count = el('span');
   private readonly title = el('h2', { 'aria-live': 'polite' });
-  private readonly words = el('p', { class: 'words' });
-  private readonly note = el('p', { class: 'note' });
+  private readonly words: MarkedText;
+  private readonly note: MarkedText;
   private readonly mode: HTMLElement;
   private readonly modeWords = el('span');
   private readonly enter: HTMLButtonElement;
@@ -49,7 +49,6 @@ export class Card {
   private readonly go = goElement();
   private readonly debrief: DebriefView;
   private lights: readonly { readonly use: string; readonly cap: HTMLElement }[] = [];
-  private written = '';
 
   /** `noteWords`: text below the text of every step. */
   constructor(
@@ -59,6 +58,8 @@ export class Card {
     listener: CardListener,
   ) {
     this.marks = welcome.steps.map(() => el('li'));
+    this.words = new MarkedText(el('p', { class: 'words' }), inHand);
+    this.note = new MarkedText(el('p', { class: 'note' }), inHand);
     this.debrief = new DebriefView(welcome, listener);
     this.back = button({}, ['Back'], () => listener.back());
     this.skip = button({}, ['Skip step'], () => listener.skip());
@@ -74,7 +75,7 @@ export class Card {
         this.count,
         this.go.element,
       ),
-      el('div', { class: 'told' }, this.title, this.words, this.mode, this.note),
+      el('div', { class: 'told' }, this.title, this.words.element, this.mode, this.note.element),
       el('div', { class: 'flown-with' }, this.drawing.element, this.caps, this.debrief.element),
       el(
         'div',
@@ -97,11 +98,12 @@ export class Card {
     });
     setText(this.count, countWords(at, done));
     setText(this.title, title);
-    this.write(pieces, over);
+    this.words.set(pieces);
+    this.note.set(over ? [] : this.noteWords);
     this.mode.hidden = needs === '';
     setText(this.modeWords, `The mode is ${mode}; this step needs ${needs}.`);
     setText(this.enter, `Enter ${needs}`);
-    this.note.hidden = !this.mode.hidden;
+    this.note.element.hidden = !this.mode.hidden;
     const following = titles[at + 1] ?? '';
     setText(this.next, following && `Next: ${following}`);
     this.back.disabled = at === 0;
@@ -138,14 +140,6 @@ export class Card {
       cap: el('kbd', {}, el('b', {}, this.inHand.name(use)), el('small', {}, does)),
     }));
     this.caps.replaceChildren(...this.lights.map(({ cap }) => cap));
-  }
-
-  private write(pieces: readonly Piece[], over: boolean): void {
-    const written = `${this.inHand.kinds.join()} ${over} ${JSON.stringify(pieces)}`;
-    if (written === this.written) return;
-    this.written = written;
-    this.words.replaceChildren(...nodes(pieces, this.inHand));
-    this.note.replaceChildren(...(over ? [] : nodes(this.noteWords, this.inHand)));
   }
 }
 

@@ -4,6 +4,7 @@ import type { Debrief, Recorded, Welcome } from '../link/protocol';
 import { keeper } from '../page/local-storage';
 import { button, el, setClass, setText } from '../panel/parts/dom';
 import { figure } from '../replay/quantity';
+import { durationText } from '../words/format';
 import type { Units } from '../words/units';
 import { type Best, bestOf, keepBest } from './best';
 
@@ -91,7 +92,6 @@ export class DebriefView {
 /** Returns a sentence about the best run before this one. */
 export function bestWords(before: Best | null, better: boolean): string {
   if (!before) return 'Your first run';
-  const [minutes, seconds] = [Math.floor(before.time / 60), Math.floor(before.time % 60)];
-  const last = `${before.grade}, ${minutes} min ${seconds} s`;
+  const last = `${before.grade}, ${durationText(before.time)}`;
   return better ? `Your best run; before: ${last}` : `Your best run: ${last}`;
 }

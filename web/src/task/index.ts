@@ -7,6 +7,7 @@ import type { HintInfo, StepInfo, TaskNow } from '../link/protocol';
 import { keeper } from '../page/local-storage';
 import { button, setAttribute, setClass, setPressed } from '../panel/parts/dom';
 import type { Desk, View } from '../panel/parts/part';
+import { durationText } from '../words/format';
 import { Card, countWords } from './card';
 import { Line } from './line';
 import { type Piece, pieces, present } from './words';
@@ -39,6 +40,8 @@ export class Task {
   /** Whether the card opens by itself as soon as this page is in control. */
   private unasked: boolean;
   private drawn = '';
+  /** Mode that the present step needs, if another one is entered; else empty. */
+  private needs = '';
   /** Whether the last frame had the result of the run. */
   private ended = false;
   /** Index of the step of the last frame; null before the first frame. */
@@ -56,7 +59,7 @@ export class Task {
       ? ['Guide', 'Show the present step of the task with its controls']
       : ['Tutorial', 'Learn a first capture in six steps'];
     this.key = button({ title }, [name], () => this.toggle());
-    this.line = new Line(inHand, this.exists ? { open: () => this.show(true) } : null);
+    this.line = new Line(inHand, this.exists ? () => this.show(true) : null);
     this.card = new Card(inHand, desk.welcome, NOTE, {
       back: () => desk.send({ type: 'turn_step', to: 'previous' }),
       skip: () => desk.send({ type: 'turn_step', to: 'next' }),
@@ -89,15 +92,15 @@ export class Task {
     this.ended = task.debrief !== null;
     const marked = { units, conditions: frame.work.conditions };
     const done = task.done_s.map((time, i) => time !== null || i < task.first);
-    const told = step ? present(step, task) : null;
+    const shown = step ? present(step, task) : null;
     const [title, words] =
-      step && told ? [step.title, told.text] : this.exists ? ending(task) : ['', welcome.text];
+      step && shown ? [step.title, shown.text] : this.exists ? ending(task) : ['', welcome.text];
     if (!this.open) {
       this.line.set(this.exists ? countWords(task.at, done) : '', title, pieces(words, marked));
       this.line.setGo(to_go, units);
       return;
     }
-    if (told) this.drawCaps(task, told);
+    if (shown) this.drawCaps(task, shown);
     else setAttribute(document.body, 'data-step', '');
     this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
     this.card.set({
@@ -138,9 +141,6 @@ export class Task {
   private enterMode(): void {
     if (this.needs !== '') this.desk.send({ type: 'enter_mode', mode: this.needs });
   }
-
-  /** Mode that the present step needs, if another one is entered; else empty. */
-  private needs = '';
 
   private show(open: boolean): void {
     if (open) {
@@ -185,9 +185,7 @@ export function ending({
       'Not complete yet',
       'These were all the steps, but some were skipped. Open the guide and go back to a skipped step, or press *Restart* to begin again.',
     ];
-  const last = Math.max(0, ...times);
-  const [minutes, seconds] = [Math.floor(last / 60), Math.floor(last % 60)];
-  const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
+  const took = durationText(Math.max(0, ...times));
   return [
     'Complete',
     `All steps are done, ${took} after the start. Continue as you like; *Keys ?* shows all keys, *Restart* begins again.`,

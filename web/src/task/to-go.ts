@@ -94,8 +94,9 @@ export function goElement() {
       setText(head, `to ${go.to}`);
       setText(total, goWords(go, units));
       setClass(element, 'there', isThere(go));
-      setAttribute(element, 'aria-label', goSentence(go, units, names));
-      setAttribute(element, 'title', goSentence(go, units, names));
+      const sentence = goSentence(go, units, names);
+      setAttribute(element, 'aria-label', sentence);
+      setAttribute(element, 'title', sentence);
       list.hidden = parts.length === 0;
       cells.forEach((cell, i) => {
         const each = parts[i];

@@ -3,7 +3,8 @@
  * condition that fails; `*RIGID*` quotes a text on the desk.
  */
 
-import type { Names } from '../input/active-device';
+import type { InHand } from '../input/active-device';
+import { revision } from '../input/store';
 import type { Condition, HintInfo, StepInfo, TaskNow } from '../link/protocol';
 import { el } from '../panel/parts/dom';
 import { failureText } from '../words/condition-text';
@@ -42,12 +43,27 @@ export function pieces(words: string, { units, conditions }: Marked): readonly P
     });
 }
 
-/** Returns the nodes of a text: keys and quoted texts are emphasised. */
-export function nodes(text: readonly Piece[], names: Names): (Node | string)[] {
-  return text.map(({ kind, text }) => {
+/** A text in an element; it is written again only if it or the names of the keys have changed. */
+export class MarkedText {
+  private written = '';
+
+  constructor(
+    readonly element: HTMLElement,
+    private readonly inHand: Pick<InHand, 'name' | 'kinds'>,
+  ) {}
+
+  set(text: readonly Piece[]): void {
+    const written = `${this.inHand.kinds.join()} ${revision()} ${JSON.stringify(text)}`;
+    if (written === this.written) return;
+    this.written = written;
+    this.element.replaceChildren(...text.map((piece) => this.node(piece)));
+  }
+
+  /** Returns a piece as a node: keys and quoted texts are emphasised. */
+  private node({ kind, text }: Piece): Node | string {
     if (kind === 'text') return text;
-    return kind === 'use' ? el('b', {}, names.name(text) || '–') : el('em', {}, text);
-  });
+    return kind === 'use' ? el('b', {}, this.inHand.name(text) || '–') : el('em', {}, text);
+  }
 }
 
 /** Returns the text and the functions of the present step: its own, or those of the hint that applies. */

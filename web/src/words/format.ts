@@ -40,6 +40,12 @@ export function lengthText(size: number, { gap, name }: Pick<Units, 'gap' | 'nam
   return size < FEET_FROM ? `${small(size, gap)} ${gap.name}` : `${fixed(size / FOOT, 1, false)} ft`;
 }
 
+/** A duration [s] in words: `47 s`, `3 min 5 s`. */
+export function durationText(time: number): string {
+  const [minutes, seconds] = [Math.floor(time / 60), Math.floor(time % 60)];
+  return minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
+}
+
 /** Mission elapsed time [s] as `ddd/hh:mm:ss`. */
 export function missionTime(seconds: number): string {
   const whole = Math.max(0, Math.floor(seconds));

@@ -8,9 +8,8 @@ from typing import cast
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import Pose, quaternion
+from aftdeck.frames import quaternion
 from aftdeck.matrices import product
-from aftdeck.scenario.relative import composed, inverted
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.frame import ToGo
@@ -30,9 +29,7 @@ def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array) ->
     """
     translation = rotation = None
     shift: tuple[float, ...] = ()
-    if remaining.pose is not None:
-        tip = Pose(np.array(frame.position), np.array(frame.orientation))
-        motion = composed(remaining.pose, inverted(tip))
+    if (motion := remaining.motion) is not None:
         shift = scene.motion(motion)
         if MODES[frame.mode].kind == "manual":
             point = np.array(frame.resolution)

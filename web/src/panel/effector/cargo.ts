@@ -1,13 +1,11 @@
 /** The payloads of the worksite: what each payload is fixed to, and the speed of a free payload. */
 
 import { small } from '../../words/format';
+import { ACTIVITIES } from '../../words/task-phases';
 import { el, group, setAbout, setAttribute, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 import { seatTitle } from './seat';
 
-/** Names of the report's task phases 1 to 4. */
-export const TASKS = ['Acquire', 'Extract', 'Manoeuvre', 'Docked'] as const;
-const DOING = ['acquisition', 'extraction', 'manoeuvring', 'docked'] as const;
 const ROWS = 3;
 
 export function cargoGroup({ welcome }: Desk): Part {
@@ -22,7 +20,7 @@ export function cargoGroup({ welcome }: Desk): Part {
   return {
     element,
     values({ frame, units: { creep } }) {
-      setAbout(element, DOING[frame.work.task - 1] ?? '');
+      setAbout(element, ACTIVITIES[frame.work.task - 1] ?? '');
       for (const { name, state, speed } of rows) {
         const cargo = frame.work.cargo.find((each) => each.name === name);
         const seat = cargo ? seatTitle(welcome.work, cargo.seat) : '';

@@ -4,7 +4,7 @@ import type { LinkState } from '../../link/socket';
 import type { Appearance } from '../../page/appearance';
 import type { Tones } from '../../page/tones';
 import { missionTime } from '../../words/format';
-import { TASKS } from '../effector/cargo';
+import { TASKS } from '../../words/task-phases';
 import { button, el, setClass, setPressed, setText } from '../parts/dom';
 import type { Desk, View } from '../parts/part';
 import { areLong, type Delays, delayWords } from './delays';
