@@ -107,6 +107,7 @@ def against_the_cabin(inhibit: bool) -> tuple[Simulation, list[float], list[bool
         ("plant",): "rigid",
         ("phase",): [],
         ("cargo",): [],
+        ("step",): [],
         ("duration",): "300 s",
         ("dynamics", "inhibit"): inhibit,
     }
