@@ -43,6 +43,9 @@ PAD = """
 """
 """A gamepad whose axes and buttons a test sets. A test disconnects it by setting `window.testPad` to null."""
 
+FULL_PANEL = "localStorage.getItem('aftdeck.panel') ?? localStorage.setItem('aftdeck.panel', 'full')"
+"""Choice of the full panel, unless the browser keeps a choice; a test module flies the calm page if CALM is true."""
+
 SIZES = [(1280, 720), (1440, 900), (1920, 1080)]
 """Window sizes that the page must fit [px]."""
 NARROW = [(960, 900), (1024, 768), (768, 1024)]
@@ -98,7 +101,7 @@ def browser(chromium: Path) -> Iterator[Browser]:
 
 
 @pytest.fixture
-def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
+def open_page(station: str, browser: Browser, request: pytest.FixtureRequest) -> Iterator[OpenPage]:
     """Function that opens a page of the station with `quality=low`.
 
     An error or a warning in the page's console fails the test.
@@ -118,6 +121,8 @@ def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
         page.set_default_timeout(WAIT_MS)
         page.on("console", note)
         page.on("pageerror", lambda error: errors.append(str(error)))
+        if not getattr(request.module, "CALM", False):
+            page.add_init_script(FULL_PANEL)
         if pad:
             page.add_init_script(PAD)
         if prepare:

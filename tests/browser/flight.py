@@ -29,6 +29,8 @@ NAMING = "!document.querySelector('.choices.naming').hidden"
 """JavaScript condition: the field for the name is open."""
 TYPING = "document.body.classList.contains('typing')"
 """JavaScript condition: keys write text, and do not move the arm."""
+TITLE = "document.querySelector('.rail .scenario > button').textContent"
+"""JavaScript: text of the button with the scenario's title."""
 LOGGED = "[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.dataset.kind)"
 """JavaScript: kind of each log line that the page shows, newest line first."""
 
@@ -118,6 +120,16 @@ class Flight:
         self.until(f"{NAMING} && {TYPING}")
         self.page.keyboard.type(name)
         self.press("Enter")
+
+    def choose(self, title: str) -> None:
+        """Load a scenario from the page's list, and wait for its first pictures."""
+        self.page.locator(".rail .scenario > button").click()
+        self.page.locator(".scenarios button").filter(has=self.page.get_by_text(title, exact=True)).click()
+        leave = self.page.get_by_role("button", name="Leave and fly it")
+        self.until(f"{TITLE}.includes('{title}') || !document.querySelector('.leaving').hidden")
+        if leave.is_visible():
+            leave.click()
+        self.until(f"{TITLE}.includes('{title}') && window.__aftdeck.frames > 2")
 
     def press_key(self, name: str) -> None:
         """Press a button of the page by its name."""

@@ -5,12 +5,11 @@ from __future__ import annotations
 import pytest
 
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import FLIES, Flight
+from tests.browser.flight import FLIES, TITLE, Flight
 from tests.browser.layout_checks import assert_readable
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
-TITLE = "document.querySelector('.rail .scenario > button').textContent"
 LEAVING = "document.querySelector('.leaving').checkVisibility()"
 GUIDED = "document.querySelector('.task')?.checkVisibility() === true"
 FITS = """() => {

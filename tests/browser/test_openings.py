@@ -18,9 +18,6 @@ SCENARIO = "concept-1972"
 MOST = math.pi / 2 + 0.01
 """Greatest angle between sticks and picture [rad]: a little over 90°, because a view straight down has 90°."""
 
-TITLE = "document.querySelector('.rail .scenario > button').textContent"
-"""JavaScript: text of the button with the scenario's title."""
-
 MONITORS = "[...document.querySelectorAll('.monitor .picture .name b')].map((name) => name.textContent).join()"
 """JavaScript: names of the cameras on the monitors."""
 
@@ -38,30 +35,19 @@ def opened(flight: Flight, label: str) -> list[str]:
     return shown
 
 
-def choose(flight: Flight, title: str) -> None:
-    """Load a scenario from the page's list, and wait for its first pictures."""
-    flight.page.locator(".rail .scenario > button").click()
-    flight.page.locator(".scenarios button").filter(has=flight.page.get_by_text(title, exact=True)).click()
-    leave = flight.page.get_by_role("button", name="Leave and fly it")
-    flight.until(f"{TITLE}.includes('{title}') || !document.querySelector('.leaving').hidden")
-    if leave.is_visible():
-        leave.click()
-    flight.until(f"{TITLE}.includes('{title}') && window.__aftdeck.frames > 2")
-
-
 def test_every_scenario_opens_on_hand_or_target_with_sticks_at_most_90_degrees_off(open_page: OpenPage) -> None:
     flight = open_page()
     flight.until(f"{FLIES} && window.__aftdeck.frames > 2")
     opened(flight, SCENARIO)
     for name in built_in():
         if name != SCENARIO:
-            choose(flight, load_scenario(name).title)
+            flight.choose(load_scenario(name).title)
             opened(flight, name)
 
 
 def test_initialisation_shows_the_best_pair_and_restart_offers_one(open_page: OpenPage) -> None:
     flight = open_page()
-    choose(flight, load_scenario(SCENARIO).title)
+    flight.choose(load_scenario(SCENARIO).title)
     for part, task in (("manoeuvring", 3), ("extraction", 2)):
         before = flight.script(MONITORS)
         flight.press_key("Initialise")

@@ -12,6 +12,7 @@ from tests.browser.layout_checks import assert_readable, assert_tidy
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "tutorial"
+CALM = True
 STEP = "document.querySelector('.task .steps span')?.textContent"
 OPEN = "document.querySelector('.task')?.checkVisibility() === true"
 TITLE = "document.querySelector('.task h2').textContent"

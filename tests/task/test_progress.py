@@ -141,3 +141,21 @@ def test_look_counts_for_the_present_step_only() -> None:
     progress.back()
     flown(sim, progress, STILL, 3)
     assert progress.at == 0
+
+
+def test_lost_payload_returns_the_task_to_its_capture() -> None:
+    sim = Simulation(scenario("srms-deploy"))
+    progress = Progress(sim.scenario)
+    lift = next(i for i, step in enumerate(progress.steps) if step.title == "Lift it out of the bay")
+    while progress.at < lift or frame.phase != "lift":
+        progress.see(frame := sim.step())
+        assert frame.tick < 20_000
+    flown(sim, progress, UP, 500)  # out of the guides; the first input of the operator ends the script
+    frame = flown(sim, progress, Inputs(effector="open"))
+    while any(cargo.held for cargo in frame.work.cargo):
+        assert progress.at == lift
+        frame = flown(sim, progress, STILL)
+        assert frame.tick < 20_000
+    assert progress.steps[progress.at].title == "Capture it"
+    assert progress.done_s[progress.at :] == [None] * (len(progress.steps) - progress.at)
+    assert progress.skipped == ()

@@ -36,7 +36,7 @@ function station(flying = true, payloads = 1) {
     pictures: { togglePlane: vi.fn(() => true), matrix: { open: vi.fn(), close: vi.fn() } },
     windows: { update: vi.fn() },
     units: { toggle: vi.fn() },
-    tutorial: { acted: vi.fn() },
+    calm: { use: vi.fn() },
     light: { toggle: vi.fn(), lock: vi.fn() },
     ...{ keys: sheet(), sheet: sheet(), rail: sheet(), controlPage: sheet() },
   };

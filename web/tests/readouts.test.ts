@@ -48,7 +48,8 @@ function desk() {
     spine: { show: (lamps: readonly SpineLamp[], test: boolean) => shown.push({ lamps, test }) },
     report: { update: report },
     pictures: { monitors: { shown: [['A'], ['B']] } },
-    groups: {},
+    groups: { mode: { inView: () => undefined } },
+    calm: { values() {} },
   };
   const readouts = new Readouts(parts as unknown as Parts);
   const show = (frame: Frame, now = 10_000) => readouts.values(readouts.viewOf(frame), MEASURED, now);

@@ -70,5 +70,5 @@ class TaskStep:
 
     @property
     def is_milestone(self) -> bool:
-        """Whether the step ends with a capture, a release, or the fixing or freeing of a payload."""
-        return (self.done.held, self.done.fixed, self.done.berth) != (None, None, None)
+        """Whether the step ends with a captured payload, or with a payload that is fixed to a berth."""
+        return self.done.held is True or self.done.fixed is True or self.done.berth is not None

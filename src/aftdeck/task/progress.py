@@ -29,6 +29,7 @@ class Progress:
         self.remaining: Remaining | None = None
         self._aims = Aims(scenario)
         self._begin: Since | None = None
+        self._held = False  # the end effector held a payload in the last frame
         self._looked = False
         self._again = False  # the present step was entered by `back`, and its state has held since then
         self._open = False  # the next milestone has been seen not to hold since the present step began
@@ -46,7 +47,8 @@ class Progress:
     def see(self, frame: Frame) -> tuple[int, ...]:
         """Update the progress by the next frame; return the indices of the steps that this frame completes.
 
-        After a re-initialisation, the task begins again with the step of the same part, or with the first step.
+        After a re-initialisation, the task begins again with the step of the same part, or with the first step. If the
+        payload that the steps before the present one have captured is lost, the task returns to the step of its capture.
         """
         for event in frame.events:
             if event.kind == "initialise":
@@ -56,8 +58,12 @@ class Progress:
         done = self._completed(frame)
         for i in done:
             self.done_s[i] = frame.time_s
+        held = any(cargo.held for cargo in frame.work.cargo)
         if done:
             self._enter(done[-1] + 1)
+        elif self._held and not held:
+            self._return_to_capture()
+        self._held = held
         self.hint = next((i for i, hint in enumerate(self._hints()) if self._reached(frame, self.at, hint.when)), -1)
         self.remaining = self._aims.remaining(frame, self.present)
         return done
@@ -81,6 +87,19 @@ class Progress:
         self.done_s = [None] * len(self.steps)
         self.first = next((i for i, step in enumerate(self.steps) if step.part and text.endswith(step.part)), 0)
         self._enter(self.first)
+
+    def _return_to_capture(self) -> None:
+        """Return to the step in which the present payload was captured, if there is one."""
+        capture = None
+        for i in range(self.at - 1, -1, -1):
+            if self.steps[i].done.held is False:
+                break
+            if self.steps[i].done.held:
+                capture = i
+        if capture is not None:
+            self.first = min(self.first, capture)
+            self.done_s[capture:] = [None] * (len(self.steps) - capture)
+            self._enter(capture)
 
     def _enter(self, at: int) -> None:
         self.at, self._begin = at, None

@@ -9,6 +9,7 @@ import { Latency } from '../link/latency';
 import { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';
 import type { Command } from '../link/socket';
+import { Calm } from '../panel/calm/calm';
 import { ControllersSheet } from '../panel/controllers/controllers';
 import { KeyMap } from '../panel/controllers/key-map';
 import { swapQuestion } from '../panel/controllers/swap';
@@ -121,6 +122,7 @@ export function buildParts(
   const light = lightControl(desk, pictures);
   const [handOverParts, nameField] = [handOver(transmit), naming(keeper, transmit)];
   const { appearance } = pictures;
+  const calm = new Calm(welcome, keeper);
   const railParts = {
     tones,
     light,
@@ -129,6 +131,7 @@ export function buildParts(
     naming: nameField,
     ask: handOverParts.ask,
     guide: task.key,
+    full: calm.key,
   };
   const topRail = rail(desk, drawing.software && drawing.quality === 'low', railParts, {
     units: () => operations.changeUnits(),
@@ -152,6 +155,7 @@ export function buildParts(
       windows,
     },
     ...{ tones, spine, groups, light, controlPage, keys, scenarios, sheet, task },
+    calm,
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     pairNotice: notice,
     report: new Report(transmit),

@@ -111,7 +111,8 @@ export class Operations {
   }
 
   act(action: Action): void {
-    const { groups, pictures, light, controlPage, keys, sheet, rail, operator, tones } = this.parts;
+    const { groups, pictures, light, controlPage, keys, sheet, rail, operator, tones, calm } = this.parts;
+    calm.use(action.name === 'grip' ? action.grip : action.name);
     act(action, {
       ...{ groups, pictures, light, controlPage, keys },
       sheets: [sheet, rail],

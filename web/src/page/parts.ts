@@ -6,6 +6,7 @@ import type { Arrivals } from '../link/delayed-messages';
 import type { Latency } from '../link/latency';
 import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Welcome } from '../link/protocol';
+import type { Calm } from '../panel/calm/calm';
 import type { ControllersSheet } from '../panel/controllers/controllers';
 import type { KeyMap } from '../panel/controllers/key-map';
 import type { SwapQuestion } from '../panel/controllers/swap';
@@ -54,6 +55,7 @@ export interface Parts {
   readonly groups: Groups;
   readonly rail: Rail;
   readonly light: LightControl;
+  readonly calm: Calm;
   readonly naming: Naming;
   // sheets, questions and other elements over the page
   readonly controlPage: ControlPage;

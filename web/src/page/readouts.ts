@@ -47,8 +47,14 @@ export class Readouts implements Drawn {
     const { role, link } = parts.control;
     const test = view.frame.mode === 'TEST';
     parts.controlPage.values(view);
-    parts.spine.show([...inUnits(view), ...this.ownLamps(measured.delays, now)], test);
+    const lamps = [...inUnits(view), ...this.ownLamps(measured.delays, now)];
+    parts.spine.show(lamps, test);
     parts.task.values(view);
+    parts.calm.values(view, {
+      lamps: lamps.map(({ name }) => name),
+      selected: parts.groups.mode.inView(),
+      cameras: parts.pictures.monitors.shown.flat(),
+    });
     parts.rail.values(view, measured, parts.handOver.words(role, now), link);
     parts.sounds.update(view.frame);
     if (role.flying) parts.report.update(measured.picture, parts.pictures.monitors.shown, now);

@@ -30,7 +30,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
   const contacts = touching(welcome);
   const arm = el('span', { class: 'flag' }, 'Arm inhibit');
   const finger = el('span', { class: 'flag' }, 'Finger inhibit');
-  const planeKey = button({ class: 'more' }, ['Plane'], plane);
+  const planeKey = button({ class: 'more', 'data-calm': 'plane' }, ['Plane'], plane);
   const element = group(
     'clearance',
     'Clearance',

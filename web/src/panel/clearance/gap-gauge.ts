@@ -37,7 +37,11 @@ export function gapGauge({ caution, warning }: Pick<WorkInfo, 'caution' | 'warni
       zone('reach', warning, caution),
       pointer,
     ),
-    el('div', { class: 'marks', 'aria-hidden': 'true' }, ...marks.map(({ label }) => label)),
+    el(
+      'div',
+      { class: 'marks', 'aria-hidden': 'true', 'data-calm': 'clearance' },
+      ...marks.map(({ label }) => label),
+    ),
   );
   return {
     element,

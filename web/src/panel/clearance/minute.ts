@@ -24,7 +24,7 @@ export function lastMinute(thresholds: Pick<WorkInfo, 'caution' | 'warning'>): L
   const top = el('span', { class: 'top' });
   const element = el(
     'div',
-    { class: 'minute' },
+    { class: 'minute', 'data-calm': 'clearance' },
     svg(
       'svg',
       { viewBox: '0 0 1 1', preserveAspectRatio: 'none', 'aria-hidden': 'true' },

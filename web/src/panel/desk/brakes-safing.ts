@@ -36,6 +36,7 @@ export function brakesSafing(desk: Desk): BrakesSafing {
   const safing = button(
     {
       class: 'safing',
+      'data-calm': 'safing',
       title: 'Command zero joint rates until cancelled',
     },
     [el('b', {}, 'Safing'), ' ', safingKey],
@@ -44,11 +45,13 @@ export function brakesSafing(desk: Desk): BrakesSafing {
   const positionHold = button(
     {
       class: 'hold',
+      'data-calm': 'position hold',
       title: 'Hold position and attitude while the sticks are centred',
     },
     [el('b', {}, 'Pos hold'), ' ', holdKey],
     hold,
   );
+  setAttribute(brakes.element, 'data-calm', 'brakes');
   const device = el('p', { class: 'device' });
   return {
     element: el('div', { class: 'standing' }, device, brakes.element, safing, positionHold),

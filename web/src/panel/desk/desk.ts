@@ -7,7 +7,7 @@ import { cargoGroup } from '../effector/cargo';
 import { effectorGroup } from '../effector/effector';
 import { joints } from '../joints/joints';
 import { masterGroup } from '../joints/master';
-import { button, el, setClass } from '../parts/dom';
+import { button, el, setAttribute, setClass } from '../parts/dom';
 import type { Desk, View } from '../parts/part';
 import { type TargetGroup, targetGroup } from '../target/target';
 import { brakesSafing } from './brakes-safing';
@@ -80,6 +80,15 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     last.element,
   );
   const elements = [...upper.map(({ element }) => element), still.element, row];
+  for (const [{ element }, need] of [
+    [own, 'joints'],
+    [effector, 'effector'],
+    [acting, 'limits'],
+    [cargo, 'full'],
+    [ahead, 'look ahead'],
+    [last, 'singularity'],
+  ] as const)
+    setAttribute(element, 'data-calm', need);
   cargo.element.hidden = desk.welcome.work.cargo.length === 0;
   setClass(resting, 'alone', cargo.element.hidden);
 
@@ -123,6 +132,7 @@ function pageKey(pressed: () => void): HTMLElement {
   return button(
     {
       class: 'more',
+      'data-calm': 'control page',
       title: 'Open PDRS control (SPEC 94): target, stored points, payloads',
     },
     ['SPEC 94'],
@@ -133,7 +143,7 @@ function pageKey(pressed: () => void): HTMLElement {
 function stripsKey(pressed: () => void): HTMLElement {
   const title = 'Open strips of the last minutes in a secondary window';
   return button(
-    { class: 'more', title, 'aria-label': 'Strips ↗' },
+    { class: 'more', title, 'aria-label': 'Strips ↗', 'data-calm': 'full' },
     [el('span', {}, 'Strips '), '↗'],
     pressed,
   );

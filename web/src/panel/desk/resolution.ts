@@ -12,23 +12,24 @@ const ROWS = ['X', 'Y', 'Z', 'Pitch', 'Yaw', 'Roll'] as const;
 
 export function resolution(desk: Desk): Part {
   const rows = ROWS.map((name) => {
-    const unit = el('i');
+    const [unit, rateUnit] = [el('i'), el('i', { 'data-calm': 'full' })];
     const cells = {
       actual: el('td', { class: 'actual' }),
-      commanded: el('td', { class: 'commanded' }),
-      rate: el('td', { class: 'rate' }),
+      commanded: el('td', { class: 'commanded', 'data-calm': 'full' }),
+      rate: el('td', { class: 'rate', 'data-calm': 'full' }),
       tag: el('span', { class: 'limit-tag' }),
       unit,
+      rateUnit,
       bar: rateBar(),
     };
     const row = el(
       'tr',
       {},
-      el('th', { scope: 'row' }, name, ' ', unit),
+      el('th', { scope: 'row' }, name, ' ', unit, rateUnit),
       cells.actual,
       cells.commanded,
       cells.rate,
-      el('td', { class: 'of-limit' }, el('div', {}, cells.bar.element, cells.tag)),
+      el('td', { class: 'of-limit', 'data-calm': 'full' }, el('div', {}, cells.bar.element, cells.tag)),
     );
     return { ...cells, row };
   });
@@ -45,7 +46,10 @@ export function resolution(desk: Desk): Part {
           'tr',
           {},
           el('td'),
-          ...['actual', 'commanded', 'rate /s', 'of limit'].map((name) => el('th', { scope: 'col' }, name)),
+          el('th', { scope: 'col' }, 'actual'),
+          ...['commanded', 'rate /s', 'of limit'].map((name) =>
+            el('th', { scope: 'col', 'data-calm': 'full' }, name),
+          ),
         ),
       ),
       el('tbody', {}, ...rows.map(({ row }) => row)),
@@ -75,7 +79,8 @@ export function resolution(desk: Desk): Part {
         const { length, speed } = units;
         const show = (value: number) =>
           turn ? attitude(value) : fixed(value * length.perSi, length.decimals);
-        setText(cells.unit, turn ? '°, °/s' : `${length.name}, ${speed.name}`);
+        setText(cells.unit, turn ? '°' : length.name);
+        setText(cells.rateUnit, turn ? ', °/s' : `, ${speed.name}`);
         setText(cells.actual, show(at));
         setText(cells.commanded, show(goal));
         const rate = rates[i] ?? 0;

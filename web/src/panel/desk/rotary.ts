@@ -27,7 +27,7 @@ export function rotary(desk: Desk): Rotary {
     draw();
   };
   const keys = modes.map(({ position, kind }) => {
-    const key = button({}, [el('i', { class: 'dot' }), position], () => {
+    const key = button({ 'data-calm': `mode ${position}` }, [el('i', { class: 'dot' }), position], () => {
       if (turned === position) enter();
       else turnTo(position);
     });

@@ -73,7 +73,7 @@ export function triple(letters: readonly [string, string, string]): {
   }));
   const element = el(
     'div',
-    { class: 'triple' },
+    { class: 'triple', 'data-calm': 'full' },
     ...fields.map(({ letter, value }) => el('span', { class: 'axis' }, letter, value)),
   );
   return {

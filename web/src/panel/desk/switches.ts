@@ -29,7 +29,11 @@ export function switches(desk: Desk, proceed: () => void): Switches {
       desk.send({ type: 'select_law', law }),
     ),
   );
-  const law = el('div', { class: 'switch plain', role: 'group', 'aria-label': 'Law' }, ...laws);
+  const law = el(
+    'div',
+    { class: 'switch plain', role: 'group', 'aria-label': 'Law', 'data-calm': 'full' },
+    ...laws,
+  );
   const axes = button(
     { class: 'axes', title: 'Rotate in payload axes (mode 7) or in orbiter axes (mode 4)' },
     ['Rotate in payload axes'],
@@ -40,7 +44,7 @@ export function switches(desk: Desk, proceed: () => void): Switches {
   const running = el('small', {}, 'In prog');
   const sequence = el(
     'div',
-    { class: 'switch sequence' },
+    { class: 'switch sequence', 'data-calm': 'proceed' },
     button({ class: 'proceed' }, ['Proceed', ready], proceed),
     button({ class: 'stop' }, ['Stop', running], () => desk.send({ type: 'stop' })),
   );

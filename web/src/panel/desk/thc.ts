@@ -19,7 +19,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   const coarse = button({}, ['Coarse'], () => desk.send({ type: 'select_rate', rate: 'coarse' }));
   const vernier = button({}, ['Vernier'], () => desk.send({ type: 'select_rate', rate: 'vernier' }));
   const hold = button(
-    { class: 'hold', title: 'Keep the present rates while the sticks are centred' },
+    { class: 'hold', title: 'Keep the present rates while the sticks are centred', 'data-calm': 'rate hold' },
     ['Rate hold'],
     () => desk.send({ type: 'rate_hold' }),
   );
@@ -29,7 +29,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   );
   const assignment = el(
     'div',
-    { class: 'switch flies', role: 'group', 'aria-label': 'THC moves' },
+    { class: 'switch flies', role: 'group', 'aria-label': 'THC moves', 'data-calm': 'fly orbiter' },
     arm,
     orbiter,
   );

@@ -37,7 +37,7 @@ export function snares(desk: Desk): Hand {
     el('div', { class: 'grips' }, close.element, open.element),
     el(
       'div',
-      { class: 'manual' },
+      { class: 'manual', 'data-calm': 'full' },
       el('div', { class: 'switch', role: 'group', 'aria-label': 'End effector mode' }, ...modes),
       el('div', { class: 'switch', role: 'group', 'aria-label': 'Man contr' }, ...carriage),
     ),

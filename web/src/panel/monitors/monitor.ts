@@ -43,7 +43,9 @@ export class Monitor {
   private readonly slowKey: HTMLButtonElement;
   private readonly seventiesKey: HTMLButtonElement;
   private readonly planesKey: HTMLButtonElement | null;
-  private readonly roundKey = button({ class: 'round', title: ROUND }, [], () => this.listener.round());
+  private readonly roundKey = button({ class: 'round', title: ROUND, 'data-calm': 'full' }, [], () =>
+    this.listener.round(),
+  );
   private readonly bezel: HTMLElement;
   private half = 0;
   private two = false;
@@ -65,28 +67,33 @@ export class Monitor {
       });
     this.halves = [picture(0), picture(1)];
     this.keys = cameras.map((camera) =>
-      button({ title: camera.title }, [camera.name], () => {
+      button({ title: camera.title, 'data-calm': `camera ${camera.name}` }, [camera.name], () => {
         listener.taken(this.half);
         listener.choose(camera);
       }),
     );
     this.hand = button({ class: 'hand' }, [label, el('em', {}, 'selected')], () => listener.taken(this.half));
     this.splitKey = button(
-      { title: `Show two cameras beside each other: ${nameOf('KeyZ')}` },
+      { title: `Show two cameras beside each other: ${nameOf('KeyZ')}`, 'data-calm': 'split' },
       ['Split'],
       () => {
         listener.taken(this.half);
         listener.split();
       },
     );
-    this.slowKey = button({ class: 'slow' }, [], () => listener.slow());
+    this.slowKey = button({ class: 'slow', 'data-calm': 'slow camera' }, [], () => listener.slow());
     const { seventies, planes, tearOff } = listener;
-    this.seventiesKey = button({ class: 'seventies' }, ['1972'], () => seventies?.());
+    this.seventiesKey = button({ class: 'seventies', 'data-calm': 'full' }, ['1972'], () => seventies?.());
     this.planesKey = planes ? button({ class: 'planes', title: PLANES }, ['Planes'], planes) : null;
     const off = tearOff
       ? [
           button(
-            { class: 'off', title: `Open ${label} in a secondary window`, 'aria-label': 'Own window' },
+            {
+              class: 'off',
+              title: `Open ${label} in a secondary window`,
+              'aria-label': 'Own window',
+              'data-calm': 'full',
+            },
             ['↗'],
             tearOff,
           ),

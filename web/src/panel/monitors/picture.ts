@@ -50,7 +50,7 @@ export class Picture {
   private readonly hint = el('span');
   private readonly name = el('b');
   private readonly title = el('span');
-  private readonly time = el('span', { class: 'code' });
+  private readonly time = el('span', { class: 'code', 'data-calm': 'full' });
   private readonly age = el('span');
   private readonly lens = el('span');
   private readonly stale = el('p', { class: 'stale' });
@@ -72,7 +72,7 @@ export class Picture {
       this.pane,
       el('p', { class: 'burned name' }, this.name, ' ', this.title),
       el('p', { class: 'burned time' }, this.time, this.age),
-      el('p', { class: 'burned lens' }, this.lens),
+      el('p', { class: 'burned lens', 'data-calm': 'lens' }, this.lens),
       reticle(),
       this.axes.element,
       svg('svg', { class: 'dragged', 'aria-hidden': 'true' }, this.band),

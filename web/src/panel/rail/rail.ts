@@ -5,7 +5,7 @@ import type { Appearance } from '../../page/appearance';
 import type { Tones } from '../../page/tones';
 import { missionTime } from '../../words/format';
 import { TASKS } from '../../words/task-phases';
-import { button, el, setClass, setPressed, setText } from '../parts/dom';
+import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
 import type { Desk, View } from '../parts/part';
 import { areLong, type Delays, delayWords } from './delays';
 import { initialise } from './initialise';
@@ -34,6 +34,8 @@ export interface RailParts {
   readonly naming: Naming;
   /** Button that opens and closes the guide. */
   readonly guide: HTMLElement;
+  /** Button that shows all controls and read-outs. */
+  readonly full: HTMLElement;
   /** The observer's button that asks for control. */
   readonly ask: HTMLElement;
 }
@@ -55,7 +57,7 @@ export interface Rail {
 export function rail(
   desk: Desk,
   software: boolean,
-  { tones, light, ask, appearance, scenarios, naming, guide }: RailParts,
+  { tones, light, ask, appearance, scenarios, naming, guide, full }: RailParts,
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
@@ -66,12 +68,16 @@ export function rail(
   const phases = steps.map((name) => ({ name, step: el('li', { title: name, 'aria-label': name }) }));
   const parts = initialise(desk);
   for (const { classList } of [parts.element, light.element]) classList.add('fliers');
+  setAttribute(parts.element, 'data-calm', 'full');
+  setAttribute(light.element, 'data-calm', 'light');
   const heard = sound(tones);
   const lag = el('b');
   const met = el('b');
   const recorded = recordings();
   const units = button({ title: 'Change the units of the read-outs' }, [], () => listener.units());
-  const dim = button({ title: DIM }, ['Dim'], () => appearance.set({ night: !appearance.night }));
+  const dim = button({ title: DIM, 'data-calm': 'full' }, ['Dim'], () =>
+    appearance.set({ night: !appearance.night }),
+  );
   const [delayed, takes] = [el('span'), el('b')];
   const delay = el('span', { class: 'delay', title: DELAY }, delayed, takes);
   const element = el(
@@ -84,8 +90,13 @@ export function rail(
     ...(welcome.plant === 'kinematic'
       ? []
       : [el('span', { class: 'note plant', title: PLANTS[welcome.plant] }, `${welcome.plant} arm`)]),
-    ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
-    el('span', { class: 'times' }, el('span', { class: 'lag' }, 'Stick to picture ', lag), delay),
+    ...(software ? [el('span', { class: 'note', title: SOFTWARE, 'data-calm': 'full' }, 'Low detail')] : []),
+    el(
+      'span',
+      { class: 'times', 'data-calm': 'delays' },
+      el('span', { class: 'lag' }, 'Stick to picture ', lag),
+      delay,
+    ),
     recorded.element,
     el('span', { class: 'met' }, 'MET ', met),
     naming.element,
@@ -100,8 +111,11 @@ export function rail(
       light.element,
       dim,
       guide,
-      button({ title: 'Show the input devices, their keys and axes' }, ['Controllers'], () =>
-        listener.controllers(),
+      full,
+      button(
+        { title: 'Show the input devices, their keys and axes', 'data-calm': 'controllers' },
+        ['Controllers'],
+        () => listener.controllers(),
       ),
       button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
     ),

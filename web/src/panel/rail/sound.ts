@@ -17,6 +17,7 @@ export function sound(tones: Tones): Sound {
   const volume = el('input', {
     type: 'range',
     class: 'volume',
+    'data-calm': 'full',
     min: '0',
     max: '1',
     step: '0.05',
