@@ -7,7 +7,6 @@ import re
 import pytest
 
 from aftdeck.scenario.load import built_in, load_scenario
-from aftdeck.scenario.task_step import TaskStep
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import FLIES
 from tests.browser.layout_checks import assert_tidy
@@ -28,12 +27,6 @@ NAMED = """(name) => {
 STEP = "document.querySelector('.task .steps span').textContent"
 
 
-def quoted(step: TaskStep) -> set[str]:
-    """Return the names that the texts of a step quote from the desk."""
-    texts = [step.text, *(hint.text for hint in step.hints)]
-    return {name for text in texts for name in re.findall(r"\*([^*]+)\*", text)}
-
-
 def test_parts_that_a_text_names_are_visible(open_page: OpenPage) -> None:
     flight = open_page(1440, 900)
     flight.until(f"{FLIES} && window.__aftdeck.frames > 2")
@@ -48,11 +41,15 @@ def test_parts_that_a_text_names_are_visible(open_page: OpenPage) -> None:
             flight.press_key("Open the guide")
         while present := re.fullmatch(r"(\d+) of \d+", flight.script(STEP)):
             step = scenario.steps[int(present[1]) - 1]
-            for name in quoted(step):
+            for name in re.findall(r"\*([^*]+)\*", step.text):
                 count, visible = flight.page.evaluate(NAMED, name)
                 assert visible or count == 0, f"{scenario.name}, {step.title}: {name} is hidden"
                 found += visible
             flight.press_key("Skip step")
             flight.until(f"{STEP} !== '{present[0]}'")
         assert_tidy(flight)
+        flight.page.set_viewport_size({"width": 1024, "height": 768})
+        flight.until("innerWidth === 1024")
+        assert_tidy(flight)
+        flight.page.set_viewport_size({"width": 1440, "height": 900})
     assert found >= FEWEST

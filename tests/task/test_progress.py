@@ -147,8 +147,10 @@ def test_lost_payload_returns_the_task_to_its_capture() -> None:
     sim = Simulation(scenario("srms-deploy"))
     progress = Progress(sim.scenario)
     lift = next(i for i, step in enumerate(progress.steps) if step.title == "Lift it out of the bay")
+    frame = sim.step()
     while progress.at < lift or frame.phase != "lift":
-        progress.see(frame := sim.step())
+        progress.see(frame)
+        frame = sim.step()
         assert frame.tick < 20_000
     flown(sim, progress, UP, 500)  # out of the guides; the first input of the operator ends the script
     frame = flown(sim, progress, Inputs(effector="open"))

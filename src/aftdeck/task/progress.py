@@ -47,8 +47,8 @@ class Progress:
     def see(self, frame: Frame) -> tuple[int, ...]:
         """Update the progress by the next frame; return the indices of the steps that this frame completes.
 
-        After a re-initialisation, the task begins again with the step of the same part, or with the first step. If the
-        payload that the steps before the present one have captured is lost, the task returns to the step of its capture.
+        After a re-initialisation, the task begins again with the step of the same part, or with the first step.
+        If the payload that earlier steps have captured is lost, the task returns to the step of its capture.
         """
         for event in frame.events:
             if event.kind == "initialise":
