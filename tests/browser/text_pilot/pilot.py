@@ -1,0 +1,243 @@
+"""The pilot's loop: it reads the page, decides, and presses keys until all steps are past."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+
+from playwright.sync_api import Page
+
+from tests.browser.text_pilot.decide import Act, Fly, Go, Lost, Press, Wait, decide
+from tests.browser.text_pilot.reading import Part, Reading, read
+from tests.browser.text_pilot.snapshot import parse
+
+CODES = {"full stop": ".", "comma": ",", "grave accent": "`"}
+"""Keys whose spoken name is not that of playwright."""
+MOST_TABS = 120
+"""Most presses of Tab on the way to a button."""
+PATIENCE_S = 60.0
+"""Longest wait for something that the page says, and for the effect of a key [s]."""
+STUCK_S = 8.0
+"""Longest hold of a key without an effect [s]."""
+FULL_S, RETURN_S = 0.35, 0.15
+"""Time in which a held key reaches full deflection, and from there zero after its release [s]; `docs/keys.md`."""
+MOST_LAG_S = 5.0
+"""Longest time from a look at the page to the end of the motion that the pilot expects [s]."""
+SHORT_S = 1.0
+"""Longest press without a look at the page [s]."""
+LEAST_S = 0.06
+"""Shortest press [s]."""
+
+
+@dataclass
+class Report:
+    """Figures of a run.
+
+    Attributes:
+        steps: title of each completed step, with the time at which it was completed [s].
+        result: grade and figures, as the page shows them.
+        presses: number of key presses.
+        lost: texts with which the pilot did not know what to do.
+        complete: whether the page says that all steps are done.
+    """
+
+    steps: list[tuple[str, float]] = field(default_factory=list)
+    result: str = ""
+    presses: int = 0
+    lost: list[str] = field(default_factory=list)
+    complete: bool = False
+
+
+class Pilot:
+    """A pilot at a page.
+
+    Attributes:
+        report: figures so far.
+    """
+
+    def __init__(self, page: Page, tell: bool = False) -> None:
+        self.report = Report()
+        self._page, self._tell = page, tell
+        self._speeds: dict[tuple[str, str, str], float] = {}
+        self._clock, self._lag = 0.0, 1.0  # the lag: time from a look at the page to the end of the motion [s]
+
+    def fly(self, limit_s: float) -> Report:
+        """Fly the task until all steps are past, at most for this real time [s]."""
+        end, text, pressed, since = time.monotonic() + limit_s, ("", ""), frozenset[str](), time.monotonic()
+        before = Reading()
+        while time.monotonic() < end:
+            now = self._look()
+            self._note(before, now)
+            before = now
+            if now.over and now.result:
+                break
+            if (now.title, _plain(now.text)) != text:
+                text, pressed, since = (now.title, _plain(now.text)), frozenset(), time.monotonic()
+            if now.busy:
+                since = time.monotonic()
+            act = decide(now, pressed)
+            if isinstance(act, Wait) and time.monotonic() > since + PATIENCE_S:
+                act = Lost(f"waited in vain for {act.why}")
+            if isinstance(act, Press):
+                pressed |= {act.key}
+            if isinstance(act, Lost):
+                self._lose(act.why)
+                pressed, since = frozenset(), time.monotonic()
+            self._say(f"{now.clock or 0:7.2f} {now.count} {now.title}: {act}")
+            self._do(act, now)
+        self.report.complete = before.count.startswith("All ")
+        self.report.result = before.result
+        return self.report
+
+    def _do(self, act: Act, now: Reading) -> None:
+        match act:
+            case Go(button):
+                self._go(button)
+            case Press(key, seconds):
+                with self._held(key):
+                    time.sleep(seconds)
+                time.sleep(0.3)
+            case Fly(part):
+                self._fly(part, now)
+            case Wait() | Lost():
+                time.sleep(0.5)
+
+    def _fly(self, part: Part, now: Reading) -> None:
+        """Hold the key of a component; release it in time for the motion to end where the component is zero."""
+        kind = (part.stick.lstrip("+−"), now.rate, now.to.split(":")[0])
+        speed = self._speeds.get(kind)
+        if speed is None or part.size < speed * SHORT_S:
+            self._tap(part, now, kind, speed)
+            return
+        started = began = time.monotonic()
+        left = part.size
+        with self._held(part.key):
+            while True:
+                then = self._look_at_guide()
+                read_at, there = time.monotonic(), then.part(part.key)
+                act = decide(replace(then, rate=now.rate, holds=now.holds))
+                if then.step != now.step or there is None or not isinstance(act, Fly):
+                    break
+                if there.size < left:
+                    left, began = there.size, read_at
+                if read_at > began + STUCK_S:
+                    self._lose(f"{part.key} has no effect; {self._look().alerts}")
+                    break
+                if read_at > started + 1.0:
+                    speed = max(0.7 * speed, (part.size - left) / (read_at - started - FULL_S / 2))
+                if left <= speed * self._lag:
+                    break
+        self._speeds[kind] = speed
+        at_rest = self._settle()
+        there = next((each for each in at_rest.parts if each.stick.lstrip("+−") == kind[0]), None)
+        if at_rest.step == now.step and there is not None:
+            went_on = left - (there.size if there.stick == part.stick else -there.size)
+            self._lag = min(MOST_LAG_S, max(0.5 * self._lag, 1.2 * went_on / speed, RETURN_S))
+
+    def _tap(self, part: Part, now: Reading, kind: tuple[str, str, str], speed: float | None) -> None:
+        """Press a key for a short time, and learn the speed from its effect."""
+        seconds = 0.5 if speed is None else max(LEAST_S, 0.8 * _press_s(part.size / speed))
+        if speed is None and part.size < (0.05 if not part.turns else 2.0):
+            seconds = 0.15
+        with self._held(part.key):
+            time.sleep(seconds)
+        then = self._settle()
+        there = next((each for each in then.parts if each.stick.lstrip("+−") == kind[0]), None)
+        if then.step != now.step or there is None:
+            return
+        moved = part.size - (there.size if there.stick == part.stick else -there.size)
+        if moved > 0.0:
+            found = moved / _effective_s(seconds)
+            self._speeds[kind] = found if speed is None else 0.5 * (speed + found)
+        elif speed is not None:
+            self._speeds[kind] = 0.7 * speed
+
+    def _settle(self) -> Reading:
+        """Wait until the motion that is left does not change; return what the guide says then."""
+        before, end = self._look_at_guide(), time.monotonic() + 5.0
+        while time.monotonic() < end:
+            time.sleep(0.35)
+            now = self._look_at_guide()
+            if [part.size for part in now.parts] == [part.size for part in before.parts]:
+                return now
+            before = now
+        return before
+
+    def _go(self, button: str) -> None:
+        """Press Tab until a button has the focus, then Enter."""
+        for _ in range(MOST_TABS):
+            snapshot = self._page.locator("body").aria_snapshot(mode="ai")  # names the element in focus
+            focused = [node for node in parse(snapshot).walk() if "active" in node.states]
+            if any(node.role == "button" and node.name == button for node in focused):
+                self._press("Enter")
+                time.sleep(0.5)
+                return
+            self._press("Shift+Tab" if button.startswith("Enter") else "Tab")
+        self._lose(f"Tab does not reach the button {button}")
+
+    @contextmanager
+    def _held(self, key: str) -> Iterator[None]:
+        code = CODES.get(key, key.lower() if len(key) == 1 else key)
+        self.report.presses += 1
+        self._page.keyboard.down(code)
+        yield
+        self._page.keyboard.up(code)
+
+    def _press(self, key: str) -> None:
+        self.report.presses += 1
+        self._page.keyboard.press(key)
+
+    def _look(self) -> Reading:
+        """Read the whole page."""
+        return read(self._page.locator("body").aria_snapshot())
+
+    def _look_at_guide(self) -> Reading:
+        """Read only the guide, which takes less time."""
+        guide = self._page.get_by_role("region", name="Guide")
+        return read("- region \"Guide\":\n" + "\n".join(f"  {line}" for line in guide.aria_snapshot().splitlines()[1:]))
+
+    def _note(self, before: Reading, now: Reading) -> None:
+        """Note the completion of a step."""
+        self._clock = now.clock or self._clock
+        if before.count and now.step != before.step and not before.shut:
+            skipped = _number(now) - _number(before) - 1
+            also = f" and the next {skipped}" if skipped > 0 else ""
+            self.report.steps.append((before.title + also, self._clock))
+
+    def _lose(self, why: str) -> None:
+        if [_plain(each) for each in self.report.lost[-1:]] == [_plain(why)]:
+            return
+        self._say(f"no idea: {why}")
+        self.report.lost.append(why)
+
+    def _say(self, words: str) -> None:
+        if self._tell:
+            print(words, flush=True)
+
+
+def _number(now: Reading) -> int:
+    """Return the number of the step; 0 if all are past."""
+    digits = now.count.partition(" ")[0]
+    return int(digits) if digits.isdigit() and not now.over else 0
+
+
+def _press_s(effective: float) -> float:
+    """Return how long to press a key for the same motion as full deflection for `effective` seconds [s]."""
+    low, high = 0.0, effective + FULL_S
+    for _ in range(20):
+        middle = (low + high) / 2
+        low, high = (middle, high) if _effective_s(middle) < effective else (low, middle)
+    return high
+
+
+def _effective_s(seconds: float) -> float:
+    """Return the time at full deflection that moves as far as a press of some seconds, with its two ramps [s]."""
+    peak = min(1.0, seconds / FULL_S)
+    return max(0.0, seconds - FULL_S) + peak * peak * (FULL_S + RETURN_S) / 2
+
+
+def _plain(text: str) -> str:
+    """Return a text without its numbers, which change in each frame."""
+    return "".join(letter for letter in text if not letter.isdigit() and letter not in ".−-")
