@@ -32,7 +32,6 @@ def main() -> int:
                 page = browser.new_page(viewport={"width": 1440, "height": 900})
                 page.set_default_timeout(WAIT_MS)
                 page.goto(f"{address}?quality=low")
-                page.get_by_role("button", name="Restart").wait_for()
                 report = Pilot(page, tell=given.tell).fly(given.limit)
                 page.close()
             show(scenario, report)

@@ -134,7 +134,7 @@ def _next(now: Reading) -> Part | None:
 
 def _at_rate(now: Reading, part: Part) -> Act:
     """Return the flight of a component, or first the change to the rate for it."""
-    if part.turns or not now.rate or RATE not in now.text and RATE not in dict(now.keys):
+    if part.turns or not now.rate or (RATE not in now.text and RATE not in dict(now.keys)):
         return Fly(part)
     slowly = re.search(r"\bslow(?!, fast)", now.text) is not None
     slow = part.size < (FAST_M if slowly else SLOW_M)

@@ -19,7 +19,7 @@ MOST_TABS = 120
 """Most presses of Tab on the way to a button."""
 PATIENCE_S = 60.0
 """Longest wait for something that the page says, and for the effect of a key [s]."""
-STUCK_S = 8.0
+STUCK_S = 20.0
 """Longest hold of a key without an effect [s]."""
 FULL_S, RETURN_S = 0.35, 0.15
 """Time in which a held key reaches full deflection, and from there zero after its release [s]; `docs/keys.md`."""
@@ -29,6 +29,10 @@ SHORT_S = 1.0
 """Longest press without a look at the page [s]."""
 LEAST_S = 0.06
 """Shortest press [s]."""
+UNKNOWN_S = 0.2
+"""Press for a small motion while its speed is not known [s]."""
+SMALL = (0.1, 3.0)
+"""Translation [m] and rotation [deg] that count as small while the speed is not known."""
 
 
 @dataclass
@@ -61,7 +65,7 @@ class Pilot:
         self.report = Report()
         self._page, self._tell = page, tell
         self._speeds: dict[tuple[str, str, str], float] = {}
-        self._clock, self._lag = 0.0, 1.0  # the lag: time from a look at the page to the end of the motion [s]
+        self._clock, self._lag = 0.0, 2.0  # the lag: time from a look at the page to the end of the motion [s]
 
     def fly(self, limit_s: float) -> Report:
         """Fly the task until all steps are past, at most for this real time [s]."""
@@ -72,7 +76,7 @@ class Pilot:
             self._note(before, now)
             before = now
             if now.over and now.result:
-                break
+                break  # the result appears with the next frame
             if (now.title, _plain(now.text)) != text:
                 text, pressed, since = (now.title, _plain(now.text)), frozenset(), time.monotonic()
             if now.busy:
@@ -85,7 +89,7 @@ class Pilot:
             if isinstance(act, Lost):
                 self._lose(act.why)
                 pressed, since = frozenset(), time.monotonic()
-            self._say(f"{now.clock or 0:7.2f} {now.count} {now.title}: {act}")
+            self._say(f"{self._clock:7.2f} {now.count} {now.title}: {act}")
             self._do(act, now)
         self.report.complete = before.count.startswith("All ")
         self.report.result = before.result
@@ -107,16 +111,18 @@ class Pilot:
     def _fly(self, part: Part, now: Reading) -> None:
         """Hold the key of a component; release it in time for the motion to end where the component is zero."""
         kind = (part.stick.lstrip("+−"), now.rate, now.to.split(":")[0])
-        speed = self._speeds.get(kind)
-        if speed is None or part.size < speed * SHORT_S:
-            self._tap(part, now, kind, speed)
+        known = self._speeds.get(kind)
+        if part.size < (SMALL[part.turns] if known is None else known * SHORT_S):
+            self._tap(part, now, kind, known)
             return
+        speed = known or 0.0
         started = began = time.monotonic()
         left = part.size
         with self._held(part.key):
             while True:
                 then = self._look_at_guide()
                 read_at, there = time.monotonic(), then.part(part.key)
+                self._say(f"        holds {part.key}: {there and there.size} left, speed {speed:.3f}, lag {self._lag:.2f}")
                 act = decide(replace(then, rate=now.rate, holds=now.holds))
                 if then.step != now.step or there is None or not isinstance(act, Fly):
                     break
@@ -129,8 +135,10 @@ class Pilot:
                     speed = max(0.7 * speed, (part.size - left) / (read_at - started - FULL_S / 2))
                 if left <= speed * self._lag:
                     break
-        self._speeds[kind] = speed
         at_rest = self._settle()
+        if speed == 0.0:
+            return
+        self._speeds[kind] = speed
         there = next((each for each in at_rest.parts if each.stick.lstrip("+−") == kind[0]), None)
         if at_rest.step == now.step and there is not None:
             went_on = left - (there.size if there.stick == part.stick else -there.size)
@@ -138,9 +146,7 @@ class Pilot:
 
     def _tap(self, part: Part, now: Reading, kind: tuple[str, str, str], speed: float | None) -> None:
         """Press a key for a short time, and learn the speed from its effect."""
-        seconds = 0.5 if speed is None else max(LEAST_S, 0.8 * _press_s(part.size / speed))
-        if speed is None and part.size < (0.05 if not part.turns else 2.0):
-            seconds = 0.15
+        seconds = UNKNOWN_S if speed is None else max(LEAST_S, 0.8 * _press_s(part.size / speed))
         with self._held(part.key):
             time.sleep(seconds)
         then = self._settle()
@@ -196,7 +202,7 @@ class Pilot:
     def _look_at_guide(self) -> Reading:
         """Read only the guide, which takes less time."""
         guide = self._page.get_by_role("region", name="Guide")
-        return read("- region \"Guide\":\n" + "\n".join(f"  {line}" for line in guide.aria_snapshot().splitlines()[1:]))
+        return read('- region "Guide":\n' + "\n".join(f"  {line}" for line in guide.aria_snapshot().splitlines()[1:]))
 
     def _note(self, before: Reading, now: Reading) -> None:
         """Note the completion of a step."""

@@ -107,9 +107,7 @@ def read(snapshot: str) -> Reading:
         shut=shut,
         rate=next((node.name for node in page.first("group", "Rate").children if "pressed" in node.states), ""),
         holds=tuple(
-            (found["key"], float(found["seconds"]))
-            for node in page.all("button")
-            if (found := _HOLD.match(node.name))
+            (found["key"], float(found["seconds"])) for node in page.all("button") if (found := _HOLD.match(node.name))
         ),
         busy=_busy(page),
         result=_result(step),

@@ -7,7 +7,9 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-_LINE = re.compile(r'(?P<role>[\w/]+)(?: (?P<name>"(?:[^"\\]|\\.)*"))?(?P<states>(?: \[[^]]*\])*)(?::(?: (?P<text>.*))?)?$')
+_LINE = re.compile(
+    r'(?P<role>[\w/]+)(?: (?P<name>"(?:[^"\\]|\\.)*"))?(?P<states>(?: \[[^]]*\])*)(?::(?: (?P<text>.*))?)?$'
+)
 
 
 @dataclass
