@@ -23,8 +23,10 @@ STUCK_S = 20.0
 """Longest hold of a key without an effect [s]."""
 FULL_S, RETURN_S = 0.35, 0.15
 """Time in which a held key reaches full deflection, and from there zero after its release [s]; `docs/keys.md`."""
-MOST_LAG_S = 5.0
-"""Longest time from a look at the page to the end of the motion that the pilot expects [s]."""
+FIRST_LAG_S, MOST_LAG_S = 2.0, 15.0
+"""Time from a look at the page to the end of the motion [s]: as expected at first, and the longest."""
+WINDOW_S = 2.0
+"""Time over which the present speed is measured [s]."""
 SHORT_S = 1.0
 """Longest press without a look at the page [s]."""
 LEAST_S = 0.06
@@ -33,6 +35,10 @@ UNKNOWN_S = 0.2
 """Press for a small motion while its speed is not known [s]."""
 SMALL = (0.1, 3.0)
 """Translation [m] and rotation [deg] that count as small while the speed is not known."""
+
+
+Kind = tuple[str, str, str]
+"""Kind of motion: axis, rate and place. Each has its own speed and lag."""
 
 
 @dataclass
@@ -64,8 +70,9 @@ class Pilot:
     def __init__(self, page: Page, tell: bool = False) -> None:
         self.report = Report()
         self._page, self._tell = page, tell
-        self._speeds: dict[tuple[str, str, str], float] = {}
-        self._clock, self._lag = 0.0, 2.0  # the lag: time from a look at the page to the end of the motion [s]
+        self._speeds: dict[Kind, float] = {}
+        self._lags: dict[Kind, float] = {}
+        self._clock = 0.0
 
     def fly(self, limit_s: float) -> Report:
         """Fly the task until all steps are past, at most for this real time [s]."""
@@ -116,40 +123,40 @@ class Pilot:
             self._tap(part, now, kind, known)
             return
         speed = known or 0.0
-        started = began = time.monotonic()
-        left = part.size
+        seen = [(time.monotonic(), part.size)]
         with self._held(part.key):
             while True:
                 then = self._look_at_guide()
-                read_at, there = time.monotonic(), then.part(part.key)
-                self._say(f"        holds {part.key}: {there and there.size} left, speed {speed:.3f}, lag {self._lag:.2f}")
-                act = decide(replace(then, rate=now.rate, holds=now.holds))
+                there, act = then.part(part.key), decide(replace(then, rate=now.rate, holds=now.holds))
                 if then.step != now.step or there is None or not isinstance(act, Fly):
                     break
-                if there.size < left:
-                    left, began = there.size, read_at
-                if read_at > began + STUCK_S:
+                self._say(f"        {part.key}: {there.size:.2f} left, speed {speed:.3f}")
+                if there.size < seen[-1][1]:
+                    seen.append((time.monotonic(), there.size))
+                    speed = _speed(seen, speed)
+                if time.monotonic() > seen[-1][0] + STUCK_S:
                     self._lose(f"{part.key} has no effect; {self._look().alerts}")
                     break
-                if read_at > started + 1.0:
-                    speed = max(0.7 * speed, (part.size - left) / (read_at - started - FULL_S / 2))
-                if left <= speed * self._lag:
+                if kind not in self._lags and there.size < part.size / 2:
+                    break  # half-way, to learn how far the motion goes on
+                if there.size <= speed * self._lags.get(kind, FIRST_LAG_S):
                     break
-        at_rest = self._settle()
+        at_rest = self._settle(kind)
         if speed == 0.0:
             return
         self._speeds[kind] = speed
         there = next((each for each in at_rest.parts if each.stick.lstrip("+−") == kind[0]), None)
         if at_rest.step == now.step and there is not None:
-            went_on = left - (there.size if there.stick == part.stick else -there.size)
-            self._lag = min(MOST_LAG_S, max(0.5 * self._lag, 1.2 * went_on / speed, RETURN_S))
+            went_on = seen[-1][1] - (there.size if there.stick == part.stick else -there.size)
+            lag = self._lags.get(kind, FIRST_LAG_S)
+            self._lags[kind] = min(MOST_LAG_S, max(0.5 * lag, 1.2 * went_on / speed, RETURN_S))
 
-    def _tap(self, part: Part, now: Reading, kind: tuple[str, str, str], speed: float | None) -> None:
+    def _tap(self, part: Part, now: Reading, kind: Kind, speed: float | None) -> None:
         """Press a key for a short time, and learn the speed from its effect."""
         seconds = UNKNOWN_S if speed is None else max(LEAST_S, 0.8 * _press_s(part.size / speed))
         with self._held(part.key):
             time.sleep(seconds)
-        then = self._settle()
+        then = self._settle(kind)
         there = next((each for each in then.parts if each.stick.lstrip("+−") == kind[0]), None)
         if then.step != now.step or there is None:
             return
@@ -160,15 +167,15 @@ class Pilot:
         elif speed is not None:
             self._speeds[kind] = 0.7 * speed
 
-    def _settle(self) -> Reading:
+    def _settle(self, kind: Kind) -> Reading:
         """Wait until the motion that is left does not change; return what the guide says then."""
-        before, end = self._look_at_guide(), time.monotonic() + 5.0
-        while time.monotonic() < end:
-            time.sleep(0.35)
+        still_s = 0.4 + self._lags.get(kind, 0.0) / 3
+        before, since, end = self._look_at_guide(), time.monotonic(), time.monotonic() + MOST_LAG_S
+        while time.monotonic() < min(since + still_s, end):
+            time.sleep(0.1)
             now = self._look_at_guide()
-            if [part.size for part in now.parts] == [part.size for part in before.parts]:
-                return now
-            before = now
+            if [part.size for part in now.parts] != [part.size for part in before.parts]:
+                before, since = now, time.monotonic()
         return before
 
     def _go(self, button: str) -> None:
@@ -221,6 +228,14 @@ class Pilot:
     def _say(self, words: str) -> None:
         if self._tell:
             print(words, flush=True)
+
+
+def _speed(seen: list[tuple[float, float]], known: float) -> float:
+    """Return the present speed, from times and sizes; at first the known speed."""
+    time_s, size = seen[-1]
+    then = next((each for each in reversed(seen) if each[0] <= time_s - WINDOW_S), seen[0])
+    elapsed = time_s - then[0]
+    return known if elapsed < 0.8 else max(0.5 * known, (then[1] - size) / elapsed)
 
 
 def _number(now: Reading) -> int:

@@ -53,7 +53,7 @@ class Reading:
         holds: keys that have to be held, each with its time [s].
         busy: mechanism that moves; empty if none does.
         result: grade and faults; empty before the end.
-        alerts: what the page reports at once.
+        alerts: what the lamps and the newest events report.
     """
 
     clock: float | None = None
@@ -111,7 +111,7 @@ def read(snapshot: str) -> Reading:
         ),
         busy=_busy(page),
         result=_result(step),
-        alerts=" ".join(words for node in page.all("alert") if (words := node.words())),
+        alerts=_alerts(page),
     )
 
 
@@ -139,6 +139,14 @@ def _busy(page: Node) -> str:
     """Return the mechanism that moves, with its remaining time: `payload latches open, 12 s`."""
     found = re.match(r"End effector (.*, \d+ s)\b", page.first("region", "End effector").name)
     return found[1] if found else ""
+
+
+def _alerts(page: Node) -> str:
+    """Return what the lamps and the newest events report."""
+    lamps = page.first("region", "Lamps")
+    events = page.first("region", "Events").all("listitem")[:2]
+    texts = [*lamps.all("paragraph"), *lamps.all("alert"), page.first("status", "Inhibited"), *events]
+    return "; ".join(words for node in texts if (words := node.words()))
 
 
 def _result(step: Node) -> str:
