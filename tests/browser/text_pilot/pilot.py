@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 
-from playwright.sync_api import Page
+from playwright.sync_api import Page, TimeoutError
 
 from tests.browser.text_pilot.decide import Act, Fly, Go, Lost, Press, Wait, decide
 from tests.browser.text_pilot.reading import Part, Reading, read
@@ -19,6 +19,8 @@ MOST_TABS = 120
 """Most presses of Tab on the way to a button."""
 PATIENCE_S = 60.0
 """Longest wait for something that the page says, and for the effect of a key [s]."""
+BLIND_S = 2.0
+"""Longest wait for a look at the page while a key is held; then the key is released [s]."""
 STUCK_S = 20.0
 """Longest hold of a key without an effect [s]."""
 FULL_S, RETURN_S = 0.35, 0.15
@@ -31,10 +33,12 @@ SHORT_S = 1.0
 """Longest press without a look at the page [s]."""
 LEAST_S = 0.06
 """Shortest press [s]."""
-UNKNOWN_S = 0.2
-"""Press for a small motion while its speed is not known [s]."""
+UNKNOWN_S = (0.2, 0.8)
+"""First press for a small and for a large motion, whose speed is not known [s]."""
+SLOWEST = 0.01
+"""Speed after a press without an effect [m/s, deg/s]."""
 SMALL = (0.1, 3.0)
-"""Translation [m] and rotation [deg] that count as small while the speed is not known."""
+"""Translation [m] and rotation [deg] that count as small."""
 
 
 Kind = tuple[str, str, str]
@@ -119,14 +123,17 @@ class Pilot:
         """Hold the key of a component; release it in time for the motion to end where the component is zero."""
         kind = (part.stick.lstrip("+−"), now.rate, now.to.split(":")[0])
         known = self._speeds.get(kind)
-        if part.size < (SMALL[part.turns] if known is None else known * SHORT_S):
+        if known is None or part.size < known * SHORT_S:
             self._tap(part, now, kind, known)
             return
-        speed = known or 0.0
+        speed = known
         seen = [(time.monotonic(), part.size)]
         with self._held(part.key):
             while True:
-                then = self._look_at_guide()
+                try:
+                    then = self._look_at_guide(BLIND_S)
+                except TimeoutError:
+                    break
                 there, act = then.part(part.key), decide(replace(then, rate=now.rate, holds=now.holds))
                 if then.step != now.step or there is None or not isinstance(act, Fly):
                     break
@@ -142,8 +149,6 @@ class Pilot:
                 if there.size <= speed * self._lags.get(kind, FIRST_LAG_S):
                     break
         at_rest = self._settle(kind)
-        if speed == 0.0:
-            return
         self._speeds[kind] = speed
         there = next((each for each in at_rest.parts if each.stick.lstrip("+−") == kind[0]), None)
         if at_rest.step == now.step and there is not None:
@@ -153,7 +158,8 @@ class Pilot:
 
     def _tap(self, part: Part, now: Reading, kind: Kind, speed: float | None) -> None:
         """Press a key for a short time, and learn the speed from its effect."""
-        seconds = UNKNOWN_S if speed is None else max(LEAST_S, 0.8 * _press_s(part.size / speed))
+        unknown_s = UNKNOWN_S[part.size > SMALL[part.turns]]
+        seconds = unknown_s if speed is None else max(LEAST_S, 0.8 * _press_s(part.size / speed))
         with self._held(part.key):
             time.sleep(seconds)
         then = self._settle(kind)
@@ -164,8 +170,8 @@ class Pilot:
         if moved > 0.0:
             found = moved / _effective_s(seconds)
             self._speeds[kind] = found if speed is None else 0.5 * (speed + found)
-        elif speed is not None:
-            self._speeds[kind] = 0.7 * speed
+        else:
+            self._speeds[kind] = SLOWEST if speed is None else 0.7 * speed
 
     def _settle(self, kind: Kind) -> Reading:
         """Wait until the motion that is left does not change; return what the guide says then."""
@@ -195,8 +201,10 @@ class Pilot:
         code = CODES.get(key, key.lower() if len(key) == 1 else key)
         self.report.presses += 1
         self._page.keyboard.down(code)
-        yield
-        self._page.keyboard.up(code)
+        try:
+            yield
+        finally:
+            self._page.keyboard.up(code)
 
     def _press(self, key: str) -> None:
         self.report.presses += 1
@@ -206,10 +214,14 @@ class Pilot:
         """Read the whole page."""
         return read(self._page.locator("body").aria_snapshot())
 
-    def _look_at_guide(self) -> Reading:
-        """Read only the guide, which takes less time."""
+    def _look_at_guide(self, limit_s: float = PATIENCE_S) -> Reading:
+        """Read only the guide, which takes less time.
+
+        Raises:
+            TimeoutError: the page has not answered in this time.
+        """
         guide = self._page.get_by_role("region", name="Guide")
-        return read('- region "Guide":\n' + "\n".join(f"  {line}" for line in guide.aria_snapshot().splitlines()[1:]))
+        return read(guide.aria_snapshot(timeout=limit_s * 1000.0))
 
     def _note(self, before: Reading, now: Reading) -> None:
         """Note the completion of a step."""
@@ -235,7 +247,8 @@ def _speed(seen: list[tuple[float, float]], known: float) -> float:
     time_s, size = seen[-1]
     then = next((each for each in reversed(seen) if each[0] <= time_s - WINDOW_S), seen[0])
     elapsed = time_s - then[0]
-    return known if elapsed < 0.8 else max(0.5 * known, (then[1] - size) / elapsed)
+    newest = (seen[-2][1] - size) / max(time_s - seen[-2][0], 0.4)
+    return known if elapsed < 0.8 else max(0.5 * known, (then[1] - size) / elapsed, newest)
 
 
 def _number(now: Reading) -> int:
