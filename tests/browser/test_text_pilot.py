@@ -9,9 +9,9 @@ from tests.browser.text_pilot.decide import Fly, Go, Lost, Press, Wait, decide
 from tests.browser.text_pilot.pilot import Pilot
 from tests.browser.text_pilot.reading import Part, Reading, read
 
-SCENARIO = "srms-deploy"
+SCENARIO = "tutorial"
 LIMIT_S = 1200.0
-"""Longest flight [s]; it takes two minutes on a machine that is not busy."""
+"""Longest flight [s]; it takes about three minutes on a machine that is not busy."""
 
 GUIDE = """\
 - paragraph: 00:01:04.50 live
@@ -21,6 +21,10 @@ GUIDE = """\
 - button "Capture G, hold 0.3 s": Capture G
 - region "End effector latches open, 7 s SPEC 94":
   - heading "End effector latches open, 7 s SPEC 94" [level=2]
+- region "Clearance":
+  - list:
+    - listitem "Palm touches receptacle, 0.3 in deep"
+    - 'listitem "Escape: THC −Z (Q)"'
 - region "Guide":
   - text: 2 of 6
   - 'group "To over pin: 6.7 ft, 0.0°; +X (W) 6.6 ft, −Y (A) 12 in."':
@@ -58,7 +62,7 @@ def test_reading_has_the_step_its_keys_and_the_motion_left() -> None:
     ]
     assert [part.size for part in now.parts] == pytest.approx([2.01168, 0.3048, 0.0, 1.5])
     assert (now.clock, now.rate, now.enter, now.busy) == (64.5, "Vernier", "Enter END EFF", "latches open, 7 s")
-    assert now.holds == (("G", 0.3),)
+    assert (now.holds, now.escape) == ((("G", 0.3),), "Q")
 
 
 def step(text: str = "", keys: str = "WSADQE", sizes: dict[str, float] | None = None, **other: object) -> Reading:
@@ -88,6 +92,7 @@ def test_pilot_does_what_the_text_says() -> None:
     assert isinstance(decide(step("Keep still.", sizes={"W": 1.0})), Wait)
     assert decide(step(enter="Enter ORB LD", sizes={"W": 1.0})) == Go("Enter ORB LD")
     assert decide(step("V for slow rates.", sizes={"W": 0.2}, rate="Coarse")) == Press("V")
+    assert decide(step("Hold W.", sizes={"W": 1.0}, escape="S")) == Press("S", 0.4)
     assert isinstance(decide(step("Turn it.", sizes={"I": 5.0})), Lost)
 
 

@@ -19,6 +19,8 @@ SLOW_M, FAST_M = 0.3, 0.6
 """Distance [m] below which the pilot changes to vernier rates, and above which it changes back."""
 HOLD_S = 1.0
 """Time for which a key is held if the page does not say how long [s]."""
+ESCAPE_S = 0.4
+"""Press of a key that leads out of a contact [s]."""
 _WAITS = re.compile(r"\bwait\b|\bdo not move\b|\bkeep still\b|\bcome to rest\b|\bis closing\b|\bare closing\b", re.I)
 _COMMAND = re.compile(r"\b(?P<verb>[Hh]old|[Pp]ress) (?P<key>full stop|comma|Space|[A-Z`])(?=[\s,.;:)]|$)")
 
@@ -79,6 +81,8 @@ def decide(now: Reading, pressed: frozenset[str] = frozenset()) -> Act:
         return Go(now.enter)
     if now.busy:
         return Wait(now.busy)
+    if now.escape:
+        return Press(now.escape, ESCAPE_S)
     for verb, key in commands(now):
         if key in STICK_KEYS or key in pressed:
             continue

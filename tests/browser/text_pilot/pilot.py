@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 from playwright.sync_api import Page, TimeoutError
 
-from tests.browser.text_pilot.decide import Act, Fly, Go, Lost, Press, Wait, decide
+from tests.browser.text_pilot.decide import STICK_KEYS, Act, Fly, Go, Lost, Press, Wait, decide
 from tests.browser.text_pilot.reading import Part, Reading, read
 from tests.browser.text_pilot.snapshot import parse
 
@@ -95,7 +95,7 @@ class Pilot:
             act = decide(now, pressed)
             if isinstance(act, Wait) and time.monotonic() > since + PATIENCE_S:
                 act = Lost(f"waited in vain for {act.why}")
-            if isinstance(act, Press):
+            if isinstance(act, Press) and act.key not in STICK_KEYS:
                 pressed |= {act.key}
             if isinstance(act, Lost):
                 self._lose(act.why)

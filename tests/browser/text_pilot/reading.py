@@ -51,6 +51,7 @@ class Reading:
         shut: whether only the line shows the step, without its keys.
         rate: `Coarse` or `Vernier`; empty if the page does not say it.
         holds: keys that have to be held, each with its time [s].
+        escape: key that leads out of a contact; empty if none is named.
         busy: mechanism that moves; empty if none does.
         result: grade and faults; empty before the end.
         alerts: what the lamps and the newest events report.
@@ -67,6 +68,7 @@ class Reading:
     shut: bool = False
     rate: str = ""
     holds: tuple[tuple[str, float], ...] = ()
+    escape: str = ""
     busy: str = ""
     result: str = ""
     alerts: str = ""
@@ -109,6 +111,7 @@ def read(snapshot: str) -> Reading:
         holds=tuple(
             (found["key"], float(found["seconds"])) for node in page.all("button") if (found := _HOLD.match(node.name))
         ),
+        escape=_escape(page),
         busy=_busy(page),
         result=_result(step),
         alerts=_alerts(page),
@@ -133,6 +136,12 @@ def _part(item: Node) -> Part:
     if not found:
         raise ValueError(f"{item.words()!r} is not a component; expected a key, a number and a unit")
     return Part(stick, found["key"] or "", float(found["value"]) * UNITS[found["unit"]], bool(rest))
+
+
+def _escape(page: Node) -> str:
+    """Return the key of the newest `Escape: THC −X (S)`."""
+    found = (re.match(r"Escape: .*\((.+)\)", node.name) for node in page.all("listitem", "Escape: "))
+    return next((match[1] for match in found if match), "")
 
 
 def _busy(page: Node) -> str:
