@@ -19,6 +19,10 @@ MOST_TABS = 120
 """Most presses of Tab on the way to a button."""
 PATIENCE_S = 60.0
 """Longest wait for something that the page says, and for the effect of a key [s]."""
+BACK = dict(zip("WSADQEIKJLUO", "SWDAEQKILJOU", strict=True))
+"""Opposite of each key that moves the arm."""
+BACK_S = 1.0
+"""Press of a key that backs out of a contact [s]."""
 BLIND_S = 2.0
 """Longest wait for a look at the page while a key is held; then the key is released [s]."""
 STUCK_S = 20.0
@@ -76,7 +80,7 @@ class Pilot:
         self._page, self._tell = page, tell
         self._speeds: dict[Kind, float] = {}
         self._lags: dict[Kind, float] = {}
-        self._clock = 0.0
+        self._clock, self._last = 0.0, ""  # the last key with an effect
 
     def fly(self, limit_s: float) -> Report:
         """Fly the task until all steps are past, at most for this real time [s]."""
@@ -127,7 +131,7 @@ class Pilot:
             self._tap(part, now, kind, known)
             return
         speed = known
-        seen = [(time.monotonic(), part.size)]
+        seen, stuck = [(time.monotonic(), part.size)], False
         with self._held(part.key):
             while True:
                 try:
@@ -143,11 +147,16 @@ class Pilot:
                     speed = _speed(seen, speed)
                 if time.monotonic() > seen[-1][0] + STUCK_S:
                     self._lose(f"{part.key} has no effect; {self._look().alerts}")
+                    stuck = True
                     break
                 if kind not in self._lags and there.size < part.size / 2:
                     break  # half-way, to learn how far the motion goes on
                 if there.size <= speed * self._lags.get(kind, FIRST_LAG_S):
                     break
+        if stuck and self._last in BACK:  # a contact may hold the arm: back out on the way by which it came
+            self._do(Press(BACK[self._last], BACK_S), now)
+        if not stuck:
+            self._last = part.key
         at_rest = self._settle(kind)
         self._speeds[kind] = speed
         there = next((each for each in at_rest.parts if each.stick.lstrip("+−") == kind[0]), None)
