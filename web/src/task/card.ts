@@ -7,7 +7,7 @@ import type { Units } from '../words/units';
 import { type DebriefListener, DebriefView } from './debrief';
 import { padDrawing } from './pad';
 import { goElement } from './to-go';
-import { MarkedText, type Piece } from './words';
+import { keyElement, MarkedText, type Piece } from './words';
 
 export interface CardListener extends DebriefListener {
   back(): void;
@@ -42,7 +42,7 @@ export class Card {
   private readonly modeWords = el('span');
   private readonly enter: HTMLButtonElement;
   private readonly next = el('p', { class: 'next' });
-  private readonly caps = el('div', { class: 'caps' });
+  private readonly caps = el('div', { class: 'caps', role: 'list', 'aria-label': 'Controls of this step' });
   private readonly drawing = padDrawing();
   private readonly back: HTMLButtonElement;
   private readonly skip: HTMLButtonElement;
@@ -137,7 +137,7 @@ export class Card {
     setClass(this.caps, 'many', there.length > 6);
     this.lights = there.map(({ use, does }) => ({
       use,
-      cap: el('kbd', {}, el('b', {}, this.inHand.name(use)), el('small', {}, does)),
+      cap: el('kbd', { role: 'listitem' }, keyElement(this.inHand.name(use)), el('small', {}, does)),
     }));
     this.caps.replaceChildren(...this.lights.map(({ cap }) => cap));
   }

@@ -104,7 +104,7 @@ export function goElement() {
         if (!each) return;
         setText(cell.handle, each.handle);
         setText(cell.value, each.value);
-        setAttribute(cell.element, 'title', each.stick);
+        setAttribute(cell.element, 'title', each.near ? `${each.stick}, within tolerance` : each.stick);
         setClass(cell.element, 'near', each.near);
       });
     },

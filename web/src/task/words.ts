@@ -24,6 +24,20 @@ export interface Marked {
 
 /** Text in place of a failing condition if there is none. */
 const NONE = 'nothing to capture is near';
+/** Names of keys that a screen reader would skip, because they are marks of punctuation. */
+const SPOKEN: Readonly<Record<string, string>> = {
+  '.': 'full stop',
+  ',': 'comma',
+  ';': 'semicolon',
+  '’': 'apostrophe',
+  '`': 'grave accent',
+  '−': 'minus',
+  '=': 'equals',
+  '[': 'left bracket',
+  ']': 'right bracket',
+  '/': 'slash',
+  '\\': 'backslash',
+};
 const LENGTH = /^([\d.e+-]+) m$/;
 
 /** Splits a text into pieces; lengths and the failing condition become plain text, functions keep their names. */
@@ -62,8 +76,14 @@ export class MarkedText {
   /** Returns a piece as a node: keys and quoted texts are emphasised. */
   private node({ kind, text }: Piece): Node | string {
     if (kind === 'text') return text;
-    return kind === 'use' ? el('b', {}, this.inHand.name(text) || '–') : el('em', {}, text);
+    return kind === 'use' ? keyElement(this.inHand.name(text) || '–') : el('em', {}, text);
   }
+}
+
+/** Makes an element with the name of a key, button or axis. */
+export function keyElement(name: string): HTMLElement {
+  const spoken = SPOKEN[name];
+  return el('b', spoken ? { role: 'img', 'aria-label': spoken } : {}, name);
 }
 
 /** Returns the text and the functions of the present step: its own, or those of the hint that applies. */
