@@ -121,6 +121,12 @@ class Flight:
         self.page.keyboard.type(name)
         self.press("Enter")
 
+    def resize(self, width: int, height: int) -> None:
+        """Resize the window, and wait until the page is drawn in the new size."""
+        self.page.set_viewport_size({"width": width, "height": height})
+        drawn = self.script("window.__aftdeck.frames")
+        self.until(f"innerWidth === {width} && window.__aftdeck.frames > {drawn + 2}")
+
     def choose(self, title: str) -> None:
         """Load a scenario from the page's list, and wait for its first pictures."""
         self.page.locator(".rail .scenario > button").click()

@@ -82,7 +82,5 @@ def test_key_of_a_function_and_a_lamp_show_their_parts(open_page: OpenPage) -> N
 def test_calm_page_is_tidy_at_all_sizes(open_page: OpenPage) -> None:
     flight = open_page(1440, 900).from_the_start()
     for width, height in SIZES:
-        flight.page.set_viewport_size({"width": width, "height": height})
-        drawn = flight.script("window.__aftdeck.frames")
-        flight.until(f"innerWidth === {width} && window.__aftdeck.frames > {drawn + 2}")
+        flight.resize(width, height)
         assert_tidy(flight)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from tests.browser.conftest import OpenPage
-from tests.browser.flight import Flight
 from tests.browser.layout_checks import assert_tidy, collisions
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -39,18 +38,11 @@ CUT = """() => {
 def test_texts_are_inside_their_boxes_at_all_sizes(open_page: OpenPage) -> None:
     flight = open_page(*SIZES[0]).from_the_start()
     for width, height in SIZES:
-        resize(flight, width, height)
+        flight.resize(width, height)
         assert_tidy(flight)
         if width >= 1440:
             flight.script(LIGHT)
             assert flight.script(CUT) == [], f"at {width} x {height}"
     for width, height in ZOOMED:
-        resize(flight, width, height)
+        flight.resize(width, height)
         assert collisions(flight) == [], f"at {width} x {height}, 200 %"
-
-
-def resize(flight: Flight, width: int, height: int) -> None:
-    """Resize the window, and wait until the page is drawn in the new size."""
-    flight.page.set_viewport_size({"width": width, "height": height})
-    drawn = flight.script("window.__aftdeck.frames")
-    flight.until(f"innerWidth === {width} && window.__aftdeck.frames > {drawn + 2}")

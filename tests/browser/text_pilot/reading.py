@@ -10,7 +10,7 @@ from tests.browser.text_pilot.snapshot import Node, parse
 UNITS = {"in": 0.0254, "ft": 0.3048, "cm": 0.01, "m": 1.0, "°": 1.0}
 """Each unit of a component in metres or degrees."""
 _PART = re.compile(r"(?:(?P<key>.+) )?(?P<value>[\d.]+) ?(?P<unit>in|ft|cm|m|°)$")
-_CLOCK = re.compile(r"(\d\d):(\d\d):(\d\d\.\d\d) live")
+_CLOCK = re.compile(r"MET (\d+)/(\d+):(\d\d):(\d\d)")
 _HOLD = re.compile(r"\w+ (?P<key>.+), hold (?P<seconds>[\d.]+) s$")
 
 
@@ -41,7 +41,7 @@ class Reading:
     """What the page says.
 
     Attributes:
-        clock: time on the picture of the first monitor [s]; None if it is not there.
+        clock: mission elapsed time [s]; None if it is not there.
         count: number of the step, `2 of 6`.
         title, text: the step.
         keys: keys of the step, each with its effect.
@@ -119,8 +119,11 @@ def read(snapshot: str) -> Reading:
 
 
 def _clock(page: Node) -> float | None:
-    found = next((at for node in page.all("paragraph") if (at := _CLOCK.match(node.words()))), None)
-    return None if found is None else int(found[1]) * 3600 + int(found[2]) * 60 + float(found[3])
+    found = _CLOCK.search(page.first("banner").words())
+    if found is None:
+        return None
+    days, hours, minutes, seconds = (int(part) for part in found.groups())
+    return float(((days * 24 + hours) * 60 + minutes) * 60 + seconds)
 
 
 def _key(words: str) -> tuple[str, str]:

@@ -20,6 +20,8 @@ export interface Acting {
   readonly sheets: readonly Sheet[];
   stop(): void;
   changeRate(): void;
+  /** Enters the selected mode or, if none is selected, the mode that the task needs. */
+  enterMode(): void;
   holdRate(): void;
   acknowledge(): void;
   mute(): void;
@@ -47,7 +49,7 @@ export function act(action: Action, by: Acting): void {
       groups.mode.turn(action.by);
       break;
     case 'enter':
-      groups.mode.enter();
+      by.enterMode();
       break;
     case 'turn joint':
       groups.mode.turnJoint(action.by);

@@ -111,13 +111,15 @@ export class Operations {
   }
 
   act(action: Action): void {
-    const { groups, pictures, light, controlPage, keys, sheet, rail, operator, tones, calm } = this.parts;
+    const { groups, pictures, light, controlPage, keys, sheet, rail, operator, tones, calm, task } =
+      this.parts;
     calm.use(action.name === 'grip' ? action.grip : action.name);
     act(action, {
       ...{ groups, pictures, light, controlPage, keys },
       sheets: [sheet, rail],
       stop: () => this.stop(),
       changeRate: () => this.changeRate(),
+      enterMode: () => groups.mode.enter() || task.enterMode(),
       holdRate: () => this.send({ type: 'rate_hold' }),
       acknowledge: () => this.acknowledge(),
       mute: () => tones.set({ muted: !tones.muted }),

@@ -101,7 +101,9 @@ export class Card {
     this.words.set(pieces);
     this.note.set(over ? [] : this.noteWords);
     this.mode.hidden = needs === '';
-    setText(this.modeWords, `The mode is ${mode}; this step needs ${needs}.`);
+    const key = this.inHand.name('enter');
+    const press = key === '' ? '' : ` Press ${key}:`;
+    setText(this.modeWords, `The mode is ${mode}; this step needs ${needs}.${press}`);
     setText(this.enter, `Enter ${needs}`);
     this.note.element.hidden = !this.mode.hidden;
     const following = titles[at + 1] ?? '';

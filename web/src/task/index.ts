@@ -10,6 +10,7 @@ import type { Desk, View } from '../panel/parts/part';
 import { durationText } from '../words/format';
 import { Card, countWords } from './card';
 import { Line } from './line';
+import { barred, modeHint, moving } from './state-words';
 import { type Piece, pieces, present } from './words';
 
 /** Built-in scenario for beginners. */
@@ -95,20 +96,26 @@ export class Task {
     const shown = step ? present(step, task) : null;
     const [title, words] =
       step && shown ? [step.title, shown.text] : this.exists ? ending(task) : ['', welcome.text];
+    this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
+    const said = [
+      ...barred(frame, welcome.joints, this.inHand),
+      ...pieces(words, marked),
+      ...moving(frame.motions),
+    ];
     if (!this.open) {
-      this.line.set(this.exists ? countWords(task.at, done) : '', title, pieces(words, marked));
+      const first = this.needs === '' ? [] : modeHint(this.needs);
+      this.line.set(this.exists ? countWords(task.at, done) : '', title, [...first, ...said]);
       this.line.setGo(to_go, units);
       return;
     }
     if (shown) this.drawCaps(task, shown);
     else setAttribute(document.body, 'data-step', '');
-    this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
     this.card.set({
       at: task.at,
       titles: this.titles,
       done,
       title,
-      pieces: pieces(words, marked),
+      pieces: said,
       needs: this.needs,
       mode: frame.mode,
     });
@@ -138,7 +145,8 @@ export class Task {
     else this.listener.flyIt(TUTORIAL);
   }
 
-  private enterMode(): void {
+  /** Enters the mode that the present step needs, if another one is entered. */
+  enterMode(): void {
     if (this.needs !== '') this.desk.send({ type: 'enter_mode', mode: this.needs });
   }
 

@@ -4,7 +4,7 @@ import { keyOf } from '../../input/layout';
 import type { Near } from '../../link/protocol';
 import { small } from '../../words/format';
 import type { Unit, Units } from '../../words/units';
-import { button, el, group, setAttribute, setClass, setPressed, setText } from '../parts/dom';
+import { button, el, group, setAttribute, setClass, setLit, setPressed, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 import { touching } from './contacts';
 import { gapGauge } from './gap-gauge';
@@ -74,8 +74,8 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       // Contacts replace the curve of the last minute.
       history.element.hidden = contacts.set(frame, units, controllers.names);
       history.draw(trend, frame.time_s, units);
-      setClass(arm, 'lit', arm_inhibit);
-      setClass(finger, 'lit', finger_inhibit);
+      setLit(arm, arm_inhibit);
+      setLit(finger, finger_inhibit);
       finger.hidden = work.hand !== 'prong';
     },
   };

@@ -9,8 +9,8 @@ import { switches } from './switches';
 export interface ModeGroup extends Part {
   /** Turns the rotary by one position, without entering the mode. */
   turn(by: number): void;
-  /** Enters the selected position. */
-  enter(): void;
+  /** Enters the selected position; returns whether one was selected. */
+  enter(): boolean;
   /** Turns the JOINT rotary by one joint. */
   turnJoint(by: number): void;
   /** The selected position, or the entered position if none is selected. */

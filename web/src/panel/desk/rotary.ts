@@ -10,8 +10,8 @@ export interface Rotary {
   /** Sets the position that the station has entered; `grasping`: a payload is captured. */
   set(position: string, grasping: boolean): void;
   turn(by: number): void;
-  /** Enters the selected position. */
-  enter(): void;
+  /** Enters the selected position; returns whether one was selected. */
+  enter(): boolean;
 }
 
 export function rotary(desk: Desk): Rotary {
@@ -21,6 +21,7 @@ export function rotary(desk: Desk): Rotary {
 
   const enter = () => {
     if (turned !== null) desk.send({ type: 'enter_mode', mode: turned });
+    return turned !== null;
   };
   const turnTo = (position: string) => {
     turned = position === entered ? null : position;

@@ -1,7 +1,7 @@
 /** The SRMS's end effector: the six flags of the panel, capture and release, and the switches of the manual mode. */
 
 import type { Hand as HandState } from '../../link/protocol';
-import { button, el, setClass, setPressed } from '../parts/dom';
+import { button, el, setLit, setPressed } from '../parts/dom';
 import { holdButton } from '../parts/hold-button';
 import type { Desk } from '../parts/part';
 import { CLOSE_S, type Hand, OPEN_S } from './hand';
@@ -54,7 +54,7 @@ export function snares(desk: Desk): Hand {
     set(hand) {
       FLAGS.forEach((name, i) => {
         const flag = flags[i];
-        if (flag) setClass(flag, 'lit', hand.flags.includes(name));
+        if (flag) setLit(flag, hand.flags.includes(name));
       });
       rigid = hand.rigid;
       modes.forEach((key, i) => {

@@ -72,7 +72,9 @@ export class Monitor {
         listener.choose(camera);
       }),
     );
-    this.hand = button({ class: 'hand' }, [label, el('em', {}, 'selected')], () => listener.taken(this.half));
+    this.hand = button({ class: 'hand' }, [label, ' ', el('em', {}, 'selected')], () =>
+      listener.taken(this.half),
+    );
     this.splitKey = button(
       { title: `Show two cameras beside each other: ${nameOf('KeyZ')}`, 'data-calm': 'split' },
       ['Split'],

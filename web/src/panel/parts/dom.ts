@@ -86,6 +86,12 @@ export function setClass(node: Element, name: string, on: boolean): void {
   if (node.classList.contains(name) !== on) node.classList.toggle(name, on);
 }
 
+/** Lights a flag or puts it out; screen readers read only lit flags. */
+export function setLit(node: Element, on: boolean): void {
+  setClass(node, 'lit', on);
+  setAttribute(node, 'aria-hidden', String(!on));
+}
+
 /** Shows whether a switch is set. A switch that is set is white with black text. */
 export function setPressed(node: Element, on: boolean): void {
   setAttribute(node, 'aria-pressed', String(on));
