@@ -2,11 +2,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from aftdeck.recording.index import Index
+from aftdeck.scenario.load import load_scenario
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import TaskNow
 from aftdeck.station.session.session import Session
-from tests.station.flying import flying, shown, steps
+from tests.station.flying import flying, shown, step_until, steps
 from tests.station.pages import scenario
+
+ONE = """
+title = "One step"
+mode = "ORB UNL"
+initial = { joints = ["-31 deg", "79 deg", "-103 deg", "-77 deg", "17 deg", "-128 deg"] }
+
+[[step]]
+title = "Move"
+text = "Move."
+done = { moved = "0.1 m" }
+"""
 
 
 def task(session: Session) -> TaskNow:
@@ -54,3 +69,17 @@ def test_turning_a_step_does_not_stop_the_script() -> None:
         steps(session, 3)
         turn(session, "next")
         assert shown(session).by == "script"
+
+
+def test_grade_is_in_the_list_of_recordings(tmp_path: Path) -> None:
+    file = tmp_path / "one.toml"
+    file.write_text(ONE)
+    with flying(made=load_scenario(file), record=tmp_path) as session:
+        session.steer(from_page.Sticks(1, (0.0, 0.0, -1.0), (0.0, 0.0, 0.0), 0.0))
+        step_until(session, lambda frame: frame.display.task is not None and frame.display.task.at == 1, "the end")
+        result = task(session).debrief
+    with flying(made=load_scenario(file), record=tmp_path) as session:
+        steps(session, 2)
+    assert result is not None
+    assert result.grade == "A"
+    assert sorted(entry.grade for entry in Index().entries("one")) == ["", "A"]

@@ -28,7 +28,7 @@ _TABLE = """
         version text not null, began text not null, ended text not null, time_s real not null, bytes integer not null
     )
 """
-_ADDED = ("participant", "condition", "changes", "chain")
+_ADDED = ("participant", "condition", "changes", "chain", "grade")
 """Text columns that lists of earlier versions do not have."""
 _DELAYS = {"late_steps": "integer", "worst_s": "real", "lost_s": "real"}
 """Columns for the delays of the steps, with their types; null in lists and recordings of earlier versions."""
@@ -59,6 +59,8 @@ class Entry(msgspec.Struct, frozen=True):
     """``KEY=VALUE, KEY=VALUE``: changes of the scenario; empty if it was not changed."""
     chain: str = ""
     """Head of the hash chain with which the recording ended; empty if this list does not have it."""
+    grade: str = ""
+    """Grade of the operator's task: ``A`` to ``D``; empty if the task was not completed or has no grade."""
     late_steps: int | None = None
     """Number of steps that began more than one control period late; None if the run was not in real time, if an
     earlier version recorded it, and during the run."""
@@ -82,21 +84,29 @@ class Index:
     def begin(self, path: Path, opening: Opening) -> None:
         """Add a recording that has begun."""
         row = (opening.scenario, opening.title, opening.seed, opening.version, opening.began, "recording", 0.0, 0)
-        trial = (opening.participant, opening.condition, ", ".join(opening.changes), "")
+        trial = (opening.participant, opening.condition, ", ".join(opening.changes), "", "")
         with self._open() as database:
             database.execute(
                 f"insert or replace into recordings ({_COLUMNS}) values ({', '.join('?' * len(_COLUMNS.split(',')))})",
                 (str(path.absolute()), *row, *trial, None, None, None),
             )
 
-    def end(self, path: Path, ended: str, time_s: float, chain: str = "", delays: Delays | None = None) -> None:
-        """Store how a recording ended: simulated time [s], size, head of the hash chain, and delays of the steps."""
+    def end(
+        self,
+        path: Path,
+        ended: str,
+        time_s: float,
+        chain: str = "",
+        delays: Delays | None = None,
+        grade: str = "",
+    ) -> None:
+        """Store how a recording ended: simulated time [s], size, head of the hash chain, delays of the steps, grade."""
         size = path.stat().st_size if os.path.exists(path) else 0
         with self._open() as database:
             database.execute(
-                "update recordings set ended = ?, time_s = ?, bytes = ?, chain = ?, late_steps = ?, worst_s = ?, "
-                "lost_s = ? where path = ?",
-                (ended, time_s, size, chain, *_delay_columns(delays).values(), str(path.absolute())),
+                "update recordings set ended = ?, time_s = ?, bytes = ?, chain = ?, grade = ?, late_steps = ?, "
+                "worst_s = ?, lost_s = ? where path = ?",
+                (ended, time_s, size, chain, grade, *_delay_columns(delays).values(), str(path.absolute())),
             )
 
     def chain_of(self, path: Path) -> str:

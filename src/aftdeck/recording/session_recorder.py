@@ -94,6 +94,11 @@ class SessionRecorder:
         if self._recorder is not None:
             self._recorder.delay(tick, time_s, late_s, lost_s)
 
+    def graded(self, grade: str) -> None:
+        """Note the grade of the operator's task for the list of recordings."""
+        if self._recorder is not None:
+            self._recorder.grade = grade
+
     def note(self, event: Event) -> None:
         """Record a log line of the station."""
         if self._recorder is not None:

@@ -89,6 +89,7 @@ class Recorder:
         steps: number of steps recorded so far.
         chain: head of the hash chain over the file's messages; empty until the footer is written.
         delays: delays of the steps written so far; None if the run is not in real time.
+        grade: grade of the operator's task, for the list of recordings; empty if it has none.
     """
 
     def __init__(
@@ -119,7 +120,7 @@ class Recorder:
             RecordingError: the file exists already or cannot be written.
         """
         self.path = path
-        self.failure = self.unlisted = self.chain = ""
+        self.failure = self.unlisted = self.chain = self.grade = ""
         self._index = index if path else None
         self._after = after
         self.steps = 0
@@ -241,7 +242,7 @@ class Recorder:
                 if self._sink.error:
                     self._fail(self._sink.error)
             listing.join()
-            self._list(lambda index, path: index.end(path, ended, time_s, self.chain, self.delays))
+            self._list(lambda index, path: index.end(path, ended, time_s, self.chain, self.delays, self.grade))
 
     def _list(self, update: Callable[[Index, Path], None]) -> None:
         try:

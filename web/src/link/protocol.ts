@@ -1632,6 +1632,8 @@ export interface Recorded {
   readonly time_s: number | null;
   /** End of the run: `completed`, `time`, `fault`, `stopped`, `restarted`, `cut`; empty if not known. */
   readonly ended: string;
+  /** Grade of the operator's task: `A` to `D`; empty if the task was not completed or has no grade. */
+  readonly grade: string;
 }
 
 /** Data of a recording that the page needs before it draws the first frame. */

@@ -52,6 +52,8 @@ class Recorded(msgspec.Struct, frozen=True):
     """Simulated time of the run [s]; null during the run, and if the list does not have this file."""
     ended: str
     """End of the run: ``completed``, ``time``, ``fault``, ``stopped``, ``restarted``, ``cut``; empty if not known."""
+    grade: str
+    """Grade of the operator's task: ``A`` to ``D``; empty if the task was not completed or has no grade."""
 
 
 class PlaybackIndex(msgspec.Struct, frozen=True):

@@ -144,6 +144,7 @@ def _recorded(path: Path, changed: float, entry: Entry | None, *, now: bool) -> 
     """Return a file of the list; `changed` is the time of its last write [s since 1970]."""
     when = datetime.fromtimestamp(changed, UTC).isoformat()
     if entry is None:
-        return Recorded(path.name, when, now, "", None, "")
+        return Recorded(path.name, when, now, "", None, "", "")
     over = entry.ended != "recording"
-    return Recorded(path.name, when, now, entry.title, entry.time_s if over else None, entry.ended if over else "")
+    time_s, ended = (entry.time_s, entry.ended) if over else (None, "")
+    return Recorded(path.name, when, now, entry.title, time_s, ended, entry.grade)

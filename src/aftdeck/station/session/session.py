@@ -31,7 +31,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
-from aftdeck.station.lamps import StandingLamps, lit_lamps
+from aftdeck.station.lamps import Lamp, StandingLamps, lit_lamps
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Ahead
 from aftdeck.station.session.commands import (
@@ -314,8 +314,7 @@ class Session:
         seq, running_s = taken.sticks.seq, self._recorder.running_s
         lit = self._reported.lit
         lamps = self._standing.marked(lit_lamps(self.scenario, frame, self.delays))
-        for i in self._task.see(frame, lamps):
-            self._note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
+        self._see_task(frame, lamps)
         shown = self._displays.frame(
             frame,
             seq,
@@ -332,6 +331,13 @@ class Session:
         self.painter.show(frame, self._lights[shown.display.lighting.condition])
         self.log.add(frame.events)
         return restarted
+
+    def _see_task(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
+        """Update the task; log the steps that are done, and list the grade."""
+        for i in self._task.see(frame, lamps):
+            self._note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
+            if (result := self._task.debrief) is not None:
+                self._recorder.graded(result.grade or "")
 
     def _for_simulation(self, command: from_page.FromPage | None) -> from_page.FromPage | None:
         """Do a command that concerns the session only; return any other command."""

@@ -66,11 +66,12 @@ const ENDS: Readonly<Record<string, string>> = {
   cut: 'cut short',
 };
 
-/** Returns length and end of a run: `4:05, completed`. */
-export function resultWords({ time_s, ended }: Pick<Recorded, 'time_s' | 'ended'>): string {
+/** Returns length, end and grade of a run: `4:05, completed, grade A`. */
+export function resultWords({ time_s, ended, grade }: Pick<Recorded, 'time_s' | 'ended' | 'grade'>): string {
   if (time_s === null) return '';
   const [minutes, seconds] = [Math.floor(time_s / 60), String(Math.floor(time_s % 60)).padStart(2, '0')];
-  return [`${minutes}:${seconds}`, ENDS[ended] ?? ''].filter((word) => word !== '').join(', ');
+  const graded = grade === '' ? '' : `grade ${grade}`;
+  return [`${minutes}:${seconds}`, ENDS[ended] ?? '', graded].filter((word) => word !== '').join(', ');
 }
 
 const TITLE = 'Open a replay of this run or of an earlier one';
