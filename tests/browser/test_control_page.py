@@ -49,7 +49,7 @@ def test_page_and_desk_show_the_present_point_without_a_target(flight: Flight) -
     flight.release("w")
     flight.until("Math.hypot(...frame.display.actual.velocity) < 1e-4")
     sheet = open_control_page(flight)
-    expect(sheet.locator(".to-go")).to_have_text("No target keyed in: this is the present point.")
+    expect(sheet.locator(".remaining")).to_have_text("No target keyed in: this is the present point.")
     present = flight.script("document.querySelector('.resolution td.actual').textContent")
     for name in ("End X", "Target X"):
         expect(flight.page.get_by_label(name, exact=True)).to_have_value(present)

@@ -25,7 +25,7 @@ def test_proceed_flies_the_sequence_to_its_pause_point(flight: Flight) -> None:
         flight.until("Number(document.querySelectorAll('.route dd')[2].textContent) > 0")
         flight.until(f"frame.point > 1 && {POINT} === `Point ${{frame.point}} of 4`", SEQUENCE_MS)
         flight.until("frame.sequence === 'ready' && frame.point === 4", SEQUENCE_MS)
-    flight.until("/PROCEED continues/.test(document.querySelector('.route .to-go').textContent)")
+    flight.until("/PROCEED continues/.test(document.querySelector('.route .remaining').textContent)")
     flight.until("/GOOD/.test(document.querySelector('.check.good')?.textContent ?? '')")
 
 

@@ -30,7 +30,7 @@ const IN_RAIL: Partial<Record<LampName, string>> = { 'LINK DELAY': 'delays', CON
 
 /** State of a run from which the needs beside those of the task follow. */
 export interface Situation {
-  /** The lamps that are lit. */
+  /** The lamps with a caution or a warning. */
   readonly lamps: readonly LampName[];
   /** The entered mode and the selected mode. */
   readonly modes: readonly (ModeInfo | undefined)[];

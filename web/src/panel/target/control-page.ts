@@ -37,7 +37,7 @@ export class ControlPage {
     el('i', { class: 'item' }, '25'),
     this.check.element,
   );
-  private readonly togo = el('p', { class: 'to-go' });
+  private readonly togo = el('p', { class: 'remaining' });
   private readonly points;
   private readonly payloads;
   private readonly done;

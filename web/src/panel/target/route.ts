@@ -14,7 +14,7 @@ export function route(): Route {
   const point = el('p', { class: 'point' });
   const [distance, angle, time] = [el('dd'), el('dd'), el('dd')];
   const unit = el('i');
-  const hint = el('p', { class: 'to-go' });
+  const hint = el('p', { class: 'remaining' });
   const element = el(
     'div',
     { class: 'route' },

@@ -18,7 +18,7 @@ export function targetGroup(desk: Desk): TargetGroup {
   const keyed = entry(desk);
   const stored = route();
   const check = verdict();
-  const togo = el('p', { class: 'to-go' });
+  const togo = el('p', { class: 'remaining' });
   const element = group('target', 'Target', keyed.element, stored.element, check.element, togo);
   let byPoints = false;
   return {
