@@ -22,6 +22,8 @@ export class Calm {
   /** Button in the rail. */
   readonly key = button({ title: ABOUT }, ['Full panel'], () => this.toggle());
   private full: boolean;
+  /** What each step needs. */
+  private readonly bySteps: readonly (readonly string[])[];
   /** What has been needed since the run began. */
   private readonly needed = new Set<string>();
   private time = 0;
@@ -32,21 +34,18 @@ export class Calm {
     private readonly store: Keeper,
   ) {
     this.full = store.getItem(KEPT) === FULL;
+    this.bySteps = welcome.steps.map(stepNeeds);
     this.key.hidden = welcome.steps.length === 0;
   }
 
   values({ frame, orbiting }: View, { lamps, selected, cameras }: Shown): void {
     if (frame.time_s < this.time) this.needed.clear(); // the run was restarted
     this.time = frame.time_s;
-    const { steps, modes: all } = this.welcome;
-    const modes = [all.find(({ position }) => position === frame.mode), selected];
-    const past = steps.slice(0, (frame.display.task?.at ?? 0) + 1);
+    const modes = [this.welcome.modes.find(({ position }) => position === frame.mode), selected];
     const holding = frame.work.cargo.some(({ held }) => held);
-    const needs = [
-      ...past.flatMap(stepNeeds),
-      ...situationNeeds({ lamps, modes, cameras, holding, orbiting }),
-    ];
-    for (const name of needs) this.needed.add(name);
+    const past = this.bySteps.slice(0, (frame.display.task?.at ?? 0) + 1);
+    for (const needs of [...past, situationNeeds({ lamps, modes, cameras, holding, orbiting })])
+      for (const name of needs) this.needed.add(name);
     this.draw();
   }
 
