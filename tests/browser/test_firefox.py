@@ -50,6 +50,7 @@ def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
         browser.until(TUTORIAL)  # the tutorial opens by itself on the first visit
         press_rail(browser, "Guide")
         browser.until(f"!{TUTORIAL}")
+        press_rail(browser, "Full panel")
         yield browser
         assert browser.errors == []
 
