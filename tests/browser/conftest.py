@@ -43,7 +43,10 @@ PAD = """
 """
 """A gamepad whose axes and buttons a test sets. A test disconnects it by setting `window.testPad` to null."""
 
-FULL_PANEL = "localStorage.getItem('aftdeck.panel') ?? localStorage.setItem('aftdeck.panel', 'full')"
+FULL_PANEL = """
+    try { localStorage.getItem('aftdeck.panel') ?? localStorage.setItem('aftdeck.panel', 'full'); }
+    catch { /* about:blank has no storage */ }
+"""
 """Choice of the full panel, unless the browser keeps a choice; a test module flies the calm page if CALM is true."""
 
 SIZES = [(1280, 720), (1440, 900), (1920, 1080)]

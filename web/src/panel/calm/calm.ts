@@ -5,7 +5,7 @@
 
 import type { ModeInfo, Welcome } from '../../link/protocol';
 import type { Keeper } from '../../page/local-storage';
-import { button, setClass, setPressed } from '../parts/dom';
+import { button, setClass, setPressed, setText } from '../parts/dom';
 import type { View } from '../parts/part';
 import { type Situation, situationNeeds, stepNeeds } from './needs';
 
@@ -20,7 +20,7 @@ interface Shown extends Pick<Situation, 'lamps' | 'cameras'> {
 
 export class Calm {
   /** Button in the rail. */
-  readonly key = button({ title: ABOUT }, ['Full panel'], () => this.toggle());
+  readonly key = button({ title: ABOUT, 'aria-label': 'Full panel' }, [], () => this.toggle());
   private full: boolean;
   /** What each step needs. */
   private readonly bySteps: readonly (readonly string[])[];
@@ -59,6 +59,7 @@ export class Calm {
     const calm = !this.full && this.welcome.steps.length > 0;
     if (this.parts.length === 0) this.parts = [...document.querySelectorAll<HTMLElement>('[data-calm]')];
     setPressed(this.key, this.full);
+    setText(this.key, this.full ? 'Full' : 'Full panel'); // the rail of the full panel has less room
     setClass(document.body, 'calm', calm);
     for (const part of this.parts) {
       const { classList, ariaPressed } = part;
