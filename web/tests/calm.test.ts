@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { ModeInfo, StepInfo } from '../src/link/protocol';
-import { situationNeeds, stepNeeds } from '../src/panel/calm/needs';
+import { situationNeeds, stepNeeds, useNeeds } from '../src/panel/calm/needs';
 
 const STEP: StepInfo = {
   title: 'Step',
@@ -29,6 +29,12 @@ test('a step needs the parts that its text or a hint quotes', () => {
   const hints = [{ text: 'Read *LOOK AHEAD*.', uses: [] }];
   const needs = stepNeeds({ ...STEP, text: 'Watch *WR* in *END EFF*.', hints });
   expect(needs).toEqual(expect.arrayContaining(['camera WR', 'mode END EFF', 'look ahead']));
+});
+
+test('a function whose key is pressed needs its group', () => {
+  expect(useNeeds('close')).toContain('effector');
+  expect(useNeeds('bending')).toContain('joints');
+  expect(useNeeds('rate hold')).toContain('rate hold');
 });
 
 test('functions of a hint count as those of the step', () => {

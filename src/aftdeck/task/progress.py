@@ -58,7 +58,7 @@ class Progress:
         done = self._completed(frame)
         for i in done:
             self.done_s[i] = frame.time_s
-        held = any(cargo.held for cargo in frame.work.cargo)
+        held = self._aims.places.held(frame) is not None
         if done:
             self._enter(done[-1] + 1)
         elif self._held and not held:

@@ -87,7 +87,7 @@ def decide(now: Reading, pressed: frozenset[str] = frozenset()) -> Act:
         if key in STICK_KEYS or key in pressed:
             continue
         return Press(key, hold_of(now, key) if verb == "hold" else 0.0)
-    flown = _next(now)
+    flown = next(iter(in_order(now)), None)
     if pressed - {RATE}:
         return Wait(f"the effect of {', '.join(sorted(pressed - {RATE}))}")
     if _WAITS.search(now.text):
@@ -130,10 +130,6 @@ def _named(now: Reading) -> list[str]:
     """Return the keys of sticks that the text names."""
     keys = set(dict(now.keys)) & STICK_KEYS
     return [word for word in re.findall(r"(?<![\w.])[A-Z](?=[\s,.;:)]|$)", now.text) if word in keys]
-
-
-def _next(now: Reading) -> Part | None:
-    return next(iter(in_order(now)), None)
 
 
 def _at_rate(now: Reading, part: Part) -> Act:

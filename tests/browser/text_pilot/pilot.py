@@ -125,7 +125,7 @@ class Pilot:
 
     def _fly(self, part: Part, now: Reading) -> None:
         """Hold the key of a component; release it in time for the motion to end where the component is zero."""
-        kind = (part.stick.lstrip("+−"), now.rate, now.to.split(":")[0])
+        kind = (part.axis, now.rate, now.to.split(":")[0])
         known = self._speeds.get(kind)
         if known is None or part.size < known * SHORT_S:
             self._tap(part, now, kind, known)
@@ -159,9 +159,9 @@ class Pilot:
             self._last = part.key
         at_rest = self._settle(kind)
         self._speeds[kind] = speed
-        there = next((each for each in at_rest.parts if each.stick.lstrip("+−") == kind[0]), None)
-        if at_rest.step == now.step and there is not None:
-            went_on = seen[-1][1] - (there.size if there.stick == part.stick else -there.size)
+        left = _left(part, at_rest)
+        if at_rest.step == now.step and left is not None:
+            went_on = seen[-1][1] - left
             lag = self._lags.get(kind, FIRST_LAG_S)
             self._lags[kind] = min(MOST_LAG_S, max(0.5 * lag, 1.2 * went_on / speed, RETURN_S))
 
@@ -172,10 +172,10 @@ class Pilot:
         with self._held(part.key):
             time.sleep(seconds)
         then = self._settle(kind)
-        there = next((each for each in then.parts if each.stick.lstrip("+−") == kind[0]), None)
-        if then.step != now.step or there is None:
+        left = _left(part, then)
+        if then.step != now.step or left is None:
             return
-        moved = part.size - (there.size if there.stick == part.stick else -there.size)
+        moved = part.size - left
         if moved > 0.0:
             found = moved / _effective_s(seconds)
             self._speeds[kind] = found if speed is None else 0.5 * (speed + found)
@@ -249,6 +249,14 @@ class Pilot:
     def _say(self, words: str) -> None:
         if self._tell:
             print(words, flush=True)
+
+
+def _left(part: Part, now: Reading) -> float | None:
+    """Return how much of a component is left, below zero if it was overshot; None if the page does not have it."""
+    there = next((each for each in now.parts if each.axis == part.axis), None)
+    if there is None:
+        return None
+    return there.size if there.stick == part.stick else -there.size
 
 
 def _speed(seen: list[tuple[float, float]], known: float) -> float:

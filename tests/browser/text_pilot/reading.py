@@ -31,9 +31,14 @@ class Part:
     near: bool
 
     @property
+    def axis(self) -> str:
+        """Name of the axis, without a direction."""
+        return self.stick.lstrip("+−")
+
+    @property
     def turns(self) -> bool:
         """Whether it is a rotation."""
-        return self.stick.lstrip("+−") in ("roll", "pitch", "yaw")
+        return self.axis in ("roll", "pitch", "yaw")
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 import type { Names } from '../input/active-device';
 import type { Frame, Motion, Welcome } from '../link/protocol';
 import { motionWords } from '../words/motion-words';
-import { spoken, wayOutText } from '../words/way-out';
+import { contactWays } from '../words/way-out';
 import type { Piece } from './words';
 
 /** `A contact inhibits the arm: THC −X (S) leads away.` if ARM INHIBIT is lit, else nothing. */
@@ -13,9 +13,7 @@ export function barred(
   names: Names,
 ): readonly Piece[] {
   if (!work.arm_inhibit) return [];
-  const ways = ways_out
-    .filter(({ cause }) => cause === 'contact')
-    .map((way) => wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names));
+  const ways = contactWays(ways_out, joints, names);
   const out = ways.length > 0 ? `: ${ways.join(' or ')} leads away` : '';
   return [{ kind: 'text', text: `A contact inhibits the arm${out}. ` }];
 }

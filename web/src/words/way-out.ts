@@ -1,7 +1,7 @@
 /** Text of an escape direction, with the key, button or axis direction that commands it. */
 
 import type { Names } from '../input/active-device';
-import type { WayOut } from '../link/protocol';
+import type { JointInfo, WayOut } from '../link/protocol';
 
 const AXES = { rotation: ['roll', 'pitch', 'yaw'], translation: ['X', 'Y', 'Z'] } as const;
 
@@ -21,6 +21,17 @@ export function wayOutText({ stick, axis, sign, position }: WayOut, joint: strin
     case 'telescope':
       return `telescope ${sign > 0 ? 'longer' : 'shorter'}`;
   }
+}
+
+/** Returns the texts of the directions that lead out of contacts. */
+export function contactWays(
+  ways: readonly WayOut[],
+  joints: readonly Pick<JointInfo, 'name'>[],
+  names: Names,
+): readonly string[] {
+  return ways
+    .filter(({ cause }) => cause === 'contact')
+    .map((way) => wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names));
 }
 
 /** Joint's name in words: `elbow pitch`. */

@@ -7,7 +7,7 @@ import type { ModeInfo, Welcome } from '../../link/protocol';
 import type { Keeper } from '../../page/local-storage';
 import { button, setClass, setPressed, setText } from '../parts/dom';
 import type { View } from '../parts/part';
-import { type Situation, situationNeeds, stepNeeds } from './needs';
+import { type Situation, situationNeeds, stepNeeds, useNeeds } from './needs';
 
 const KEPT = 'aftdeck.panel';
 const FULL = 'full';
@@ -51,7 +51,7 @@ export class Calm {
 
   /** Shows the parts of a function, because the operator has pressed its key. */
   use(name: string): void {
-    this.needed.add(name);
+    for (const need of useNeeds(name)) this.needed.add(need);
     this.draw();
   }
 
@@ -64,7 +64,7 @@ export class Calm {
     for (const part of this.parts) {
       const { classList, ariaPressed } = part;
       const set = ariaPressed === 'true' || classList.contains('turned');
-      setClass(part, 'put-away', calm && !set && !this.needed.has(part.getAttribute('data-calm') ?? ''));
+      setClass(part, 'unneeded', calm && !set && !this.needed.has(part.getAttribute('data-calm') ?? ''));
     }
   }
 

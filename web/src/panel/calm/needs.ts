@@ -4,26 +4,15 @@
  * (`mode PL`) or a camera (`camera WR`); nothing needs the name `full`.
  */
 
-import type { DeskGroup, ModeInfo, StepInfo, Use } from '../../link/protocol';
+import type { DeskGroup, ModeInfo, StepInfo } from '../../link/protocol';
 import { LAMPS, type LampName } from '../spine/lamps';
 
 /** Groups with the displays and switches of functions. */
-const GROUP_OF: Partial<Record<Use, DeskGroup | 'lens'>> = {
-  close: 'effector',
-  open: 'effector',
-  latch: 'effector',
-  'joint -': 'joints',
-  'joint +': 'joints',
-  '-telescope': 'joints',
-  '+telescope': 'joints',
-  bending: 'joints',
-  '-pan': 'lens',
-  '+pan': 'lens',
-  '-tilt': 'lens',
-  '+tilt': 'lens',
-  '-zoom': 'lens',
-  '+zoom': 'lens',
-};
+const GROUP_OF: ReadonlyMap<string, DeskGroup | 'lens'> = new Map([
+  ...['close', 'open', 'latch'].map((use) => [use, 'effector'] as const),
+  ...['joint -', 'joint +', '-telescope', '+telescope', 'bending'].map((use) => [use, 'joints'] as const),
+  ...['-pan', '+pan', '-tilt', '+tilt', '-zoom', '+zoom'].map((use) => [use, 'lens'] as const),
+]);
 
 /** Parts of the rail that belong to a lamp. */
 const IN_RAIL: Partial<Record<LampName, string>> = { 'LINK DELAY': 'delays', CONTROLLER: 'controllers' };
@@ -46,11 +35,16 @@ export function stepNeeds({ groups, uses, mode, cameras, text, hints }: StepInfo
   const texts = [text, ...hints.map((hint) => hint.text)];
   return [
     ...groups,
-    ...all.flatMap((use) => [use, GROUP_OF[use] ?? use]),
+    ...all.flatMap(useNeeds),
     ...(mode ? [`mode ${mode}`] : []),
     ...cameras.map((name) => `camera ${name}`),
     ...texts.flatMap(quoted),
   ];
+}
+
+/** Returns what a function needs: its own switch, and the group with its displays. */
+export function useNeeds(use: string): readonly string[] {
+  return [use, GROUP_OF.get(use) ?? use];
 }
 
 /** Returns what the state of the run needs. A lamp needs the group that shows its cause. */

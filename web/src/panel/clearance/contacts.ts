@@ -4,7 +4,7 @@ import type { Names } from '../../input/active-device';
 import type { Frame, Welcome, Work } from '../../link/protocol';
 import { small } from '../../words/format';
 import type { Units } from '../../words/units';
-import { spoken, wayOutText } from '../../words/way-out';
+import { contactWays } from '../../words/way-out';
 import { el } from '../parts/dom';
 
 export interface Line {
@@ -63,9 +63,7 @@ export function linesOf(
       const deep = clearance < 0 ? `, ${small(-clearance, gap)} ${gap.name} deep` : '';
       return `${a} touches ${b}${deep}${force(a, b)}`;
     });
-  const ways = ways_out
-    .filter(({ cause }) => cause === 'contact')
-    .map((way) => `Escape: ${wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names)}`);
+  const ways = contactWays(ways_out, joints, names).map((way) => `Escape: ${way}`);
   const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}${force(a, b)}`);
   const holding = (dynamics?.holds ?? [])
     .filter((each) => each.force >= LEAST_FORCE)
