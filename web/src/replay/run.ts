@@ -55,6 +55,6 @@ export class RunColumn {
     this.shown = asked;
     const lines = this.index.events.slice(Math.max(0, past - room), past).reverse();
     const hints = HINTS.slice(0, Math.max(0, room - lines.length));
-    this.log.replaceChildren(...lines.map(logLine), ...hints.map(hintLine));
+    this.log.replaceChildren(...lines.map((event) => logLine(event)), ...hints.map(hintLine));
   }
 }

@@ -363,9 +363,7 @@ class Session:
         if self.delays.lost_s > self._lost_logged and time_s >= self._log_loss_from:
             lost, self._lost_logged = self.delays.lost_s - self._lost_logged, self.delays.lost_s
             self._log_loss_from = time_s + LOSS_LOGGED_EVERY
-            text = (
-                f"the computer was too slow: {lost:.2f} s of the flight lost ({self.delays.lost_s:.2f} s in this run)"
-            )
+            text = f"the computer was too slow: {lost:.2f} s lost ({self.delays.lost_s:.2f} s in this run)"
             self._note("time lost", text, "caution")
 
     def _rate_held(self, now: float) -> bool:

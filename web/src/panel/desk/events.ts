@@ -77,33 +77,43 @@ export class EventsGroup {
     this.all.hidden = keptTo === null;
     const under = keptTo ? [`No older lines about ${keptTo.name}.`] : this.hints;
     const events = this.events.filter((event) => this.shows(event));
-    const entries = (count = KEPT) => [...events.slice(0, count).map(logLine), ...under.map(hintLine)];
-    const lines = entries(LINES).slice(0, LINES);
-    // Hints, and the newest caution or warning or else the newest line, may take more than one line.
+    const hints = under.map(hintLine);
+    const lines = [
+      ...events.slice(0, LINES).map((event) => logLine(event, firstReason(event.text))),
+      ...hints,
+    ].slice(0, LINES);
+    // Hints, and the newest caution or warning or else the newest line, may take all lines down to the last.
     const important = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
     const place = Math.max(0, important);
-    const count = String(events.length > 0 ? LINES - 1 : LINES);
     for (const line of lines.filter(({ classList }, i) => i === place || classList.contains('hint'))) {
       line.classList.add('whole');
-      line.style.setProperty('--lines', count);
+      line.style.setProperty('--lines', String(LINES - place));
     }
     this.list.replaceChildren(...lines);
     // Lines for which the wrapped lines leave no room become invisible, but screen readers still read them.
     const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
     for (const line of over) line.classList.add('unseen');
     this.whole.hidden = !this.open;
-    this.whole.replaceChildren(...(this.open ? entries() : []));
+    this.whole.replaceChildren(
+      ...(this.open ? [...events.map((event) => logLine(event)), ...under.map(hintLine)] : []),
+    );
   }
 }
 
-/** Returns a line of a log. */
-export function logLine({ time_s, kind, level, text }: LogEvent): HTMLElement {
+/** Returns a log's text with only the first of its reasons, and the number of the others. */
+function firstReason(text: string): string {
+  const [first = '', ...others] = text.split('; ');
+  return others.length === 0 ? first : `${first} (+${others.length})`;
+}
+
+/** Returns a line of a log that displays `shown`. */
+export function logLine({ time_s, kind, level, text }: LogEvent, shown = text): HTMLElement {
   return el(
     'li',
     { class: level, 'data-kind': kind },
     el('time', {}, clock(time_s)),
     el('i', { class: 'sign', role: 'img', 'aria-label': level }),
-    el('span', { title: text }, text),
+    el('span', { title: text }, shown),
   );
 }
 
