@@ -15,10 +15,10 @@ MODULES := web/node_modules/.package-lock.json
 # Deletes a virtual environment whose Python no longer exists; the rules below make a new one.
 $(shell test -x .venv/bin/python || rm -rf .venv)
 
-.PHONY: help fly test check format generate fuzz bench requirements package clean
+.PHONY: help fly test test-all check format generate fuzz bench requirements package clean
 
 help:  ## list these commands
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 fly: .venv/.aftdeck  ## open the station and fly; ARGS="..." are passed to `aftdeck fly`
 	@.venv/bin/aftdeck fly $(ARGS)
@@ -31,6 +31,11 @@ ifeq ($(ARGS),)
 else
 	@$(PY) -m pytest -m "not slow" $(ARGS)
 endif
+
+test-all: .venv/.aftdeck .venv/.dev $(MODULES)  ## run every test, those marked slow and long first (an hour)
+	@$(PY) -m pytest -m "slow and not browser" -n auto --dist loadgroup
+	@$(PY) -m pytest -m "slow and browser" -n 2
+	@$(MAKE) test
 
 check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and generated files
 	.venv/bin/ruff format --check .

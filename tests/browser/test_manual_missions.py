@@ -20,7 +20,7 @@ from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import Flight
 from tests.scenario.missions import EXPECTED_KINDS, TURNING_POINTS
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 MISSIONS = ("concept-1972-script", "srms-berth")
 """One mission for each worksite."""

@@ -7,7 +7,7 @@ import protocol from '../src/link/protocol?raw';
 import { ending } from '../src/task';
 import { countWords } from '../src/task/card';
 import { goParts, goSentence, goWords, isThere } from '../src/task/to-go';
-import { pieces, present } from '../src/task/words';
+import { pieces, present, spoken } from '../src/task/words';
 import { condition, FEET, SI, toGo } from './worksite';
 
 const NOTHING = { units: SI, conditions: [] };
@@ -47,6 +47,13 @@ test('the mark {wanting} is the first failing condition, the depth last', () => 
   expect(wanting(conditions)).toBe('pitched');
   expect(wanting(conditions.slice(0, 2))).toBe('too far');
   expect(wanting([])).toBe('nothing to capture is near');
+});
+
+test('a screen reader says the names of keys, also of marks of punctuation', () => {
+  const names: Record<string, string> = { '-Z': 'Q', 'cameraStep +': '.' };
+  const inHand = { name: (use: string) => names[use] ?? '' };
+  const text = pieces('Hold {-Z} for {1 m}, then {cameraStep +}: *RIGID*', NOTHING);
+  expect(spoken(text, inHand)).toBe('Hold Q for 1 m, then full stop: RIGID');
 });
 
 test('a hint that applies replaces the text and the functions of its step', () => {

@@ -14,6 +14,7 @@ export function place(root: HTMLElement, parts: Parts): void {
   root.replaceChildren(
     skipLink(desk),
     task.line.element,
+    task.said,
     pictures.canvas,
     el('main', { class: 'monitors' }, first.element, second.element, spine.element),
     pictures.matrix.element,

@@ -35,7 +35,7 @@ export class Card {
   readonly element: HTMLElement;
   private readonly marks;
   private readonly count = el('span');
-  private readonly title = el('h2', { 'aria-live': 'polite' });
+  private readonly title = el('h2');
   private readonly words: MarkedText;
   private readonly note: MarkedText;
   private readonly mode: HTMLElement;

@@ -5,13 +5,13 @@ import type { InHand } from '../input/active-device';
 import { revision } from '../input/store';
 import type { HintInfo, StepInfo, TaskNow } from '../link/protocol';
 import { keeper } from '../page/local-storage';
-import { button, setAttribute, setClass, setPressed } from '../panel/parts/dom';
+import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/parts/dom';
 import type { Desk, View } from '../panel/parts/part';
 import { durationText } from '../words/format';
 import { Card, countWords } from './card';
 import { Line } from './line';
 import { barred, modeHint, moving } from './state-words';
-import { type Piece, pieces, present } from './words';
+import { type Piece, pieces, present, spoken } from './words';
 
 /** Built-in scenario for beginners. */
 export const TUTORIAL = 'tutorial';
@@ -36,11 +36,14 @@ export class Task {
   readonly key: HTMLButtonElement;
   readonly line: Line;
   readonly card: Card;
+  /** The instruction for screen readers, written when another text begins to apply; numbers in it then stay. */
+  readonly said = el('p', { class: 'unseen', role: 'status', 'aria-label': 'Instruction' });
   private readonly titles: readonly string[];
   private open = false;
   /** Whether the card opens by itself as soon as this page is in control. */
   private unasked: boolean;
   private drawn = '';
+  private announced = '';
   /** Mode that the present step needs, if another one is entered; else empty. */
   private needs = '';
   /** Whether the last frame had the result of the run. */
@@ -102,9 +105,10 @@ export class Task {
       ...pieces(words, marked),
       ...moving(frame.motions),
     ];
+    const all = [...(this.needs === '' ? [] : modeHint(this.needs)), ...said];
+    this.announce(`${task.at} ${task.hint} ${this.needs}`, title, all);
     if (!this.open) {
-      const first = this.needs === '' ? [] : modeHint(this.needs);
-      this.line.set(this.exists ? countWords(task.at, done) : '', title, [...first, ...said]);
+      this.line.set(this.exists ? countWords(task.at, done) : '', title, all);
       this.line.setGo(to_go, units);
       return;
     }
@@ -161,6 +165,12 @@ export class Task {
     if (this.isTutorial) setPressed(this.key, open);
     setClass(document.body, 'guided', open);
     setClass(document.body, 'tasked', !open);
+  }
+
+  private announce(text: string, title: string, said: readonly Piece[]): void {
+    if (text === this.announced) return;
+    this.announced = text;
+    setText(this.said, `${title}. ${spoken(said, this.inHand)}`);
   }
 
   /** Offers the cameras of a step when it begins, but not when the page opens. */

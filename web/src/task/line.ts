@@ -12,7 +12,7 @@ const OPEN = 'Show this step with its controls';
 export class Line {
   readonly element: HTMLElement;
   private readonly count = el('span', { class: 'count' });
-  private readonly title = el('b', { class: 'title', 'aria-live': 'polite' });
+  private readonly title = el('b', { class: 'title' });
   private readonly words: MarkedText;
   private readonly go = goElement();
 

@@ -80,6 +80,15 @@ export class MarkedText {
   }
 }
 
+/** Returns a text as a screen reader says it. */
+export function spoken(text: readonly Piece[], inHand: Pick<InHand, 'name'>): string {
+  const said = ({ kind, text }: Piece) => {
+    const name = kind === 'use' ? inHand.name(text) : text;
+    return kind === 'use' ? (SPOKEN[name] ?? name) : name;
+  };
+  return text.map(said).join('');
+}
+
 /** Makes an element with the name of a key, button or axis. */
 export function keyElement(name: string): HTMLElement {
   const spoken = SPOKEN[name];
