@@ -45,6 +45,7 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	$(PY) -m aftdeck.station.messages.typescript | diff -u web/src/link/protocol.ts -
 	$(PY) -m aftdeck.recording.document --check docs/recording.md
 	$(PY) -m aftdeck.scenario.ranges_document --check docs/files.md
+	$(PY) -m aftdeck.report.catalogue --check docs/metrics.md
 	$(PY) -m aftdeck.simulation.observe.field_values --check
 
 format: .venv/.dev $(MODULES)  ## format Python and TypeScript
@@ -60,6 +61,7 @@ generate: .venv/.fly  ## generate the call of Frame, web/src/link/protocol.ts an
 	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md
 	$(PY) -m aftdeck.scenario.ranges_document docs/files.md
+	$(PY) -m aftdeck.report.catalogue docs/metrics.md
 
 fuzz: .venv/.aftdeck .venv/.dev  ## attack with generated files, inputs, recordings and messages; ARGS="--minutes 60"
 	@$(PY) -m fuzz $(ARGS)

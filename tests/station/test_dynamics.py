@@ -5,9 +5,9 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 import aftdeck
+from aftdeck.report.lamps import lit_lamps
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.conversion.welcome_of import welcome_of
-from aftdeck.station.lamps import lit_lamps
 
 
 def test_welcome_tells_the_plant_and_the_torque_limits() -> None:

@@ -13,9 +13,9 @@ from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.recording.writer import Recorder
+from aftdeck.report.lamps import NEW_LOSS_S, TIME_LOST
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.lamps import NEW_LOSS_S, TIME_LOST
 from aftdeck.station.messages import from_page
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
@@ -171,7 +171,7 @@ def test_playback_shows_the_delays(slow_run: Path) -> None:
     with PlaybackStore(slow_run) as store:
         index, block = store.index(CHECKING), store.block(0)
     (figure,) = [measure for measure in index.measures if measure.name == "Time lost"]
-    assert figure.level == "caution" and "0.50 s" in figure.text and "3 late steps" in figure.text
+    assert figure.level == "caution" and figure.value == 0.5 and "3 late steps" in figure.about
     lit = [any(lamp.name == TIME_LOST for lamp in moment.frame.display.lamps) for moment in block]
     assert lit == [False] * 53 + [True] * (len(block) - 53)
 

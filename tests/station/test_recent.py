@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from aftdeck.report.lamps import Lamp
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.playback.strips import readings, sources
 from aftdeck.station.session import recent

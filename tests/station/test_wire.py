@@ -12,12 +12,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from aftdeck.frames import Pose
+from aftdeck.report.lamps import lit_lamps
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
-from aftdeck.station.lamps import lit_lamps
 from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.commands import inputs_of

@@ -5,20 +5,17 @@ The command replaces the text between the two marks in FILE.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, Literal, get_args, get_origin
 
 import msgspec
 
-from aftdeck.errors import InputError
+from aftdeck.made_tables import renew_file
 from aftdeck.recording.hints import is_object
 from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import fields, rotation
 from aftdeck.tuples import Rows
 
-BEGIN, END = "<!-- made from the types: begin -->\n", "<!-- made from the types: end -->\n"
 _NAMES = {float: "number", int: "whole number", str: "text", bool: "true or false"}
 
 
@@ -64,29 +61,5 @@ def _first(kind: type) -> str:
     return sentence[0].lower() + sentence[1:]
 
 
-def renewed(text: str) -> str:
-    """Return the document with regenerated tables.
-
-    Raises:
-        InputError: the document does not have the begin mark, or has no end mark after it.
-    """
-    before, begin, rest = text.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not begin or not end:
-        raise InputError(f"the document must have {BEGIN.strip()} and, after it, {END.strip()}")
-    return f"{before}{BEGIN}\n{tables()}\n{END}{after}"
-
-
-def main() -> None:
-    """Regenerate the tables of the named file; with ``--check``, exit with code 1 if they would change."""
-    *flags, name = sys.argv[1:]
-    file = Path(name)
-    text = file.read_text(encoding="utf-8")
-    new = renewed(text)
-    if flags == ["--check"]:
-        sys.exit(0 if new == text else f"{name} does not agree with the message types; run `make generate`")
-    file.write_text(new, encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main()
+    renew_file(tables())

@@ -5,9 +5,7 @@ The command replaces the text between the two marks in FILE.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Annotated, Any, NamedTuple, get_args, get_origin
 
 import msgspec
@@ -16,13 +14,12 @@ from aftdeck.arms.constant import Constant
 from aftdeck.arms.model import ArmFile
 from aftdeck.arms.shapes import ShapesFile
 from aftdeck.bounds import Bounds
-from aftdeck.errors import InputError
+from aftdeck.made_tables import renew_file
 from aftdeck.scenario.light import LightFile
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.units import Quantity
 from aftdeck.worksite.file.schema import WorksiteFile
 
-BEGIN, END = "<!-- made from the types: begin -->\n", "<!-- made from the types: end -->\n"
 FILES: dict[str, tuple[type[msgspec.Struct], ...]] = {
     "Arm file": get_args(ArmFile),
     "Shapes, in an arm's shape file and in a worksite file": (ShapesFile,),
@@ -119,29 +116,5 @@ def _row(names: str, bounds: Bounds, unit: str) -> str:
     return f"| {names} | {bounds.least:,g} to {bounds.greatest:,.16g} {unit}".rstrip() + f" | {bounds.reason} |"
 
 
-def renewed(text: str) -> str:
-    """Return the document with regenerated tables.
-
-    Raises:
-        InputError: the document does not have the begin mark, or has no end mark after it.
-    """
-    before, begin, rest = text.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not begin or not end:
-        raise InputError(f"the document must have {BEGIN.strip()} and, after it, {END.strip()}")
-    return f"{before}{BEGIN}\n{tables()}\n{END}{after}"
-
-
-def main() -> None:
-    """Regenerate the tables of the named file; with ``--check``, exit with code 1 if they would change."""
-    *flags, name = sys.argv[1:]
-    file = Path(name)
-    text = file.read_text(encoding="utf-8")
-    new = renewed(text)
-    if flags == ["--check"]:
-        sys.exit(0 if new == text else f"{name} does not agree with the types of the files; run `make generate`")
-    file.write_text(new, encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main()
+    renew_file(tables())

@@ -1,4 +1,4 @@
-// Generated from simulation/frame.py, station/lamps.py and station/messages by `make generate`; do not edit.
+// Generated from simulation/frame.py, report/ and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 
 export const PROTOCOL = 5;
@@ -9,6 +9,7 @@ export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiato
 export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
 export type Level = 'info' | 'caution' | 'warning';
 export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE' | 'CONTR ERR' | 'TIME LOST';
+export type Quantity = 'time' | 'seconds' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'impulse' | 'milliseconds' | 'words';
 export type Quat = readonly [number, number, number, number];
 export type Rate = 'coarse' | 'vernier';
 export type LawChoice = 'position' | 'closed loop' | 'open loop';
@@ -23,7 +24,6 @@ export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearanc
 export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
 export type Grade = 'A' | 'B' | 'C' | 'D';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused;
-export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'force' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
 export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';

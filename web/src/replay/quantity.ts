@@ -24,6 +24,8 @@ export function shown(quantity: Quantity, units: Units): Shown {
   switch (quantity) {
     case 'time':
       return { unit: '', perSi: 1, text: (value) => minutes(value) };
+    case 'seconds':
+      return scaled('s', 1, 2);
     case 'count':
       return { unit: '', perSi: 1, text: (value) => fixed(value, Number.isInteger(value) ? 0 : 1, false) };
     case 'share':
@@ -48,6 +50,8 @@ export function shown(quantity: Quantity, units: Units): Shown {
       return { unit: '°/s', perSi: DEGREE, text: (value) => degrees(value, 2, false) };
     case 'force':
       return scaled('N', 1, 0);
+    case 'impulse':
+      return scaled('N s', 1, 1);
     case 'milliseconds':
       return scaled('ms', 1, 0);
     case 'words':

@@ -10,13 +10,13 @@ from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
 from aftdeck.kinematics.arm import Arm
 from aftdeck.matrices import product
+from aftdeck.report.lamps import Lamp, lit_lamps
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.observe import look_ahead
 from aftdeck.station.conversion.to_go import to_go
-from aftdeck.station.lamps import Lamp, lit_lamps
 from aftdeck.station.messages.frame import (
     Ahead,
     Aim,

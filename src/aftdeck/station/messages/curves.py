@@ -6,29 +6,8 @@ from typing import Literal
 
 import msgspec
 
+from aftdeck.report.quantity import Quantity
 from aftdeck.worksite.watch.alarm import Level
-
-Quantity = Literal[
-    "time",
-    "count",
-    "share",
-    "part of limit",
-    "ratio",
-    "length",
-    "gap",
-    "distance",
-    "angle",
-    "speed",
-    "turn rate",
-    "force",
-    "milliseconds",
-    "words",
-]
-"""Kind of a number, from which the page chooses its unit.
-
-A page that shows feet and inches shows "length" and "gap" in inches, and "distance" in feet. Every page shows "share"
-in per cent.
-"""
 
 
 class Stretch(msgspec.Struct, frozen=True):

@@ -6,12 +6,12 @@ from operator import attrgetter
 
 import msgspec
 
+from aftdeck.report.grade import Grade
+from aftdeck.report.lamps import Lamp
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation import frame as sim
-from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages.kinds import Quat
 from aftdeck.station.messages.measure import Measure
-from aftdeck.task.grade import Grade
 from aftdeck.tuples import Vec3
 
 

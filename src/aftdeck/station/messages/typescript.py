@@ -17,19 +17,19 @@ import msgspec
 from aftdeck import shapes
 from aftdeck.field_meta import comments
 from aftdeck.recording.hints import apart, is_object, names
+from aftdeck.report import lamps, quantity
 from aftdeck.simulation import frame as sim
-from aftdeck.station import lamps
 from aftdeck.station.messages import curves, frame, from_page, kinds, measure, playback, to_page, welcome
-from aftdeck.worksite import report
+from aftdeck.worksite import report as work
 
 HEADER = """\
-// Generated from simulation/frame.py, station/lamps.py and station/messages by `make generate`; do not edit.
+// Generated from simulation/frame.py, report/ and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 """
 
 MODULES = (kinds, from_page, welcome, frame, to_page, curves, measure, playback)
 """Modules whose structs the page uses."""
-NAMED = (shapes, lamps, *MODULES, sim, report)
+NAMED = (shapes, lamps, quantity, *MODULES, sim, work)
 """Modules whose aliases become types in TypeScript."""
 
 _PLAIN: dict[object, str] = {

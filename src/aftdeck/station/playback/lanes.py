@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from aftdeck.report.lamps import Lamp
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.payloads.task_phases import TASKS
-from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages.curves import Lane, Stretch
 from aftdeck.station.messages.kinds import Level
 

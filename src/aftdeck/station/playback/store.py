@@ -26,14 +26,15 @@ from aftdeck.recording.convert import lighting_of
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import ControllersRecord, DelayRecord, FrameRecord, LightRecord, Note, Shown
+from aftdeck.report.lamps import lit_lamps
+from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.frame import Event
 from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.measures_of import REPLAY, ended, measures_of
 from aftdeck.station.conversion.welcome_of import welcome_of
-from aftdeck.station.lamps import lit_lamps
 from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
 from aftdeck.station.playback.lanes import Lanes
-from aftdeck.station.playback.measures import RunMetrics
 from aftdeck.station.playback.strips import Strips, readings, worst_joint
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.steering.mode import MODES
@@ -123,7 +124,7 @@ class PlaybackStore:
     def _read(self, recording: Recording) -> PlaybackIndex:
         opening = recording.opening
         period = opening.control_period_s
-        lanes, strips, measures = Lanes(period), Strips(self._scenario, period), RunMetrics(period)
+        lanes, strips, metrics = Lanes(period), Strips(self._scenario, period), RunMetrics(self._scenario)
         events: list[Event] = []
         pictures: list[Pictured] = []
         waiting: list[FrameRecord] = []
@@ -132,12 +133,12 @@ class PlaybackStore:
             if isinstance(message, Note):
                 events.append(Event(message.time_s, message.kind, message.level, message.text))
             elif isinstance(message, ControllersRecord):
-                measures.use(message.controllers)
+                metrics.use(message.controllers)
             elif isinstance(message, Shown):
                 monitors = message.mon_1, message.mon_2
                 pictures.append(Pictured(message.time_s, monitors))
                 lanes.shown(monitors)
-                measures.shown(monitors)
+                metrics.shown(monitors)
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, DelayRecord):
@@ -148,7 +149,7 @@ class PlaybackStore:
                 lit = lit_lamps(self._scenario, message, recording.delays)
                 lanes.add(message, lit)
                 strips.add(self._readings(message, message.latency_ms))
-                measures.add(message, lit)
+                metrics.see(message, lit)
                 events += message.events
                 ticks = message.tick
                 waiting.append(message)
@@ -178,7 +179,7 @@ class PlaybackStore:
             lanes=lanes.lanes(),
             pictures=tuple(pictures),
             strips=strips.strips(),
-            measures=measures.measures(recording.ended, recording.delays),
+            measures=(ended(recording.ended), *measures_of(metrics.found(recording.delays), REPLAY)),
         )
 
     def _pack(self, records: list[FrameRecord]) -> None:

@@ -10,11 +10,12 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.report.metrics.path import worst_rate
+from aftdeck.report.quantity import Quantity
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Force, Frame, Holding
 from aftdeck.simulation.log import joint_label
-from aftdeck.station.messages.curves import Curve, Quantity, Strip
-from aftdeck.tuples import Six
+from aftdeck.station.messages.curves import Curve, Strip
 
 BUCKETS = 1000
 """Number of equal parts of a run. A curve keeps the least and the greatest value of each part.
@@ -210,13 +211,6 @@ def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     level = np.zeros(len(kept), dtype=bool)
     level[1:-1] = (shown[1:-1] == shown[:-2]) & (shown[1:-1] == shown[2:])
     return kept[~level]
-
-
-def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
-    """Return the largest ratio |rate| / limit, and the index of its joint; the index is -1 if no joint moves."""
-    parts = [abs(rate) / limit for rate, limit in zip(rates, limits, strict=True)]
-    worst = max(parts)
-    return worst, parts.index(worst) if worst > 0 else -1
 
 
 def worst_joint(frame: Frame, scenario: Scenario) -> str:

@@ -8,9 +8,9 @@ from itertools import islice
 from threading import Lock
 from typing import NamedTuple
 
+from aftdeck.report.lamps import Lamp
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages import to_page
 from aftdeck.station.playback.lanes import Lanes
 from aftdeck.station.playback.strips import blank, readings, worst_joint

@@ -21,6 +21,7 @@ from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import NO_TRIAL, Trial
+from aftdeck.report.lamps import Lamp, StandingLamps, lit_lamps
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive
@@ -31,7 +32,6 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
-from aftdeck.station.lamps import Lamp, StandingLamps, lit_lamps
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Ahead
 from aftdeck.station.session.commands import (

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
+from aftdeck.report.grade import faults, grade
+from aftdeck.report.lamps import Lamp
+from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.lamps import Lamp
+from aftdeck.station.conversion.measures_of import RESULT, measures_of
 from aftdeck.station.messages.frame import Debrief
-from aftdeck.station.playback.measures import (
-    ALARMS_RAISED,
-    CAPTURE_MISALIGNMENT,
-    RUN_TIME,
-    SMALLEST_CLEARANCE,
-    TIP_PATH,
-    RunMetrics,
-)
-from aftdeck.task.grade import Faults, grade
 from aftdeck.task.progress import Progress
-
-_SHOWN = (RUN_TIME, CAPTURE_MISALIGNMENT, SMALLEST_CLEARANCE, ALARMS_RAISED, TIP_PATH)
-"""Names of the figures in the result."""
 
 
 class TaskRun:
@@ -31,12 +22,12 @@ class TaskRun:
 
     def __init__(self, scenario: Scenario) -> None:
         self.progress = Progress(scenario)
-        self._period_s = scenario.control_period
+        self._scenario = scenario
         self._begin()
 
     def _begin(self) -> None:
         self.debrief: Debrief | None = None
-        self._faults, self._metrics, self._scripted = Faults(), RunMetrics(self._period_s), False
+        self._metrics, self._scripted = RunMetrics(self._scenario), False
 
     def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> tuple[int, ...]:
         """Add the next frame and its lamps; return the indices of the steps that it completes."""
@@ -48,16 +39,15 @@ class TaskRun:
         if self.progress.present is not None:
             self.debrief = None
         if self.debrief is None:
-            self._faults.see(frame)
             self._scripted = self._scripted or frame.by == "script"
-            self._metrics.add(frame, lamps)
+            self._metrics.see(frame, lamps)
         if self.progress.present is None and self.debrief is None:
             self.debrief = self._result()
         return done
 
     def _result(self) -> Debrief:
-        skipped, faults = len(self.progress.skipped), self._faults.texts()
-        figures = [figure for figure in self._metrics.measures("completed") if figure.name in _SHOWN]
+        skipped, found = len(self.progress.skipped), self._metrics.found()
+        kinds = faults(found)
         others = [f"{skipped} step skipped" if skipped == 1 else f"{skipped} steps skipped"] if skipped else []
         others += ["flown by the script"] if self._scripted else []
-        return Debrief(None if others else grade(faults), (*faults, *others), tuple(figures))
+        return Debrief(None if others else grade(kinds), (*kinds, *others), measures_of(found, RESULT))

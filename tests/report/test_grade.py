@@ -7,11 +7,13 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from aftdeck.report.grade import FAULTS, faults, grade
+from aftdeck.report.metric import Value
+from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.simulation.frame import AT_HARD, FREE, Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.session.task_run import TaskRun
-from aftdeck.task.grade import Faults, grade
 from tests.station.pages import scenario
 from tests.task.test_progress import two
 
@@ -28,11 +30,12 @@ def frames(*states: tuple[bool, bool, bool]) -> list[Frame]:
     return made
 
 
-def found(*states: tuple[bool, bool, bool]) -> tuple[int, int, int]:
-    faults = Faults()
+def found(*states: tuple[bool, bool, bool]) -> tuple[int, ...]:
+    metrics = RunMetrics(scenario("first-flight"))
     for frame in frames(*states):
-        faults.see(frame)
-    return faults.contacts, faults.warnings, faults.stops
+        metrics.see(frame, ())
+    values = metrics.found()
+    return tuple(int(values[metric].number or 0) for metric in FAULTS)
 
 
 def test_fault_is_counted_when_it_begins() -> None:
@@ -48,13 +51,14 @@ def test_what_the_first_frame_has_already_is_no_fault() -> None:
 
 
 def test_each_kind_of_fault_lowers_the_grade_by_one() -> None:
-    faults = Faults()
-    assert grade(faults.texts()) == "A"
-    faults.contacts = 7
-    assert grade(faults.texts()) == "B"
-    faults.warnings = faults.stops = 1
-    assert grade(faults.texts()) == "D"
-    assert faults.texts()[0].startswith("7 ")
+    counts = dict.fromkeys(FAULTS, 0)
+    grades = [grade(faults({}))]
+    for metric in FAULTS:
+        counts[metric] = 7
+        kinds = faults({kind: Value(float(count)) for kind, count in counts.items()})
+        grades.append(grade(kinds))
+        assert kinds[0].startswith("7 ")
+    assert grades == ["A", "B", "C", "D"]
 
 
 @pytest.mark.parametrize("skips", [0, 3])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 import pytest
 
-from aftdeck.station.lamps import Lamp, StandingLamps
+from aftdeck.report.lamps import Lamp, StandingLamps
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.session import Session
 from tests.station.pages import scenario

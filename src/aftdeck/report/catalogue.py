@@ -1,0 +1,44 @@
+"""List of all metrics, and their tables in docs/metrics.md: ``python -m aftdeck.report.catalogue FILE``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from aftdeck.made_tables import renew_file
+from aftdeck.report.metric import Metric
+from aftdeck.report.metrics import alarms, clearance, desk, forces, limits, moments, path, sticks, stopping, times
+from aftdeck.report.quantity import UNITS
+
+SUBJECTS: dict[str, tuple[Metric, ...]] = {
+    "Times": times.METRICS,
+    "Path": path.METRICS,
+    "Captures, dockings, latchings, releases": moments.METRICS,
+    "Clearance": clearance.METRICS,
+    "Hand controllers": sticks.METRICS,
+    "Stopping": stopping.METRICS,
+    "Limits": limits.METRICS,
+    "Alarms": alarms.METRICS,
+    "Forces": forces.METRICS,
+    "Station": desk.METRICS,
+}
+"""All metrics, by subject."""
+METRICS = tuple(metric for subject in SUBJECTS.values() for metric in subject)
+"""All metrics, in the order of tables."""
+
+
+def tables() -> str:
+    """Return a heading and a table for each subject."""
+    return "\n".join(_lines())
+
+
+def _lines() -> Iterator[str]:
+    for subject, metrics in SUBJECTS.items():
+        yield f"### {subject}\n\n| column | unit | definition | source |\n|---|---|---|---|"
+        for metric in metrics:
+            unit = UNITS[metric.quantity]
+            yield f"| `{metric.column}` | {unit} | **{metric.title}.** {metric.definition} | {metric.source} |"
+        yield ""
+
+
+if __name__ == "__main__":
+    renew_file(tables())

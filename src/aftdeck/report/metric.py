@@ -1,0 +1,77 @@
+"""Definition of a metric of a run, and its value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple, Protocol
+
+from aftdeck.report.quantity import UNITS, Quantity
+from aftdeck.simulation.frame import Frame
+from aftdeck.worksite.watch.alarm import Level
+
+PONTILLO = "Pontillo (MIT, 2010)"
+"""T. M. Pontillo, thesis about the performance of operators of a space manipulator."""
+FORMAN = "Forman (MIT, 2011)"
+"""R. E. Forman, thesis about objective metrics for the training of such operators."""
+REPORT = "Remote Manipulator Simulation, final report"
+"""Source of the task phases."""
+OWN = "Aftdeck"
+"""Source of a metric that Aftdeck defines."""
+
+
+class Metric(NamedTuple):
+    """Definition of a metric.
+
+    Attributes:
+        name: name in tables, without the unit: ``tip_path``.
+        title: name for people: ``Tip path``.
+        quantity: kind of the number, with its unit.
+        definition: what is measured, in a sentence.
+        source: document that defines it or asks for it.
+    """
+
+    name: str
+    title: str
+    quantity: Quantity
+    definition: str
+    source: str = OWN
+
+    @property
+    def column(self) -> str:
+        """Name of a table's column, with the unit: ``tip_path_m``, ``closing_speed_m_s``."""
+        unit = UNITS[self.quantity].replace("/", "_").replace(" ", "_").lower()
+        return f"{self.name}_{unit}" if unit else self.name
+
+
+class Value(NamedTuple):
+    """Value of a metric in a run.
+
+    Attributes:
+        number: in the SI unit of the metric's quantity; None for a text.
+        text: the value, if it is a text.
+        detail: where or when it occurred: ``lower boom to sill, at 12.4 s``.
+        level: worst level of its alarm during the run.
+    """
+
+    number: float | None
+    text: str = ""
+    detail: str = ""
+    level: Level = "info"
+
+
+Found = tuple[Metric, Value]
+
+
+class Collector(Protocol):
+    """What computes some metrics of a run, frame by frame."""
+
+    def see(self, frame: Frame, before: Frame | None) -> None:
+        """Add the next frame.
+
+        Args:
+            frame: the frame.
+            before: the frame of the step before; None in the first step of the run.
+        """
+
+    def found(self) -> Iterable[Found]:
+        """Return each metric for which the run has data, with its value."""

@@ -1,0 +1,32 @@
+"""Metrics of a recorded run."""
+
+from __future__ import annotations
+
+from aftdeck.errors import RecordingError
+from aftdeck.recording.bundle import scenario_of
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import ControllersRecord, FrameRecord, Shown
+from aftdeck.report.lamps import lit_lamps
+from aftdeck.report.metric import Metric, Value
+from aftdeck.report.run_metrics import RunMetrics
+
+
+def metrics_of(recording: Recording) -> dict[Metric, Value]:
+    """Return every metric for which a recording has data.
+
+    Raises:
+        RecordingError: the recording has no step.
+    """
+    scenario = scenario_of(recording.opening)
+    metrics, steps = RunMetrics(scenario), 0
+    for message in recording.messages():
+        if isinstance(message, FrameRecord):
+            metrics.see(message, lit_lamps(scenario, message, recording.delays))
+            steps += 1
+        elif isinstance(message, ControllersRecord):
+            metrics.use(message.controllers)
+        elif isinstance(message, Shown):
+            metrics.shown((message.mon_1, message.mon_2))
+    if not steps:
+        raise RecordingError(f"{recording.path}: ends before its first step and has no metrics", "empty")
+    return metrics.found(recording.delays)

@@ -1,0 +1,67 @@
+"""All metrics of one run, collected frame by frame."""
+
+from __future__ import annotations
+
+from aftdeck.recording.delays import Delays
+from aftdeck.recording.records import ControllerRecord
+from aftdeck.report.lamps import Lamp
+from aftdeck.report.metric import Collector, Metric, Value
+from aftdeck.report.metrics.alarms import Alarms
+from aftdeck.report.metrics.clearance import Clearance
+from aftdeck.report.metrics.desk import Desk
+from aftdeck.report.metrics.forces import Forces
+from aftdeck.report.metrics.limits import Limits
+from aftdeck.report.metrics.moments import Moments
+from aftdeck.report.metrics.path import Path
+from aftdeck.report.metrics.sticks import Sticks
+from aftdeck.report.metrics.stopping import Stopping
+from aftdeck.report.metrics.times import Times
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+
+
+class RunMetrics:
+    """Metrics of one run: the same for a person's flight, a script's and a policy's, live or recorded."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        period_s = scenario.control_period
+        self._alarms, self._desk = Alarms(), Desk()
+        self._collectors: tuple[Collector, ...] = (
+            Times(period_s),
+            Path(period_s),
+            Moments(scenario),
+            Clearance(),
+            Sticks(period_s),
+            Stopping(),
+            Limits(),
+            Forces(period_s),
+        )
+        self._before: Frame | None = None
+
+    def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
+        """Add the next frame, and the lamps that are lit in it."""
+        for collector in self._collectors:
+            collector.see(frame, self._before)
+        self._alarms.see(lamps)
+        self._before = frame
+
+    def use(self, controllers: tuple[ControllerRecord, ...]) -> None:
+        """Add the devices that move the sticks from the next frame on."""
+        self._desk.use(controllers)
+
+    def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
+        """Set the cameras that the monitors show from the next frame on."""
+        self._desk.shown(monitors)
+
+    def found(self, delays: Delays | None = None) -> dict[Metric, Value]:
+        """Return every metric for which the run has data.
+
+        Args:
+            delays: delays of the steps; None if they are not known, as in a headless run.
+        """
+        found: dict[Metric, Value] = {}
+        for collector in self._collectors:
+            found.update(collector.found())
+        found.update(self._alarms.found())
+        found.update(self._desk.found(delays))
+        return found

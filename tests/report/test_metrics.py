@@ -1,0 +1,240 @@
+"""Metrics of runs made by hand, whose values are known."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from aftdeck.report.catalogue import METRICS
+from aftdeck.report.lamps import Lamp
+from aftdeck.report.metric import Collector, Metric, Value
+from aftdeck.report.metrics import alarms, clearance, forces, limits, moments, path, sticks, stopping, times
+from aftdeck.report.run_metrics import RunMetrics
+from aftdeck.simulation.frame import Dynamics, Force, Frame, Goal, Holding, Placed
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.worksite.report import Cargo, Near
+from tests.station.pages import scenario
+
+PERIOD = 0.02
+"""Control period [s]."""
+ONE = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+"""No rotation."""
+RESTING = (0.0,) * 6
+"""Twist of a tip at rest."""
+
+
+@pytest.fixture(scope="module")
+def frame() -> Frame:
+    """Frame of an arm without payloads; its twist is zero."""
+    return msgspec.structs.replace(Simulation(scenario("first-flight")).step(Inputs()), twist=RESTING)
+
+
+def changed(frame: Frame, **fields: Any) -> Frame:  # fields of a frame have many types
+    """Return a frame with other fields; those of `Work` are found by their names."""
+    within = {name: fields.pop(name) for name in list(fields) if name in frame.work.__struct_fields__}
+    return msgspec.structs.replace(frame, work=msgspec.structs.replace(frame.work, **within), **fields)
+
+
+def found(collector: Collector, frames: Iterable[Frame]) -> dict[Metric, Value]:
+    """Return the metrics of a run."""
+    before = None
+    for frame in frames:
+        collector.see(frame, before)
+        before = frame
+    return dict(collector.found())
+
+
+def numbers(collector: Collector, frames: Iterable[Frame]) -> dict[Metric, float | None]:
+    """Return the numbers of the metrics of a run."""
+    return {metric: value.number for metric, value in found(collector, frames).items()}
+
+
+def cargo(*, held: bool = False, seat: str = "", at: float = 0.0, turned: float = 0.0, speed: float = 0.0) -> Cargo:
+    """Return a payload on the X axis, turned about Z."""
+    s, c = math.sin(turned), math.cos(turned)
+    return Cargo("payload", (at, 0.0, 0.0), ((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0)), (speed, 0.0, 0.0), held, seat)
+
+
+def near(gap: float, a: str = "boom", *, essential: bool = False) -> Near:
+    """Return a pair with this clearance."""
+    zero = (0.0, 0.0, 0.0)
+    return Near(a, "sill", gap, 0.0, zero, zero, zero, 0.0, essential)
+
+
+def test_every_metric_has_its_own_column_and_a_definition() -> None:
+    assert len({metric.column for metric in METRICS}) == len({metric.title for metric in METRICS}) == len(METRICS)
+    assert all(metric.definition.endswith(".") and metric.source for metric in METRICS)
+
+
+def test_a_run_has_only_metrics_of_the_catalogue() -> None:
+    for name in ("concept-1972-script", "srms-berth"):
+        sim = Simulation(name)
+        metrics = RunMetrics(sim.scenario)
+        for _ in range(50):
+            metrics.see(sim.step(), ())
+        assert set(metrics.found()) <= set(METRICS)
+
+
+@given(st.lists(st.tuples(*[st.floats(-5.0, 5.0)] * 3), min_size=2, max_size=12))
+def test_directness_is_at_most_one_and_one_only_on_straight_lines(places: list[tuple[float, float, float]]) -> None:
+    still = msgspec.structs.replace(Simulation(scenario("first-flight")).step(Inputs()), twist=RESTING)
+    values = numbers(path.Path(PERIOD), [changed(still, position=place) for place in places])
+    length = sum(math.dist(a, b) for a, b in pairwise(places))
+    assert values[path.PATH] == pytest.approx(length)
+    if length:
+        assert values[path.DIRECTNESS] == pytest.approx(math.dist(places[0], places[-1]) / length)
+
+
+def test_path_is_divided_where_a_payload_is_captured(frame: Frame) -> None:
+    corner = [(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (3.0, 4.0, 0.0)]
+    bent = [changed(frame, position=place, cargo=(cargo(),)) for place in corner]
+    taken = [bent[0], *(changed(each, cargo=(cargo(held=True),)) for each in bent[1:])]
+    assert numbers(path.Path(PERIOD), bent)[path.DIRECTNESS] == pytest.approx(5.0 / 7.0)
+    assert numbers(path.Path(PERIOD), taken)[path.DIRECTNESS] == pytest.approx(1.0)
+
+
+def test_turning_at_a_constant_rate(frame: Frame) -> None:
+    turning = [changed(frame, twist=(0.0, 0.0, 0.1, 0.0, 0.3, 0.4))] * 50
+    values = numbers(path.Path(PERIOD), turning)
+    assert values[path.TURNED] == pytest.approx(0.1 * 50 * PERIOD)
+    assert values[path.SPEED] == pytest.approx(0.5)
+
+
+def stick(frame: Frame, *axes: float, drive: float = 0.0) -> Frame:
+    """Return a frame with deflected sticks: X, Y, Z, roll, pitch, yaw."""
+    six = (*axes, *[0.0] * (6 - len(axes)))
+    return changed(frame, translation=six[:3], rotation=six[3:], drive=drive)
+
+
+def test_use_of_the_hand_controllers(frame: Frame) -> None:
+    centred, x, both = stick(frame), stick(frame, 1.0), stick(frame, 1.0, 0.0, 0.0, 0.5)
+    diagonal, back = stick(frame, 1.0, 1.0), stick(frame, -1.0)
+    values = numbers(sticks.Sticks(PERIOD), [centred, x, both, diagonal, centred, back, x, stick(frame, drive=1.0)])
+    assert values[sticks.TWO_HANDED] == 1 / 5
+    assert values[sticks.MULTI_AXIS] == 2 / 5
+    assert values[sticks.TRANSLATION] == 1 / 5
+    assert values[sticks.ROTATION] == 0.0
+    assert values[sticks.INPUTS] == 4  # THC twice, RHC once, DRIVE once
+    assert values[sticks.REVERSALS] == 2  # + to -, and back
+    assert found(sticks.Sticks(PERIOD), [x, back])[sticks.WORST_AXIS].text == "X, 1"
+
+
+def test_run_without_sticks_has_no_shares(frame: Frame) -> None:
+    values = numbers(sticks.Sticks(PERIOD), [stick(frame)] * 3)
+    assert {sticks.TWO_HANDED, sticks.MULTI_AXIS, sticks.TRANSLATION, sticks.ROTATION}.isdisjoint(values)
+    assert values[sticks.INPUTS] == 0
+
+
+def test_preparation_ends_with_the_first_command_and_rest_after_it_is_idle(frame: Frame) -> None:
+    still, x = stick(frame), stick(frame, 1.0)
+    moving = changed(still, twist=(0.0, 0.0, 0.0, 0.1, 0.0, 0.0))
+    values = numbers(times.Times(PERIOD), [still] * 10 + [x] * 5 + [moving] * 3 + [still] * 7)
+    assert values[times.RUN] == pytest.approx(25 * PERIOD)
+    assert values[times.PREPARATION] == pytest.approx(10 * PERIOD)
+    assert values[times.IDLE] == pytest.approx(7 * PERIOD)
+    assert times.IDLE not in numbers(times.Times(PERIOD), [still] * 4)
+
+
+def test_task_phases_add_up_to_the_run(frame: Frame) -> None:
+    phases = [1, 1, 2, 3, 3, 3, 4, 1]
+    values = numbers(times.Times(PERIOD), [changed(frame, task=task, cargo=(cargo(),)) for task in phases])
+    assert [round((values[metric] or 0.0) / PERIOD) for metric in times.PHASES.values()] == [3, 1, 3, 1]
+
+
+def test_contact_counts_once_for_each_pair_and_not_if_it_belongs_to_the_task(frame: Frame) -> None:
+    def touching(*pairs: Near) -> Frame:
+        return changed(frame, contacts=pairs)
+
+    clear, boom, both = touching(), touching(near(0.0)), touching(near(0.0), near(0.0, "wrist"))
+    assert numbers(clearance.Clearance(), [clear, boom, both, boom, clear, boom])[clearance.COLLISIONS] == 3
+    assert numbers(clearance.Clearance(), [boom, boom, clear])[clearance.COLLISIONS] == 0
+    finger = touching(near(0.0, essential=True))
+    assert numbers(clearance.Clearance(), [clear, finger])[clearance.COLLISIONS] == 0
+
+
+def test_least_and_mean_clearance(frame: Frame) -> None:
+    gaps = [None, 1.0, 0.25, 0.75, None]
+    run = [changed(frame, nearest=None if gap is None else near(gap)) for gap in gaps]
+    values = numbers(clearance.Clearance(), run)
+    assert values[clearance.LEAST] == 0.25
+    assert values[clearance.MEAN] == pytest.approx(2.0 / 3.0)
+    assert clearance.LEAST not in numbers(clearance.Clearance(), run[:1])
+
+
+def test_released_payload_turns_and_drifts_at_its_rate(frame: Frame) -> None:
+    rate, speed = 0.02, 0.03
+    run = [changed(frame, cargo=(cargo(held=True),))] * 2
+    run += [changed(frame, cargo=(cargo(turned=rate * PERIOD * i, speed=speed),)) for i in range(4)]
+    values = numbers(moments.Moments(scenario("first-flight")), run)
+    assert values[moments.RELEASES] == 1
+    assert values[moments.TIP_OFF] == pytest.approx(rate, rel=1e-6)
+    assert values[moments.DRIFT] == pytest.approx(speed)
+    left = [changed(frame, cargo=(cargo(held=held, seat="bay"),)) for held in (True, False, False)]
+    assert numbers(moments.Moments(scenario("first-flight")), left)[moments.RELEASES] == 0
+
+
+def test_closing_speed_at_capture_is_relative_to_the_payload(frame: Frame) -> None:
+    twist = (0.0, 0.0, 0.0, 0.5, 0.0, 0.0)
+    run = [changed(frame, twist=twist, cargo=(cargo(held=held, speed=0.3),)) for held in (False, False, True)]
+    values = numbers(moments.Moments(scenario("first-flight")), run)
+    assert values[moments.CAPTURE.number] == 1
+    assert values[moments.CAPTURE.speed] == pytest.approx(0.2)
+
+
+def test_stopping_distance_is_measured_from_the_release_of_the_sticks(frame: Frame) -> None:
+    moving = (0.0, 0.0, 0.0, 0.1, 0.0, 0.0)
+    run = [changed(stick(frame, 1.0), twist=moving, resolution=(x, 0.0, 0.0)) for x in (0.0, 1.0)]
+    run += [changed(stick(frame), twist=moving, resolution=(x, 0.0, 0.0)) for x in (1.3, 1.5)]
+    run += [changed(stick(frame), resolution=(x, 0.0, 0.0)) for x in (1.6, 7.0)]  # it rests at 1.6
+    assert numbers(stopping.Stopping(), run)[stopping.STOPPING] == pytest.approx(0.6)
+    assert stopping.STOPPING not in numbers(stopping.Stopping(), run[:2])
+
+
+def automatic(frame: Frame, distances: Sequence[float]) -> list[Frame]:
+    """Return the frames of an automatic motion with these remaining distances."""
+    goals = (Goal((1.0, 2.0, 3.0), ONE, left, 0.0, 1.0) for left in distances)
+    return [changed(frame, goal=goal, sequence="in progress") for goal in goals]
+
+
+def test_overshoot_counts_only_after_the_nearest_point(frame: Frame) -> None:
+    def overshoot(*distances: float) -> float | None:
+        return numbers(stopping.Stopping(), automatic(frame, distances))[stopping.OVERSHOOT]
+
+    assert overshoot(3.0, 2.0, 1.0, 0.0) == 0.0
+    assert overshoot(3.0, 4.0, 2.0, 0.1) == 0.0
+    assert overshoot(3.0, 1.0, 0.2, 0.5, 0.3) == pytest.approx(0.3)
+    assert stopping.OVERSHOOT not in numbers(stopping.Stopping(), [frame])
+
+
+def test_state_of_the_first_step_is_no_event(frame: Frame) -> None:
+    free, braked = changed(frame, brakes=False), changed(frame, brakes=True)
+    assert numbers(limits.Limits(), [braked, free, braked, braked, free])[limits.BRAKES] == 1
+
+
+def test_impulse_of_a_constant_force(frame: Frame) -> None:
+    pushed = Force("a", "b", (3.0, 4.0, 0.0), (0.0, 0.0, 0.0))
+    dynamics = Dynamics(
+        (0.0, 0.0, 0.0), ONE, None, RESTING, (), Placed((0.0, 0.0, 0.0), ONE), RESTING, (pushed,),
+        (Holding("payload", "end effector", 70.0),), (),
+    )  # fmt: skip
+    values = numbers(forces.Forces(PERIOD), [changed(frame, dynamics=dynamics)] * 10)
+    assert values == {forces.PEAK: 5.0, forces.IMPULSE: pytest.approx(5.0 * 10 * PERIOD), forces.HOLDING: 70.0}
+    assert numbers(forces.Forces(PERIOD), [frame]) == {}
+
+
+def test_lamp_that_goes_out_and_on_again_raises_a_second_alarm() -> None:
+    collector = alarms.Alarms()
+    caution, warning = Lamp("CLEARANCE", "caution", ""), Lamp("CLEARANCE", "warning", "")
+    info = Lamp("RELEASE", "info", "")
+    for lit in [(), (caution,), (caution,), (warning, info), (), (caution,)]:
+        collector.see(lit)
+    ((_, value),) = collector.found()
+    assert (value.number, value.level) == (3.0, "warning")
