@@ -24,6 +24,11 @@ NAMED = """(name) => {
     return [named.length, named.some((node) => node.checkVisibility({ visibilityProperty: true }))];
 }"""
 """Number of the elements with this text, and whether one of them is visible."""
+FITS = """(() => {
+    const bottom = (part) => document.querySelector(`.task ${part}`).getBoundingClientRect().bottom;
+    return bottom('.words') <= bottom('.instruction') + 1;
+})()"""
+"""JavaScript condition: the text of the step is within its part of the card."""
 STEP = "document.querySelector('.task .steps span').textContent"
 
 
@@ -44,6 +49,7 @@ def test_parts_that_a_text_names_are_visible(open_page: OpenPage) -> None:
                 count, visible = flight.page.evaluate(NAMED, name)
                 assert visible or count == 0, f"{scenario.name}, {step.title}: {name} is hidden"
                 found += visible
+            assert flight.script(FITS), f"{scenario.name}, {step.title}: the card has no room for its text"
             flight.press_key("Skip step")
             flight.until(f"{STEP} !== '{present[0]}'")
         assert_tidy(flight)

@@ -25,7 +25,7 @@ LIGHT = f"""document.querySelectorAll('.lamp').forEach((lamp) => {{
 CUT = """() => {
     const found = [];
     // The newest line of the log, its hints, the state of each group, causes of lamps, conditions, the guide.
-    const advice = '.log .whole:not(.unseen), .about, .lamp small, .pair, .cells .name, .tutorial p';
+    const advice = '.log .whole:not(.unseen), .about, .lamp small, .pair, .cells .name, .task .words';
     const texts = [...document.querySelectorAll(advice)].filter(({ textContent }) => textContent);
     for (const node of texts.filter((text) => text.checkVisibility({ visibilityProperty: true }))) {
         const wide = node.scrollWidth > node.clientWidth + 1 && getComputedStyle(node).display !== 'inline';

@@ -115,9 +115,9 @@ def test_contacts_are_sorted_by_depth_with_their_kind() -> None:
     after(watched, 2, found, found)
     standing_contacts = watched.standing(LAYOUT, found, "SI")
     assert [c.text for c in standing_contacts] == [
-        "can touches wall: 300 mm deep",
-        "palm touches can: 21.3 mm deep",
-        "prong touches bar, as it is made to",
+        "contact of can and wall: 300 mm deep",
+        "contact of palm and can: 21.3 mm deep",
+        "contact of prong and bar, part of the task",
     ]
     assert [(c.a, c.b, c.depth, c.essential, c.inhibits) for c in standing_contacts] == [
         ("can", "wall", 0.3, False, True),

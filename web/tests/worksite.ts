@@ -30,5 +30,5 @@ export function work(parts: Partial<Work>): Work {
 
 export function toGo(parts: Partial<ToGo>): ToGo {
   const values = { to: 'pin', translation: null, rotation: null, distance: 1, angle: 0.1 };
-  return { ...values, near: [0.05, 0.05], shift: [0, 0, 0, 1, 0, 0, 0], ...parts };
+  return { ...values, near: [0.05, 0.05], closing: 0, shift: [0, 0, 0, 1, 0, 0, 0], ...parts };
 }

@@ -105,7 +105,7 @@ class Lamp(msgspec.Struct, frozen=True, gc=False):
     text: str
     """Cause, such as ``elbow 0.12`` for SINGULAR."""
     standing: bool = False
-    """Whether the lamp has been lit at this level since the first step of the run: it then raises no alarm."""
+    """Whether the lamp raises no alarm: lit at this level since the first step of the run, or about the computer."""
 
 
 class StandingLamps:
@@ -148,7 +148,7 @@ def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) ->
     if delays is None or delays.lost_at_s is None:
         return lit
     level: Level = "caution" if frame.time_s - delays.lost_at_s < NEW_LOSS_S else "info"
-    return (*lit, Lamp(TIME_LOST, level, delays.text()))
+    return (*lit, Lamp(TIME_LOST, level, delays.text(), standing=True))
 
 
 def _joints_beyond(scenario: Scenario, frame: Frame, zone: int) -> Lit | None:

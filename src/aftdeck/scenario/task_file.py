@@ -98,6 +98,7 @@ class StateSpec(_Part, frozen=True):
     `held`: the end effector holds a payload. `fixed`: the payload is fixed to a berth; `berth`: to the berth of this
     name. `ready`: all conditions on the panel hold. `holds` names conditions that hold; `share` is the part of each
     limit within which they have to hold. `flag` is lit at the end effector. `switch` is the position of its switch.
+    `moves`: a mechanism moves: latches, snares, carriage, prong or telescope.
 
     `mode`, `rate`, `sequence` and `point` are those of the panel. `singular`: a singularity is nearer than the arm's
     threshold. `alarm`: CLEARANCE shows a warning.
@@ -120,6 +121,7 @@ class StateSpec(_Part, frozen=True):
     share: Share = 1.0
     flag: Text | None = None
     switch: Literal["stop", "close", "open"] | None = None
+    moves: bool | None = None
     mode: Text | None = None
     rate: Literal["coarse", "vernier"] | None = None
     sequence: Literal["idle", "checking", "ready", "in progress"] | None = None

@@ -106,12 +106,15 @@ class Progress:
         self._looked = self._again = self._open = False
 
     def _completed(self, frame: Frame) -> tuple[int, ...]:
-        """Return the steps that a frame completes: the present one, or all up to the next milestone."""
+        """Return the steps that a frame completes: the present one, or all up to the next milestone.
+
+        While a contact inhibits the arm, only milestones are completed.
+        """
         if self.present is None:
             return ()
         if not self._reached(frame, self.at, self.present.done):
             self._again = False
-        elif not self._again:
+        elif not self._again and (self.present.is_milestone or not frame.work.arm_inhibit):
             return (self.at,)
         later = range(self.at + 1, len(self.steps))
         milestone = next((i for i in later if self.steps[i].is_milestone), None)

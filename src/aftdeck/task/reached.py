@@ -12,7 +12,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
 from aftdeck.task.remaining import Aims
 from aftdeck.tuples import Rows, Vec3
-from aftdeck.worksite.conditions import Condition, all_hold
+from aftdeck.worksite.conditions import Condition, all_ready
 
 REST_M, REST_RAD = 1e-3, 1e-3
 """Speed [m/s] and angular rate [rad/s] below which the tip is at rest."""
@@ -79,14 +79,10 @@ def _work(wanted: StateSpec, now: Frame) -> bool:
         and (wanted.berth is None or wanted.berth in seats)
         and (wanted.flag is None or wanted.flag in hand.flags)
         and wanted.switch in (None, hand.switch)
+        and wanted.moves in (None, bool(now.motions))
         and (wanted.ready is None or wanted.ready == all_ready(now.work.conditions))
         and _conditions(wanted, now.work.conditions)
     )
-
-
-def all_ready(conditions: tuple[Condition, ...]) -> bool:
-    """Return whether there are conditions and all hold."""
-    return bool(conditions) and all_hold(conditions)
 
 
 def _conditions(wanted: StateSpec, conditions: tuple[Condition, ...]) -> bool:

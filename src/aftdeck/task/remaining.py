@@ -16,19 +16,20 @@ from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
 from aftdeck.task.places import Places
+from aftdeck.worksite.conditions import all_ready
 
 _NEAR_M, _NEAR_RAD = 0.025, math.radians(2.0)
 """Distance [m] and angle [rad] that count as arrived if neither a step nor a berth gives them."""
 
 _AWAY_M = 0.1
-"""Distance above a payload or a berth from which on the place is named `over` or `before` it [m]."""
+"""Distance above a payload or a berth from which on the place is named `above` or `before` it [m]."""
 
 
 class Remaining(NamedTuple):
     """Motion that is left.
 
     Attributes:
-        to: place for the operator: ``pin``, ``over bar``, ``Cargo bay``, ``target``, or a joint's name.
+        to: place for the operator: ``pin``, ``above bar``, ``Cargo bay``, ``target``, or a joint's name.
         pose: pose of the tip at this place, in L; None if a joint has to move.
         motion: motion of the tip to this pose, x to R x + p in L; None if a joint has to move.
         distance: distance that the tip, or the held payload, still has to move [m]; 0 for a joint.
@@ -47,6 +48,14 @@ class Remaining(NamedTuple):
     def arrived(self) -> bool:
         """Whether the tip, or the joint, has arrived."""
         return self.distance <= self.near[0] and abs(self.angle) <= self.near[1]
+
+
+def _ready(left: Remaining, frame: Frame) -> Remaining:
+    """Return a motion to a fixture or a berth; if all conditions hold there, the tip has arrived."""
+    if not all_ready(frame.work.conditions):
+        return left
+    # Twice the distance: a component has arrived within 1/sqrt(3) of the distance that counts.
+    return left._replace(near=(max(left.near[0], 2.0 * left.distance), max(left.near[1], 2.0 * abs(left.angle))))
 
 
 class Aims:
@@ -77,12 +86,14 @@ class Aims:
         match target:
             case AtSeat(seat=name, above=above):
                 seat = self.places.seats[name]
-                away = "before" if seat.kind == "port" else "over"
+                away = "before" if seat.kind == "port" else "above"
                 to = f"{away} {seat.title}" if above > _AWAY_M else seat.title
-                return self._to(frame, to, pose, self._near(step, (seat.distance, seat.angle)))
+                left = self._to(frame, to, pose, self._near(step, (seat.distance, seat.angle)))
+                return left if above > _AWAY_M else _ready(left, frame)
             case AtCargo(above=above):
-                to = f"over {self._fixture}" if above > _AWAY_M else self._fixture
-                return self._to(frame, to, pose, self._near(step))
+                to = f"above {self._fixture}" if above > _AWAY_M else self._fixture
+                left = self._to(frame, to, pose, self._near(step))
+                return left if above > _AWAY_M else _ready(left, frame)
             case _:
                 return self._to(frame, "target", pose, self._near(step))
 

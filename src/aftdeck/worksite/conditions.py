@@ -88,6 +88,11 @@ def all_hold(conditions: Iterable[Condition]) -> bool:
     return all(condition.holds for condition in conditions)
 
 
+def all_ready(conditions: tuple[Condition, ...]) -> bool:
+    """Return whether there are conditions and all hold."""
+    return bool(conditions) and all_hold(conditions)
+
+
 def failing(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
     """Return the conditions that fail."""
     return tuple(condition for condition in conditions if not condition.holds)

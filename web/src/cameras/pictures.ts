@@ -367,9 +367,15 @@ export class Pictures {
     if (!watch.surveyed()) return;
     if (this.reopening) survey.open(frame, gap);
     const [first, second] = survey.first(frame);
-    if (first && second) this.offer({ cameras: [first.name, second.name], why: situationWords(frame) });
+    if (first && second && !this.stepHasCameras(frame))
+      this.offer({ cameras: [first.name, second.name], why: situationWords(frame) });
     if (this.reopening) this.takeOffer();
     this.reopening = false;
+  }
+
+  /** Whether the present step of the task names its own cameras, which the page offers when the step begins. */
+  private stepHasCameras({ display: { task } }: Frame): boolean {
+    return (this.welcome.steps[task?.at ?? -1]?.cameras.length ?? 0) > 0;
   }
 
   /** For each monitor, whether it has the look of 1972. */

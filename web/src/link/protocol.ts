@@ -1364,6 +1364,8 @@ export interface ToGo {
   readonly angle: number;
   /** Distance [m] and angle [rad] within which the place is reached. */
   readonly near: Vec2;
+  /** Speed at which the distance becomes smaller [m/s]; negative if it grows, null for a joint. */
+  readonly closing: number | null;
   /**
    * Motion of the tip, and of a held payload, to the place, in the scene frame: x, y, z [m], then w, x, y, z.
    *
@@ -1417,7 +1419,7 @@ export interface Lamp {
   readonly level: Level;
   /** Cause, such as `elbow 0.12` for SINGULAR. */
   readonly text: string;
-  /** Whether the lamp has been lit at this level since the first step of the run: it then raises no alarm. */
+  /** Whether the lamp raises no alarm: lit at this level since the first step of the run, or about the computer. */
   readonly standing: boolean;
 }
 

@@ -71,7 +71,11 @@ export class Card {
       el(
         'div',
         { class: 'steps' },
-        el('ol', { class: 'marks', 'aria-hidden': 'true' }, ...this.marks),
+        el(
+          'ol',
+          { class: 'marks', 'aria-hidden': 'true', style: `--count: ${this.marks.length}` },
+          ...this.marks,
+        ),
         this.count,
         this.go.element,
       ),

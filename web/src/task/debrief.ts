@@ -2,7 +2,7 @@
 
 import type { Debrief, Recorded, Welcome } from '../link/protocol';
 import { keeper } from '../page/local-storage';
-import { button, el, setClass, setText } from '../panel/parts/dom';
+import { button, el, setAttribute, setClass, setText } from '../panel/parts/dom';
 import { figure } from '../replay/quantity';
 import { durationText } from '../words/format';
 import type { Units } from '../words/units';
@@ -14,6 +14,8 @@ export interface DebriefListener {
   next(scenario: string): void;
 }
 
+const GRADES =
+  'A: no faults. Contacts that inhibited the arm, clearance warnings and hard stops each lower the grade by one.';
 /** Name of the figure with the time of the run. */
 const TIME = 'Run time';
 
@@ -73,6 +75,7 @@ export class DebriefView {
     setText(this.grade, debrief.grade ?? '–');
     setClass(this.grade, 'good', debrief.grade === 'A');
     setText(this.faults, debrief.faults.join(', ') || 'No faults');
+    setAttribute(this.faults, 'title', GRADES);
     setText(this.best, run || before ? bestWords(before, better) : '');
     this.replay.hidden = true;
     if (recorded) void this.findReplay();

@@ -3,7 +3,7 @@
 import type { PairOffer } from '../cameras/pair-offer';
 import type { InHand } from '../input/active-device';
 import { revision } from '../input/store';
-import type { HintInfo, StepInfo, TaskNow } from '../link/protocol';
+import type { HintInfo, StepInfo, TaskNow, UseInfo } from '../link/protocol';
 import { keeper } from '../page/local-storage';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/parts/dom';
 import type { Desk, View } from '../panel/parts/part';
@@ -15,11 +15,13 @@ import { type Piece, pieces, present, spoken } from './words';
 
 /** Built-in scenario for beginners. */
 export const TUTORIAL = 'tutorial';
+/** Whether the user left the last scenario with an open guide; the guide of the next one then opens too. */
+let kept = false;
 /** Storage key: whether the guide was opened before. Without storage, the guide opens at each visit to the tutorial. */
 const KEY = 'aftdeck.tutorial';
 const OPENED = 'opened';
-const NOTE: readonly Piece[] = [
-  { kind: 'text', text: 'You cannot damage anything here. ' },
+const notice = (text: string): readonly Piece[] => [
+  { kind: 'text', text },
   { kind: 'use', text: 'stop' },
   { kind: 'text', text: ' stops all motion.' },
 ];
@@ -64,7 +66,8 @@ export class Task {
       : ['Tutorial', 'Learn a first capture in six steps'];
     this.key = button({ title }, [name], () => this.toggle());
     this.line = new Line(inHand, this.exists ? () => this.show(true) : null);
-    this.card = new Card(inHand, desk.welcome, NOTE, {
+    const note = this.isTutorial ? 'You cannot damage anything here. ' : 'Contacts lower the grade. ';
+    this.card = new Card(inHand, desk.welcome, notice(note), {
       back: () => desk.send({ type: 'turn_step', to: 'previous' }),
       skip: () => desk.send({ type: 'turn_step', to: 'next' }),
       close: () => this.show(false),
@@ -73,6 +76,7 @@ export class Task {
       next: (name) => listener.flyIt(name),
     });
     this.show(false);
+    this.unasked ||= kept && this.exists;
   }
 
   /**
@@ -94,25 +98,25 @@ export class Task {
     this.offerCameras(task.at, step);
     if (task.debrief && !this.ended && flying) this.show(true);
     this.ended = task.debrief !== null;
-    const marked = { units, conditions: frame.work.conditions };
+    const held = frame.work.cargo.some((cargo) => cargo.held);
+    const marked = { units, conditions: frame.work.conditions, held };
     const done = task.done_s.map((time, i) => time !== null || i < task.first);
     const shown = step ? present(step, task) : null;
     const [title, words] =
       step && shown ? [step.title, shown.text] : this.exists ? ending(task) : ['', welcome.text];
     this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
-    const said = [
-      ...barred(frame, welcome.joints, this.inHand),
-      ...pieces(words, marked),
-      ...moving(frame.motions),
-    ];
+    const way = barred(frame, welcome.joints, this.inHand);
+    const said = way.length > 0 ? way : [...pieces(words, marked), ...moving(frame.motions)];
+    // The numbers are along the sticks of the present mode: not of use before the step's own mode is entered.
+    const go = this.needs === '' && step ? to_go : null;
     const all = [...(this.needs === '' ? [] : modeHint(this.needs)), ...said];
     this.announce(`${task.at} ${task.hint} ${this.needs}`, title, all);
     if (!this.open) {
       this.line.set(this.exists ? countWords(task.at, done) : '', title, all);
-      this.line.setGo(to_go, units);
+      this.line.setGo(this.needs === '' ? to_go : null, units);
       return;
     }
-    if (shown) this.drawCaps(task, shown);
+    if (shown) this.drawCaps(task, this.needs === '' ? shown : { ...shown, uses: [enterUse(this.needs)] });
     else setAttribute(document.body, 'data-step', '');
     this.card.set({
       at: task.at,
@@ -123,7 +127,7 @@ export class Task {
       needs: this.needs,
       mode: frame.mode,
     });
-    this.card.setGo(step ? to_go : null, units);
+    this.card.setGo(go, units);
     this.card.setDebrief(task.debrief, units, recording_s !== null, flying);
   }
 
@@ -132,6 +136,7 @@ export class Task {
   }
 
   dispose(): void {
+    kept = this.open;
     this.show(false);
     setClass(document.body, 'tasked', false);
   }
@@ -183,13 +188,17 @@ export class Task {
   }
 
   private drawCaps(task: TaskNow, { uses }: HintInfo): void {
-    const drawn = `${task.at} ${task.hint} ${this.inHand.kinds.join()} ${revision()}`;
+    const drawn = `${task.at} ${task.hint} ${this.needs} ${this.inHand.kinds.join()} ${revision()}`;
     if (drawn === this.drawn) return;
     this.drawn = drawn;
     this.card.setCaps(uses);
     const step = this.desk.welcome.steps[task.at];
     setAttribute(document.body, 'data-step', step?.groups.join(' ') ?? '');
   }
+}
+
+function enterUse(mode: string): UseInfo {
+  return { use: 'enter', does: mode };
 }
 
 /** Returns the closing title and text, when all steps are past. */

@@ -6,13 +6,15 @@
 import type { Names } from '../input/active-device';
 import type { ToGo, Vec3 } from '../link/protocol';
 import { el, setAttribute, setClass, setText } from '../panel/parts/dom';
-import { degrees, lengthText } from '../words/format';
+import { degrees, fixed, lengthText } from '../words/format';
 import type { Units } from '../words/units';
 
 const MOVES = ['X', 'Y', 'Z'] as const;
 const TURNS = ['roll', 'pitch', 'yaw'] as const;
 /** A component that is a smaller part of the tolerance than this needs no motion. */
 const LEAST = 0.2;
+/** A smaller speed is not shown [m/s]. */
+const AT_REST = 0.002;
 
 export interface GoPart {
   /** Axis and direction of the stick: `−Z`, `+yaw`. */
@@ -36,6 +38,12 @@ export function goParts(go: ToGo, units: Units, names: Names): readonly GoPart[]
 export function goWords(go: ToGo, units: Units): string {
   const turn = angle(Math.abs(go.angle));
   return go.shift.length === 0 ? turn : `${lengthText(go.distance, units)}, ${turn}`;
+}
+
+/** Speed towards the place, as a text: `0.12 ft/s`; empty at rest and for a joint. */
+export function closingWords({ closing }: Pick<ToGo, 'closing'>, { speed }: Pick<Units, 'speed'>): string {
+  if (closing === null || Math.abs(closing) < AT_REST) return '';
+  return `${fixed(Math.abs(closing) * speed.perSi, speed.decimals, false)} ${speed.name}${closing < 0 ? ' away' : ''}`;
 }
 
 export function isThere(go: ToGo): boolean {
@@ -82,9 +90,14 @@ export function goElement() {
     const [handle, value] = [el('kbd'), el('span')];
     return { element: el('li', {}, handle, value), handle, value };
   });
-  const [head, total] = [el('span', { class: 'head' }), el('b')];
+  const [head, total, speed] = [el('span', { class: 'head' }), el('b'), el('span', { class: 'closing' })];
   const list = el('ol', {}, ...cells.map((cell) => cell.element));
-  const element = el('div', { class: 'to-go', role: 'group' }, el('p', {}, head, ' ', total), list);
+  const element = el(
+    'div',
+    { class: 'to-go', role: 'group' },
+    el('p', {}, head, ' ', total, ' ', speed),
+    list,
+  );
   return {
     element,
     set(go: ToGo | null, units: Units, names: Names) {
@@ -93,6 +106,7 @@ export function goElement() {
       const parts = goParts(go, units, names);
       setText(head, `to ${go.to}`);
       setText(total, goWords(go, units));
+      setText(speed, closingWords(go, units));
       setClass(element, 'there', isThere(go));
       const sentence = goSentence(go, units, names);
       setAttribute(element, 'aria-label', sentence);

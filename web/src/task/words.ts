@@ -20,10 +20,13 @@ export interface Piece {
 export interface Marked {
   readonly units: Units;
   readonly conditions: readonly Condition[];
+  /** Whether the end effector holds a payload. */
+  readonly held?: boolean;
 }
 
-/** Text in place of a failing condition if there is none. */
-const NONE = 'nothing to capture is near';
+/** Text in place of a failing condition if there is none: with an empty end effector, and with a payload. */
+const NOTHING_NEAR = 'nothing to capture is near';
+const NO_BERTH_NEAR = 'the payload is still too far away';
 /** Names of keys that a screen reader would skip, because they are marks of punctuation. */
 const SPOKEN: Readonly<Record<string, string>> = {
   '.': 'full stop',
@@ -41,7 +44,7 @@ const SPOKEN: Readonly<Record<string, string>> = {
 const LENGTH = /^([\d.e+-]+) m$/;
 
 /** Splits a text into pieces; lengths and the failing condition become plain text, functions keep their names. */
-export function pieces(words: string, { units, conditions }: Marked): readonly Piece[] {
+export function pieces(words: string, { units, conditions, held }: Marked): readonly Piece[] {
   return words
     .split(/(\{[^}]+\}|\*[^*]+\*)/)
     .filter((part) => part !== '')
@@ -52,7 +55,7 @@ export function pieces(words: string, { units, conditions }: Marked): readonly P
       const metres = LENGTH.exec(inside)?.[1];
       if (metres) return { kind: 'text', text: shortLength(Number(metres), units) };
       return inside === 'wanting'
-        ? { kind: 'text', text: failureText(conditions, units) || NONE }
+        ? { kind: 'text', text: failureText(conditions, units) || (held ? NO_BERTH_NEAR : NOTHING_NEAR) }
         : { kind: 'use', text: inside };
     });
 }

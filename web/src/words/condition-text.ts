@@ -6,22 +6,25 @@ import type { Units } from './units';
 
 const DEGREE = 180 / Math.PI;
 /**
- * Significant figures of each number. If the value and a limit that it violates would have the same text, all numbers
- * get more figures, up to `MOST_FIGURES`.
+ * Significant figures of each number. If the value and a limit that it violates would have the same text, both get more
+ * figures, up to `MOST_FIGURES`.
  */
 const FIGURES = 3;
-const MOST_FIGURES = 9;
+const MOST_FIGURES = 6;
 /** Greatest number of decimals of a number with `FIGURES` figures. Each further figure allows one more decimal. */
 const DECIMALS = 3;
 
 /** Returns the text of a condition in these units, such as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */
 export function conditionText(condition: Condition, units: Units): string {
   const { words, holds } = condition;
-  for (let figures = FIGURES; ; figures += 1) {
-    const [value = '', ...limits] = numbersOf(condition, units, figures);
-    if (!holds && limits.includes(value) && figures < MOST_FIGURES) continue;
-    return filled(words, [value, ...limits], suffix(condition, units));
+  const short = numbersOf(condition, units, FIGURES);
+  let numbers = short;
+  for (let figures = FIGURES + 1; !holds && figures <= MOST_FIGURES; figures += 1) {
+    if (!numbers.slice(1).includes(numbers[0] ?? '')) break;
+    const more = numbersOf(condition, units, figures);
+    numbers = short.map((text, i) => (text === short[0] ? (more[i] ?? text) : text));
   }
+  return filled(words, numbers, suffix(condition, units));
 }
 
 /** Returns the template with numbers in place of `{}`. In a range, only the second number has the unit. */

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from aftdeck.report.lamps import Lamp
+from aftdeck.report.lamps import Lamp, StandingLamps
 from aftdeck.report.metric import Found, Metric, Value
 from aftdeck.worksite.watch.alarm import Level
 
@@ -12,7 +12,7 @@ RAISED = Metric(
     "alarms",
     "Alarms raised",
     "count",
-    "Number of times that a lamp changed to a higher level: caution or warning.",
+    "Number of times that a lamp changed to a higher level, caution or warning; without what was lit from the start.",
 )
 METRICS = (RAISED,)
 _RANK: dict[Level, int] = {"info": 0, "caution": 1, "warning": 2}
@@ -22,13 +22,14 @@ class Alarms:
     """Alarms of a run."""
 
     def __init__(self) -> None:
+        self._standing = StandingLamps()
         self._lit: dict[str, Level] = {}
         self._raised = 0
         self._worst: Level = "info"
 
     def see(self, lamps: tuple[Lamp, ...]) -> None:
         """Add the lamps that are lit in the next step."""
-        lit: dict[str, Level] = {lamp.name: lamp.level for lamp in lamps}
+        lit: dict[str, Level] = {lamp.name: lamp.level for lamp in self._standing.marked(lamps) if not lamp.standing}
         if lit == self._lit:
             return
         self._worst = max((self._worst, *lit.values()), key=_RANK.__getitem__)

@@ -27,15 +27,19 @@ def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array) ->
         scene: poses in the scene.
         axes: (3, 3) axes of the sticks in L, in columns.
     """
-    translation = rotation = None
+    translation = rotation = closing = None
     shift: tuple[float, ...] = ()
     if (motion := remaining.motion) is not None:
         shift = scene.motion(motion)
+        point = np.array(frame.resolution)
+        moved = product(motion.rotation, point) + motion.position - point
+        length = float(np.linalg.norm(moved))
+        closing = float(moved @ np.array(frame.twist[3:])) / length if length > 0.0 else 0.0
         if MODES[frame.mode].kind == "manual":
-            point = np.array(frame.resolution)
-            moved = product(motion.rotation, point) + motion.position - point
             translation, rotation = _vec3(product(moved, axes)), _vec3(product(_vector(motion.rotation), axes))
-    return ToGo(remaining.to, translation, rotation, remaining.distance, remaining.angle, remaining.near, shift)
+    return ToGo(
+        remaining.to, translation, rotation, remaining.distance, remaining.angle, remaining.near, closing, shift
+    )
 
 
 def _vector(rotation: Array) -> Array:

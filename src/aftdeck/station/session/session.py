@@ -61,7 +61,7 @@ LOOK_S = 5.0
 MOVED = 1e-3
 """Stick deflection above which the operator takes control from the demonstration's script."""
 
-LOSS_LOGGED_EVERY = 10.0
+LOSS_LOGGED_EVERY = 60.0
 """Least time from one log line about lost time to the next [s]."""
 
 _encoder = msgspec.json.Encoder()

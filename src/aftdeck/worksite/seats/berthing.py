@@ -30,6 +30,8 @@ from aftdeck.worksite.conditions import Condition, within
 
 SWITCHES = ("A", "B")
 """Names of the two ready-for-latch switches of each latch."""
+_SEATED = 1e-6
+"""A trunnion that is less than this above or below its seat is at its seat [m]: a rounding error is no failure."""
 _SQUARE = 1e-9
 """Tolerance in the check that a guide's directions are perpendicular unit vectors [1]."""
 
@@ -241,7 +243,8 @@ def in_guides(found: Array, guides: Guides) -> tuple[Condition, ...]:
         room = guide.throat + max(up, 0.0) * opening
         height, aside, askew = min(up, guide.height - up), room - abs(along), guide.play - abs(across)
         if height <= aside and height <= askew:
-            conditions.append(within(says.in_guide, up, 0.0, guide.height, "m", says.height))
+            seated = 0.0 if abs(up) < _SEATED else up
+            conditions.append(within(says.in_guide, seated, 0.0, guide.height, "m", says.height))
         elif aside <= askew:
             conditions.append(within(says.in_guide, along, -room, room, "m", says.aside))
         else:

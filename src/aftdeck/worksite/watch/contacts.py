@@ -178,9 +178,9 @@ def contact_text(a: str, b: str, depth: float, essential: bool, units: Units) ->
 
     Examples:
         >>> contact_text("lower boom", "bay wall port", 0.0213, False, "ft-in")
-        'lower boom touches bay wall port: 0.839 in deep'
+        'contact of lower boom and bay wall port: 0.839 in deep'
         >>> contact_text("prong", "receptacle", 0.0, True, "SI")
-        'prong touches receptacle, as it is made to'
+        'contact of prong and receptacle, part of the task'
     """
     deep = f": {quantity_text(depth, 'm', units)} deep" if depth >= _LEAST_DEPTH else ""
-    return f"{a} touches {b}{', as it is made to' if essential else ''}{deep}"
+    return f"contact of {a} and {b}{', part of the task' if essential else ''}{deep}"

@@ -39,7 +39,7 @@ export function seat(desk: Desk): Seat {
     set(work) {
       const at = seatTitle(desk.welcome.work, seatNow(work));
       fixed = at !== '';
-      setText(where, at === '' ? 'in no berth' : at);
+      setText(where, at === '' ? 'not latched' : at);
       setAttribute(where, 'title', at);
       setClass(latch.element, 'keyed', !fixed);
       setClass(unlatch.element, 'keyed', fixed);

@@ -113,7 +113,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
     setText(text, seen) {
       const behind = !seen.includes(true);
       const letters = label.textContent.length;
-      setText(label, behind ? `${text} behind` : text);
+      setText(label, behind ? `clearance ${text}, hidden` : `clearance ${text}`);
       setClass(label, 'behind', behind);
       ends.forEach((end, i) => {
         setClass(end, 'hidden', !seen[i]);

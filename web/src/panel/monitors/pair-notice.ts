@@ -2,7 +2,7 @@
 
 import type { PairOffer } from '../../cameras/pair-offer';
 import { keyOf } from '../../input/layout';
-import { button, el, setText } from '../parts/dom';
+import { button, el, setAttribute, setText } from '../parts/dom';
 
 export interface PairNotice {
   readonly element: HTMLElement;
@@ -27,7 +27,8 @@ export function pairNotice(take: () => void, leave: () => void): PairNotice {
     show(offer) {
       element.hidden = offer === null;
       if (!offer) return;
-      setText(words, `${offer.why}:`);
+      setText(words, 'Suggested views:');
+      setAttribute(words, 'title', offer.why);
       setText(names, `Cameras ${offer.cameras.join(', ')}`);
       setText(key, keyOf('offered pair'));
     },

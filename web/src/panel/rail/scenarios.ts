@@ -1,6 +1,9 @@
 /** The list of scenarios below the scenario's name, and the question before the user leaves a run. */
 
 import type { Frame, Plant, Scenarios } from '../../link/protocol';
+import { keeper } from '../../page/local-storage';
+import { bestOf } from '../../task/best';
+import { durationText } from '../../words/format';
 import { button, el, setPressed, setText } from '../parts/dom';
 import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
@@ -40,6 +43,8 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
   let first: Frame | null = null;
   let flown = false;
   let recorded = false;
+  /** Whether the task of this run is complete: nothing is lost if the user leaves it. */
+  let complete = false;
   let asked: Choice = { number: 0, plant: null, demo: false };
   const list = el('div', { class: 'choices scenarios', role: 'group', 'aria-label': 'Scenarios' });
   const drop = dropDown(welcome.title, `${welcome.title}: ${welcome.text}`, list);
@@ -66,7 +71,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     if (!info.given && plant === null && !demo) chosen(info.name);
     if (number === known?.flown && (plant === null || plant === welcome.plant) && !demo) return;
     asked = { number, plant, demo };
-    if (!flown) {
+    if (!flown || complete) {
       send({ type: 'fly_scenario', ...asked });
       return;
     }
@@ -92,9 +97,11 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     question,
     set(now) {
       known = now;
-      const rows = now.scenarios.map(({ title, text, given, scripted }, number) => {
+      const rows = now.scenarios.map(({ name: id, title, text, given, scripted }, number) => {
         const name = given ? `${title} (your file)` : title;
-        const row = button({}, [el('b', {}, name), el('span', {}, text)], () => take(number));
+        const best = given ? null : bestOf(keeper, id);
+        const done = best ? [el('i', {}, `best ${best.grade}, ${durationText(best.time)}`)] : [];
+        const row = button({}, [el('b', {}, name), el('span', {}, text), ...done], () => take(number));
         setPressed(row, number === now.flown);
         const shows = button(
           { class: 'demo', title: DEMO, 'aria-label': `Fly it for me: ${name}` },
@@ -111,6 +118,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     },
     values(frame) {
       recorded = frame.display.recording_s !== null;
+      complete = frame.display.task?.debrief != null;
       if (!first || frame.tick < first.tick) {
         // A run that was in progress before this page connected counts as flown.
         flown = first === null && frame.time_s > BEGUN_S;
