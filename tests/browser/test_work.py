@@ -72,7 +72,7 @@ def test_pair_of_minimum_clearance_is_named_lit_and_drawn(open_worksite: OpenWor
     assert "closing 0.8 in/s" in group
     assert "contact in 18 s" in group
     flight.page.locator(".lamp.caution", has_text="CLEARANCE").wait_for()
-    flight.until("document.querySelector('.gap-label').textContent === '15 in'")
+    flight.until("document.querySelector('.gap-label').textContent === 'clearance 15 in'")
     flight.until("document.querySelector('.gap').getAttribute('visibility') === 'visible'")
 
 
