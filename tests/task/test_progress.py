@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import msgspec
+
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.progress import Progress
+from aftdeck.worksite.report import Motion
 from tests.station.pages import scenario
 
 UP, STILL = Inputs(translation=(0.0, 0.0, -1.0)), Inputs()
@@ -45,6 +48,26 @@ def flown(sim: Simulation, progress: Progress, inputs: Inputs, steps: int = 1) -
         frame = sim.step(inputs)
         progress.see(frame)
     return frame
+
+
+def test_no_step_is_complete_while_a_contact_inhibits_the_arm(tmp_path: Path) -> None:
+    sim, progress = two(tmp_path)
+    flown(sim, progress, STILL)
+    frame = sim.step(Inputs(rate="vernier"))
+    touching = msgspec.structs.replace(frame, work=msgspec.structs.replace(frame.work, arm_inhibit=True))
+    assert progress.see(touching) == ()
+    assert progress.see(frame) == (0,)
+
+
+def test_state_tells_whether_a_mechanism_moves(tmp_path: Path) -> None:
+    file = tmp_path / "moves.toml"
+    file.write_text(TWO.replace('done = { rate = "vernier" }', "done = { moves = true }"))
+    sim = Simulation(load_scenario(file))
+    progress = Progress(sim.scenario)
+    frame = flown(sim, progress, STILL)
+    assert progress.at == 0
+    progress.see(msgspec.structs.replace(frame, motions=(Motion("latches open", 3.0),)))
+    assert progress.at == 1
 
 
 def test_step_counts_the_way_since_its_own_beginning(tmp_path: Path) -> None:

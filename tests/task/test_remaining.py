@@ -19,6 +19,7 @@ from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.to_go import to_go
 from aftdeck.task.places import Places
 from aftdeck.task.remaining import Aims
+from aftdeck.worksite.conditions import all_ready
 from tests.station.pages import scenario
 
 STILL = Inputs()
@@ -51,6 +52,35 @@ def test_payload_in_its_berth_has_nothing_left() -> None:
     assert left.arrived
     assert left.distance == pytest.approx(0.0, abs=1e-6)
     assert Places(sim.scenario).above(frame, AtSeat("bay", above=1.0)) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_place_is_reached_when_all_conditions_of_the_capture_hold() -> None:
+    sim = Simulation(scenario("srms-deploy"))
+    aims, ready, beyond = Aims(sim.scenario), 0, 0
+    while not (frame := sim.step()).work.cargo[0].held:
+        left = aims.remaining(frame, step_to(AtCargo(0)))
+        above = aims.remaining(frame, step_to(AtCargo(0, above=1.0)))
+        assert left is not None and above is not None
+        if all_ready(frame.work.conditions):
+            ready += 1
+            assert left.arrived and not above.arrived
+        else:
+            beyond += not left.arrived
+    assert ready > 0 and beyond > 0
+
+
+def test_closing_speed_is_the_rate_of_the_distance() -> None:
+    sim = Simulation(scenario("srms-deploy"))
+    poses, distances, closing = Displays(sim.scenario)._poses, [], []
+    aims, step = Aims(sim.scenario), step_to(AtCargo(0, above=0.5))
+    for _ in range(100):
+        frame = sim.step(Inputs(translation=(0.3, 0.1, 1.0)))
+        left = aims.remaining(frame, step)
+        assert left is not None
+        distances.append(left.distance)
+        closing.append(to_go(left, frame, poses, np.eye(3)).closing or 0.0)
+    assert closing[1:] == pytest.approx(-np.diff(distances) / sim.scenario.control_period, abs=2e-3)
+    assert closing[-1] > 0.05
 
 
 def test_height_above_a_payload_is_measured_back_along_the_end_effector() -> None:

@@ -32,6 +32,13 @@ test('angles are in degrees, speeds in small units, counts without a unit', () =
   );
 });
 
+test('only the numbers that look alike get more figures, and only some', () => {
+  const seat = condition('{} below its seat, {} to {} allowed', [0.0000001, 0, 0.51], 'm');
+  expect(conditionText(seat, FEET)).toBe('0.000004 in below its seat, 0 to 20.1 in allowed');
+  const less = condition('{} below its seat, {} to {} allowed', [1e-12, 0, 0.51], 'm');
+  expect(conditionText(less, FEET)).toBe('0 in below its seat, 0 to 20.1 in allowed');
+});
+
 test('a text without a number is unchanged', () => {
   expect(conditionText(condition('bar behind the palm, none allowed', [], 'm'), SI)).toBe(
     'bar behind the palm, none allowed',

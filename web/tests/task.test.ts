@@ -6,7 +6,7 @@ import { movers } from '../src/input/rebind';
 import protocol from '../src/link/protocol?raw';
 import { ending } from '../src/task';
 import { countWords } from '../src/task/card';
-import { goParts, goSentence, goWords, isThere } from '../src/task/to-go';
+import { closingWords, goParts, goSentence, goWords, isThere } from '../src/task/to-go';
 import { pieces, present, spoken } from '../src/task/words';
 import { condition, FEET, SI, toGo } from './worksite';
 
@@ -80,6 +80,21 @@ test('three green components are together within the tolerance', () => {
   expect([inside?.near, inside?.handle]).toEqual([true, 'W']);
   expect([centred?.near, centred?.handle]).toEqual([true, '']);
   expect([outside?.near, outside?.handle]).toEqual([false, 'Q']);
+});
+
+test('speed towards the place is shown while the arm moves, with its direction', () => {
+  const words = (closing: number | null) => closingWords(toGo({ closing }), FEET);
+  expect([words(0.3048), words(-0.03048), words(0.0001), words(null)]).toEqual([
+    '1.00 ft/s',
+    '0.10 ft/s away',
+    '',
+    '',
+  ]);
+});
+
+test('without a condition, {wanting} depends on what the end effector holds', () => {
+  const text = (held: boolean) => pieces('{wanting}', { ...NOTHING, held })[0]?.text;
+  expect(text(true)).not.toBe(text(false));
 });
 
 test('a joint has one component, without a key', () => {

@@ -18,8 +18,11 @@ from aftdeck.steering.mode import MODES
 from aftdeck.task.places import Places
 from aftdeck.worksite.conditions import all_ready
 
-_NEAR_M, _NEAR_RAD = 0.025, math.radians(2.0)
-"""Distance [m] and angle [rad] that count as arrived if neither a step nor a berth gives them."""
+_NEAR_M, _NEAR_RAD = 0.016, math.radians(2.0)
+"""Distance [m] and angle [rad] that count as arrived if neither a step nor a berth gives them.
+
+A green component is below 1/sqrt(3) of the distance: less than half of the least window of a capture (0.75 in).
+"""
 
 _AWAY_M = 0.1
 """Distance above a payload or a berth from which on the place is named `above` or `before` it [m]."""
