@@ -74,7 +74,9 @@ Use = Literal[
     "camera 10",
 ]
 """Functions of keys, buttons and axes that a step can name; the page has them in ``web/src/input/keymap.ts``."""
-DeskGroup = Literal["thc", "rhc", "mode", "target", "joints", "clearance", "conditions", "effector"]
+DeskGroup = Literal[
+    "thc", "rhc", "mode", "target", "joints", "clearance", "conditions", "effector", "limits", "singularity"
+]
 """Groups of the desk that a step can point at."""
 PointNumber = Annotated[int, Bounds(1, 1000, "points are counted from 1, and a sequence has some tens")]
 Share = Annotated[float, Bounds(0.0, 1.0, "1 is the whole limit")]
