@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.lamps import Lamp
 from aftdeck.report.metric import Collector, Metric, Value
-from aftdeck.report.metrics import alarms, clearance, forces, limits, moments, path, sticks, stopping, times
+from aftdeck.report.metrics import alarms, clearance, forces, limits, moments, path, pictures, sticks, stopping, times
 from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.simulation.frame import Dynamics, Force, Frame, Goal, Holding, Placed
 from aftdeck.simulation.inputs import Inputs
@@ -212,6 +212,33 @@ def test_overshoot_counts_only_after_the_nearest_point(frame: Frame) -> None:
     assert overshoot(3.0, 4.0, 2.0, 0.1) == 0.0
     assert overshoot(3.0, 1.0, 0.2, 0.5, 0.3) == pytest.approx(0.3)
     assert stopping.OVERSHOOT not in numbers(stopping.Stopping(), [frame])
+
+
+def test_wrist_camera_looks_along_the_sticks_in_end_eff() -> None:
+    sim = Simulation("tutorial")
+    frames = [sim.step(Inputs(translation=(0.2, 0.0, 0.0))) for _ in range(20)]
+    collector = pictures.Pictures(sim.scenario)
+    assert not numbers(collector, frames)
+    collector.shown((("A",), ("WR",)))
+    values = numbers(collector, frames)
+    assert values[pictures.TURNED] == pytest.approx(0.0, abs=1e-3)
+    assert values[pictures.CROSSED] == 0.0
+    collector.shown((("B",), ("WR",)))
+    assert numbers(collector, [])[pictures.CAMERAS] == 1
+
+
+def test_camera_that_looks_back_is_crossed() -> None:
+    sim = Simulation("concept-1972")
+    frame = sim.step(Inputs(translation=(0.2, 0.0, 0.0)))
+    for camera, angle in (("H", math.pi), ("P2", 0.0), ("C", 0.0)):
+        collector = pictures.Pictures(sim.scenario)
+        collector.shown(((camera,),))
+        values = numbers(collector, [frame])
+        assert values[pictures.TURNED] == pytest.approx(angle, abs=math.radians(8.0)), camera
+        assert values[pictures.CROSSED] == (angle > math.pi / 2)
+    free = pictures.Pictures(sim.scenario)
+    free.shown((("ENG",),))
+    assert pictures.TURNED not in numbers(free, [frame])
 
 
 def test_state_of_the_first_step_is_no_event(frame: Frame) -> None:

@@ -6,7 +6,19 @@ from collections.abc import Iterator
 
 from aftdeck.made_tables import renew_file
 from aftdeck.report.metric import Metric
-from aftdeck.report.metrics import alarms, clearance, desk, forces, limits, moments, path, sticks, stopping, times
+from aftdeck.report.metrics import (
+    alarms,
+    clearance,
+    desk,
+    forces,
+    limits,
+    moments,
+    path,
+    pictures,
+    sticks,
+    stopping,
+    times,
+)
 from aftdeck.report.quantity import UNITS
 
 SUBJECTS: dict[str, tuple[Metric, ...]] = {
@@ -19,6 +31,7 @@ SUBJECTS: dict[str, tuple[Metric, ...]] = {
     "Limits": limits.METRICS,
     "Alarms": alarms.METRICS,
     "Forces": forces.METRICS,
+    "Pictures": pictures.METRICS,
     "Station": desk.METRICS,
 }
 """All metrics, by subject."""

@@ -13,6 +13,7 @@ from aftdeck.report.metrics.forces import Forces
 from aftdeck.report.metrics.limits import Limits
 from aftdeck.report.metrics.moments import Moments
 from aftdeck.report.metrics.path import Path
+from aftdeck.report.metrics.pictures import Pictures
 from aftdeck.report.metrics.sticks import Sticks
 from aftdeck.report.metrics.stopping import Stopping
 from aftdeck.report.metrics.times import Times
@@ -25,7 +26,7 @@ class RunMetrics:
 
     def __init__(self, scenario: Scenario) -> None:
         period_s = scenario.control_period
-        self._alarms, self._desk = Alarms(), Desk()
+        self._alarms, self._desk, self._pictures = Alarms(), Desk(), Pictures(scenario)
         self._collectors: tuple[Collector, ...] = (
             Times(period_s),
             Path(period_s),
@@ -35,6 +36,7 @@ class RunMetrics:
             Stopping(),
             Limits(),
             Forces(period_s),
+            self._pictures,
         )
         self._before: Frame | None = None
 
@@ -51,7 +53,7 @@ class RunMetrics:
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
         """Set the cameras that the monitors show from the next frame on."""
-        self._desk.shown(monitors)
+        self._pictures.shown(monitors)
 
     def found(self, delays: Delays | None = None) -> dict[Metric, Value]:
         """Return every metric for which the run has data.

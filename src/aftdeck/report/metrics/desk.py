@@ -1,4 +1,4 @@
-"""What only a run at the station has: devices, cameras on the monitors, late steps."""
+"""What only a run at the station has: devices, late steps."""
 
 from __future__ import annotations
 
@@ -6,16 +6,9 @@ from collections.abc import Iterator
 
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.records import ControllerRecord
-from aftdeck.report.metric import PONTILLO, Found, Metric, Value
+from aftdeck.report.metric import Found, Metric, Value
 
 CONTROLLERS = Metric("controllers", "Controllers", "words", "Devices that moved the sticks.")
-CAMERAS = Metric(
-    "camera_changes",
-    "Camera changes",
-    "count",
-    "Number of times that a monitor changed its camera or was split.",
-    PONTILLO,
-)
 LOST = Metric(
     "lost_time",
     "Time lost",
@@ -23,7 +16,7 @@ LOST = Metric(
     "Time by which the simulation fell behind the wall clock: late steps that were not made up.",
 )
 
-METRICS = (LOST, CAMERAS, CONTROLLERS)
+METRICS = (LOST, CONTROLLERS)
 
 
 class Desk:
@@ -31,20 +24,10 @@ class Desk:
 
     def __init__(self) -> None:
         self._used: dict[str, ControllerRecord] = {}
-        self._cameras = 0
-        self._monitors: dict[int, tuple[str, ...]] = {}
 
     def use(self, controllers: tuple[ControllerRecord, ...]) -> None:
         """Add the devices that move the sticks from the next frame on."""
         self._used |= {used.kind: used for used in controllers}
-
-    def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """Set the cameras that the monitors show from the next frame on, and count the changes."""
-        for monitor, names in enumerate(monitors):
-            if not names:  # the page has left, or does not report its cameras
-                continue
-            self._cameras += names != self._monitors.get(monitor, names)
-            self._monitors[monitor] = names
 
     def found(self, delays: Delays | None) -> Iterator[Found]:
         """Yield what the run has.
@@ -57,8 +40,6 @@ class Desk:
         if self._used:
             settings = "; ".join(_text(used) for used in self._used.values())
             yield CONTROLLERS, Value(None, ", ".join(self._used), f"last settings: {settings}")
-        if self._monitors:
-            yield CAMERAS, Value(float(self._cameras))
 
 
 def _text(used: ControllerRecord) -> str:

@@ -14,6 +14,7 @@ from aftdeck.report.lamps import Lamp, lit_lamps
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
+from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.observe import look_ahead
 from aftdeck.station.conversion.to_go import to_go
@@ -45,7 +46,7 @@ class Displays:
         self._arm = self._raised = scenario.arm
         self._mount = mount
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
-        self._poses = ScenePoses(scenario)
+        self._poses, self._sticks = ScenePoses(scenario), StickAxes(scenario)
         self._aims = Aims(scenario)
 
     def ahead(self, ahead: look_ahead.Ahead, frame: sim.Frame) -> Ahead:
@@ -86,7 +87,7 @@ class Displays:
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
-        control = self._control_axes(frame, tip)
+        control = self._sticks.in_panel(frame)
         work, left = frame.work, progress.remaining if progress else self._aims.remaining(frame, None)
         display = Display(
             stick_seq=stick_seq,
@@ -137,16 +138,6 @@ class Displays:
         commanded_tip = self._raised.forward(frame.angles_commanded)
         from_tip = commanded_tip.rotation @ tip.rotation.T
         return Pose(commanded_tip.position + from_tip @ (shown.position - tip.position), from_tip @ shown.rotation)
-
-    def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
-        """Return the axes along which the sticks act, in panel components."""
-        along = MODES[frame.mode].axes
-        if along == "end effector axes":
-            hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand
-            return np.asarray(self._mount.rotation @ hand)
-        if along == "payload axes" and frame.payload is not None:
-            return np.asarray(self._mount.rotation @ np.array(frame.payload[1]))
-        return np.eye(3)
 
     def _resolution(self, pose: Pose, twist: Six) -> Resolution:
         """Return a point of resolution in panel components; `pose` and `twist` are in L."""

@@ -5,7 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from aftdeck.report.metric import Metric, Value
-from aftdeck.report.metrics import alarms, clearance, desk, forces, limits, moments, path, sticks, stopping, times
+from aftdeck.report.metrics import (
+    alarms,
+    clearance,
+    desk,
+    forces,
+    limits,
+    moments,
+    path,
+    pictures,
+    sticks,
+    stopping,
+    times,
+)
 from aftdeck.station.messages.measure import Measure
 
 RESULT = (times.RUN, moments.CAPTURE.offset, clearance.LEAST, alarms.RAISED, path.PATH)
@@ -41,7 +53,8 @@ REPLAY = (
     alarms.RAISED,
     clearance.COLLISIONS,
     limits.BRAKES,
-    desk.CAMERAS,
+    pictures.CAMERAS,
+    pictures.TURNED,
 )
 """Metrics in a replay, in their order."""
 _ANGLES = {path.TARGET: path.TARGET_ANGLE} | {
