@@ -25,8 +25,9 @@ NAMED = """(name) => {
 }"""
 """Number of the elements with this text, and whether one of them is visible."""
 FITS = """(() => {
-    const bottom = (part) => document.querySelector(`.task ${part}`).getBoundingClientRect().bottom;
-    return bottom('.words') <= bottom('.instruction') + 1;
+    const [words, mode, ways] = ['.words', '.elsewhere', '.ways'].map((part) =>
+        document.querySelector(`.task ${part}`).getBoundingClientRect());
+    return words.height > 0 && Math.max(words.bottom, mode.bottom) <= ways.top + 1;
 })()"""
 """JavaScript condition: the text of the step is within its part of the card."""
 STEP = "document.querySelector('.task .steps span').textContent"

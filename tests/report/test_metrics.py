@@ -84,7 +84,7 @@ def test_a_run_has_only_metrics_of_the_catalogue() -> None:
 
 
 @given(st.lists(st.tuples(*[st.floats(-5.0, 5.0)] * 3), min_size=2, max_size=12))
-def test_directness_is_at_most_one_and_one_only_on_straight_lines(places: list[tuple[float, float, float]]) -> None:
+def test_path_and_directness_are_those_of_the_polyline(places: list[tuple[float, float, float]]) -> None:
     still = msgspec.structs.replace(Simulation(scenario("first-flight")).step(Inputs()), twist=RESTING)
     values = numbers(path.Path(PERIOD), [changed(still, position=place) for place in places])
     length = sum(math.dist(a, b) for a, b in pairwise(places))
@@ -198,6 +198,12 @@ def test_stopping_distance_is_measured_from_the_release_of_the_sticks(frame: Fra
     assert stopping.STOPPING not in numbers(stopping.Stopping(), run[:2])
 
 
+def test_point_that_jumps_with_the_mode_is_no_stopping_distance(frame: Frame) -> None:
+    moving = changed(stick(frame, 1.0), mode="ORB LD", twist=(0.0, 0.0, 0.0, 0.1, 0.0, 0.0))
+    jumped = changed(stick(frame), mode="OPR CMD", twist=moving.twist, resolution=(9.0, 9.0, 9.0))
+    assert stopping.STOPPING not in numbers(stopping.Stopping(), [moving, jumped, jumped])
+
+
 def automatic(frame: Frame, distances: Sequence[float]) -> list[Frame]:
     """Return the frames of an automatic motion with these remaining distances."""
     goals = (Goal((1.0, 2.0, 3.0), ONE, left, 0.0, 1.0) for left in distances)
@@ -212,6 +218,46 @@ def test_overshoot_counts_only_after_the_nearest_point(frame: Frame) -> None:
     assert overshoot(3.0, 4.0, 2.0, 0.1) == 0.0
     assert overshoot(3.0, 1.0, 0.2, 0.5, 0.3) == pytest.approx(0.3)
     assert stopping.OVERSHOOT not in numbers(stopping.Stopping(), [frame])
+
+
+def test_asking_during_a_motion_changes_nothing(frame: Frame) -> None:
+    asked, before = stopping.Stopping(), None
+    for each in automatic(frame, (3.0, 1.0, 0.2, 0.3, 0.4, 0.5)):
+        asked.see(each, before)
+        assert dict(asked.found()) == dict(asked.found())
+        before = each
+    assert dict(asked.found())[stopping.OVERSHOOT].number == pytest.approx(0.3)
+
+
+def test_release_in_the_last_step_has_no_tip_off_rate(frame: Frame) -> None:
+    run = [changed(frame, cargo=(cargo(held=held),)) for held in (True, False)]
+    values = numbers(moments.Moments(scenario("first-flight")), run)
+    assert values[moments.RELEASES] == 1
+    assert moments.TIP_OFF not in values
+
+
+def test_misalignment_of_a_latching_is_that_of_its_trunnions() -> None:
+    sim = Simulation("srms-berth")
+    collector, before = moments.Moments(sim.scenario), None
+    while not sim.ended:
+        frame = sim.step()
+        collector.see(frame, before)
+        before = frame
+    values = {metric: value.number for metric, value in collector.found()}
+    assert values[moments.LATCH.number] == 1
+    # The script moves the payload to half an inch above its seats.
+    assert values[moments.LATCH.offset] == pytest.approx(0.0127, abs=1e-4)
+
+
+def test_re_initialisation_begins_the_metrics_again() -> None:
+    sim = Simulation("concept-1972")
+    metrics = RunMetrics(sim.scenario)
+    for inputs in (Inputs(translation=(0.5, 0.0, 0.0)), Inputs(), Inputs(initialise="manoeuvring"), Inputs()):
+        metrics.see(sim.step(inputs), ())
+    values = metrics.found()
+    assert values[moments.CAPTURE.number].number == 0
+    assert values[path.PATH].number == pytest.approx(0.0, abs=1e-6)
+    assert values[times.RUN].number == pytest.approx(2 * PERIOD)
 
 
 def test_wrist_camera_looks_along_the_sticks_in_end_eff() -> None:

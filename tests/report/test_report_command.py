@@ -48,6 +48,16 @@ def test_existing_table_is_not_overwritten(run: Run, recordings: list[str], tmp_
     assert run("report", *recordings, "--table", str(tmp_path / "runs.xlsx"))[0] == 2
 
 
+def test_recording_that_cannot_be_read_does_not_end_the_report(run: Run, recordings: list[str], tmp_path: Path) -> None:
+    bad = tmp_path / "bad.mcap"
+    bad.write_bytes(b"no recording")
+    code, out, err = run("report", str(bad), *recordings, "--json")
+    assert code == 2
+    assert len(json.loads(out)) == 2
+    assert "bad.mcap" in err
+    assert run("report", str(bad))[:2] == (2, "")
+
+
 def test_runs_stand_side_by_side(run: Run, recordings: list[str]) -> None:
     code, out, _ = run("report", *recordings)
     assert code == 0

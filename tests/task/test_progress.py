@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import msgspec
+import pytest
 
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Frame
@@ -68,6 +70,19 @@ def test_state_tells_whether_a_mechanism_moves(tmp_path: Path) -> None:
     assert progress.at == 0
     progress.see(msgspec.structs.replace(frame, motions=(Motion("latches open", 3.0),)))
     assert progress.at == 1
+
+
+def test_closing_speed_is_that_of_the_distance_also_if_the_orbiter_flies() -> None:
+    sim = Simulation("free-flyer")
+    progress, distances, speeds = Progress(sim.scenario), [], []
+    for _ in range(200):
+        flown(sim, progress, Inputs(orbiter=(1.0, 0.0, 0.0)))
+        assert progress.remaining is not None
+        distances.append(progress.remaining.distance)
+        speeds.append(progress.closing)
+    assert speeds[0] is None
+    assert speeds[1:] == pytest.approx([50.0 * (a - b) for a, b in pairwise(distances)])
+    assert (speeds[-1] or 0.0) > 0.05
 
 
 def test_step_counts_the_way_since_its_own_beginning(tmp_path: Path) -> None:

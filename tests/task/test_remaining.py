@@ -69,20 +69,6 @@ def test_place_is_reached_when_all_conditions_of_the_capture_hold() -> None:
     assert ready > 0 and beyond > 0
 
 
-def test_closing_speed_is_the_rate_of_the_distance() -> None:
-    sim = Simulation(scenario("srms-deploy"))
-    poses, distances, closing = Displays(sim.scenario)._poses, [], []
-    aims, step = Aims(sim.scenario), step_to(AtCargo(0, above=0.5))
-    for _ in range(100):
-        frame = sim.step(Inputs(translation=(0.3, 0.1, 1.0)))
-        left = aims.remaining(frame, step)
-        assert left is not None
-        distances.append(left.distance)
-        closing.append(to_go(left, frame, poses, np.eye(3)).closing or 0.0)
-    assert closing[1:] == pytest.approx(-np.diff(distances) / sim.scenario.control_period, abs=2e-3)
-    assert closing[-1] > 0.05
-
-
 def test_height_above_a_payload_is_measured_back_along_the_end_effector() -> None:
     sim = Simulation(scenario("tutorial"))
     places, frame = Places(sim.scenario), sim.step(STILL)

@@ -10,10 +10,11 @@ import typer
 
 from aftdeck.cli.app import Json, app
 from aftdeck.cli.printing import print_json
-from aftdeck.lines import print_line
+from aftdeck.errors import AftdeckError
+from aftdeck.lines import print_error, print_line
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from aftdeck.report.metric import Metric
     from aftdeck.report.table import Cell, Row
@@ -37,12 +38,16 @@ def report(
 ) -> None:
     """Compute the metrics of recorded runs: times, path, clearance, use of the sticks, captures, limits.
 
-    Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all.
+    Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all. A recording
+    that cannot be read is left out, and the exit code is then 2.
     """
-    from aftdeck.recording.reader import Recording
-    from aftdeck.report.table import row_of, write_csv
+    from aftdeck.report.table import check_table, write_csv
 
-    rows = [row_of(Recording(file)) for file in files]
+    if table is not None:
+        check_table(table)
+    rows = list(_rows(files))
+    if not rows:
+        raise typer.Exit(2)
     if table is not None:
         write_csv(rows, table)
     if as_json:
@@ -50,20 +55,34 @@ def report(
     elif table is not None:
         print_line(f"{table}: {len(rows)} {'run' if len(rows) == 1 else 'runs'}, {len(rows[0])} columns")
     else:
-        _print(files, rows)
+        _print(rows)
+    if len(rows) < len(files):
+        raise typer.Exit(2)
 
 
-def _print(files: Sequence[Path], rows: Sequence[Row]) -> None:
+def _rows(files: Sequence[Path]) -> Iterator[Row]:
+    """Yield the row of each recording; print the error of one that cannot be read."""
+    from aftdeck.recording.reader import Recording
+    from aftdeck.report.table import row_of
+
+    for file in files:
+        try:
+            yield row_of(Recording(file))
+        except AftdeckError as error:
+            print_error(str(error))
+
+
+def _print(rows: Sequence[Row]) -> None:
     """Print the metrics for which a run has a value, by subject, the runs side by side."""
     from aftdeck.report.catalogue import METRICS, SUBJECTS
 
     titles = max(len(metric.title) for metric in METRICS)
-    names = [file.stem if len(files) > 1 else "" for file in files]
+    names = [Path(str(row["recording"])).stem if len(rows) > 1 else "" for row in rows]
     widths = [max(_COLUMN, len(name)) for name in names]
     for row in rows:
         by = f", {row['participant']}" if row["participant"] else ""
         print_line(f"{row['recording']}: {row['scenario']}, {row['ended']}{by}")
-    if len(files) > 1:
+    if len(rows) > 1:
         print_line(" " * (titles + 4) + "  ".join(name.rjust(width) for name, width in zip(names, widths, strict=True)))
     for subject, metrics in SUBJECTS.items():
         known = [metric for metric in metrics if any(row[metric.column] is not None for row in rows)]

@@ -15,7 +15,7 @@ _GRADES: tuple[Grade, ...] = get_args(Grade)
 FAULTS = {
     INHIBITS: ("contact that inhibited the arm", "contacts that inhibited the arm"),
     WARNINGS: ("warning by CLEARANCE", "warnings by CLEARANCE"),
-    HARD_STOPS: ("joint at its hard stop", "joints at their hard stops"),
+    HARD_STOPS: ("hard stop", "hard stops"),
 }
 """Metrics that count faults, each with its text for one fault and for several."""
 

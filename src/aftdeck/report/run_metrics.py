@@ -22,11 +22,19 @@ from aftdeck.simulation.frame import Frame
 
 
 class RunMetrics:
-    """Metrics of one run: the same for a person's flight, a script's and a policy's, live or recorded."""
+    """Metrics of one run: the same for a person's flight, a script's and a policy's, live or recorded.
+
+    A re-initialisation begins them again.
+    """
 
     def __init__(self, scenario: Scenario) -> None:
-        period_s = scenario.control_period
-        self._alarms, self._desk, self._pictures = Alarms(), Desk(), Pictures(scenario)
+        self._scenario = scenario
+        self._desk, self._pictures = Desk(), Pictures(scenario)
+        self._begin()
+
+    def _begin(self) -> None:
+        scenario, period_s = self._scenario, self._scenario.control_period
+        self._alarms = Alarms()
         self._collectors: tuple[Collector, ...] = (
             Times(period_s),
             Path(period_s),
@@ -42,6 +50,8 @@ class RunMetrics:
 
     def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """Add the next frame, and the lamps that are lit in it."""
+        if any(event.kind == "initialise" for event in frame.events):
+            self._begin()
         for collector in self._collectors:
             collector.see(frame, self._before)
         self._alarms.see(lamps)

@@ -51,20 +51,29 @@ def _cell(value: Value | None) -> Cell:
     return value.text if value.number is None else value.number
 
 
+def check_table(file: Path) -> None:
+    """Check that a table can be written to a file.
+
+    Raises:
+        InputError: the file exists already, or its name does not end with ``.csv``.
+    """
+    if file.suffix != ".csv":
+        raise InputError(f"the table's name has to end with .csv, got {file}")
+    if file.exists():
+        raise InputError(f"{file} exists already")
+
+
 def write_csv(rows: Iterable[Row], file: Path) -> None:
     """Write rows to a new CSV file, with the names of the columns first; a missing value is an empty cell.
 
     Raises:
         InputError: the file exists already or cannot be written, or its name does not end with ``.csv``.
     """
-    if file.suffix != ".csv":
-        raise InputError(f"the table's name has to end with .csv, got {file}")
+    check_table(file)
     try:
         with file.open("x", newline="", encoding="utf-8") as out:
             table = csv.DictWriter(out, [*RUN_COLUMNS, *(metric.column for metric in METRICS)])
             table.writeheader()
             table.writerows(rows)
-    except FileExistsError:
-        raise InputError(f"{file} exists already") from None
     except OSError as error:
         raise InputError(f"cannot write {file}: {error.strerror or error}") from None

@@ -20,6 +20,7 @@ class Progress:
         done_s: for each step, the simulated time at which it was completed [s]; None if it is open or was skipped.
         hint: index of the present step's hint whose state holds; -1 if none does.
         remaining: motion that is left in the newest frame; None if nothing tells where to move.
+        closing: speed at which its distance becomes smaller [m/s]; None in the first step of a motion to a place.
     """
 
     def __init__(self, scenario: Scenario) -> None:
@@ -27,6 +28,8 @@ class Progress:
         self.first, self.at, self.hint = 0, 0, -1
         self.done_s: list[float | None] = [None] * len(self.steps)
         self.remaining: Remaining | None = None
+        self.closing: float | None = None
+        self._period_s = scenario.control_period
         self._aims = Aims(scenario)
         self._begin: Since | None = None
         self._held = False  # the end effector held a payload in the last frame
@@ -65,8 +68,15 @@ class Progress:
             self._return_to_capture()
         self._held = held
         self.hint = next((i for i, hint in enumerate(self._hints()) if self._reached(frame, self.at, hint.when)), -1)
-        self.remaining = self._aims.remaining(frame, self.present)
+        before, self.remaining = self.remaining, self._aims.remaining(frame, self.present)
+        self.closing = self._speed(before)
         return done
+
+    def _speed(self, before: Remaining | None) -> float | None:
+        now = self.remaining
+        if before is None or now is None or now.motion is None or before.to != now.to:
+            return None
+        return (before.distance - now.distance) / self._period_s
 
     def look(self) -> None:
         """Note that the operator has put another camera on a monitor."""

@@ -229,7 +229,7 @@ class Pilot:
         Raises:
             TimeoutError: the page has not answered in this time.
         """
-        guide = self._page.get_by_role("region", name="Guide")
+        guide = self._page.get_by_role("region", name="Guide", exact=True)
         return read(guide.aria_snapshot(timeout=limit_s * 1000.0))
 
     def _note(self, before: Reading, now: Reading) -> None:

@@ -1364,7 +1364,7 @@ export interface ToGo {
   readonly angle: number;
   /** Distance [m] and angle [rad] within which the place is reached. */
   readonly near: Vec2;
-  /** Speed at which the distance becomes smaller [m/s]; negative if it grows, null for a joint. */
+  /** Speed at which the distance becomes smaller [m/s]; negative if it grows, null if it is not known. */
   readonly closing: number | null;
   /**
    * Motion of the tip, and of a held payload, to the place, in the scene frame: x, y, z [m], then w, x, y, z.

@@ -79,7 +79,14 @@ export class Card {
         this.count,
         this.go.element,
       ),
-      el('div', { class: 'instruction' }, this.title, this.words.element, this.mode, this.note.element),
+      el(
+        'div',
+        { class: 'instruction' },
+        this.title,
+        this.words.element,
+        this.mode,
+        el('div', { class: 'room' }, this.note.element),
+      ),
       el('div', { class: 'flown-with' }, this.drawing.element, this.caps, this.debrief.element),
       el(
         'div',

@@ -110,7 +110,7 @@ export class Task {
     // The numbers are along the sticks of the present mode: not of use before the step's own mode is entered.
     const go = this.needs === '' && step ? to_go : null;
     const all = [...(this.needs === '' ? [] : modeHint(this.needs)), ...said];
-    this.announce(`${task.at} ${task.hint} ${this.needs}`, title, all);
+    this.announce(`${task.at} ${task.hint} ${this.needs} ${way.length}`, title, all);
     if (!this.open) {
       this.line.set(this.exists ? countWords(task.at, done) : '', title, all);
       this.line.setGo(this.needs === '' ? to_go : null, units);

@@ -9,7 +9,11 @@ from aftdeck.simulation.frame import AT_HARD, PAST_REACH, PAST_SOFT, Frame
 
 BRAKES = Metric("brakes_used", "Brakes used", "count", "Number of times that the brakes were set.")
 HARD_STOPS = Metric(
-    "hard_stop_events", "Hard stop", "count", "Number of times that joints came to a hard stop.", FORMAN
+    "hard_stop_events",
+    "Hard stop",
+    "count",
+    "Number of times that the arm came to a hard stop, with one joint or several.",
+    FORMAN,
 )
 _STATES: dict[Metric, Callable[[Frame], bool]] = {
     Metric(
@@ -22,14 +26,14 @@ _STATES: dict[Metric, Callable[[Frame], bool]] = {
         "reach_limit_events",
         "Reach limit",
         "count",
-        "Number of times that joints passed a reach limit.",
+        "Number of times that the arm came beyond a reach limit, with one joint or several.",
         FORMAN,
     ): lambda f: any(zone >= PAST_REACH for zone in f.zones),
     Metric(
         "soft_stop_events",
         "Soft stop",
         "count",
-        "Number of times that a soft stop began to hold the arm, or that joints passed one.",
+        "Number of times that the arm came to or beyond a soft stop, with one joint or several.",
         FORMAN,
     ): lambda f: any(zone >= PAST_SOFT for zone in f.zones) or any(limit.kind == "soft stop" for limit in f.limits),
     HARD_STOPS: lambda f: AT_HARD in f.zones,

@@ -50,7 +50,7 @@ CAPTURE = _kind(
     ("pin off axis", "palm along bar"),
     "captured",
     "Distance of the end effector from the grapple pin, or from the middle of the bar",
-    "Speed of the tip relative to the payload",
+    "Speed of the tip relative to the payload's centre",
 )
 DOCK = _kind(
     "dock",
@@ -107,7 +107,8 @@ class Moments:
         self._period_s = scenario.control_period
         self._ports = {seat.name for seat in scenario.worksite.seats if seat.kind == "port"}
         self._seen: dict[Kind, tuple[int, Misalignment]] = {}
-        self._releases, self._tip_off, self._drift = 0, 0.0, 0.0
+        self._releases = 0
+        self._freely: tuple[float, float] | None = None  # angular rate and speed after the last release
         self._freed: int | None = None  # number of the payload that was released in the last step
 
     def see(self, frame: Frame, before: Frame | None) -> None:
@@ -117,9 +118,8 @@ class Moments:
         payloads = frame.work.cargo
         if self._freed is not None:
             old, new = before.work.cargo[self._freed], payloads[self._freed]
-            self._tip_off = angle_between(old.orientation, new.orientation) / self._period_s
-            self._drift = math.hypot(*new.velocity)
-            self._freed = None
+            rate = angle_between(old.orientation, new.orientation) / self._period_s
+            self._freely, self._freed = (rate, math.hypot(*new.velocity)), None
         for number, (old, new) in enumerate(zip(before.work.cargo, payloads, strict=True)):
             if new.held and not old.held:
                 self._note(CAPTURE, before, math.dist(before.twist[3:], old.velocity))
@@ -127,7 +127,7 @@ class Moments:
                 self._note(DOCK if new.seat in self._ports else LATCH, before, math.hypot(*old.velocity))
             if old.held and not new.held and not new.seat:
                 self._releases += 1
-                self._freed = number
+                self._freed, self._freely = number, None
 
     def _note(self, kind: Kind, before: Frame, speed: float) -> None:
         count, _ = self._seen.get(kind, (0, None))
@@ -144,9 +144,9 @@ class Moments:
                 if value is not None:
                     yield metric, Value(value)
         yield RELEASES, Value(float(self._releases))
-        if self._releases:
-            yield TIP_OFF, Value(self._tip_off)
-            yield DRIFT, Value(self._drift)
+        if self._freely is not None:
+            for metric, value in zip((TIP_OFF, DRIFT), self._freely, strict=True):
+                yield metric, Value(value)
 
 
 def misalignment(kind: Kind, conditions: tuple[Condition, ...], speed: float) -> Misalignment:
@@ -158,7 +158,7 @@ def misalignment(kind: Kind, conditions: tuple[Condition, ...], speed: float) ->
         speed: closing speed in that step [m/s].
     """
     return Misalignment(
-        max((abs(c.value) for c in conditions if c.name.endswith(kind.distances)), default=None),
+        max((abs(c.value) for c in conditions if c.unit == "m" and c.name.endswith(kind.distances)), default=None),
         max((abs(c.value) for c in conditions if c.unit == "rad"), default=None),
         speed,
     )

@@ -72,8 +72,9 @@ class Sticks:
         """Add the next frame."""
         self._steps += 1
         now = frame.translation, frame.rotation, (frame.drive,)
-        then = (before.translation, before.rotation, (before.drive,)) if before else ((0.0,), (0.0,), (0.0,))
-        self._inputs += sum(any(stick) and not any(old) for stick, old in zip(now, then, strict=True))
+        if before is not None:
+            then = before.translation, before.rotation, (before.drive,)
+            self._inputs += sum(any(stick) and not any(old) for stick, old in zip(now, then, strict=True))
         thc, rhc = _deflected(frame.translation), _deflected(frame.rotation)
         if not (thc or rhc):
             return

@@ -38,38 +38,47 @@ class Stopping:
         self._nearest, self._past = math.inf, 0.0
 
     def see(self, frame: Frame, before: Frame | None) -> None:
-        """Add the next frame."""
+        """Add the next frame.
+
+        A change of the mode or of the held payload may move the point of resolution, and ends a measurement.
+        """
+        self._automatic(frame)
+        if before is None or _point(frame) != _point(before) or frame.sequence != "idle":
+            self._released = None
+            return
         released = sticks_released(frame)
-        if before is not None and released and not sticks_released(before):
+        if released and not sticks_released(before):
             self._released = before.resolution
-            self._stopping = self._stopping or 0.0
         if self._released is not None:
             self._stopping = max(self._stopping or 0.0, math.dist(frame.resolution, self._released))
-            if not released or at_rest(frame) or frame.sequence == "in progress":
+            if not released or at_rest(frame):
                 self._released = None
-        self._automatic(frame)
 
     def _automatic(self, frame: Frame) -> None:
         if frame.goal is None or frame.sequence != "in progress":
-            self._end_motion()
+            self._overshoot, self._target = self._greatest, None
             return
         left = frame.goal.distance
         if frame.goal.position != self._target:
-            self._end_motion()
+            self._overshoot = self._greatest
             self._target, self._nearest, self._past = frame.goal.position, left, 0.0
         if left < self._nearest:
             self._nearest, self._past = left, 0.0
         self._past = max(self._past, left - self._nearest)
 
-    def _end_motion(self) -> None:
-        if self._target is not None:
-            self._overshoot = max(self._overshoot or 0.0, self._past)
-        self._target = None
+    @property
+    def _greatest(self) -> float | None:
+        """Greatest overshoot, with that of the present motion; None if there was no motion."""
+        return self._overshoot if self._target is None else max(self._overshoot or 0.0, self._past)
 
     def found(self) -> Iterator[Found]:
         """Yield what occurred: a manual motion that ended, an automatic motion."""
-        self._end_motion()
         if self._stopping is not None:
             yield STOPPING, Value(self._stopping)
-        if self._overshoot is not None:
-            yield OVERSHOOT, Value(self._overshoot)
+        if self._greatest is not None:
+            yield OVERSHOOT, Value(self._greatest)
+
+
+def _point(frame: Frame) -> tuple[str, bool]:
+    """Return what decides which point the sticks move."""
+    return frame.mode, frame.payload is not None

@@ -21,7 +21,8 @@ IDLE = Metric(
     "idle_time",
     "Idle time",
     "time",
-    "After the first command: time without a deflected stick, an automatic motion, a moving mechanism or a moving arm.",
+    "After the first command: time in which the arm is at rest, without a deflected stick, an automatic motion or a "
+    "moving mechanism.",
 )
 MANUAL = Metric("manual_share", "Manual share", "share", "Share of the run's time with manual inputs.")
 VERNIER = Metric("vernier_time", "Time in vernier", "time", "Time with the rate setting vernier.")

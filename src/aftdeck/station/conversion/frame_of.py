@@ -89,6 +89,7 @@ class Displays:
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
         control = self._sticks.in_panel(frame)
         work, left = frame.work, progress.remaining if progress else self._aims.remaining(frame, None)
+        closing = progress.closing if progress else None
         display = Display(
             stick_seq=stick_seq,
             flown_seq=flown_seq,
@@ -98,7 +99,9 @@ class Displays:
             aim=self._aim(frame.goal),
             payload_id=_payload_id(frame),
             por_offset=self._por_offset(frame, tip),
-            to_go=None if left is None else to_go(left, frame, self._poses, product(self._mount.rotation.T, control)),
+            to_go=None
+            if left is None
+            else to_go(left, frame, self._poses, product(self._mount.rotation.T, control), closing),
             task=None
             if progress is None
             else TaskNow(progress.at, progress.hint, progress.first, tuple(progress.done_s), debrief),

@@ -74,14 +74,18 @@ def ended(reason: str) -> Measure:
 
 
 def _measure(metric: Metric, found: Mapping[Metric, Value]) -> Measure:
-    value, angle = found[metric], found.get(_ANGLES.get(metric, metric))
-    about = f"{metric.definition} {value.detail[:1].upper()}{value.detail[1:]}." if value.detail else metric.definition
+    value, angle = found[metric], found.get(_ANGLES[metric]) if metric in _ANGLES else None
+    sentences = [metric.definition]
+    if angle is not None:
+        sentences.append(_ANGLES[metric].definition)
+    if value.detail:
+        sentences.append(f"{value.detail[:1].upper()}{value.detail[1:]}.")
     return Measure(
         metric.title,
         metric.quantity,
         value.number,
         value.text,
-        about,
-        angle.number if angle is not None and metric in _ANGLES else None,
+        " ".join(sentences),
+        None if angle is None else angle.number,
         value.level,
     )

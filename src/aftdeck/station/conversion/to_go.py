@@ -18,7 +18,7 @@ from aftdeck.task.remaining import Remaining
 from aftdeck.tuples import Vec3
 
 
-def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array) -> ToGo:
+def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array, closing: float | None = None) -> ToGo:
     """Return the message about the motion that is left in a frame.
 
     Args:
@@ -26,16 +26,15 @@ def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array) ->
         frame: the frame.
         scene: poses in the scene.
         axes: (3, 3) axes of the sticks in L, in columns.
+        closing: speed at which the distance becomes smaller [m/s]; None if it is not known.
     """
-    translation = rotation = closing = None
+    translation = rotation = None
     shift: tuple[float, ...] = ()
     if (motion := remaining.motion) is not None:
         shift = scene.motion(motion)
-        point = np.array(frame.resolution)
-        moved = product(motion.rotation, point) + motion.position - point
-        length = float(np.linalg.norm(moved))
-        closing = float(moved @ np.array(frame.twist[3:])) / length if length > 0.0 else 0.0
         if MODES[frame.mode].kind == "manual":
+            point = np.array(frame.resolution)
+            moved = product(motion.rotation, point) + motion.position - point
             translation, rotation = _vec3(product(moved, axes)), _vec3(product(_vector(motion.rotation), axes))
     return ToGo(
         remaining.to, translation, rotation, remaining.distance, remaining.angle, remaining.near, closing, shift

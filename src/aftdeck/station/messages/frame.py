@@ -104,7 +104,7 @@ class ToGo(msgspec.Struct, frozen=True, gc=False):
     near: tuple[float, float]
     """Distance [m] and angle [rad] within which the place is reached."""
     closing: float | None
-    """Speed at which the distance becomes smaller [m/s]; negative if it grows, null for a joint."""
+    """Speed at which the distance becomes smaller [m/s]; negative if it grows, null if it is not known."""
     shift: tuple[float, ...]
     """Motion of the tip, and of a held payload, to the place, in the scene frame: x, y, z [m], then w, x, y, z.
 

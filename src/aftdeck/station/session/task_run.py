@@ -22,12 +22,12 @@ class TaskRun:
 
     def __init__(self, scenario: Scenario) -> None:
         self.progress = Progress(scenario)
-        self._scenario = scenario
+        self._metrics = RunMetrics(scenario)
         self._begin()
 
     def _begin(self) -> None:
         self.debrief: Debrief | None = None
-        self._metrics, self._scripted = RunMetrics(self._scenario), False
+        self._scripted = False
 
     def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> tuple[int, ...]:
         """Add the next frame and its lamps; return the indices of the steps that it completes."""
@@ -38,9 +38,8 @@ class TaskRun:
             self._begin()
         if self.progress.present is not None:
             self.debrief = None
-        if self.debrief is None:
-            self._scripted = self._scripted or frame.by == "script"
-            self._metrics.see(frame, lamps)
+        self._metrics.see(frame, lamps)
+        self._scripted = self._scripted or (self.debrief is None and frame.by == "script")
         if self.progress.present is None and self.debrief is None:
             self.debrief = self._result()
         return done
