@@ -86,7 +86,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
     _close_in(flight)
 
     # Capture: the button has to be held.
-    flight.until(f"{STEP} === '5 of 6' && {WORDS}.includes('Hold North until')")
+    flight.until(f"{STEP} === '5 of 6' && {WORDS}.includes('Hold North for')")
     flight.until("document.querySelector('.conditions h2').textContent.includes('capture, hold North')")
     flight.pad_buttons(NORTH)
     flight.until("frame.work.cargo[0].held")

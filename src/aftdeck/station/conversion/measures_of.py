@@ -15,7 +15,6 @@ from aftdeck.report.metrics import (
     path,
     pictures,
     sticks,
-    stopping,
     times,
 )
 from aftdeck.station.messages.measure import Measure
@@ -36,25 +35,17 @@ REPLAY = (
     moments.LATCH.offset,
     moments.TIP_OFF,
     path.PATH,
-    path.DIRECTNESS,
     path.SPEED,
     path.RATE,
-    stopping.STOPPING,
-    stopping.OVERSHOOT,
-    times.IDLE,
     times.VERNIER,
     sticks.TWO_HANDED,
     sticks.MULTI_AXIS,
-    sticks.INPUTS,
     sticks.REVERSAL_RATE,
     sticks.WORST_AXIS,
     forces.PEAK,
-    forces.HOLDING,
     alarms.RAISED,
-    clearance.COLLISIONS,
     limits.BRAKES,
     pictures.CAMERAS,
-    pictures.TURNED,
 )
 """Metrics in a replay, in their order."""
 _ANGLES = {path.TARGET: path.TARGET_ANGLE} | {
