@@ -1,4 +1,4 @@
-/** Named conditions on the page's size, for code and for `@container page (--NAME)` in the style sheets. */
+/** Named conditions on the size of the page, or of a part, for code and for `@container page (--NAME)` in the style sheets. */
 
 export const ROOM = {
   /** MON 2 is in a corner of MON 1, and the desk has more rows. */
@@ -15,6 +15,8 @@ export const ROOM = {
   short: '(height <= 870px)',
   /** A lamp's small text has only one line. */
   shallow: '(height <= 809px)',
+  /** The rest of the guide's card, below its instruction, has no room for a note. */
+  full: '(height < 1.6rem)',
 } as const;
 
 export const TOO_NARROW_WORDS =
