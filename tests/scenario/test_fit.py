@@ -270,7 +270,7 @@ def test_camera_in_the_path_of_an_arm_part_is_reported(tmp_path: Path, part: str
             break
     x, y, z = (scene.rotation.T @ (np.concatenate(own[part]).mean(axis=0) - scene.position)).tolist()
     place = load_worksite("concept-1972").text
-    old = 'position = ["= bay_aft - 3 ft", "= -hull_side - 11 ft", "= hull_bottom + 1.8 ft"]'
+    old = 'position = ["= bay_aft - 3 ft", "= -hull_side - 25.5 ft", "= hull_bottom + 1.8 ft"]'
     assert old in place
     (tmp_path / "place.toml").write_text(place.replace(old, f"position = [{x}, {y}, {z}]"))
     text = script().replace('worksite = "concept-1972"', 'worksite = "place.toml"')
