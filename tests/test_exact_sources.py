@@ -34,7 +34,6 @@ EXEMPT = {
     "plant/multibody": "MuJoCo's results are the same on one machine only",
     "scenario/fit.py": "decides whether a scenario is accepted",
     "scenario/poses.py": "decides whether a rotation is accepted",
-    "scene/stick_axes.py": "axes and angles for the page and for metrics; no frame depends on them",
     "simulation/constants/multibody.py": "makes the models of MuJoCo",
     "simulation/inputs.py": "decides whether a target is accepted",
     "simulation/survey": "prints cautions; no frame depends on it",

@@ -15,7 +15,8 @@ import pytest
 from aftdeck.errors import SimulationError
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.visual.scene import Aim, VisualScene, turn
+from aftdeck.scene.cameras import turn
+from aftdeck.visual.scene import Aim, VisualScene
 from tests.visual.depth_picture import DepthPictures
 from tests.visual.painted_picture import painted
 from tests.visual.states import states

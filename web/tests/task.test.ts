@@ -7,7 +7,7 @@ import protocol from '../src/link/protocol?raw';
 import { ending } from '../src/task';
 import { countWords } from '../src/task/card';
 import { closingWords, goParts, goSentence, goWords, isThere } from '../src/task/to-go';
-import { pieces, present, spoken } from '../src/task/words';
+import { pieces, present, saidText } from '../src/task/words';
 import { condition, FEET, SI, toGo } from './worksite';
 
 const NOTHING = { units: SI, conditions: [] };
@@ -53,7 +53,7 @@ test('a screen reader says the names of keys, also of marks of punctuation', () 
   const names: Record<string, string> = { '-Z': 'Q', 'cameraStep +': '.' };
   const inHand = { name: (use: string) => names[use] ?? '' };
   const text = pieces('Hold {-Z} for {1 m}, then {cameraStep +}: *RIGID*', NOTHING);
-  expect(spoken(text, inHand)).toBe('Hold Q for 1 m, then full stop: RIGID');
+  expect(saidText(text, inHand)).toBe('Hold Q for 1 m, then full stop: RIGID');
 });
 
 test('a hint that applies replaces the text and the functions of its step', () => {

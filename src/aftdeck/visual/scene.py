@@ -10,16 +10,13 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.cameras import Camera, setting, view
 from aftdeck.bodies.pose import HERE, POSE
-from aftdeck.errors import InputError, SimulationError
-from aftdeck.frames import rotation_of
+from aftdeck.errors import SimulationError
 from aftdeck.matrices import product
-from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
-from aftdeck.scene.bodies import bodies_of
-from aftdeck.scene.everything import ScenePoses
+from aftdeck.scene.cameras import SceneCameras, turn
 from aftdeck.simulation.frame import Frame
-from aftdeck.tuples import Rows, Vec3
+from aftdeck.tuples import Vec3
 from aftdeck.visual.clusters import Clusters, clusters_of
 from aftdeck.visual.lists import permanent_list
 from aftdeck.visual.order import (
@@ -114,12 +111,6 @@ class Order(NamedTuple):
     overlapping: tuple[str, str] | None
 
 
-def turn(seven: Array) -> Rows:
-    """Return the rotation matrix of a pose (7,) whose attitude is a quaternion."""
-    w, x, y, z = seven[3:].tolist()
-    return rotation_of((w, x, y, z))
-
-
 class VisualScene:
     """Visual scene of a scenario.
 
@@ -130,10 +121,8 @@ class VisualScene:
 
     def __init__(self, scenario: Scenario) -> None:
         self.clusters: Clusters = clusters_of(scenario)
-        self.cameras = {camera.name: camera for camera in cameras_of(scenario)}
-        self._poses = ScenePoses(scenario)
-        self._bodies = [body.name for body in bodies_of(scenario)]
-        self._driven = [camera.name for camera in self.cameras.values() if camera.drive is not None]
+        self._placed = SceneCameras(scenario)
+        self.cameras = self._placed.cameras
         self._fixed = scenario.worksite.bodies
         self._own = scenario.payload is not None
         ours = self.clusters
@@ -156,19 +145,13 @@ class VisualScene:
         Raises:
             InputError: there is no such camera.
         """
-        camera = self._camera(name)
-        at = frame.views[self._driven.index(name)] if name in self._driven else setting(camera)
-        seen = view(camera, at)
-        body = self.bodies_at(frame)[camera.body]
-        rotation = np.array(turn(body))
-        ahead, up = product(rotation, np.array(seen.boresight)), product(rotation, np.array(seen.up))
+        position, axes, seen = self._placed.seen(frame, self.bodies_at(frame), name)
+        camera = self.cameras[name]
         wide = math.tan(0.5 * seen.field_of_view)
         high, part = wide / aspect, (1.0, 1.0)
         if camera.pane is not None:
             opening = 0.5 * camera.pane.width / camera.pane.distance, 0.5 * camera.pane.height / camera.pane.distance
             part = min(1.0, opening[0] / wide), min(1.0, opening[1] / high)
-        position = product(rotation, np.array(seen.position)) + body[:3]
-        axes = np.array([np.cross(ahead, up), -up, ahead])
         return Aim(name, position, axes, part[0] * wide, part[1] * high, part, self._around(camera, seen.position))
 
     def order(self, frame: Frame, aim: Aim) -> Order:
@@ -222,7 +205,7 @@ class VisualScene:
         Raises:
             InputError: there is no such camera.
         """
-        own = self._camera(camera)
+        own = self._placed.camera(camera)
         if camera not in self._lists:
             frame, eye = self._home(own, view(own, setting(own)).position)
             found = None
@@ -263,19 +246,13 @@ class VisualScene:
     def _part(self, cluster: int) -> str:
         return self.clusters.clusters[cluster].part
 
-    def _camera(self, name: str) -> Camera:
-        if name not in self.cameras:
-            raise InputError(f"no camera is called {name!r}; cameras are {', '.join(self.cameras)}")
-        return self.cameras[name]
-
     def absent(self, frame: Frame) -> frozenset[str]:
         """Return the parts that do not exist in a frame: the scenario's own payload, unless it is attached."""
         return frozenset((PART,)) if self._own and frame.attached != 1 else frozenset()
 
     def bodies_at(self, frame: Frame) -> dict[str, Array]:
         """Return the pose (7,) of each drawn body in the scene."""
-        poses = np.array(self._poses.at(frame)).reshape(-1, 7)
-        return dict(zip(self._bodies, poses, strict=False))
+        return self._placed.bodies_at(frame)
 
     def frames_at(self, frame: Frame) -> Array:
         """Return the poses (F, 12) of the frames that carry clusters, in the scene."""
@@ -286,7 +263,7 @@ class VisualScene:
                 row[:] = HERE
             elif name == "space":
                 row[:] = HERE
-                row[:3] = -self._poses.orbiter_travel(frame)
+                row[:3] = -self._placed.poses.orbiter_travel(frame)
             else:
                 row[:3] = bodies[name][:3]
                 row[3:] = np.ravel(turn(bodies[name]))

@@ -11,7 +11,7 @@ import { durationText } from '../words/format';
 import { Card, countWords } from './card';
 import { Line } from './line';
 import { barred, modeHint, moving } from './state-words';
-import { type Piece, pieces, present, spoken } from './words';
+import { type Piece, pieces, present, saidText } from './words';
 
 /** Built-in scenario for beginners. */
 export const TUTORIAL = 'tutorial';
@@ -108,12 +108,12 @@ export class Task {
     const way = barred(frame, welcome.joints, this.inHand);
     const said = way.length > 0 ? way : [...pieces(words, marked), ...moving(frame.motions)];
     // The numbers are along the sticks of the present mode: not of use before the step's own mode is entered.
-    const go = this.needs === '' && step ? to_go : null;
+    const go = this.needs === '' ? to_go : null;
     const all = [...(this.needs === '' ? [] : modeHint(this.needs)), ...said];
     this.announce(`${task.at} ${task.hint} ${this.needs} ${way.length}`, title, all);
     if (!this.open) {
       this.line.set(this.exists ? countWords(task.at, done) : '', title, all);
-      this.line.setGo(this.needs === '' ? to_go : null, units);
+      this.line.setGo(go, units);
       return;
     }
     if (shown) this.drawCaps(task, this.needs === '' ? shown : { ...shown, uses: [enterUse(this.needs)] });
@@ -127,7 +127,7 @@ export class Task {
       needs: this.needs,
       mode: frame.mode,
     });
-    this.card.setGo(go, units);
+    this.card.setGo(step ? go : null, units);
     this.card.setDebrief(task.debrief, units, recording_s !== null, flying);
   }
 
@@ -175,7 +175,7 @@ export class Task {
   private announce(text: string, title: string, said: readonly Piece[]): void {
     if (text === this.announced) return;
     this.announced = text;
-    setText(this.said, `${title}. ${spoken(said, this.inHand)}`);
+    setText(this.said, `${title}. ${saidText(said, this.inHand)}`);
   }
 
   /** Offers the cameras of a step when it begins, but not when the page opens. */

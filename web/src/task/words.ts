@@ -84,7 +84,7 @@ export class MarkedText {
 }
 
 /** Returns a text as a screen reader says it. */
-export function spoken(text: readonly Piece[], inHand: Pick<InHand, 'name'>): string {
+export function saidText(text: readonly Piece[], inHand: Pick<InHand, 'name'>): string {
   const said = ({ kind, text }: Piece) => {
     const name = kind === 'use' ? inHand.name(text) : text;
     return kind === 'use' ? (SPOKEN[name] ?? name) : name;

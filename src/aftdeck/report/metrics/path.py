@@ -58,15 +58,15 @@ class Path:
 
     def found(self) -> Iterator[Found]:
         """Yield all metrics; the remaining distance only if the last frame has a target."""
-        last, begun = self._last, self._from
-        if last is None or begun is None:
+        last, start = self._last, self._from
+        if last is None or start is None:
             return
         if last.goal is not None:
             yield TARGET, Value(last.goal.distance)
             yield TARGET_ANGLE, Value(last.goal.angle)
         yield PATH, Value(self._path)
         if self._path > 0.0:
-            yield DIRECTNESS, Value((self._straight + math.dist(last.position, begun)) / self._path)
+            yield DIRECTNESS, Value((self._straight + math.dist(last.position, start)) / self._path)
         yield TURNED, Value(self._turned)
         yield SPEED, Value(self._fastest)
         yield RATE, Value(self._worst)
