@@ -50,6 +50,8 @@ LAYERS = (
     ("task",),
     ("recording",),
     ("report",),
+    ("operators",),
+    ("study", "gym"),
     ("station",),
     ("cli",),
     ("__init__", "__main__"),

@@ -1,0 +1,1 @@
+"""Studies: one scenario run many times, with factors that change from run to run."""
