@@ -10,7 +10,7 @@ from typing import Any, cast
 import msgspec
 
 from aftdeck.matrices import product
-from aftdeck.operators.approach import Axis, Speeds, deflection, deflections
+from aftdeck.operators.approach import LINED_UP, Axis, Speeds, deflection, deflections
 from aftdeck.scenario.target import AtCargo, AtSeat
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame, WayOut
@@ -18,6 +18,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.steering.mode import MODES
 from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.progress import Progress
+from aftdeck.task.remaining import Remaining
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.conditions import all_ready
 
@@ -49,7 +50,7 @@ def decide(frame: Frame, progress: Progress, axes: Any, speeds: Speeds, orbiter:
         return leave(frame, frame.ways_out)
     if step.mode is not None and frame.mode != step.mode:
         return Inputs(mode=step.mode)
-    return operated(frame, step) or moved(frame, step, progress, axes, speeds, orbiter)
+    return operated(frame, step, progress.remaining) or moved(frame, step, progress, axes, speeds, orbiter)
 
 
 def leave(frame: Frame, ways: tuple[WayOut, ...]) -> Inputs:
@@ -66,7 +67,7 @@ def leave(frame: Frame, ways: tuple[WayOut, ...]) -> Inputs:
     return _stick(way.stick, way.axis, way.sign * OUT)
 
 
-def operated(frame: Frame, step: TaskStep) -> Inputs | None:
+def operated(frame: Frame, step: TaskStep, remaining: Remaining | None) -> Inputs | None:
     """Return the command for end effector, latches or sequence, or centred sticks while one of them acts.
 
     None if the step needs none now.
@@ -76,7 +77,7 @@ def operated(frame: Frame, step: TaskStep) -> Inputs | None:
     if MODES[frame.mode].kind == "automatic":
         return Inputs(proceed=frame.sequence == "ready")
     if held is None and done.held:
-        return _capture(frame)
+        return _capture(frame, remaining)
     if held is not None and done.held is False:
         return Inputs(effector="open" if hand.switch != "open" and _still(frame) else None)
     if held is None:
@@ -91,15 +92,18 @@ def operated(frame: Frame, step: TaskStep) -> Inputs | None:
     return Inputs() if frame.motions else None
 
 
-def _capture(frame: Frame) -> Inputs | None:
+def _capture(frame: Frame, remaining: Remaining | None) -> Inputs | None:
     """Return the command for a capture; None if the end effector has to move first."""
     hand, conditions = frame.work.hand, frame.work.conditions
-    if hand.switch == "close" and hand.opening > 0.0:
-        return Inputs()  # closing
+    if hand.switch == "close" and frame.motions:
+        return Inputs()
     if hand.opening < _OPEN:
         return Inputs(effector="open" if hand.switch != "open" else None)
     ready = bool(conditions) and all(c.holds for c in conditions if c.name != CLOSED_BY_CLOSING)
-    return Inputs(effector="close") if ready and _still(frame) else Inputs() if ready else None
+    lined_up = remaining is None or remaining.distance <= LINED_UP * remaining.near[0]
+    if not (ready and lined_up):
+        return None
+    return Inputs(effector="close" if _still(frame) else None)
 
 
 def moved(
