@@ -55,7 +55,7 @@ def test_beside_the_place_nothing_comes_closer(x: float, y: float) -> None:
     beside = math.hypot(x, y)
     thc, _ = deflections(*left(x, y, 2.0), DOWN, (), SPEEDS)
     assert thc[2] >= 0.0
-    assert (thc[2] > 0.0) == (2.0 > 4.0 * max(0.0, beside - 0.008))
+    assert (thc[2] > 0.0) == (4.0 * max(0.0, beside - 0.008) < 2.0)
 
 
 def test_deep_in_a_berth_the_way_out_comes_first() -> None:

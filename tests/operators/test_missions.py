@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -10,18 +11,21 @@ from aftdeck.errors import InputError
 from aftdeck.operators.pilot import Pilot, pilot
 from aftdeck.operators.spec import Kind, OperatorSpec
 from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
-from aftdeck.recording.writer import Recorder
+from aftdeck.recording.run import record
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.run import Run, run
+from aftdeck.simulation.run import Run as Flight
+from aftdeck.simulation.run import run as fly
+from tests.commands import Run
 
 TASKS = tuple(name for name in built_in() if load_scenario(name).steps)
 WITH_PAYLOAD = ("tutorial", "srms-deploy", "srms-berth", "concept-1972", "free-flyer")
 QUICK = ("tutorial", "first-flight", "singular", "uncradle", "sequence", "sts-400-closed")
 
 
-def flown(name: str, kind: Kind, seed: int = 1, plant: str = "kinematic") -> tuple[Pilot, Run, list[Frame]]:
+def flown(name: str, kind: Kind, seed: int = 1, plant: str = "kinematic") -> tuple[Pilot, Flight, list[Frame]]:
     scenario = load_scenario(name, {("plant",): plant})
     operator = pilot(scenario, OperatorSpec(kind), seed)
     assert isinstance(operator, Pilot)
@@ -31,7 +35,7 @@ def flown(name: str, kind: Kind, seed: int = 1, plant: str = "kinematic") -> tup
         if frame.work.arm_inhibit:
             inhibited.append(frame)
 
-    return operator, run(scenario, inputs=operator, keep_frames=False, seen=seen), inhibited
+    return operator, fly(scenario, inputs=operator, keep_frames=False, seen=seen), inhibited
 
 
 def completes(name: str, kind: Kind, plant: str = "kinematic") -> None:
@@ -81,9 +85,23 @@ def test_an_operator_needs_steps_and_is_no_script() -> None:
 
 
 def test_an_operators_flight_is_recorded_and_verified_like_a_persons(tmp_path: Path) -> None:
-    scenario = load_scenario("first-flight")
-    recorder = Recorder(tmp_path / "run.mcap", scenario, 0)
-    result = run(scenario, 0, inputs=pilot(scenario, OperatorSpec("human"), 3), stepped=recorder.step)
-    recorder.close(result.summary.ended)
-    with Recording(tmp_path / "run.mcap") as recording:
-        assert verify(recording).same
+    scenario, path = load_scenario("first-flight"), tmp_path / "run.mcap"
+    flown_by = record(scenario, path, 0, inputs=pilot(scenario, OperatorSpec("human"), 3))
+    assert verify(path).equal
+    frames = [message for message in Recording(path).messages() if isinstance(message, FrameRecord)]
+    assert {frame.by for frame in frames} == {"hand"}
+    assert len(frames) == round(flown_by.summary.time_s / scenario.control_period)
+
+
+def test_the_command_flies_a_task_with_an_operator(run: Run, tmp_path: Path) -> None:
+    out = tmp_path / "run.mcap"
+    code, printed, _ = run("run", "first-flight", "--operator", "perfect", "--out", str(out), "--json")
+    assert code == 0
+    assert json.loads(printed)["ended"] == "completed"
+    assert Recording(out).opening.condition == "operator perfect"
+
+
+def test_the_command_says_what_an_operator_needs(run: Run) -> None:
+    assert run("run", "concept-1972-script", "--operator", "human")[0] == 2
+    assert run("run", "first-flight", "--operator", "robot")[0] == 2
+    assert run("run", "first-flight", "--operator", "human", "--channels", "some.jsonl")[0] == 2

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, cast, get_args
 
 import msgspec
 
 from aftdeck.bounds import Bounds
+from aftdeck.errors import InputError
 from aftdeck.units import Time
 
 Kind = Literal["script", "perfect", "human"]
@@ -31,3 +32,14 @@ class OperatorSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     noise: Annotated[float, Bounds(0.0, 1.0, "1 is as large as the deflection")] = 0.1
     deadband: Annotated[float, Bounds(0.0, 0.5, "1 is the full deflection")] = 0.05
     thinking: Annotated[Time, Bounds(0.0, 60.0, "an instruction has one or two sentences")] = Time(2.0)
+
+
+def spec_of(kind: str) -> OperatorSpec:
+    """Return the parameters of a kind of operator with its usual limits.
+
+    Raises:
+        InputError: the kind is not ``perfect`` or ``human``.
+    """
+    if kind not in get_args(Kind) or kind == "script":
+        raise InputError(f"operator: got {kind!r}, expected perfect or human")
+    return OperatorSpec(cast("Kind", kind))
