@@ -11,8 +11,8 @@ import pytest
 
 import aftdeck
 from aftdeck.recording.writer import Recorder
+from aftdeck.report.curves import Strip
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.messages.curves import Strip
 from aftdeck.station.messages.measure import Measure
 from aftdeck.station.messages.playback import PlaybackIndex
 from aftdeck.station.playback.store import PlaybackStore

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from aftdeck.report.lamps import Lamp
+from aftdeck.report.strips import readings, sources
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.messages import from_page, kinds, to_page
-from aftdeck.station.playback.strips import readings, sources
 from aftdeck.station.session import recent
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.session import Session

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from aftdeck.report.metrics.path import worst_rate
-from aftdeck.station.playback.strips import BUCKETS, thin
+from aftdeck.report.strips import BUCKETS, thin
 from aftdeck.tuples import Six
 
 VALUES = st.one_of(st.floats(-1e6, 1e6), st.just(math.nan))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -10,29 +9,37 @@ import typer
 
 from aftdeck.cli.app import Json, app
 from aftdeck.cli.printing import print_json
-from aftdeck.errors import AftdeckError
+from aftdeck.errors import AftdeckError, InputError
 from aftdeck.lines import print_error, print_line
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from aftdeck.report.metric import Metric
-    from aftdeck.report.table import Cell, Row
+    from aftdeck.report.page.gather import Gathered
+    from aftdeck.report.table import Row
 
 _COLUMN = 14
 """Least width of a run's column [characters]."""
 
 
 @app.command(
-    short_help="Compute the metrics of recorded runs.",
-    epilog="Examples: aftdeck report run.mcap; aftdeck report first.mcap second.mcap; "
-    "aftdeck report P07-*.mcap --table runs.csv",
+    short_help="Compute the metrics of recorded runs, as text, table or page.",
+    epilog="Examples: aftdeck report run.mcap; aftdeck report run.mcap -o report.html; "
+    "aftdeck report first.mcap second.mcap -o both.html; aftdeck report P07-*.mcap --table runs.parquet",
 )
 def report(
     files: Annotated[list[Path], typer.Argument(metavar="RECORDING...", help="Recordings (.mcap).")],
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--out", metavar="FILE.html", help="Write a page with metrics, charts, pictures and events."
+        ),
+    ] = None,
     table: Annotated[
         Path | None,
-        typer.Option(metavar="FILE.csv", help="Write one row for each run, with all metrics as columns with units."),
+        typer.Option(
+            metavar="FILE", help="Write a row for each run, with all metrics as columns with units: .csv or .parquet."
+        ),
     ] = None,
     as_json: Json = False,
 ) -> None:
@@ -41,20 +48,30 @@ def report(
     Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all. A recording
     that cannot be read is left out, and the exit code is then 2.
     """
-    from aftdeck.report.table import check_table, write_csv
+    from aftdeck.report.table import ENDINGS, check_new, write_table
 
     if table is not None:
-        check_table(table)
-    rows = list(_rows(files))
+        check_new(table, ENDINGS)
+    if out is not None:
+        check_new(out, (".html",))
+    if out is None:
+        rows = list(_rows(files))
+    else:
+        runs = list(_gathered(files))
+        rows = [_row(run) for run in runs]
+        if runs:
+            text = _write_page(runs, out)
+            if not as_json:
+                print_line(text)
     if not rows:
         raise typer.Exit(2)
     if table is not None:
-        write_csv(rows, table)
+        write_table(rows, table)
+    if table is not None and not as_json:
+        print_line(f"{table}: {len(rows)} {'run' if len(rows) == 1 else 'runs'}, {len(rows[0])} columns")
     if as_json:
         print_json(rows, indent=2)
-    elif table is not None:
-        print_line(f"{table}: {len(rows)} {'run' if len(rows) == 1 else 'runs'}, {len(rows[0])} columns")
-    else:
+    elif table is None and out is None:
         _print(rows)
     if len(rows) < len(files):
         raise typer.Exit(2)
@@ -63,18 +80,56 @@ def report(
 def _rows(files: Sequence[Path]) -> Iterator[Row]:
     """Yield the row of each recording; print the error of one that cannot be read."""
     from aftdeck.recording.reader import Recording
+    from aftdeck.report.of_recording import metrics_of
     from aftdeck.report.table import row_of
 
     for file in files:
         try:
-            yield row_of(Recording(file))
+            recording = Recording(file)
+            metrics = metrics_of(recording)
         except AftdeckError as error:
             print_error(str(error))
+        else:
+            yield row_of(recording, metrics)
+
+
+def _gathered(files: Sequence[Path]) -> Iterator[Gathered]:
+    """Yield the data of each recording for a page; print the error of one that cannot be read."""
+    from aftdeck.recording.reader import Recording
+    from aftdeck.report.page.gather import gathered
+
+    for file in files:
+        try:
+            yield gathered(Recording(file))
+        except AftdeckError as error:
+            print_error(str(error))
+
+
+def _row(run: Gathered) -> Row:
+    from aftdeck.report.table import row_of
+
+    return row_of(run.recording, run.metrics)
+
+
+def _write_page(runs: Sequence[Gathered], out: Path) -> str:
+    """Write the page; return a text about it."""
+    from aftdeck.cli.drawing import announce_compilation
+    from aftdeck.report.page.runs import page
+
+    announce_compilation()
+    text = page(runs)
+    try:
+        with out.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except OSError as error:
+        raise InputError(f"cannot write {out}: {error.strerror or error}") from None
+    return f"{out}: {len(runs)} {'run' if len(runs) == 1 else 'runs'}, {len(text) / 1e6:.1f} MB"
 
 
 def _print(rows: Sequence[Row]) -> None:
     """Print the metrics for which a run has a value, by subject, the runs side by side."""
     from aftdeck.report.catalogue import METRICS, SUBJECTS
+    from aftdeck.report.words import text_of
 
     titles = max(len(metric.title) for metric in METRICS)
     names = [Path(str(row["recording"])).stem if len(rows) > 1 else "" for row in rows]
@@ -89,24 +144,5 @@ def _print(rows: Sequence[Row]) -> None:
         if known:
             print_line(f"  {subject}")
         for metric in known:
-            texts = [_text(metric, row[metric.column]).rjust(width) for row, width in zip(rows, widths, strict=True)]
+            texts = [text_of(metric, row[metric.column]).rjust(width) for row, width in zip(rows, widths, strict=True)]
             print_line(f"    {metric.title:<{titles}}{'  '.join(texts)}")
-
-
-def _text(metric: Metric, value: Cell) -> str:
-    """Return a value with its unit; angles in degrees, shares in per cent."""
-    if value is None:
-        return "-"
-    if isinstance(value, str):
-        return value
-    from aftdeck.report.quantity import UNITS
-
-    match metric.quantity:
-        case "share":
-            return f"{100.0 * value:.0f} %"
-        case "count":
-            return f"{value:.0f}" if float(value).is_integer() else f"{value:.1f}"
-        case "angle" | "turn rate":
-            return f"{math.degrees(value):.2f} {UNITS[metric.quantity].replace('rad', 'deg')}"
-        case quantity:
-            return f"{value:.3f} {UNITS[quantity]}".rstrip()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import ControllersRecord, FrameRecord, Shown
+from aftdeck.recording.records import FrameRecord
 from aftdeck.report.lamps import lit_lamps
 from aftdeck.report.metric import Metric, Value
 from aftdeck.report.run_metrics import RunMetrics
@@ -23,10 +23,8 @@ def metrics_of(recording: Recording) -> dict[Metric, Value]:
         if isinstance(message, FrameRecord):
             metrics.see(message, lit_lamps(scenario, message, recording.delays))
             steps += 1
-        elif isinstance(message, ControllersRecord):
-            metrics.use(message.controllers)
-        elif isinstance(message, Shown):
-            metrics.shown((message.mon_1, message.mon_2))
+        else:
+            metrics.note(message)
     if not steps:
         raise RecordingError(f"{recording.path}: ends before its first step and has no metrics", "empty")
     return metrics.found(recording.delays)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from aftdeck.recording.delays import Delays
-from aftdeck.recording.records import ControllerRecord
+from aftdeck.recording.message import Message
+from aftdeck.recording.records import ControllersRecord, Shown
 from aftdeck.report.lamps import Lamp
 from aftdeck.report.metric import Collector, Metric, Value
 from aftdeck.report.metrics.alarms import Alarms
@@ -65,14 +66,18 @@ class RunMetrics:
         self._alarms.see(lamps)
         self._before = frame
 
-    def use(self, controllers: tuple[ControllerRecord, ...]) -> None:
-        """Add the devices that move the sticks from the next frame on."""
-        self._desk.use(controllers)
+    def note(self, message: Message) -> None:
+        """Add a recorded message between two frames: the devices or the cameras in use from the next frame on."""
+        if isinstance(message, ControllersRecord):
+            self._desk.use(message.controllers)
+        elif isinstance(message, Shown):
+            self._pictures.shown((message.mon_1, message.mon_2))
+            self._steps.look()
 
-    def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """Set the cameras that the monitors show from the next frame on."""
-        self._pictures.shown(monitors)
-        self._steps.look()
+    @property
+    def progress(self) -> Progress:
+        """Progress through the steps of the task."""
+        return self._steps.progress
 
     def found(self, delays: Delays | None = None) -> dict[Metric, Value]:
         """Return every metric for which the run has data.

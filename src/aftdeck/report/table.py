@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from aftdeck.errors import InputError
 from aftdeck.recording.reader import Recording
 from aftdeck.report.catalogue import METRICS
+from aftdeck.report.extra import needed
 from aftdeck.report.metric import Metric, Value
-from aftdeck.report.of_recording import metrics_of
 
 Cell = str | float | int | None
 Row = dict[str, Cell]
@@ -19,13 +20,13 @@ RUN_COLUMNS = ("recording", "scenario", "participant", "condition", "seed", "beg
 """Columns that tell which run a row belongs to."""
 
 
-def row_of(recording: Recording) -> Row:
+def row_of(recording: Recording, metrics: Mapping[Metric, Value]) -> Row:
     """Return the row of a recording: `RUN_COLUMNS`, then all metrics in the order of the catalogue; None for no value.
 
-    Raises:
-        RecordingError: the recording has no step.
+    Args:
+        recording: the recording, read to its end.
+        metrics: its metrics.
     """
-    metrics = metrics_of(recording)
     opening = recording.opening
     run: Row = {
         "recording": str(recording.path),
@@ -51,29 +52,46 @@ def _cell(value: Value | None) -> Cell:
     return value.text if value.number is None else value.number
 
 
-def check_table(file: Path) -> None:
-    """Check that a table can be written to a file.
+ENDINGS = (".csv", ".parquet")
+"""Endings of a table's name."""
+
+
+def check_new(file: Path, endings: tuple[str, ...]) -> None:
+    """Check that a file can be written.
 
     Raises:
-        InputError: the file exists already, or its name does not end with ``.csv``.
+        InputError: the file exists already, or its name has another ending.
     """
-    if file.suffix != ".csv":
-        raise InputError(f"the table's name has to end with .csv, got {file}")
+    if file.suffix not in endings:
+        raise InputError(f"the name has to end with {' or '.join(endings)}, got {file}")
     if file.exists():
         raise InputError(f"{file} exists already")
 
 
-def write_csv(rows: Iterable[Row], file: Path) -> None:
-    """Write rows to a new CSV file, with the names of the columns first; a missing value is an empty cell.
+def write_table(rows: Sequence[Row], file: Path) -> None:
+    """Write rows to a new CSV or Parquet file, with the names of the columns; a missing value is an empty cell or null.
 
     Raises:
-        InputError: the file exists already or cannot be written, or its name does not end with ``.csv``.
+        InputError: the file exists already or cannot be written, its name has another ending, or pyarrow is missing.
     """
-    check_table(file)
+    check_new(file, ENDINGS)
+    names = [*RUN_COLUMNS, *(metric.column for metric in METRICS)]
     try:
+        if file.suffix == ".parquet":
+            _write_parquet(rows, names, file)
+            return
         with file.open("x", newline="", encoding="utf-8") as out:
-            table = csv.DictWriter(out, [*RUN_COLUMNS, *(metric.column for metric in METRICS)])
+            table = csv.DictWriter(out, names)
             table.writeheader()
             table.writerows(rows)
     except OSError as error:
         raise InputError(f"cannot write {file}: {error.strerror or error}") from None
+
+
+def _write_parquet(rows: Sequence[Row], names: Sequence[str], file: Path) -> None:
+    """Write a Parquet file; a column is text if it describes the run or a metric without a number, else a double."""
+    arrow: Any = needed("pyarrow")
+    texts = {*RUN_COLUMNS, *(metric.column for metric in METRICS if metric.quantity == "words")}
+    kinds = {name: arrow.string() if name in texts else arrow.float64() for name in names} | {"seed": arrow.int64()}
+    schema = arrow.schema([(name, kinds[name]) for name in names])
+    needed("pyarrow.parquet").write_table(arrow.Table.from_pylist([dict(row) for row in rows], schema), file)

@@ -29,6 +29,9 @@ METRICS = (DONE, SHARE, TASK, LONGEST)
 class Steps:
     """Completed steps of a run.
 
+    Attributes:
+        progress: progress through the steps.
+
     Args:
         scenario: the scenario.
         progress: progress that someone else updates by the same frames; None to compute it here.
@@ -36,7 +39,7 @@ class Steps:
 
     def __init__(self, scenario: Scenario, progress: Progress | None) -> None:
         self._own = progress is None
-        self._progress = Progress(scenario) if progress is None else progress
+        self.progress = Progress(scenario) if progress is None else progress
         self._period_s = scenario.control_period
         self._began_s: float | None = None
 
@@ -44,17 +47,17 @@ class Steps:
         """Add the next frame."""
         if self._began_s is None:
             self._began_s = frame.time_s - self._period_s
-        if self._own and self._progress.steps:
-            self._progress.see(frame)
+        if self._own and self.progress.steps:
+            self.progress.see(frame)
 
     def look(self) -> None:
         """Note that the operator has put another camera on a monitor."""
         if self._own and self._began_s is not None:
-            self._progress.look()
+            self.progress.look()
 
     def found(self) -> Iterator[Found]:
         """Yield the metrics, if the scenario has steps."""
-        steps, done_s = self._progress.steps, self._progress.done_s
+        steps, done_s = self.progress.steps, self.progress.done_s
         if not steps:
             return
         began_s = self._began_s or 0.0
@@ -63,7 +66,7 @@ class Steps:
         ]
         yield DONE, Value(len(done))
         yield SHARE, Value(len(done) / len(steps))
-        if self._progress.present is None and len(done) == len(steps) - self._progress.first:
+        if self.progress.present is None and len(done) == len(steps) - self.progress.first:
             yield TASK, Value(done[-1][0])
         if done:
             began = [0.0, *(time_s for time_s, _ in done)]

@@ -11,8 +11,8 @@ from typing import Literal
 
 import msgspec
 
+from aftdeck.report.curves import Lane, Strip
 from aftdeck.simulation.frame import Event
-from aftdeck.station.messages.curves import Lane, Strip
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.measure import Measure
 from aftdeck.station.messages.welcome import Welcome

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
+from aftdeck.report.curves import Lane, Strip
 from aftdeck.simulation.frame import Event
-from aftdeck.station.messages.curves import Lane, Strip
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.kinds import WireMessage
 from aftdeck.station.messages.welcome import Welcome

@@ -17,9 +17,9 @@ import msgspec
 from aftdeck import shapes
 from aftdeck.field_meta import comments
 from aftdeck.recording.hints import apart, is_object, names
-from aftdeck.report import lamps, quantity
+from aftdeck.report import curves, lamps, quantity
 from aftdeck.simulation import frame as sim
-from aftdeck.station.messages import curves, frame, from_page, kinds, measure, playback, to_page, welcome
+from aftdeck.station.messages import frame, from_page, kinds, measure, playback, to_page, welcome
 from aftdeck.worksite import report as work
 
 HEADER = """\

@@ -27,15 +27,15 @@ from aftdeck.recording.delays import Delays
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import ControllersRecord, DelayRecord, FrameRecord, LightRecord, Note, Shown
 from aftdeck.report.lamps import lit_lamps
+from aftdeck.report.lanes import Lanes
 from aftdeck.report.run_metrics import RunMetrics
+from aftdeck.report.strips import Strips, readings, worst_joint
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.frame import Event
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.measures_of import REPLAY, ended, measures_of
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
-from aftdeck.station.playback.lanes import Lanes
-from aftdeck.station.playback.strips import Strips, readings, worst_joint
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.steering.mode import MODES
 
@@ -130,15 +130,13 @@ class PlaybackStore:
         waiting: list[FrameRecord] = []
         ticks = 0
         for message in recording.messages():
+            metrics.note(message)
             if isinstance(message, Note):
                 events.append(Event(message.time_s, message.kind, message.level, message.text))
-            elif isinstance(message, ControllersRecord):
-                metrics.use(message.controllers)
             elif isinstance(message, Shown):
                 monitors = message.mon_1, message.mon_2
                 pictures.append(Pictured(message.time_s, monitors))
                 lanes.shown(monitors)
-                metrics.shown(monitors)
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, DelayRecord):

@@ -9,11 +9,11 @@ from threading import Lock
 from typing import NamedTuple
 
 from aftdeck.report.lamps import Lamp
+from aftdeck.report.lanes import Lanes
+from aftdeck.report.strips import blank, readings, worst_joint
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages import to_page
-from aftdeck.station.playback.lanes import Lanes
-from aftdeck.station.playback.strips import blank, readings, worst_joint
 
 KEPT_S = 300.0
 """Length of the stored part of the run [s]."""

@@ -10,12 +10,12 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.report.curves import Curve, Strip
 from aftdeck.report.metrics.path import worst_rate
 from aftdeck.report.quantity import Quantity
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Force, Frame, Holding
 from aftdeck.simulation.log import joint_label
-from aftdeck.station.messages.curves import Curve, Strip
 
 BUCKETS = 1000
 """Number of equal parts of a run. A curve keeps the least and the greatest value of each part.

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from aftdeck.report.curves import Lane, Stretch
 from aftdeck.report.lamps import Lamp
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.payloads.task_phases import TASKS
-from aftdeck.station.messages.curves import Lane, Stretch
-from aftdeck.station.messages.kinds import Level
+from aftdeck.worksite.watch.alarm import Level
 
 MONITORS = ("MON 1", "MON 2")
 

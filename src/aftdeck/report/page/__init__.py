@@ -1,0 +1,1 @@
+"""Report page of recorded runs: one HTML file, which requests nothing from a network."""

@@ -1,0 +1,97 @@
+"""Pictures of cameras at the key moments of a run, by visual priority, without a GPU."""
+
+from __future__ import annotations
+
+import base64
+import math
+from collections.abc import Iterable, Iterator
+from html import escape
+from itertools import islice
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.errors import SimulationError
+from aftdeck.report.page.document import figure
+from aftdeck.report.page.gather import Gathered, Moment
+from aftdeck.scenario.light import LightCondition, conditions
+from aftdeck.scene.cameras import SceneCameras
+from aftdeck.simulation.frame import Frame
+from aftdeck.visual.page import single
+from aftdeck.visual.picture import picture_of
+from aftdeck.visual.png import png
+from aftdeck.visual.scene import VisualScene
+
+SIZE = (400, 300)
+"""Width and height of a picture [pixels]."""
+CAMERAS = 2
+"""Number of pictures of a moment."""
+_TURNED = math.radians(30.0)
+"""Least angle between the directions of two chosen cameras [rad]."""
+_AT_TIP_M = 0.6
+"""Distance from the tip up to which a body is at the tip: the end effector, the payload's fixture [m]."""
+_FAR_M = 20.0
+"""Distance that counts as much as a tip at the edge of the picture [m]."""
+
+
+def pictures(run: Gathered) -> Iterator[str]:
+    """Yield a figure for each key moment: the pictures of two cameras."""
+    scene, placed = VisualScene(run.scenario), SceneCameras(run.scenario)
+    light = next(one for one in conditions() if one.name == run.scenario.lighting.condition)
+    for moment in run.moments:
+        shown = [name for name in moment.monitors if name in placed.cameras]
+        images = list(islice(_images(scene, moment, shown or best_cameras(scene, placed, moment), light), CAMERAS))
+        if images:
+            yield figure(f'<div class="pair">{"".join(images)}</div>', f"{moment.frame.time_s:.1f} s: {moment.title}")
+
+
+def _images(scene: VisualScene, moment: Moment, cameras: Iterable[str], light: LightCondition) -> Iterator[str]:
+    for name in cameras:
+        try:
+            picture = picture_of(scene, moment.frame, name, SIZE, "colour", light, brief=True)
+        except SimulationError:  # the camera is inside a body
+            continue
+        data, what = base64.b64encode(png(single(picture))).decode(), f"{moment.title}, camera {name}"
+        size = f'width="{SIZE[0]}" height="{SIZE[1]}"'
+        yield f'<img alt="{escape(what)}" {size} src="data:image/png;base64,{data}">'
+
+
+def best_cameras(scene: VisualScene, placed: SceneCameras, moment: Moment) -> list[str]:
+    """Return the cameras that have the tip in their picture: those with nothing before it, then near it, come first.
+
+    The second one looks in another direction than the first, if there is one.
+    """
+    frame = moment.frame
+    bodies, tip = placed.bodies_at(frame), np.array(placed.poses.point(frame.position))
+    found = []
+    for name in placed.cameras:
+        seen = placed.seen(frame, bodies, name)
+        right, down, ahead = (seen.axes @ (tip - seen.position)).tolist()
+        half = math.tan(0.5 * seen.view.field_of_view)
+        if ahead > 0.0 and max(abs(right), abs(down)) < half * ahead:
+            off_centre = math.hypot(right, down) / (half * ahead)
+            order = (_is_hidden(scene, frame, seen.position, tip), off_centre + ahead / _FAR_M)
+            found.append((order, name, seen.axes[2]))
+    found.sort(key=lambda one: one[0])
+    for k in range(1, len(found)):
+        if math.acos(max(-1.0, min(1.0, float(found[0][2] @ found[k][2])))) > _TURNED:
+            found.insert(1, found.pop(k))
+            break
+    return [name for _, name, _ in found]
+
+
+def _is_hidden(scene: VisualScene, frame: Frame, eye: Array, point: Array) -> bool:
+    """Return whether a body is between an eye and a point, both in the scene; bodies at the point or the eye not."""
+    poses, absent = scene.frames_at(frame), scene.absent(frame)
+    last = 1.0 - _AT_TIP_M / max(float(np.linalg.norm(point - eye)), _AT_TIP_M)
+    for cluster, number in zip(scene.clusters.clusters, scene.clusters.frame.tolist(), strict=True):
+        turn, planes = poses[number, 3:].reshape(3, 3), cluster.body.planes
+        begin, along = turn.T @ (eye - poses[number, :3]), turn.T @ (point - eye)
+        height, slope = planes[:, :3] @ begin - planes[:, 3], planes[:, :3] @ along
+        with np.errstate(divide="ignore", invalid="ignore"):
+            crossed = -height / slope
+        enters = np.max(crossed[slope < 0.0], initial=-math.inf)
+        leaves = np.min(crossed[slope > 0.0], initial=math.inf)
+        if cluster.part not in absent and 0.0 < enters < min(leaves, last) and not (height[slope == 0.0] > 0.0).any():
+            return True
+    return False

@@ -1,0 +1,62 @@
+"""Charts as SVG text, drawn by matplotlib."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable
+from html import escape
+from typing import Any
+
+from aftdeck.report.extra import needed
+
+COLOURS = ("#1f5fa8", "#c2571a", "#2e7d4f", "#7a4aa0", "#a8322f", "#5b6770", "#8a7a12", "#0e7c86")
+_STYLE = {
+    "font.family": "sans-serif",
+    "font.size": 9.0,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": "#8a929a",
+    "axes.labelcolor": "#22282e",
+    "xtick.color": "#4a525a",
+    "ytick.color": "#4a525a",
+    "axes.grid": True,
+    "grid.color": "#e3e7ea",
+    "axes.axisbelow": True,
+    "svg.fonttype": "none",
+    "legend.frameon": False,
+    "path.simplify": True,
+}
+
+
+def chart(
+    draw: Callable[[Any], None],
+    what: str,
+    size: tuple[float, float] = (4.6, 3.1),
+    margins: tuple[float, float, float, float] | None = None,
+) -> str:
+    """Return a drawing as an SVG element; equal drawings give equal texts.
+
+    Args:
+        draw: function that draws into matplotlib's axes.
+        what: what the drawing shows, for a reader who cannot see it.
+        size: width and height [in].
+        margins: space for texts at the left, bottom, right and top [in]; None to measure the texts, which takes time.
+
+    Raises:
+        InputError: matplotlib is not installed.
+    """
+    matplotlib: Any = needed("matplotlib")
+    figure_kind: Any = needed("matplotlib.figure").Figure
+    out = io.StringIO()
+    with matplotlib.rc_context({**_STYLE, "svg.hashsalt": what}):
+        figure = figure_kind(figsize=size, layout="constrained" if margins is None else None)
+        if margins is not None:
+            left, bottom, right, top = margins
+            wide, high = size
+            figure.subplots_adjust(left / wide, bottom / high, 1.0 - right / wide, 1.0 - top / high)
+        draw(figure.add_subplot())
+        figure.savefig(out, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
+    text = out.getvalue()
+    text = re.sub(r"<metadata>.*?</metadata>", "", text[text.index("<svg") :], flags=re.DOTALL)
+    return text.replace("<svg ", f'<svg role="img" aria-label="{escape(what)}" ', 1)
