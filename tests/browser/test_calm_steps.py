@@ -25,11 +25,12 @@ NAMED = """(name) => {
 }"""
 """Number of the elements with this text, and whether one of them is visible."""
 FITS = """(() => {
-    const [words, mode, ways] = ['.words', '.elsewhere', '.ways'].map((part) =>
+    const [words, mode, ways, numbers, caps] = ['.words', '.elsewhere', '.ways', '.to-go', '.caps'].map((part) =>
         document.querySelector(`.task ${part}`).getBoundingClientRect());
-    return words.height > 0 && Math.max(words.bottom, mode.bottom) <= ways.top + 1;
+    const fits = (part) => part.height === 0 || (part.top >= numbers.bottom - 1 && part.bottom <= ways.top + 1);
+    return words.height > 0 && Math.max(words.bottom, mode.bottom) <= ways.top + 1 && fits(caps);
 })()"""
-"""JavaScript condition: the text of the step is within its part of the card."""
+"""JavaScript condition: the text of the step and the keys are within their parts of the card."""
 STEP = "document.querySelector('.task .steps span').textContent"
 
 

@@ -148,6 +148,7 @@ export class Card {
     const keys = this.inHand.device === null;
     setClass(this.element, 'by-keys', keys);
     setClass(this.caps, 'many', there.length > 6);
+    setClass(this.caps, 'most', there.length > 8);
     this.lights = there.map(({ use, does }) => ({
       use,
       cap: el('kbd', { role: 'listitem' }, keyElement(this.inHand.name(use)), el('small', {}, does)),

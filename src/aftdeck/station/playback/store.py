@@ -25,7 +25,7 @@ from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.convert import lighting_of
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import ControllersRecord, DelayRecord, FrameRecord, LightRecord, Note, Shown
+from aftdeck.recording.records import DelayRecord, FrameRecord, LightRecord, Note, Shown
 from aftdeck.report.lamps import lit_lamps
 from aftdeck.report.lanes import Lanes
 from aftdeck.report.run_metrics import RunMetrics
