@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from aftdeck.frames import Pose, angle_between
+from aftdeck.arrays import Array
+from aftdeck.frames import Pose, angle_between, quaternion
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import composed, inverted
@@ -51,6 +52,25 @@ class Remaining(NamedTuple):
     def arrived(self) -> bool:
         """Whether the tip, or the joint, has arrived."""
         return self.distance <= self.near[0] and abs(self.angle) <= self.near[1]
+
+
+def along_axes(motion: Pose, point: Array, axes: Array) -> tuple[Array, Array]:
+    """Return a motion's components along the axes of the sticks: displacement of a point [m], rotation vector [rad].
+
+    Args:
+        motion: the motion, x to R x + p in L.
+        point: (3,) point that the sticks move, in L [m].
+        axes: (3, 3) axes of the sticks in L, in columns.
+    """
+    moved = product(motion.rotation, point) + motion.position - point
+    return product(moved, axes), product(_vector(motion.rotation), axes)
+
+
+def _vector(rotation: Array) -> Array:
+    """Return the rotation vector (3,) of a rotation matrix: its axis times its angle [rad], at most pi."""
+    w, *vector = quaternion(rotation)
+    sine = math.hypot(*vector)
+    return np.array(vector) * (2.0 * math.atan2(sine, w) / sine if sine > 0.0 else 2.0)
 
 
 def _ready(left: Remaining, frame: Frame) -> Remaining:

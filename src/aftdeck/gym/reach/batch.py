@@ -7,13 +7,15 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.errors import InputError
+from aftdeck.frames import Pose
+from aftdeck.gym.actions import outside, shaped
 from aftdeck.gym.philox import MASK
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.reach import kernel
 from aftdeck.gym.reach.layout import (
     APART,
     EPISODE,
+    GOAL,
     GOAL_LOW,
     GOAL_SPAN,
     KEY_HIGH,
@@ -109,9 +111,7 @@ class ReachBatch:
             InputError: the actions have another shape, or a stick is outside [-1, 1]; nothing has changed.
         """
         n = self._count
-        sticks = np.ascontiguousarray(actions, dtype=np.float32)
-        if sticks.shape != (n, len(task.CONTROLS)):
-            raise InputError(f"action: got shape {sticks.shape}, expected {(n, len(task.CONTROLS))}")
+        sticks = shaped(actions, task.CONTROLS, n)
         observations = np.empty((n, OBSERVATIONS), dtype=np.float32)
         final = np.empty_like(observations) if autoreset == SAME_STEP else self._no_final
         rewards = np.empty(n)
@@ -121,7 +121,9 @@ class ReachBatch:
             terminated, truncated, reached, self._work, self._scratch,
         )  # fmt: skip
         if ended == REJECTED:
-            raise InputError(_outside(sticks))
+            error = outside(sticks, task.CONTROLS)
+            assert error is not None, "the compiled function rejects only actions outside their travel"
+            raise error
         return Step(observations, rewards, terminated, truncated, reached, final, ended)
 
     def angles(self) -> Array:
@@ -129,15 +131,10 @@ class ReachBatch:
         rows = self._fields[:, JOINT_ANGLES : JOINT_ANGLES + 6].swapaxes(1, 2)
         return rows.reshape(-1, 6)[: self._count].copy()
 
-
-def _outside(sticks: Floats32) -> str:
-    """Return the error text for sticks of which one is outside [-1, 1]."""
-    wrong = np.argwhere(~(np.abs(sticks) <= 1.0))[0]
-    value = sticks[tuple(wrong)]
-    return (
-        f"action: {task.CONTROLS[wrong[1]].name} is {value:g} in environment {wrong[0]}, expected a number in [-1, 1]; "
-        "gymnasium.wrappers.ClipAction clips a policy's actions"
-    )
+    def goals(self) -> list[Pose]:
+        """Return the pose in L that each tip has to reach."""
+        rows = self._fields[:, GOAL : GOAL + 12].swapaxes(1, 2).reshape(-1, 12)[: self._count]
+        return [Pose(row[:3].copy(), row[3:].reshape(3, 3).copy()) for row in rows]
 
 
 def _constants(arm: Arm, rules: Array, most_steps: int) -> Array:

@@ -29,8 +29,8 @@ NEAR_ANGLE = math.radians(3.0)
 _METRES, _REACH = 2.0, 16.0
 """Distance that is observed as 1 [m]. The greatest length of the arm is below 16 m; two tips are at most twice as far
 apart."""
-_SMALL_EXCESS = 1.001
-"""Greatest magnitude of an observation that a limit keeps at 1, with its rounding errors."""
+_OVERSHOOT = 2.0
+"""Greatest magnitude of an observation that a limit keeps at 1; a joint with a mass can overshoot its greatest rate."""
 _BEYOND_SOFT = 1.1
 """Greatest magnitude of a joint angle, in half ranges between its soft stops; the hard stops are nearer."""
 
@@ -53,10 +53,10 @@ OBSERVATIONS = (
         "1",
         2.001,
     ),
-    Observed("velocity", 3, "Velocity of the tip.", "m/s", "speed limit of the mode", _SMALL_EXCESS),
-    Observed("angular rate", 3, "Angular velocity of the tip.", "rad/s", "angular rate limit of the mode", _SMALL_EXCESS),
+    Observed("velocity", 3, "Velocity of the tip.", "m/s", "speed limit of the mode", _OVERSHOOT),
+    Observed("angular rate", 3, "Angular velocity of the tip.", "rad/s", "angular rate limit of the mode", _OVERSHOOT),
     Observed("joint angles", 6, "Joint angles, 0 midway between the soft stops.", "rad", "soft stop", _BEYOND_SOFT),
-    Observed("joint rates", 6, "Joint rates.", "rad/s", "servo maximum", _SMALL_EXCESS),
+    Observed("joint rates", 6, "Joint rates.", "rad/s", "servo maximum", _OVERSHOOT),
 )
 
 DISTANCE = Rewarded("distance", 1.0, "m", "Distance to the goal that the step has removed.")

@@ -44,6 +44,7 @@ from aftdeck.gym.reach.layout import (
     STEPS,
     SUCCESS,
 )
+from aftdeck.kinematics.jacobian import Rates, erates, jacobi
 from aftdeck.kinematics.linkage import Floats, Sines, axes, place, sines, tip
 from aftdeck.law import law
 from aftdeck.steering.blocks import LANES, put_six, remaining_distance, remaining_rotation, sines_in, six
@@ -273,9 +274,11 @@ def _normalise(c: Floats, task: Floats, block: Array, work: Array) -> None:
 def _normalise_lane(c: Floats, task: Floats, block: Array, work: Array, i: int) -> None:
     """Normalise the observation of environment i; the motion that is left is in `work` already."""
     px, py, pz, ox, oy, oz = six(work, OBSERVED, i)
-    wx, wy, wz, vx, vy, vz = six(block, TIP_TWIST, i)
-    ax, ay, az = _to_orbiter(c, wx, wy, wz)
-    bx, by, bz = _to_orbiter(c, vx, vy, vz)
+    a = sines_in(work, i)
+    r1, r2, r3, r4, r5, r6 = six(block, JOINT_RATES, i)
+    twist = erates(a, jacobi(c, a), Rates(r1, r2, r3, r4, r5, r6))
+    ax, ay, az = _to_orbiter(c, twist.wx, twist.wy, twist.wz)
+    bx, by, bz = _to_orbiter(c, twist.vx, twist.vy, twist.vz)
     _put_normalised(task, work, 0, i, (ox, oy, oz, px, py, pz))
     _put_normalised(task, work, 6, i, (bx, by, bz, ax, ay, az))
     _put_normalised(task, work, 12, i, six(block, JOINT_ANGLES, i))

@@ -7,10 +7,12 @@ from typing import Any, ClassVar, Protocol
 import gymnasium
 import numpy as np
 
+from aftdeck.errors import InputError
 from aftdeck.gym.choices import PLANTS, Plant, no_options, no_rendering, one_of
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.batch import ReachBatch
 from aftdeck.gym.reach.layout import DISABLED
+from aftdeck.gym.reach.simulated import SimulatedReach
 from aftdeck.gym.terms import Floats32, action_space, observation_space
 
 
@@ -37,7 +39,7 @@ class KinematicReach:
 
     def step(self, action: object) -> tuple[Floats32, float, bool]:
         """As in `Reach`."""
-        done = self._batch.step(np.asarray(action, dtype=np.float32)[None], DISABLED)
+        done = self._batch.step(action, DISABLED)
         return done.observations[0].copy(), float(done.rewards[0]), bool(done.terminated[0])
 
 
@@ -58,8 +60,8 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
         no_rendering(render_mode)
         self.observation_space = observation_space(definition.OBSERVATIONS)
         self.action_space = action_space(definition.CONTROLS)
-        one_of("plant", plant, PLANTS)
-        self._reach: Reach = KinematicReach()
+        chosen = one_of("plant", plant, PLANTS)
+        self._reach: Reach = KinematicReach() if chosen == "kinematic" else SimulatedReach(chosen)
         self._begun = False
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Floats32, dict[str, Any]]:
@@ -76,5 +78,7 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
         Raises:
             InputError: the action has another shape, or a stick is outside [-1, 1]; nothing has changed.
         """
+        if not self._begun:
+            raise InputError("step: got a call before the first reset, expected reset() first")
         observation, reward, reached = self._reach.step(action)
         return observation, reward, reached, False, {"is_success": reached}

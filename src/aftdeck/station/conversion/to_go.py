@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from typing import cast
 
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import quaternion
-from aftdeck.matrices import product
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.frame import ToGo
 from aftdeck.steering.mode import MODES
-from aftdeck.task.remaining import Remaining
+from aftdeck.task.remaining import Remaining, along_axes
 from aftdeck.tuples import Vec3
 
 
@@ -33,19 +30,11 @@ def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array, cl
     if (motion := remaining.motion) is not None:
         shift = scene.motion(motion)
         if MODES[frame.mode].kind == "manual":
-            point = np.array(frame.resolution)
-            moved = product(motion.rotation, point) + motion.position - point
-            translation, rotation = _vec3(product(moved, axes)), _vec3(product(_vector(motion.rotation), axes))
+            along = along_axes(motion, np.array(frame.resolution), axes)
+            translation, rotation = _vec3(along[0]), _vec3(along[1])
     return ToGo(
         remaining.to, translation, rotation, remaining.distance, remaining.angle, remaining.near, closing, shift
     )
-
-
-def _vector(rotation: Array) -> Array:
-    """Return the rotation vector (3,) of a rotation matrix: its axis times its angle [rad], at most pi."""
-    w, *vector = quaternion(rotation)
-    sine = math.hypot(*vector)
-    return np.array(vector) * (2.0 * math.atan2(sine, w) / sine if sine > 0.0 else 2.0)
 
 
 def _vec3(values: Array) -> Vec3:
