@@ -19,7 +19,7 @@ KNOWN = [
         (0xD16CFE09, 0x94FDCCEB, 0x5001E420, 0x24126EA1),
     ),
 ]
-"""Known answers of Philox4x32-10: counter, key and words, from the file `kat_vectors` of the authors' library Random123."""
+"""Known answers of Philox4x32-10, from `kat_vectors` of the authors' library Random123: counter, key, words."""
 
 
 @pytest.mark.parametrize(("counter", "key", "words"), KNOWN)

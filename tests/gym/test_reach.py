@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 
-import aftdeck.gym  # noqa: F401  (registers the environments)
+import aftdeck.gym
 from aftdeck.errors import InputError
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.simulated import SimulatedReach
@@ -22,7 +22,8 @@ STICKS = np.zeros(6, dtype=np.float32)
 def towards(observation: Floats32) -> Floats32:
     """Return sticks in proportion to the motion that is left."""
     gains = np.array([2.0, 2.0, 2.0, 4.0, 4.0, 4.0], dtype=np.float32)
-    return np.clip(gains * observation[:6], -1.0, 1.0)
+    sticks: Floats32 = np.clip(gains * observation[:6], -1.0, 1.0)
+    return sticks
 
 
 @pytest.mark.parametrize("plant", ["kinematic", "rigid"])

@@ -96,7 +96,7 @@ def compare(got: Any, expected: Any) -> None:
 
 def test_results_of_a_step_share_no_memory_with_later_ones() -> None:
     env = ReachVectorEnv(num_envs=3, max_episode_steps=2, autoreset_mode="SameStep")
-    kept = [env.reset(seed=0)[0]]
+    kept: list[Any] = [env.reset(seed=0)[0]]
     copies = [kept[0].copy()]
     for _ in range(5):
         observations, rewards, *_, infos = env.step(np.full((3, 6), 0.5, dtype=np.float32))
@@ -159,7 +159,7 @@ def test_stick_outside_its_travel_names_the_environment_and_moves_none() -> None
     env.reset(seed=0), same.reset(seed=0)
     sticks = np.zeros((4, 6), dtype=np.float32)
     sticks[2, 4] = -1.01
-    with pytest.raises(InputError, match="RHC pitch is -1.01 in environment 2"):
+    with pytest.raises(InputError, match=r"RHC pitch is -1\.01 in environment 2"):
         env.step(sticks)
     assert (env.step(0 * sticks)[0] == same.step(0 * sticks)[0]).all()
 

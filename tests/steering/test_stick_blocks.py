@@ -34,9 +34,7 @@ class Alone:
             self._command[STICKS : STICKS + 6] = sticks[i]
             measured(self.angles[i], self.rates[i], 0.0, state)
             msteer(RULES, self._command, state, self._report)
-            follow(
-                state[RATES : RATES + 6], PERIOD, ARM.limits.hard, self.angles[i], self.rates[i], self.commanded[i]
-            )
+            follow(state[RATES : RATES + 6], PERIOD, ARM.limits.hard, self.angles[i], self.rates[i], self.commanded[i])
 
 
 class Block:
@@ -69,8 +67,8 @@ def test_block_equals_msteer_and_the_plant_bit_for_bit(seed: int, spread: float)
             sticks = np.zeros((LANES, 6))
         alone.step(sticks)
         block.step(sticks)
-        assert (block.rows[:6].T == alone.angles).all(), step
-        assert (block.rows[6:12].T == alone.rates).all(), step
+        assert (alone.angles == block.rows[:6].T).all(), step
+        assert (alone.rates == block.rows[6:12].T).all(), step
 
 
 def test_arms_of_a_block_come_to_rest_at_soft_stops_and_before_singularities() -> None:

@@ -11,7 +11,7 @@ from aftdeck.gym.terms import Control, Floats32
 
 
 def shaped(given: object, controls: Sequence[Control], count: int) -> Floats32:
-    """Return the actions of `count` environments as an array (count, controls); one environment also accepts (controls,).
+    """Return the actions of `count` environments as an array (count, controls); for one also (controls,).
 
     Raises:
         InputError: they have another shape.

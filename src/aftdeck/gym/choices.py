@@ -58,4 +58,6 @@ def no_rendering(render_mode: object) -> None:
         InputError: it is.
     """
     if render_mode is not None:
-        raise InputError(f"render_mode: got {short(render_mode)}, expected None; Aftdeck's environments draw no pictures")
+        raise InputError(
+            f"render_mode: got {short(render_mode)}, expected None; Aftdeck's environments draw no pictures"
+        )

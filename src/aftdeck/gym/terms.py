@@ -1,4 +1,4 @@
-"""Definitions of what an environment accepts, observes and rewards; spaces and the tables of the documents read them."""
+"""Definitions of what an environment accepts, observes and rewards; its spaces and the document's tables read them."""
 
 from __future__ import annotations
 
@@ -60,12 +60,12 @@ class Rewarded(NamedTuple):
     definition: str
 
 
-def observation_space(groups: Sequence[Observed]) -> spaces.Box:
+def observation_space(groups: Sequence[Observed]) -> spaces.Box[np.float32]:
     """Return the space of the observations: one number for each value of each group."""
     limits = np.concatenate([np.full(group.size, group.limit, dtype=np.float32) for group in groups])
     return spaces.Box(-limits, limits, dtype=np.float32)
 
 
-def action_space(controls: Sequence[Control]) -> spaces.Box:
+def action_space(controls: Sequence[Control]) -> spaces.Box[np.float32]:
     """Return the space of the actions: one number in [-1, 1] for each control."""
     return spaces.Box(-1.0, 1.0, (len(controls),), dtype=np.float32)

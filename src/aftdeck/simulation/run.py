@@ -169,7 +169,6 @@ class Simulation:
         self.seed = seed
         self._stepped, self._frame, self._given, self._seal = False, None, None, b""
 
-
     def restart(self, start: Start | None = None) -> None:
         """Begin the run again; this takes milliseconds, a new simulation up to a second.
 

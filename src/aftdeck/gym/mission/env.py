@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
 import gymnasium
 
 from aftdeck.errors import InputError, ScenarioError
+from aftdeck.files import Where
 from aftdeck.gym.actions import checked
 from aftdeck.gym.choices import PLANTS, Plant, no_options, no_rendering, one_of
 from aftdeck.gym.mission import definition
@@ -43,14 +45,14 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         ScenarioError: there is no such scenario, or its file has errors.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
+    metadata = {"render_modes": []}  # noqa: RUF012  (Gymnasium declares it as a variable of the instance)
     mission: ClassVar[Mission]
 
     def __init__(
         self, scenario: str | Path | None = None, plant: Plant = "kinematic", render_mode: str | None = None
     ) -> None:
         no_rendering(render_mode)
-        changes = {("plant",): one_of("plant", plant, PLANTS)}
+        changes: dict[Where, object] = {("plant",): one_of("plant", plant, PLANTS)}
         loaded = load_scenario(self.mission.scenario if scenario is None else scenario, changes)
         self._repeats = _repeats(loaded)
         self._step = step_of(self.mission, loaded)
@@ -146,7 +148,7 @@ def _repeats(scenario: Scenario) -> int:
         InputError: the control period does not divide the duration of a step.
     """
     steps = definition.PERIOD / scenario.control_period
-    if abs(steps - round(steps)) > 1e-9 or round(steps) < 1:
+    if not math.isclose(steps, round(steps)) or round(steps) < 1:
         raise InputError(
             f"scenario: control_period is {scenario.control_period:g} s, expected a whole number of control steps in "
             f"{definition.PERIOD:g} s"

@@ -150,4 +150,3 @@ def _constants(arm: Arm, rules: Array, most_steps: int) -> Array:
     middle, one = task.scales(float(rules[SPEED]), float(rules[TURN]), arm.limits.soft, arm.rates.servo)
     values[MIDDLE : MIDDLE + OBSERVATIONS], values[SCALE : SCALE + OBSERVATIONS] = middle, 1.0 / one
     return values
-

@@ -49,7 +49,14 @@ from aftdeck.kinematics.linkage import Floats, Sines, axes, place, sines, tip
 from aftdeck.law import law
 from aftdeck.steering.blocks import LANES, put_six, remaining_distance, remaining_rotation, sines_in, six
 from aftdeck.steering.layout import MOUNT
-from aftdeck.steering.stick_blocks import DEFLECTIONS, JOINT_ANGLES, JOINT_RATES, TIP_TWIST, sines_at_angles, steer_by_sticks
+from aftdeck.steering.stick_blocks import (
+    DEFLECTIONS,
+    JOINT_ANGLES,
+    JOINT_RATES,
+    TIP_TWIST,
+    sines_at_angles,
+    steer_by_sticks,
+)
 from aftdeck.tuples import Six, Vec3
 
 Floats32 = NDArray[np.float32]

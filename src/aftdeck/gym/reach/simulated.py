@@ -55,7 +55,9 @@ class SimulatedReach:
     def step(self, action: object) -> tuple[Floats32, float, bool]:
         """Make one step with the sticks (6,); return the observation, the reward, and whether the goal is reached."""
         sticks = checked(action, task.CONTROLS)
-        self._sim.advance(Inputs(translation=(sticks[0], sticks[1], sticks[2]), rotation=(sticks[3], sticks[4], sticks[5])))
+        self._sim.advance(
+            Inputs(translation=(sticks[0], sticks[1], sticks[2]), rotation=(sticks[3], sticks[4], sticks[5]))
+        )
         frame: Frame = self._sim.look()
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         observation, distance, chord = self._observe(

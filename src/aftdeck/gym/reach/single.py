@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, Protocol
+from typing import Any, Protocol
 
 import gymnasium
 import numpy as np
@@ -26,6 +26,11 @@ class Reach(Protocol):
         """Make one step with the sticks (6,); return the observation, the reward, and whether the goal is reached."""
 
 
+def row(observations: Floats32) -> Floats32:
+    """Return the observation of the only environment of a batch."""
+    return observations.reshape(-1)
+
+
 class KinematicReach:
     """The compiled batch with one environment."""
 
@@ -35,12 +40,12 @@ class KinematicReach:
     def begin(self, key: int | None) -> Floats32:
         """As in `Reach`."""
         self._batch.seed([key])
-        return self._batch.begin(self._all)[0].copy()
+        return row(self._batch.begin(self._all))
 
     def step(self, action: object) -> tuple[Floats32, float, bool]:
         """As in `Reach`."""
         done = self._batch.step(action, DISABLED)
-        return done.observations[0].copy(), float(done.rewards[0]), bool(done.terminated[0])
+        return row(done.observations), float(done.rewards[0]), bool(done.terminated[0])
 
 
 class ReachEnv(gymnasium.Env[Floats32, Floats32]):
@@ -54,7 +59,7 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
         InputError: an argument is not allowed; the message states the allowed values.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
+    metadata = {"render_modes": []}  # noqa: RUF012  (Gymnasium declares it as a variable of the instance)
 
     def __init__(self, plant: Plant = "kinematic", render_mode: str | None = None) -> None:
         no_rendering(render_mode)
@@ -64,7 +69,9 @@ class ReachEnv(gymnasium.Env[Floats32, Floats32]):
         self._reach: Reach = KinematicReach() if chosen == "kinematic" else SimulatedReach(chosen)
         self._begun = False
 
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Floats32, dict[str, Any]]:
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Floats32, dict[str, Any]]:
         """Begin an episode; with a seed, begin the episodes of this seed again. `options` has no keys."""
         super().reset(seed=seed)
         no_options(options)

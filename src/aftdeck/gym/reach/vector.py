@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
@@ -45,7 +45,10 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
         InputError: an argument is not allowed; the message states the allowed values.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
+    metadata = {  # noqa: RUF012  (Gymnasium declares it as a variable of the instance)
+        "render_modes": [],
+        "autoreset_mode": AutoresetMode.NEXT_STEP,
+    }
 
     def __init__(
         self,
@@ -63,7 +66,7 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
             )
         self.num_envs = whole("num_envs", num_envs, 1)
         self.autoreset_mode = _mode(autoreset_mode)
-        self.metadata = {**type(self).metadata, "autoreset_mode": self.autoreset_mode}  # type: ignore[misc]
+        self.metadata = {**type(self).metadata, "autoreset_mode": self.autoreset_mode}
         self.single_observation_space = observation_space(definition.OBSERVATIONS)
         self.single_action_space = action_space(definition.CONTROLS)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
@@ -71,7 +74,7 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
         self._batch = ReachBatch(self.num_envs, whole("max_episode_steps", max_episode_steps, 1))
         self._mode = _MODES[self.autoreset_mode]
         self._begun = False
-        self._ended = np.zeros(self.num_envs, dtype=np.bool_)
+        self._ended: Flags = np.zeros(self.num_envs, dtype=np.bool_)
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
@@ -113,9 +116,9 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
         if not self._begun:
             raise InputError("step: got a call before the first reset, expected reset() first")
         if self._mode == DISABLED and self._ended.any():
-            over = np.flatnonzero(self._ended).tolist()
+            ended = short(np.flatnonzero(self._ended).tolist())
             raise InputError(
-                f"step: the episodes of environments {short(over)} have ended; reset them first, with "
+                f"step: the episodes of environments {ended} have ended; reset them first, with "
                 "options={'reset_mask': mask}"
             )
         done = self._batch.step(actions, self._mode)
