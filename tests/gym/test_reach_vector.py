@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
+import os
+import subprocess
+import sys
 from typing import Any
 
 import gymnasium
@@ -176,6 +180,26 @@ def test_random_policy_runs_for_many_steps_without_a_broken_episode() -> None:
         assert (infos["is_success"] == terminated).all()
         ends += int((terminated | truncated).sum())
     assert ends >= 400 * 4  # an episode ends after 100 steps at the latest; the reset takes one step
+
+
+def digest_of_some_steps() -> str:
+    """Return a digest of the observations and rewards of a short run."""
+    env, digest = ReachVectorEnv(num_envs=3, max_episode_steps=10), hashlib.sha256()
+    digest.update(env.reset(seed=1)[0].tobytes())
+    rng = np.random.default_rng(0)
+    for _ in range(25):
+        observations, rewards, *_ = env.step(rng.uniform(-1.0, 1.0, (3, 6)).astype(np.float32))
+        digest.update(observations.tobytes() + rewards.tobytes())
+    return digest.hexdigest()
+
+
+def test_compiled_functions_as_plain_python_give_the_same_numbers_bit_for_bit() -> None:
+    code = "from tests.gym.test_reach_vector import digest_of_some_steps as some; print(some())"
+    plain = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=plain, capture_output=True, text=True, check=True, timeout=300
+    )
+    assert done.stdout.strip() == digest_of_some_steps()
 
 
 def test_sticks_in_proportion_to_the_motion_left_reach_all_goals() -> None:
