@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.gym.terms import Control, Observed, Rewarded
 from aftdeck.tuples import Six
 
@@ -71,7 +72,7 @@ def chord(angle: float) -> float:
     return 2.0 * math.sin(0.5 * angle)
 
 
-def scales(speed: float, turn: float, soft: np.ndarray, servo: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def scales(speed: float, turn: float, soft: Array, servo: Array) -> tuple[Array, Array]:
     """Return the observations (24,) that are normalised to 0, and those whose difference from them is 1.
 
     Args:

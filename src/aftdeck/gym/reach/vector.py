@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
@@ -151,6 +151,8 @@ class ReachVectorEnv(VectorEnv[Floats32, Floats32, Array]):
             first = self.np_random_seed if seed is None else seed
             assert first is not None, "Gymnasium draws a seed if there is none"
             return [first + i for i in range(self.num_envs)]
+        if not isinstance(cast("object", seed), Sequence):
+            raise InputError(f"seed: got {short(seed)}, expected a whole number or one for each environment")
         if len(seed) != self.num_envs:
             raise InputError(f"seed: got {len(seed)} seeds, expected one for each of {self.num_envs} environments")
         return list(seed)
