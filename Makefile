@@ -46,6 +46,7 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	$(PY) -m aftdeck.recording.document --check docs/recording.md
 	$(PY) -m aftdeck.scenario.ranges_document --check docs/files.md
 	$(PY) -m aftdeck.report.catalogue --check docs/metrics.md
+	$(PY) -m aftdeck.gym.document --check docs/environments.md
 	$(PY) -m aftdeck.simulation.observe.field_values --check
 
 format: .venv/.dev $(MODULES)  ## format Python and TypeScript
@@ -55,13 +56,14 @@ format: .venv/.dev $(MODULES)  ## format Python and TypeScript
 
 # Does not build the page first: the page may need the files that this command writes.
 generate: export PYTHONPATH := src
-generate: .venv/.fly  ## generate the call of Frame, web/src/link/protocol.ts and tables in docs from the types
+generate: .venv/.dev  ## generate the call of Frame, web/src/link/protocol.ts and tables in docs from the types
 	$(PY) -m aftdeck.simulation.observe.field_values
 	$(PY) -m aftdeck.station.messages.typescript > .venv/protocol.ts
 	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md
 	$(PY) -m aftdeck.scenario.ranges_document docs/files.md
 	$(PY) -m aftdeck.report.catalogue docs/metrics.md
+	$(PY) -m aftdeck.gym.document docs/environments.md
 
 fuzz: .venv/.aftdeck .venv/.dev  ## attack with generated files, inputs, recordings and messages; ARGS="--minutes 60"
 	@$(PY) -m fuzz $(ARGS)

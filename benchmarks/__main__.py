@@ -35,6 +35,7 @@ NAMES = {
     "recording": "recording.recording",
     "dynamics": "dynamics.dynamics",
     "pictures": "pictures.pictures",
+    "reach": "environments.reach",
 }
 """Module and function of each benchmark."""
 

@@ -8,10 +8,12 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
 import pytest
 
 import aftdeck
 from aftdeck import law
+from aftdeck.gym.reach.vector import ReachVectorEnv
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.run import Simulation
 from aftdeck.steering.batch import steer_batch
@@ -53,12 +55,15 @@ def laws() -> dict[str, str]:
     pose = arm.forward([0.1, 0.2, -0.3, 0.1, 0.2, 0.3])
     arm.inverse(pose)
     steer_batch(arm, [[0.1, 0.2, -0.3, 0.1, 0.2, 0.3]], pose, period=0.08, gain=0.5)
+    reach = ReachVectorEnv()
+    reach.reset(seed=0)
+    reach.step(np.zeros((1, 6), dtype=np.float32))
     return {name: str(library._get_module_for_linking()) for name, library in compiled()}
 
 
 def test_laws_that_are_searched_include_those_of_a_step(laws: dict[str, str]) -> None:
     called = {name.rpartition(".")[2] for name in laws}
-    assert called >= {"msteer", "update_contacts", "frame_numbers", "steer_blocks", "solve"}, called
+    assert called >= {"msteer", "update_contacts", "frame_numbers", "steer_blocks", "solve", "step_all"}, called
 
 
 def test_laws_call_no_function_of_a_library(laws: dict[str, str]) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import msgspec
+
 from aftdeck.arms.load import PorLimits
 from aftdeck.errors import InputError
 from aftdeck.operators.approach import Speeds
@@ -22,6 +24,10 @@ PATIENCE_S = 600.0
 """Time without a completed step after which an operator gives up [s]."""
 PERFECT_GAIN = 1.0
 """Gain of the perfect operator [1/s]."""
+AGAIN_S = 2.0
+"""Time after which an operator presses the same switch again [s]."""
+_SWITCHES = ("mode", "rate", "effector", "latch", "proceed")
+_NOTHING = tuple(getattr(Inputs(), name) for name in _SWITCHES)
 BEYOND_DEADBAND = 1.6
 """Least deflection of a human operator, as a multiple of the deadband; assumed."""
 
@@ -49,7 +55,8 @@ class Pilot:
             por = PorLimits(both, both, rule.speed / rule.reached_in, rule.speed / rule.reached_in)
             self._orbiter = Speeds(rule.speed, rule.speed, self._gain, por, self._least)
         self._read: set[tuple[int, int]] = set()
-        self._until = self._since = 0.0
+        self._until = self._since = self._pressed_at = 0.0
+        self._pressed = _NOTHING
 
     def __call__(self, sim: Simulation) -> Inputs | None:
         """Return the inputs of the next step; None if the task is complete, or if the operator gives up."""
@@ -60,7 +67,7 @@ class Pilot:
             self._since = frame.time_s
         if self.progress.present is None or frame.time_s > self._since + PATIENCE_S:
             return None
-        wanted = self._wanted(frame)
+        wanted = self._pressed_once(self._wanted(frame), frame.time_s)
         return wanted if self._hand is None else self._hand.moved(wanted)
 
     def _wanted(self, frame: Frame) -> Inputs:
@@ -72,6 +79,15 @@ class Pilot:
             return Inputs()
         speeds = Speeds(*frame.por_limits, self._gain, self._por(frame), self._least)
         return decide(frame, self.progress, self._axes.in_l(frame), speeds, self._orbiter)
+
+    def _pressed_once(self, wanted: Inputs, time_s: float) -> Inputs:
+        """Return the inputs without a switch that was pressed in the same way less than `AGAIN_S` ago."""
+        pressed = tuple(getattr(wanted, name) for name in _SWITCHES)
+        if pressed == _NOTHING or pressed != self._pressed or time_s >= self._pressed_at + AGAIN_S:
+            if pressed != _NOTHING:
+                self._pressed, self._pressed_at = pressed, time_s
+            return wanted
+        return msgspec.structs.replace(wanted, **dict(zip(_SWITCHES, _NOTHING, strict=True)))
 
     def _por(self, frame: Frame) -> PorLimits:
         """Return the limits of the point of resolution for the mass that the end effector holds."""

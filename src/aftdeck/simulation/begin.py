@@ -32,17 +32,25 @@ from aftdeck.worksite.conditions import failure_text
 from aftdeck.worksite.seats.latches import Latches
 
 
-def initial_state(flight: Flight) -> State:
+def initial_state(flight: Flight, start: Start | None = None) -> State:
     """Return the state before the first step.
 
+    Args:
+        flight: constants of the run.
+        start: initial conditions that replace those of the scenario; None for those of the scenario.
+
     Raises:
-        ScenarioError: the scenario gives initial conditions with a held payload that the end effector could not have
-            captured in this pose.
+        ScenarioError: initial conditions give a held payload that the end effector could not have captured in this
+            pose. Without `start`, those of the parts of the problem are checked too.
     """
     scenario, problems = flight.scenario, []
-    state = _state_at(flight, scenario.start)
-    parts = {f"initialise.{part}": _state_at(flight, start) for part, start in scenario.parts.items() if start.grasped}
-    for name, at in {"initial": state, **parts}.items():
+    state = _state_at(flight, scenario.start if start is None else start)
+    found = {"initial": state}
+    if start is None:
+        found |= {
+            f"initialise.{part}": _state_at(flight, begin) for part, begin in scenario.parts.items() if begin.grasped
+        }
+    for name, at in found.items():
         k = at.worksite.held
         if k is not None and (why := failure_text(holding(flight, at, k), flight.scenario.arm.model.units)):
             title = flight.site.cargo[k].title

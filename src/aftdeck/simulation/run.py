@@ -12,7 +12,7 @@ import msgspec
 
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.scenario.load import load_scenario
-from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.model import Scenario, Start
 from aftdeck.simulation.begin import initial_state
 from aftdeck.simulation.constants.flight import run_constants
 from aftdeck.simulation.frame import Event, Frame
@@ -168,6 +168,22 @@ class Simulation:
         self._state = resume(self._flight, saved.state)
         self.seed = seed
         self._stepped, self._frame, self._given, self._seal = False, None, None, b""
+
+    def restart(self, start: Start | None = None) -> None:
+        """Begin the run again; this takes milliseconds, a new simulation up to a second.
+
+        A recording contains the scenario and the inputs. Therefore a recording of a run with `start` cannot be
+        re-simulated.
+
+        Args:
+            start: initial conditions of the arm that replace those of the scenario; None for those of the scenario.
+
+        Raises:
+            ScenarioError: `start` gives a held payload that the end effector could not have captured in this pose. The
+                simulation is then unchanged.
+        """
+        self._state = initial_state(self._flight, start)
+        self._flown, self._stepped, self._frame, self._given, self._seal = Inputs(), False, None, None, b""
 
 
 class Run(msgspec.Struct, frozen=True):

@@ -98,37 +98,37 @@ def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
 
 
 @law
-def _three(rows: Array, first: int, i: int) -> Three:
+def three(rows: Array, first: int, i: int) -> Three:
     """Read arm `i`'s values from three rows; the first of them is row `first`."""
     n = first * LANES + i
     return rows[n], rows[n + LANES], rows[n + 2 * LANES]
 
 
 @law
-def _put_three(rows: Array, first: int, i: int, values: Three) -> None:
+def put_three(rows: Array, first: int, i: int, values: Three) -> None:
     """Write arm `i`'s values into three rows; the first of them is row `first`."""
     n = first * LANES + i
     rows[n], rows[n + LANES], rows[n + 2 * LANES] = values
 
 
 @law
-def _six(rows: Array, first: int, i: int) -> Six:
+def six(rows: Array, first: int, i: int) -> Six:
     """Read arm `i`'s values from six rows; the first of them is row `first`."""
-    return _three(rows, first, i) + _three(rows, first + 3, i)
+    return three(rows, first, i) + three(rows, first + 3, i)
 
 
 @law
-def _put_six(rows: Array, first: int, i: int, values: Six) -> None:
+def put_six(rows: Array, first: int, i: int, values: Six) -> None:
     """Write arm `i`'s values into six rows; the first of them is row `first`."""
-    _put_three(rows, first, i, values[:3])
-    _put_three(rows, first + 3, i, values[3:])
+    put_three(rows, first, i, values[:3])
+    put_three(rows, first + 3, i, values[3:])
 
 
 @law
-def _sines_of(work: Array, i: int) -> Sines:
+def sines_in(work: Array, i: int) -> Sines:
     """Return the sines and cosines of arm `i`."""
-    s1, s2, s23, sw, s5, s6 = _six(work, 0, i)
-    c1, c2, c23, cw, c5, c6 = _six(work, 6, i)
+    s1, s2, s23, sw, s5, s6 = six(work, 0, i)
+    c1, c2, c23, cw, c5, c6 = six(work, 6, i)
     return Sines(s1, c1, s2, c2, s23, c23, sw, cw, s5, c5, s6, c6)
 
 
@@ -137,7 +137,7 @@ _fused_turned_on = fused(elementary.turned_on)
 
 
 @law
-def _sines(work: Array) -> None:
+def replace_by_sines(work: Array) -> None:
     """Replace the link angles in `work` by their sines and cosines.
 
     `elementary.sincos` is split into three short loops, in which the processor handles several vectors of arms at the
@@ -153,7 +153,7 @@ def _sines(work: Array) -> None:
 
 @law
 def _fused_sines(work: Array) -> None:
-    """Do the same as `_sines` with fused products and sums."""
+    """Do the same as `replace_by_sines` with fused products and sums."""
     for n in range(6 * LANES):
         work[n], work[n + QUARTERS * LANES] = _fused_reduced(work[n])
     for n in range(6 * LANES):
@@ -171,14 +171,14 @@ def _evaluate(arm: Floats, block: Array, work: Array, fast: bool) -> None:
     if fast:
         _fused_sines(work)
     else:
-        _sines(work)
+        replace_by_sines(work)
     for i in range(LANES):
-        a = _sines_of(work, i)
-        _put_three(work, PER, i, per_distance(arm, a, NEAR_FLOOR))
-        _put_three(block, LEFT + 3, i, remaining_distance(place(arm, a), _three(block, TARGET, i)))
+        a = sines_in(work, i)
+        put_three(work, PER, i, per_distance(arm, a, NEAR_FLOOR))
+        put_three(block, LEFT + 3, i, remaining_distance(place(arm, a), three(block, TARGET, i)))
     for i in range(LANES):
-        target = _six(block, TARGET, i) + _six(block, TARGET + 6, i)
-        _put_three(block, LEFT, i, remaining_rotation(axes(arm, _sines_of(work, i)), target))
+        target = six(block, TARGET, i) + six(block, TARGET + 6, i)
+        put_three(block, LEFT, i, remaining_rotation(axes(arm, sines_in(work, i)), target))
 
 
 @law
@@ -222,17 +222,17 @@ def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: 
     for b in range(blocks.shape[0]):
         block = blocks[b]
         for i in range(LANES):
-            q1, q2, q3, q4, q5, q6 = _six(block, 0, i)
-            _put_six(work, 0, i, link_angles(arm, q1, q2, q3, q4, q5, q6))
+            q1, q2, q3, q4, q5, q6 = six(block, 0, i)
+            put_six(work, 0, i, link_angles(arm, q1, q2, q3, q4, q5, q6))
         _evaluate(arm, block, work, fast)
         for _ in range(steps):
             for i in range(LANES):
-                wx, wy, wz, vx, vy, vz = _six(block, LEFT, i)
+                wx, wy, wz, vx, vy, vz = six(block, LEFT, i)
                 twist = Twist(wx, wy, wz, vx, vy, vz)
-                _put_six(block, LEFT, i, resolved(arm, _sines_of(work, i), twist, _three(work, PER, i)))
+                put_six(block, LEFT, i, resolved(arm, sines_in(work, i), twist, three(work, PER, i)))
             for i in range(LANES):
-                r1, r2, r3, r4, r5, r6 = _six(block, LEFT, i)
-                q = angles_after_step(pace, Rates(r1, r2, r3, r4, r5, r6), _six(block, 0, i))
-                _put_six(block, 0, i, q)
-                _put_six(work, 0, i, link_angles(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
+                r1, r2, r3, r4, r5, r6 = six(block, LEFT, i)
+                q = angles_after_step(pace, Rates(r1, r2, r3, r4, r5, r6), six(block, 0, i))
+                put_six(block, 0, i, q)
+                put_six(work, 0, i, link_angles(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
             _evaluate(arm, block, work, fast)

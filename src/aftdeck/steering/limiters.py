@@ -14,7 +14,7 @@ from typing import NamedTuple
 from aftdeck.arrays import Array
 from aftdeck.elementary import ceiling
 from aftdeck.kinematics.jacobian import Rates, Twist
-from aftdeck.kinematics.linkage import L2, L3, L4, Sines
+from aftdeck.kinematics.linkage import L2, L3, L4, Floats, Sines
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 from aftdeck.steering.layout import (
@@ -88,7 +88,7 @@ def braked(gap: float, deceleration: float, dt: float) -> float:
 
 
 @law
-def avclmt(rules: Array, demanded: Twist, present: Twist) -> tuple[Twist, int]:
+def avclmt(rules: Floats, demanded: Twist, present: Twist) -> tuple[Twist, int]:
     """Return the tip twist that the limits of speed and acceleration allow (AVCLMT).
 
     As published (`strict`), acceleration is limited first and speed second. The corrected version limits speed first.
@@ -198,7 +198,7 @@ def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Rat
 
 
 @law
-def closing(rules: Array, a: Sines, rates: Rates, which: int) -> tuple[float, float]:
+def closing(rules: Floats, a: Sines, rates: Rates, which: int) -> tuple[float, float]:
     """Return the signed distance from a singularity, and the rate at which the magnitude of the distance falls [1/s].
 
     `which` is 0 for the shoulder, 1 for the elbow, 2 for the wrist.

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
 from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN, TURN_UP
 from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio
@@ -82,7 +83,7 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
         low = high = factor
     if high < most:
         cause, culprit = BY_ACCELERATION, slowest
-    por = _of_point(rules, twist, present)
+    por = of_point(rules, twist, present)
     factor = max(min(high, por.high), low)
     if factor < high:
         cause, culprit, por_cause = 0, -1, por.cause
@@ -99,7 +100,7 @@ class PointRange(NamedTuple):
 
 
 @law
-def _of_point(rules: Array, twist: Twist, present: Twist) -> PointRange:
+def of_point(rules: Floats, twist: Twist, present: Twist) -> PointRange:
     """Return the greatest factor that the point's limits allow.
 
     A speed limit never requires more than the maximum deceleration.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.linkage import Tip
+from aftdeck.kinematics.linkage import Floats, Tip
 from aftdeck.law import law
 from aftdeck.steering.layout import HELD, MOUNT
 
@@ -11,7 +11,7 @@ Vector = tuple[float, float, float]
 
 
 @law
-def turned(array: Array, start: int, x: float, y: float, z: float) -> Vector:
+def turned(array: Floats, start: int, x: float, y: float, z: float) -> Vector:
     """Return the vector (x, y, z) multiplied by the matrix whose nine elements begin at index `start` of the array."""
     return (
         array[start] * x + array[start + 1] * y + array[start + 2] * z,
@@ -21,7 +21,7 @@ def turned(array: Array, start: int, x: float, y: float, z: float) -> Vector:
 
 
 @law
-def from_orbiter(rules: Array, x: float, y: float, z: float) -> Vector:
+def from_orbiter(rules: Floats, x: float, y: float, z: float) -> Vector:
     """Convert a vector from the orbiter's frame to L."""
     return turned(rules, MOUNT, x, y, z)
 

@@ -8,7 +8,7 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.frames import quaternion
+from aftdeck.frames import Pose, quaternion
 from aftdeck.matrices import product
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
@@ -36,12 +36,22 @@ def along_sticks(remaining: Remaining, frame: Frame, axes: Array) -> AlongSticks
         frame: the frame.
         axes: (3, 3) axes of the sticks in L, in columns.
     """
-    motion = remaining.motion
-    if motion is None or MODES[frame.mode].kind != "manual":
+    if remaining.motion is None or MODES[frame.mode].kind != "manual":
         return None
-    point = np.array(frame.resolution)
+    moved, turned = along_axes(remaining.motion, np.array(frame.resolution), axes)
+    return AlongSticks(_vec3(moved), _vec3(turned))
+
+
+def along_axes(motion: Pose, point: Array, axes: Array) -> tuple[Array, Array]:
+    """Return a motion's components along the axes of the sticks: displacement of a point [m], rotation vector [rad].
+
+    Args:
+        motion: the motion, x to R x + p in L.
+        point: (3,) point that the sticks move, in L [m].
+        axes: (3, 3) axes of the sticks in L, in columns.
+    """
     moved = product(motion.rotation, point) + motion.position - point
-    return AlongSticks(_vec3(product(moved, axes)), _vec3(product(_vector(motion.rotation), axes)))
+    return product(moved, axes), product(_vector(motion.rotation), axes)
 
 
 def _vector(rotation: Array) -> Array:

@@ -1,0 +1,54 @@
+"""Check of an environment's actions; a stick or a switch outside its travel is rejected, not clipped."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from aftdeck.errors import InputError
+from aftdeck.gym.terms import Control, Floats32
+
+
+def shaped(given: object, controls: Sequence[Control], count: int) -> Floats32:
+    """Return the actions of `count` environments as an array (count, controls); for one also (controls,).
+
+    Raises:
+        InputError: they have another shape.
+    """
+    actions = np.ascontiguousarray(given, dtype=np.float32)
+    expected = (count, len(controls))
+    if actions.shape != expected and not (count == 1 and actions.shape == expected[1:]):
+        raise InputError(f"action: got shape {actions.shape}, expected {expected[1:] if count == 1 else expected}")
+    return actions.reshape(expected)
+
+
+def outside(actions: Floats32, controls: Sequence[Control]) -> InputError | None:
+    """Return the error about a control outside [-1, 1]; None if all are inside.
+
+    Args:
+        actions: (n, controls) actions of n environments.
+        controls: the controls.
+    """
+    wrong = np.argwhere(~(np.abs(actions) <= 1.0))
+    if not len(wrong):
+        return None
+    row, column = wrong[0].tolist()
+    where = f" in environment {row}" if len(actions) > 1 else ""
+    return InputError(
+        f"action: {controls[column].name} is {actions[row, column]:g}{where}, expected a number in [-1, 1]; "
+        "gymnasium.wrappers.ClipAction clips the actions of a policy"
+    )
+
+
+def checked(given: object, controls: Sequence[Control]) -> list[float]:
+    """Return the action of one environment as numbers in [-1, 1], one for each control.
+
+    Raises:
+        InputError: it has another shape, or a control is outside [-1, 1] or not a number.
+    """
+    actions = shaped(given, controls, 1)
+    if error := outside(actions, controls):
+        raise error
+    values: list[float] = actions[0].tolist()
+    return values

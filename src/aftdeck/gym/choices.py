@@ -1,0 +1,63 @@
+"""Keywords of the environments, and errors about them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal, TypeVar, get_args
+
+from aftdeck.errors import InputError
+from aftdeck.units import short
+
+Plant = Literal["kinematic", "rigid", "flexible"]
+"""Model that turns commanded rates into motion: without masses, or with rigid or flexible bodies."""
+PLANTS: tuple[Plant, ...] = get_args(Plant)
+
+_T = TypeVar("_T", bound=str)
+
+
+def one_of(name: str, given: object, allowed: Iterable[_T]) -> _T:
+    """Return the allowed value that equals `given`.
+
+    Raises:
+        InputError: there is none; the message lists the allowed values.
+    """
+    values = tuple(allowed)
+    for value in values:
+        if isinstance(given, str) and given == value:
+            return value
+    raise InputError(f"{name}: got {short(given)}, expected {', '.join(map(repr, values))}")
+
+
+def whole(name: str, given: object, least: int) -> int:
+    """Return a whole number of at least `least`.
+
+    Raises:
+        InputError: it is anything else.
+    """
+    if isinstance(given, int) and not isinstance(given, bool) and given >= least:
+        return given
+    raise InputError(f"{name}: got {short(given)}, expected a whole number, {least} or more")
+
+
+def no_options(options: object, allowed: Iterable[str] = ()) -> None:
+    """Check the options of a reset.
+
+    Raises:
+        InputError: an option is not allowed.
+    """
+    names = tuple(allowed)
+    for name in options if isinstance(options, dict) else ():
+        if name not in names:
+            raise InputError(f"options: got {short(name)}, expected {' or '.join(map(repr, names)) or 'no options'}")
+
+
+def no_rendering(render_mode: object) -> None:
+    """Check that no rendering is asked for.
+
+    Raises:
+        InputError: it is.
+    """
+    if render_mode is not None:
+        raise InputError(
+            f"render_mode: got {short(render_mode)}, expected None; Aftdeck's environments draw no pictures"
+        )

@@ -1,0 +1,1 @@
+"""Capture, Extract and Dock: steps of a scenario's task, flown in a `Simulation`."""

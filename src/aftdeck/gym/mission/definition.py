@@ -1,0 +1,145 @@
+"""Tasks of Capture, Extract and Dock: controls, starts, observations, rewards, and end of an episode."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from aftdeck.gym.terms import Control, Observed, Rewarded
+from aftdeck.scenario.target import AtCargo, AtSeat
+from aftdeck.scenario.task_step import TaskStep
+from aftdeck.units import FOOT
+
+PERIOD = 0.1
+"""Duration of a step of the environment [s]; it contains several control steps with the same sticks."""
+SWITCHED = 0.5
+"""Element of an action beyond which a switch changes its position; nearer to 0 it keeps its position."""
+
+
+class Spread(NamedTuple):
+    """Random start of an episode, relative to the pose to which the step's task leads.
+
+    Attributes:
+        least: least distance from that pose, along the way out [m].
+        greatest: greatest such distance [m].
+        across: greatest displacement along each of the two axes across the way out [m].
+        turn: greatest rotation about each axis of the tip [rad].
+    """
+
+    least: float
+    greatest: float
+    across: float
+    turn: float
+
+
+class Mission(NamedTuple):
+    """One environment.
+
+    Attributes:
+        name: name of the environment.
+        scenario: name of the built-in scenario that it flies unless another is given.
+        controls: elements of the action.
+        spread: random start.
+        contact_ends: whether a detrimental contact ends the episode, without success.
+        most_steps: greatest number of steps of an episode.
+        task: the task, for the tables.
+    """
+
+    name: str
+    scenario: str
+    controls: tuple[Control, ...]
+    spread: Spread
+    contact_ends: bool
+    most_steps: int
+    task: str
+
+    def is_step(self, step: TaskStep) -> bool:
+        """Return whether a step of a scenario's task is the one that this environment flies."""
+        match self.name:
+            case "Capture":
+                return isinstance(step.target, AtCargo) and step.done.held is True
+            case "Extract":
+                return isinstance(step.target, AtSeat) and step.done.held is True and step.done.above is not None
+            case _:
+                return isinstance(step.target, AtSeat) and step.done.berth is not None and step.done.held is None
+
+
+STICKS = (
+    Control("THC X", "Translation along axis 1 of the sticks; forward in orbiter axes, ahead in END EFF."),
+    Control("THC Y", "Translation along axis 2."),
+    Control("THC Z", "Translation along axis 3."),
+    Control("RHC roll", "Rotation about axis 1."),
+    Control("RHC pitch", "Rotation about axis 2."),
+    Control("RHC yaw", "Rotation about axis 3."),
+    Control("rate", "Rate setting: coarse above 0.5, vernier below -0.5."),
+)
+EFFECTOR = Control("end effector", "End effector switch: close above 0.5, open below -0.5.")
+
+CAPTURE = Mission(
+    "Capture",
+    "tutorial",
+    (*STICKS, EFFECTOR),
+    Spread(0.3, 0.6, 0.15, math.radians(4.0)),
+    False,
+    900,
+    "Capture the payload in the bay; the end effector is above its grapple fixture.",
+)
+EXTRACT = Mission(
+    "Extract",
+    "concept-1972",
+    STICKS,
+    Spread(0.0, 0.1, 0.003, 0.0),
+    True,
+    600,
+    "Lift the held payload out of its berth to 14 ft above it, without a detrimental contact.",
+)
+DOCK = Mission(
+    "Dock",
+    "concept-1972",
+    STICKS,
+    Spread(0.8 * FOOT, 1.5 * FOOT, 0.08, math.radians(2.0)),
+    False,
+    900,
+    "Bring the held payload from in front of the docking port into the port, which latches by itself.",
+)
+MISSIONS = (CAPTURE, EXTRACT, DOCK)
+
+_FAR = 40.0
+"""Greatest displacement that is observed [m]."""
+_OVERSHOOT = 2.0
+"""Greatest magnitude of an observation that a limit keeps at 1; a joint with a mass can overshoot its greatest rate."""
+_BEYOND_SOFT = 1.5
+"""Greatest magnitude of a joint angle, in half ranges between its soft stops."""
+
+OBSERVATIONS = (
+    Observed(
+        "distance to go",
+        3,
+        "Motion left of the point that the sticks move, along the axes of the sticks: the numbers of *to go*.",
+        "m",
+        "1 m",
+        _FAR,
+    ),
+    Observed(
+        "rotation to go", 3, "Rotation left about the axes of the sticks: unit axis times angle.", "rad", "1 rad", 3.2
+    ),
+    Observed("velocity", 3, "Velocity of that point along these axes.", "m/s", "coarse speed limit", _OVERSHOOT),
+    Observed("angular rate", 3, "Angular velocity about these axes.", "rad/s", "coarse angular rate limit", _OVERSHOOT),
+    Observed("joint angles", 6, "Joint angles, 0 midway between the soft stops.", "rad", "soft stop", _BEYOND_SOFT),
+    Observed("joint rates", 6, "Joint rates.", "rad/s", "servo maximum", _OVERSHOOT),
+    Observed(
+        "clearance", 1, "Minimum clearance c of the monitored pairs, as c / (c + 1 ft); 1 without a pair.", "m", "", 1.0
+    ),
+    Observed("ARM INHIBIT", 1, "1 while a contact inhibits the arm.", "", "1", 1.0),
+    Observed("conditions", 1, "Share of the conditions of capture or docking that hold; 0 without one.", "", "1", 1.0),
+    Observed("rate setting", 1, "1 for coarse, -1 for vernier.", "", "1", 1.0),
+    Observed("switch", 1, "End effector switch: 1 close, 0 stop, -1 open.", "", "1", 1.0),
+    Observed("opening", 1, "Opening of the snares or of the prong, 0 closed to 1 open.", "", "1", 1.0),
+)
+
+DISTANCE = Rewarded("distance", 5.0, "m", "Distance to go that the step has removed.")
+ROTATION = Rewarded("rotation", 5.0, "rad", "Rotation to go that the step has removed.")
+TIME = Rewarded("time", -0.05, "s", "Duration of the step.")
+CONTACT = Rewarded("contact", -2.0, "s", "Duration of a step after which a detrimental contact exists.")
+SUCCESS = Rewarded("success", 10.0, "1", "The task is complete; this ends the episode.")
+REWARDS = (DISTANCE, ROTATION, TIME, CONTACT, SUCCESS)

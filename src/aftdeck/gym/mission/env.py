@@ -1,0 +1,184 @@
+"""Environment that flies one step of a scenario's task in a `Simulation`, through `Inputs` as a person does."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any, ClassVar, Literal
+
+import gymnasium
+
+from aftdeck.errors import InputError, ScenarioError
+from aftdeck.files import Where
+from aftdeck.gym.actions import checked
+from aftdeck.gym.choices import PLANTS, Plant, no_options, no_rendering, one_of
+from aftdeck.gym.mission import definition
+from aftdeck.gym.mission.definition import CAPTURE, DOCK, EFFECTOR, EXTRACT, SWITCHED, Mission
+from aftdeck.gym.mission.observation import Observer, detrimental
+from aftdeck.gym.mission.starts import Starts, base_of, step_of
+from aftdeck.gym.terms import Floats32, action_space
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.task.reached import Since, reached
+from aftdeck.task.remaining import Aims, Remaining
+
+_TRIES = 100
+"""Greatest number of random starts that are tried until one has no contact."""
+
+
+class MissionEnv(gymnasium.Env[Floats32, Floats32]):
+    """One step of a scenario's task, from a random start near the place to which it leads.
+
+    A step of the environment makes several control steps with the same sticks. ``info["is_success"]`` tells in every
+    step whether the task is complete.
+
+    Args:
+        scenario: name of a built-in scenario, or path of a scenario file, whose task has a step of this kind.
+        plant: ``kinematic``, ``rigid`` or ``flexible``.
+        render_mode: only None.
+
+    Raises:
+        InputError: an argument is not allowed, or the scenario has no such step; the message states what is allowed.
+        ScenarioError: there is no such scenario, or its file has errors.
+    """
+
+    metadata = {"render_modes": []}  # noqa: RUF012  (Gymnasium declares it as a variable of the instance)
+    mission: ClassVar[Mission]
+
+    def __init__(
+        self, scenario: str | Path | None = None, plant: Plant = "kinematic", render_mode: str | None = None
+    ) -> None:
+        no_rendering(render_mode)
+        changes: dict[Where, object] = {("plant",): one_of("plant", plant, PLANTS)}
+        loaded = load_scenario(self.mission.scenario if scenario is None else scenario, changes)
+        self._repeats = _repeats(loaded)
+        self._step = step_of(self.mission, loaded)
+        base = base_of(loaded, self._step)
+        self._sim, self._aims = Simulation(loaded), Aims(loaded)
+        self._sim.restart(base)
+        frame = self._sim.step(self._first_inputs())
+        self._starts = Starts(loaded, self._step, base, self.mission.spread, frame)
+        self._observer = Observer(loaded, frame)
+        self.observation_space, self.action_space = self._observer.space, action_space(self.mission.controls)
+        self._since = Since(frame.position, frame.orientation)
+        self._left: Remaining | None = None
+        self._begun = False
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Floats32, dict[str, Any]]:
+        """Begin an episode at a random start; `options` has no keys.
+
+        Raises:
+            InputError: there are options, or no random start is free of contacts.
+        """
+        super().reset(seed=seed)
+        no_options(options)
+        frame = self._begin()
+        self._since = Since(frame.position, frame.orientation)
+        self._left = self._aims.remaining(frame, self._step)
+        self._begun = True
+        return self._observer.of(frame, self._left), {"is_success": False}
+
+    def step(self, action: Floats32) -> tuple[Floats32, float, bool, bool, dict[str, Any]]:
+        """Make one step.
+
+        Args:
+            action: one number in [-1, 1] for each control.
+
+        Raises:
+            InputError: the action has another shape, or a control is outside [-1, 1]; nothing has changed.
+            SimulationError: the state is no longer finite.
+        """
+        if not self._begun:
+            raise InputError("step: got a call before the first reset, expected reset() first")
+        inputs = self._inputs(checked(action, self.mission.controls))
+        for _ in range(self._repeats):
+            self._sim.advance(inputs)
+        frame = self._sim.look()
+        before, self._left = self._left, self._aims.remaining(frame, self._step)
+        contact = detrimental(frame)
+        success = reached(self._aims, self._step, self._step.done, frame, self._since)
+        success = success and not (contact and self.mission.contact_ends)
+        reward = _reward(before, self._left, contact, success)
+        over = success or (contact and self.mission.contact_ends)
+        return self._observer.of(frame, self._left), reward, over, False, {"is_success": success}
+
+    def _begin(self) -> Frame:
+        """Restart the simulation at a random start without a contact, and return its first frame."""
+        for _ in range(_TRIES):
+            start = self._starts.draw(self.np_random)
+            if start is None:
+                continue
+            try:
+                self._sim.restart(start)
+            except ScenarioError:
+                continue
+            frame = self._sim.step(self._first_inputs())
+            if not frame.work.contacts or not detrimental(frame):
+                return frame
+        raise InputError(
+            f"scenario: {self._sim.scenario.name!r} has no start without a contact in {_TRIES} random starts near the "
+            f"place of step {self._step.title!r}"
+        )
+
+    def _first_inputs(self) -> Inputs:
+        """Return the inputs of the first control step: sticks centred, mode of the task's step, rate setting coarse."""
+        return Inputs(mode=self._step.mode, rate="coarse")
+
+    def _inputs(self, values: list[float]) -> Inputs:
+        """Return the hand controllers and switches of an action; a switch between its positions keeps its position."""
+        x, y, z, roll, pitch, yaw, rate = values[:7]
+        setting: Literal["coarse", "vernier"] | None = None
+        if abs(rate) > SWITCHED:
+            setting = "coarse" if rate > 0.0 else "vernier"
+        effector: Literal["close", "open"] | None = None
+        if EFFECTOR in self.mission.controls and abs(values[7]) > SWITCHED:
+            effector = "close" if values[7] > 0.0 else "open"
+        return Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw), rate=setting, effector=effector)
+
+
+def _repeats(scenario: Scenario) -> int:
+    """Return the number of control steps in a step of an environment.
+
+    Raises:
+        InputError: the control period does not divide the duration of a step.
+    """
+    steps = definition.PERIOD / scenario.control_period
+    if not math.isclose(steps, round(steps)) or round(steps) < 1:
+        raise InputError(
+            f"scenario: control_period is {scenario.control_period:g} s, expected a whole number of control steps in "
+            f"{definition.PERIOD:g} s"
+        )
+    return round(steps)
+
+
+def _reward(before: Remaining | None, after: Remaining | None, contact: bool, success: bool) -> float:
+    """Return the reward of a step, from the motion that was left and that is left."""
+    reward = definition.TIME.weight * definition.PERIOD + definition.SUCCESS.weight * success
+    reward += definition.CONTACT.weight * definition.PERIOD * contact
+    if before is not None and after is not None and before.to == after.to:
+        reward += definition.DISTANCE.weight * (before.distance - after.distance)
+        reward += definition.ROTATION.weight * (abs(before.angle) - abs(after.angle))
+    return reward
+
+
+class CaptureEnv(MissionEnv):
+    """Capture the payload in the bay; the end effector is above its fixture."""
+
+    mission = CAPTURE
+
+
+class ExtractEnv(MissionEnv):
+    """Lift the held payload out of its berth, without a detrimental contact."""
+
+    mission = EXTRACT
+
+
+class DockEnv(MissionEnv):
+    """Bring the held payload from in front of the docking port into the port."""
+
+    mission = DOCK

@@ -1,0 +1,86 @@
+"""Observation of Capture, Extract and Dock, from frames: numbers that an operator also has."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.gym.mission.definition import OBSERVATIONS
+from aftdeck.gym.terms import Floats32, observation_space
+from aftdeck.matrices import product
+from aftdeck.scenario.model import Scenario
+from aftdeck.scene.stick_axes import StickAxes
+from aftdeck.simulation.frame import Frame
+from aftdeck.task.along_sticks import along_axes
+from aftdeck.task.remaining import Remaining
+from aftdeck.units import FOOT
+
+_SWITCH = {"stop": 0.0, "close": 1.0, "open": -1.0}
+
+
+class Observer:
+    """Observations of one scenario.
+
+    Args:
+        scenario: the scenario.
+        frame: a frame with the rate setting coarse; its limits normalise the velocities.
+    """
+
+    def __init__(self, scenario: Scenario, frame: Frame) -> None:
+        model = scenario.arm.model
+        self._mount, self._sticks = model.mount.rotation.T, StickAxes(scenario)
+        soft = model.limits.soft
+        self._middle, self._half = soft.mean(axis=1), 0.5 * (soft[:, 1] - soft[:, 0])
+        self._servo, (self._speed, self._turn) = model.rates.servo, frame.por_limits
+        self.space = observation_space(OBSERVATIONS)
+
+    def of(self, frame: Frame, left: Remaining | None) -> Floats32:
+        """Return the observation of a frame, each value within the limits of the space.
+
+        Args:
+            frame: the frame.
+            left: motion that is left; None if nothing tells where to move.
+        """
+        axes = product(self._mount, self._sticks.in_panel(frame))
+        shift, turn = np.zeros(3), np.zeros(3)
+        if left is not None and left.motion is not None:
+            shift, turn = along_axes(left.motion, np.array(frame.resolution), axes)
+        twist, hand = np.array(frame.twist), frame.work.hand
+        values: Array = np.concatenate(
+            [
+                shift,
+                turn,
+                product(twist[3:], axes) / self._speed,
+                product(twist[:3], axes) / self._turn,
+                (np.array(frame.angles) - self._middle) / self._half,
+                np.array(frame.rates) / self._servo,
+                [
+                    clearance(frame),
+                    float(frame.work.arm_inhibit),
+                    conditions(frame),
+                    1.0 if frame.rate == "coarse" else -1.0,
+                    _SWITCH[hand.switch],
+                    hand.opening,
+                ],
+            ]
+        )
+        return np.clip(values, self.space.low, self.space.high).astype(np.float32)
+
+
+def clearance(frame: Frame) -> float:
+    """Return the minimum clearance c as c / (c + 1 ft), 0 in contact; 1 if no pair is monitored."""
+    if frame.work.nearest is None:
+        return 1.0
+    distance = max(frame.work.nearest.clearance, 0.0)
+    return distance / (distance + FOOT)
+
+
+def conditions(frame: Frame) -> float:
+    """Return the share of the present conditions that hold; 0 if there are none."""
+    found = frame.work.conditions
+    return sum(condition.holds for condition in found) / len(found) if found else 0.0
+
+
+def detrimental(frame: Frame) -> bool:
+    """Return whether a detrimental contact exists."""
+    return any(not contact.essential for contact in frame.work.contacts)

@@ -1,0 +1,1 @@
+"""Reach: move the tip of the Shuttle's arm to a random pose."""
