@@ -19,6 +19,7 @@ from aftdeck.report.lamps import Lamp
 from aftdeck.report.metric import Collector, Metric, Value
 from aftdeck.report.metrics import (
     alarms,
+    announcements,
     clearance,
     forces,
     limits,
@@ -355,3 +356,20 @@ def test_steps_of_a_part_are_timed_from_its_re_initialisation() -> None:
     metrics.see(sim.step(Inputs(initialise="manoeuvring")), ())
     assert metrics.found()[steps.DONE].number == 0
     assert metrics.found()[times.RUN].number == pytest.approx(PERIOD)
+
+
+def test_announcements_belong_to_the_alarm_that_they_precede_or_that_lasts(frame: Frame) -> None:
+    collector, seconds = announcements.Announcements(), [round(k * PERIOD, 9) for k in range(1, 2001)]
+    alarms_s = ((10.0, 12.0), (20.0, 25.0), (35.0, 36.0))
+    for at in (6.0, 22.0, 30.5, 31.0):
+        collector.announce(at)
+    for at in seconds:
+        level = "caution" if any(begin <= at < end for begin, end in alarms_s) else "info"
+        collector.see(changed(msgspec.structs.replace(frame, time_s=at), clearance_level=level), None)
+    found = dict(collector.found())
+    assert found[announcements.COUNT].number == 4
+    assert found[announcements.SHARE].number == 1.0
+    assert found[announcements.DELAY].number == pytest.approx((-4.0 + 2.0 - 4.5) / 3.0)
+    silent = announcements.Announcements()
+    silent.see(frame, None)
+    assert not dict(silent.found())

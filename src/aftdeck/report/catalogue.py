@@ -8,6 +8,7 @@ from aftdeck.made_tables import renew_file
 from aftdeck.report.metric import Metric
 from aftdeck.report.metrics import (
     alarms,
+    announcements,
     clearance,
     desk,
     forces,
@@ -31,7 +32,7 @@ SUBJECTS: dict[str, tuple[Metric, ...]] = {
     "Hand controllers": sticks.METRICS,
     "Stopping": stopping.METRICS,
     "Limits": limits.METRICS,
-    "Alarms": alarms.METRICS,
+    "Alarms": (*alarms.METRICS, *announcements.METRICS),
     "Forces": forces.METRICS,
     "Pictures": pictures.METRICS,
     "Station": desk.METRICS,

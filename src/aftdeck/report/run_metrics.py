@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.message import Message
-from aftdeck.recording.records import ControllersRecord, Shown
+from aftdeck.recording.records import ControllersRecord, Note, Shown
 from aftdeck.report.lamps import Lamp
 from aftdeck.report.metric import Collector, Metric, Value
 from aftdeck.report.metrics.alarms import Alarms
+from aftdeck.report.metrics.announcements import ANNOUNCED, Announcements
 from aftdeck.report.metrics.clearance import Clearance
 from aftdeck.report.metrics.desk import Desk
 from aftdeck.report.metrics.forces import Forces
@@ -42,6 +43,7 @@ class RunMetrics:
     def _begin(self) -> None:
         scenario, period_s = self._scenario, self._scenario.control_period
         self._alarms = Alarms()
+        self._announcements = Announcements()
         self._steps = Steps(scenario, self._progress)
         self._collectors: tuple[Collector, ...] = (
             Times(period_s),
@@ -54,6 +56,7 @@ class RunMetrics:
             Limits(),
             Forces(period_s),
             self._pictures,
+            self._announcements,
         )
         self._before: Frame | None = None
 
@@ -67,12 +70,14 @@ class RunMetrics:
         self._before = frame
 
     def note(self, message: Message) -> None:
-        """Add a recorded message between two frames: the devices or the cameras in use from the next frame on."""
+        """Add a recorded message between two frames: devices or cameras in use from now on, or an announcement."""
         if isinstance(message, ControllersRecord):
             self._desk.use(message.controllers)
         elif isinstance(message, Shown):
             self._pictures.shown((message.mon_1, message.mon_2))
             self._steps.look()
+        elif isinstance(message, Note) and message.kind == ANNOUNCED:
+            self._announcements.announce(message.time_s)
 
     @property
     def progress(self) -> Progress:

@@ -48,6 +48,7 @@ Use = Literal[
     "joint +",
     "fly orbiter",
     "acknowledge",
+    "announce",
     "plane",
     "bending",
     "otherMonitor",

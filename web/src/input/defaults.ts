@@ -50,6 +50,7 @@ const KEYBOARD = {
   Equal: 'joint +',
   Backquote: 'fly orbiter',
   KeyM: 'acknowledge',
+  NumpadSubtract: 'announce',
   NumpadDivide: 'mute',
   KeyF: 'plane',
   NumpadMultiply: 'bending',

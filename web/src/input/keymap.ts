@@ -24,6 +24,7 @@ export type Action =
         | 'matrix'
         | 'offered pair'
         | 'acknowledge'
+        | 'announce'
         | 'mute'
         | 'plane'
         | 'bending'
@@ -113,6 +114,7 @@ const ACTIONS: readonly Use[] = [
   once('joint +', 'next joint', { name: 'turn joint', by: 1 }),
   once('fly orbiter', 'THC to orbiter', { name: 'fly orbiter' }),
   once('acknowledge', 'acknowledge', { name: 'acknowledge' }),
+  once('announce', 'announce a clearance problem', { name: 'announce' }),
   once('mute', 'sounds off, on', { name: 'mute' }),
   once('plane', 'separating plane', { name: 'plane' }),
   once('bending', 'bending, exaggerated', { name: 'bending' }),

@@ -24,6 +24,8 @@ export interface Acting {
   enterMode(): void;
   holdRate(): void;
   acknowledge(): void;
+  /** Announces a clearance problem. */
+  announce(): void;
   mute(): void;
   showPlane(): void;
   showBending(): void;
@@ -77,6 +79,9 @@ export function act(action: Action, by: Acting): void {
       break;
     case 'acknowledge':
       by.acknowledge();
+      break;
+    case 'announce':
+      by.announce();
       break;
     case 'mute':
       by.mute();

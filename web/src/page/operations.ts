@@ -122,6 +122,7 @@ export class Operations {
       enterMode: () => groups.mode.enter() || task.enterMode(),
       holdRate: () => this.send({ type: 'rate_hold' }),
       acknowledge: () => this.acknowledge(),
+      announce: () => this.send({ type: 'announce' }),
       mute: () => tones.set({ muted: !tones.muted }),
       showPlane: () => this.togglePlane(),
       showBending: () => this.toggleBending(),

@@ -119,6 +119,12 @@ class PositionHold(WireMessage, frozen=True, tag="position_hold"):
     on: bool
 
 
+class Announce(WireMessage, frozen=True, tag="announce"):
+    """Announce a clearance problem that the operator or an observer has noticed; it is logged and recorded."""
+
+    seq: Seq
+
+
 class AskSticks(WireMessage, frozen=True, tag="ask_sticks"):
     """Ask for control of the arm. The request expires if the page in control does not answer within 10 s."""
 
@@ -361,6 +367,7 @@ FromPage = (
     Sticks
     | Shown
     | ShowPolygons
+    | Announce
     | Controllers
     | DriveCamera
     | SetLight

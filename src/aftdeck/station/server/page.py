@@ -188,6 +188,8 @@ class Page:
                 return await self.reject(message.seq, str(error), counts=False)
         if isinstance(message, from_page.ShowPolygons):
             return await self._show_polygons(message)
+        if isinstance(message, from_page.Announce):
+            return self.pages.session.announce("operator" if self.pages.roles.operator is self else "observer")
         if self.pages.roles.operator is not self:
             return await self.reject(message.seq, NOT_IN_CONTROL, counts=False)
         try:

@@ -22,6 +22,7 @@ from aftdeck.recording.live import Live
 from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.report.lamps import Lamp, StandingLamps, lit_lamps
+from aftdeck.report.metrics.announcements import ANNOUNCED
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive
@@ -223,6 +224,10 @@ class Session:
             self._task.progress.look()
         self._reported.latency_ms, self._reported.monitors = message.latency_ms, message.monitors
 
+    def announce(self, by: str) -> None:
+        """Log and record a clearance problem that somebody has noticed; `by`: ``operator`` or ``observer``."""
+        self._reported.announced = by
+
     def light(self, message: from_page.SetLight) -> None:
         """Set the lighting; allowed even while the script runs.
 
@@ -305,6 +310,8 @@ class Session:
         frame = self._sim.step(inputs)
         if text := self._reported.record(self._recorder, frame.time_s):
             self._note("light", text)
+        if text := self._reported.announcement(frame):
+            self._note(ANNOUNCED, text)
         self._recorder.step(inputs, frame, self._reported.latency_ms)
         for text in self._recorder.take_errors():
             self._note("recording", text, "warning")

@@ -67,6 +67,7 @@ export function working({
     [['plane'], 'separating plane in the pictures'],
     ...(flexures.length > 0 ? ([[['bending'], 'bending exaggerated in the pictures']] as const) : []),
     [['acknowledge', 'mute'], 'acknowledge the master alarm; sounds off, on'],
+    [['announce'], 'announce a clearance problem: it is logged'],
     [['control page'], 'PDRS control: target, stored points, payloads'],
     ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),
     [['fly orbiter'], 'assign the THC to the orbiter, or to the arm'],
