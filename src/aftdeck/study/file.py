@@ -144,7 +144,7 @@ def _design_problems(spec: StudyFile, factors: tuple[Factor, ...]) -> Iterator[P
         yield Problem(("runs",), "a grid has as many points as its levels give; give `repeats`, or another design")
     if spec.design != "grid" and spec.runs is None:
         yield Problem(("design",), f"{spec.design} needs `runs`, the number of points")
-    if spec.design != "grid" and not factors:
+    if spec.design != "grid" and not spec.factor:
         yield Problem(("design",), f"{spec.design} needs a factor")
     points = spec.runs or math.prod(len(factor.levels) or 1 for factor in factors)
     cases = points * (len(spec.seeds) or spec.repeats)
@@ -190,8 +190,11 @@ def _levels(factors: tuple[Factor, ...]) -> Iterator[tuple[Where, Change]]:
 
 def _level_problems(spec: StudyFile, factors: tuple[Factor, ...], carried: Carried) -> Iterator[Problem]:
     """Yield the changes that the types of the changed files do not allow."""
-    arm, worksite = next(iter(carried.arms.values())).arm, next(iter(carried.worksites.values()))
-    texts: dict[Kind, Text] = {"scenario": Text(carried.file, carried.text), "arm": arm, "worksite": worksite}
+    texts: dict[Kind, list[Text]] = {
+        "scenario": [Text(carried.file, carried.text)],
+        "arm": [texts.arm for texts in carried.arms.values()],
+        "worksite": list(carried.worksites.values()),
+    }
     tables: dict[Kind, dict[str, Any]] = {
         "operator": spec.operator,
         "monitors": msgspec.to_builtins(spec.monitors),

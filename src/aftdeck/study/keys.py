@@ -73,31 +73,39 @@ def of_kind(changes: Iterable[Change], kind: Kind) -> dict[Where, object]:
     return {change.key.where: change.value for change in changes if change.key.kind == kind}
 
 
-def problem_of(change: Change, texts: Mapping[Kind, Text], tables: Mapping[Kind, dict[str, Any]]) -> str:
+def problem_of(change: Change, texts: Mapping[Kind, Iterable[Text]], tables: Mapping[Kind, dict[str, Any]]) -> str:
     """Return why a change cannot be made; "" if the types of the file allow it.
 
     Only the changed place is checked. Values that contradict each other are found when the scenario is built.
 
     Args:
         change: the change.
-        texts: texts of the scenario, the arm and the worksite.
+        texts: texts of the scenario, of all arms and of all worksites; one that allows the change is enough.
         tables: contents of the study's own tables.
     """
     key, value = change
     if isinstance(value, str) and value.startswith("="):
         return ""  # an expression, which is computed when the scenario is built
+    if key.kind in tables:
+        schema = OperatorSpec if key.kind == "operator" else MonitorsSpec
+        return _wrong(key, problems_of(tables[key.kind] | {str(key.where[0]): value}, schema))
+    found = [_problem_in(text, change) for text in texts[key.kind]]
+    return found[0] if all(found) else ""
+
+
+def _problem_in(text: Text, change: Change) -> str:
+    """Return why a change of a file cannot be made; "" if the types of the file allow it."""
+    key, value = change
     try:
-        if key.kind in tables:
-            schema = OperatorSpec if key.kind == "operator" else MonitorsSpec
-            if len(key.where) != 1:
-                return f"{key.text}: no such key"
-            found = problems_of(tables[key.kind] | {str(key.where[0]): value}, schema)
-        else:
-            _, problems = examine(_FILES[key.kind], texts[key.kind], {key.where: value})
-            found = [(problem.where, problem.what) for problem in problems]
+        _, problems = examine(_FILES[key.kind], text, {key.where: value})
     except AftdeckError as error:
         return _LINE.sub("", str(error).splitlines()[0])
-    return next((f"{key.text}: {what}" for where, what in found if _same(where, key.where)), "")
+    return _wrong(key, [(problem.where, problem.what) for problem in problems])
+
+
+def _wrong(key: Key, problems: Iterable[tuple[Where, str]]) -> str:
+    """Return the first problem at the place of a key."""
+    return next((f"{key.text}: {what}" for where, what in problems if _same(where, key.where)), "")
 
 
 def _same(found: Where, changed: Where) -> bool:

@@ -103,6 +103,11 @@ class Pool:
         self._workers.clear()
 
     @property
+    def busy(self) -> tuple[int, ...]:
+        """Process ids of the workers that run a job."""
+        return tuple(worker.process.pid or 0 for worker in self._workers if worker.job is not None)
+
+    @property
     def pids(self) -> tuple[int, ...]:
         """Process ids of the workers."""
         return tuple(worker.process.pid or 0 for worker in self._workers)

@@ -18,10 +18,7 @@ from aftdeck.study.report import write_report
 from aftdeck.study.store import Store
 from aftdeck.study.table import write_tables
 from aftdeck.study.worker import Job
-from aftdeck.study.worst import worst
-
-RECORDINGS = "recordings"
-"""Folder of the recordings."""
+from aftdeck.study.worst import recording_of, worst
 
 Execute = Callable[[Sequence[Job]], Iterator[Finished]]
 """What runs jobs: a pool of processes, or Ray."""
@@ -121,11 +118,6 @@ def record_worst(study: Study, outcomes: Sequence[Outcome], folder: Path, execut
     wanted = [Job(every[index], str(path)) for index, path in paths.items() if not path.exists()]
     for _ in execute(wanted) if wanted else ():
         pass
-
-
-def recording_of(folder: Path, index: int) -> Path:
-    """Return the path of a case's recording in the folder of a study."""
-    return folder / RECORDINGS / f"case-{index:06d}.mcap"
 
 
 def run_only(study: Study, folder: Path, index: int) -> tuple[Outcome, Path]:

@@ -1,12 +1,16 @@
-"""Worst cases of a study."""
+"""Worst cases of a study, and the paths of their recordings."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from pathlib import Path
 
 from aftdeck.study.columns import Row
 from aftdeck.study.file import Study
+
+RECORDINGS = "recordings"
+"""Folder of the recordings."""
 
 
 def worst(study: Study, rows: Sequence[Row]) -> list[int]:
@@ -23,3 +27,8 @@ def worst(study: Study, rows: Sequence[Row]) -> list[int]:
 
     ended = sorted((row for row in rows if not row["error"]), key=badness)
     return [int(str(row["index"])) for row in ended[: study.spec.report.recordings]]
+
+
+def recording_of(folder: Path, index: int) -> Path:
+    """Return the path of a case's recording in the folder of a study."""
+    return folder / RECORDINGS / f"case-{index:06d}.mcap"

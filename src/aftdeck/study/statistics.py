@@ -1,0 +1,141 @@
+"""Statistics of the results: groups of cases by the value of a factor, success rates, means, main effects."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import statistics
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from aftdeck.study.columns import Row
+from aftdeck.study.factor import Factor
+
+Z = 1.959963984540054
+"""Quantile of the standard normal distribution for an interval of 95 %."""
+_T = (
+    12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
+    2.201, 2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
+    2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042,
+)  # fmt: skip
+"""Quantiles of Student's distribution for an interval of 95 %, for 1 to 30 degrees of freedom, from the usual tables."""
+BINS = 6
+"""Greatest number of groups into which drawn values are divided."""
+FEWEST_IN_BIN = 4
+"""Fewest cases of such a group, if there are enough."""
+
+
+class Group(NamedTuple):
+    """Cases with one value of a factor, or with neighbouring drawn values.
+
+    Attributes:
+        label: the value, or the range of values.
+        at: the value, or the mean of the values; None if the factor has no numbers.
+        rows: the cases.
+    """
+
+    label: str
+    at: float | None
+    rows: tuple[Row, ...]
+
+
+class Interval(NamedTuple):
+    """Estimate with its 95 % interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+def groups(factor: Factor, rows: Sequence[Row]) -> list[Group]:
+    """Return the cases by the value of a factor, in the order of its levels; groups without a case are left out."""
+    if factor.span is not None:
+        return _bins(factor.column, rows)
+    cells = list(dict.fromkeys(level.cell for level in factor.levels))
+    found = []
+    for cell in cells:
+        own = tuple(row for row in rows if row[factor.column] == cell)
+        at = float(cell) if isinstance(cell, int | float) and not isinstance(cell, bool) else None
+        if own:
+            found.append(Group(f"{cell:g}" if isinstance(cell, float) else str(cell), at, own))
+    return found
+
+
+def _bins(column: str, rows: Sequence[Row]) -> list[Group]:
+    """Return groups of about the same size, by the drawn values."""
+    ordered = sorted(rows, key=lambda row: float(row[column] or 0.0))
+    count = max(1, min(BINS, len(ordered) // FEWEST_IN_BIN))
+    edges = [round(i * len(ordered) / count) for i in range(count + 1)]
+    found = []
+    for first, last in itertools.pairwise(edges):
+        own = tuple(ordered[first:last])
+        if own:
+            values = [float(row[column] or 0.0) for row in own]
+            found.append(Group(f"{values[0]:.4g} to {values[-1]:.4g}", statistics.fmean(values), own))
+    return found
+
+
+def numbers(rows: Sequence[Row], column: str) -> list[float]:
+    """Return the values of a column; cases without a value are left out."""
+    return [float(value) for row in rows if (value := row[column]) is not None]
+
+
+def success_rate(rows: Sequence[Row]) -> Interval:
+    """Return the share of successful cases, with Wilson's score interval."""
+    return wilson(sum(bool(row["success"]) for row in rows), len(rows))
+
+
+def wilson(successes: int, count: int) -> Interval:
+    """Return the rate of successes, with Wilson's score interval of 95 % (E. B. Wilson, 1927).
+
+    >>> wilson(0, 10)
+    Interval(value=0.0, low=0.0, high=0.27753279964075226)
+    """
+    if count == 0:
+        return Interval(math.nan, 0.0, 1.0)
+    rate, share = successes / count, Z * Z / count
+    middle = (rate + share / 2.0) / (1.0 + share)
+    half = Z * math.sqrt(rate * (1.0 - rate) / count + share / (4.0 * count)) / (1.0 + share)
+    low = 0.0 if successes == 0 else middle - half
+    high = 1.0 if successes == count else middle + half
+    return Interval(rate, low, high)
+
+
+def mean_interval(values: Sequence[float]) -> Interval:
+    """Return the mean with Student's interval of 95 %; the interval is a point if all values are equal or single."""
+    mean = statistics.fmean(values)
+    if len(values) == 1:
+        return Interval(mean, mean, mean)
+    quantile = _T[len(values) - 2] if len(values) - 2 < len(_T) else Z
+    half = quantile * statistics.stdev(values) / math.sqrt(len(values))
+    return Interval(mean, mean - half, mean + half)
+
+
+class Effect(NamedTuple):
+    """Main effect of a factor on a response.
+
+    Attributes:
+        factor: name of the factor.
+        least: group with the least mean, and this mean.
+        greatest: group with the greatest mean, and this mean.
+        share: share of the response's variance that the means of the groups explain (eta squared); None without any.
+    """
+
+    factor: str
+    least: tuple[str, float]
+    greatest: tuple[str, float]
+    share: float | None
+
+
+def effect(factor: Factor, rows: Sequence[Row], column: str) -> Effect | None:
+    """Return the main effect of a factor on a column; None if no case has a value."""
+    found = [(group.label, values) for group in groups(factor, rows) if (values := numbers(group.rows, column))]
+    if not found:
+        return None
+    every = [value for _, values in found for value in values]
+    mean = statistics.fmean(every)
+    total = math.fsum((value - mean) ** 2 for value in every)
+    between = math.fsum(len(values) * (statistics.fmean(values) - mean) ** 2 for _, values in found)
+    means = [(label, statistics.fmean(values)) for label, values in found]
+    share = between / total if total > 1e-18 * max(1.0, mean * mean) * len(every) else None
+    return Effect(factor.name, min(means, key=lambda pair: pair[1]), max(means, key=lambda pair: pair[1]), share)
