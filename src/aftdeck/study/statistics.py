@@ -18,7 +18,7 @@ _T = (
     2.201, 2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
     2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042,
 )  # fmt: skip
-"""Quantiles of Student's distribution for an interval of 95 %, for 1 to 30 degrees of freedom, from the usual tables."""
+"""Quantiles of Student's distribution for an interval of 95 %, for 1 to 30 degrees of freedom, from tables."""
 BINS = 6
 """Greatest number of groups into which drawn values are divided."""
 FEWEST_IN_BIN = 4
@@ -89,7 +89,7 @@ def wilson(successes: int, count: int) -> Interval:
     """Return the rate of successes, with Wilson's score interval of 95 % (E. B. Wilson, 1927).
 
     >>> wilson(0, 10)
-    Interval(value=0.0, low=0.0, high=0.27753279964075226)
+    Interval(value=0.0, low=0.0, high=0.2775327998628892)
     """
     if count == 0:
         return Interval(math.nan, 0.0, 1.0)
