@@ -27,7 +27,7 @@ STILL = Inputs()
 
 def step_to(target: AtCargo | AtSeat | InFrame) -> TaskStep:
     """Return a step with a target."""
-    return TaskStep("", "", StateSpec(), target, None, 0.0, None, (), (), (), None, ())
+    return TaskStep("", "", StateSpec(), target, None, 0.0, None, (), (), (), (), None, ())
 
 
 @pytest.mark.parametrize("plant", ["kinematic", "rigid"])

@@ -79,7 +79,7 @@ def fly(
 
 @app.command(
     epilog="Examples: aftdeck run sts-400-closed --json; aftdeck run uncradle --out uncradle.mcap; "
-    "aftdeck run concept-1972 --channels flown.jsonl"
+    "aftdeck run concept-1972 --channels flown.jsonl; aftdeck run concept-1972 --operator human --out flight.mcap"
 )
 def run(
     scenario: ScenarioName,
@@ -91,6 +91,13 @@ def run(
             help="Read the inputs from this file: the 1972 report's channels, one line of JSON for each step.",
         ),
     ] = None,
+    operator: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND",
+            help="Fly the steps of the scenario's task with a synthetic operator, perfect or human.",
+        ),
+    ] = None,
     words: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines).")
     ] = None,
@@ -100,7 +107,8 @@ def run(
 ) -> None:
     """Run a scenario's script headless and print a summary.
 
-    With --channels, the inputs come from the file of channels and not from the script.
+    With --channels, the inputs come from the file of channels and not from the script; with --operator, from a
+    synthetic operator.
 
     The exit code is 1 if the run ended in a fault.
     """
@@ -108,14 +116,16 @@ def run(
 
     if out is not None and words is not None and out.resolve() == words.resolve():
         raise InputError(f"--out and --words name the same file {words}; name two different files")
+    if channels is not None and operator is not None:
+        raise InputError("--channels and --operator both give the inputs; use one of them")
     loaded = load_scenario(scenario, _plant(plant))
     print_cautions(_cautions(loaded))
-    if channels is None and not loaded.phases:
+    if channels is None and operator is None and not loaded.phases:
         print_error(
             f"{loaded.name} has no script: it runs {loaded.duration:g} s without inputs; "
             f"operate it with `aftdeck fly {scenario}`"
         )
-    summary, recording_error = _run(loaded, out, channels, words, seed)
+    summary, recording_error = _run(loaded, out, channels, operator, words, seed)
     if as_json:
         print_json(summary, indent=2)
     else:
@@ -127,7 +137,12 @@ def run(
 
 
 def _run(
-    scenario: Scenario, out: Path | None, channels: Path | None, words: Path | None, seed: int | None
+    scenario: Scenario,
+    out: Path | None,
+    channels: Path | None,
+    operator: str | None,
+    words: Path | None,
+    seed: int | None,
 ) -> tuple[Summary, AftdeckError | None]:
     """Run a scenario with the arguments of `run`.
 
@@ -136,9 +151,15 @@ def _run(
     """
     from aftdeck.recording.index import Index
     from aftdeck.recording.run import UnrecordedRunError, record
+    from aftdeck.recording.trial import Trial
     from aftdeck.simulation.run import run as run_scenario
 
     inputs = None
+    if operator is not None:
+        from aftdeck.operators.pilot import pilot
+        from aftdeck.operators.spec import spec_of
+
+        inputs = pilot(scenario, spec_of(operator), scenario.seed if seed is None else seed)
     if channels is not None:
         from aftdeck.cli.words import operator_by
 
@@ -158,6 +179,7 @@ def _run(
                 scenario,
                 out,
                 seed,
+                trial=Trial(condition="" if operator is None else f"operator {operator}"),
                 inputs=inputs,
                 progress=progress,
                 stepped=stepped,

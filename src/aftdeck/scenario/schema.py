@@ -17,7 +17,7 @@ from aftdeck.arms.model import (
     TipSpeed,
 )
 from aftdeck.bounds import COMPONENT, Bounds
-from aftdeck.scenario.task_file import DeskGroup, HintSpec, StateSpec
+from aftdeck.scenario.task_file import DeskGroup, HintSpec, StateSpec, StickAxis
 from aftdeck.shapes import Shape
 from aftdeck.units import (
     Acceleration,
@@ -339,7 +339,8 @@ class StepSpec(_Part, frozen=True):
 
     `done` is the state that completes the step. If it names `held`, `fixed` or `berth`, it also completes the earlier
     steps that are still open. `target` is the pose to which the tip, or the held payload, has to move; or `joint_at`
-    is the angle to which the `joint` has to move. `mode` is the position of the MODE rotary that the step needs.
+    is the angle to which the `joint` has to move. `mode` is the position of the MODE rotary that the step needs. `way`
+    lists axes of the THC in the order in which the place is approached; without it, all axes are used at once.
 
     `uses` lists the functions that matter, each with its effect: ``"-X: back"``. `groups` are the groups of the desk
     that the step needs, `cameras` the two cameras that show it best. A re-initialisation to `part` begins at this step.
@@ -352,6 +353,7 @@ class StepSpec(_Part, frozen=True):
     joint: Text | None = None
     joint_at: Angle | None = None
     mode: Text | None = None
+    way: tuple[StickAxis, ...] = ()
     uses: tuple[Text, ...] = ()
     groups: tuple[DeskGroup, ...] = ()
     cameras: tuple[Text, Text] | None = None

@@ -60,6 +60,7 @@ def _step(problems: Problems, arm: Arm, spec: StepSpec, references: TargetRefere
         joint=joint,
         joint_at=float(spec.joint_at or 0.0),
         mode=None if mode is None else mode.position,
+        way=spec.way,
         uses=uses,
         groups=spec.groups,
         cameras=_cameras(problems, arm, spec, references, (*where, "cameras")),

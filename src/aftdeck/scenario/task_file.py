@@ -78,6 +78,8 @@ DeskGroup = Literal[
     "thc", "rhc", "mode", "target", "joints", "clearance", "conditions", "effector", "limits", "singularity"
 ]
 """Groups of the desk that a step can point at."""
+StickAxis = Literal["X", "Y", "Z"]
+"""Axis of the THC."""
 PointNumber = Annotated[int, Bounds(1, 1000, "points are counted from 1, and a sequence has some tens")]
 Share = Annotated[float, Bounds(0.0, 1.0, "1 is the whole limit")]
 

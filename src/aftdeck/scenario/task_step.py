@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from aftdeck.scenario.schema import Part
 from aftdeck.scenario.target import RelativeTarget, Target
-from aftdeck.scenario.task_file import DeskGroup, StateSpec, Use
+from aftdeck.scenario.task_file import DeskGroup, StateSpec, StickAxis, Use
 
 
 class UseInStep(NamedTuple):
@@ -48,6 +48,7 @@ class TaskStep:
         joint: index of the joint that has to move, 0 to 5; None if the step is not about one joint.
         joint_at: angle to which this joint has to move [rad].
         mode: position of the MODE rotary that the step needs; None if any will do.
+        way: axes of the THC in the order in which the place is approached; empty if all are used at once.
         uses: functions that matter.
         groups: groups of the desk that the step needs.
         cameras: the two cameras that show the step best; empty if the scenario leaves the choice to the station.
@@ -62,6 +63,7 @@ class TaskStep:
     joint: int | None
     joint_at: float
     mode: str | None
+    way: tuple[StickAxis, ...]
     uses: tuple[UseInStep, ...]
     groups: tuple[DeskGroup, ...]
     cameras: tuple[str, ...]

@@ -27,3 +27,7 @@ class StickAxes:
         if along == "payload axes" and frame.payload is not None:
             return product(self._mount, np.array(frame.payload[1]))
         return np.eye(3)
+
+    def in_l(self, frame: Frame) -> Array:
+        """Return the axes (3, 3), in columns, in L."""
+        return product(self._mount.T, self.in_panel(frame))

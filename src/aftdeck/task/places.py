@@ -72,21 +72,33 @@ class Places:
     def above(self, frame: Frame, target: Target | RelativeTarget) -> float | None:
         """Return how far the tip is above a payload, or the held payload above a berth [m].
 
-        The distance is measured along the way out, from the target without its `above`: back along the end effector's
-        axis from a payload, up out of the bay, or out from a port. None if the target is neither, or no payload is
-        held above a berth.
+        The distance is measured along the way out, from the target without its `above`. None if the target is neither,
+        or no payload is held above a berth.
+        """
+        out = self.way_out(frame, target)
+        match target:
+            case AtCargo(cargo=k, above=above) if out is not None:
+                pose = composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
+                return above + _along(out, self.tip(frame).position - pose.position)
+            case AtSeat(above=above) if out is not None and (held := self.held(frame)) is not None:
+                pose = self._seated(frame, target, held)
+                return above + _along(out, self.payload(frame, held).position - pose.position)
+            case _:
+                return None
+
+    def way_out(self, frame: Frame, target: Target | RelativeTarget) -> Array | None:
+        """Return the direction (3,) in L that leads away from a payload or a berth; None for another target.
+
+        It leads back along the end effector's axis from a payload, up out of the bay, or out from a port.
         """
         match target:
-            case AtCargo(cargo=k, above=above):
+            case AtCargo(cargo=k):
                 pose = composed(self.payload(frame, k), at_cargo(self._model, self._cargo[k], target))
-                return above - _along(pose.rotation[:, 0], self.tip(frame).position - pose.position)
-            case AtSeat(above=above):
-                if (held := self.held(frame)) is None:
-                    return None
-                seat, pose = self.seats[target.seat], self._seated(frame, target, held)
+                return -pose.rotation[:, 0]
+            case AtSeat():
+                seat = self.seats[target.seat]
                 turn = product(self.carrier(frame, seat.frame).rotation, seat.pose.rotation)
-                out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
-                return above + _along(out, self.payload(frame, held).position - pose.position)
+                return turn[:, 0] if seat.kind == "port" else turn[:, 2]
             case _:
                 return None
 

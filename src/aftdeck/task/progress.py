@@ -20,6 +20,7 @@ class Progress:
         done_s: for each step, the simulated time at which it was completed [s]; None if it is open or was skipped.
         hint: index of the present step's hint whose state holds; -1 if none does.
         remaining: motion that is left in the newest frame; None if nothing tells where to move.
+        places: poses of the scenario's things.
         closing: speed at which its distance becomes smaller [m/s]; None in the first step of a motion to a place.
     """
 
@@ -31,6 +32,7 @@ class Progress:
         self.closing: float | None = None
         self._period_s = scenario.control_period
         self._aims = Aims(scenario)
+        self.places = self._aims.places
         self._begin: Since | None = None
         self._held = False  # the end effector held a payload in the last frame
         self._looked = False
@@ -61,7 +63,7 @@ class Progress:
         done = self._completed(frame)
         for i in done:
             self.done_s[i] = frame.time_s
-        held = self._aims.places.held(frame) is not None
+        held = self.places.held(frame) is not None
         if done:
             self._enter(done[-1] + 1)
         elif self._held and not held:

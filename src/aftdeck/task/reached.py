@@ -16,6 +16,8 @@ from aftdeck.worksite.conditions import Condition, all_ready
 
 REST_M, REST_RAD = 1e-3, 1e-3
 """Speed [m/s] and angular rate [rad/s] below which the tip is at rest."""
+ORBITER_REST_M = 0.01
+"""Speed below which the orbiter is at rest [m/s]: with masses, its jets never stop it completely."""
 
 
 class Since(NamedTuple):
@@ -42,7 +44,7 @@ def reached(aims: Aims, step: TaskStep, wanted: StateSpec, now: Frame, since: Si
         and (wanted.turned is None or angle_between(now.orientation, since.orientation) >= wanted.turned)
         and wanted.sticks_released in (None, sticks_released(now))
         and wanted.at_rest in (None, at_rest(now))
-        and wanted.orbiter_at_rest in (None, math.hypot(*now.work.orbiter_velocity) <= REST_M)
+        and wanted.orbiter_at_rest in (None, math.hypot(*now.work.orbiter_velocity) <= ORBITER_REST_M)
         and _near(aims, step, wanted, now)
         and _above(aims, step, wanted, now)
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 
@@ -75,9 +75,9 @@ class Pilot:
         report: figures so far.
     """
 
-    def __init__(self, page: Page, tell: bool = False) -> None:
+    def __init__(self, page: Page, tell: bool = False, seen: Callable[[], None] | None = None) -> None:
         self.report = Report()
-        self._page, self._tell = page, tell
+        self._page, self._tell, self._seen = page, tell, seen
         self._speeds: dict[Kind, float] = {}
         self._lags: dict[Kind, float] = {}
         self._clock, self._last = 0.0, ""  # the last key with an effect
@@ -90,6 +90,8 @@ class Pilot:
             now = self._look()
             self._note(before, now)
             before = now
+            if self._seen is not None:
+                self._seen()
             if now.over and now.result:
                 break  # the result appears with the next frame
             if (now.title, _plain(now.text)) != text:

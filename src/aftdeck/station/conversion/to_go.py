@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from typing import cast
-
-import numpy as np
-
 from aftdeck.arrays import Array
-from aftdeck.frames import quaternion
-from aftdeck.matrices import product
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.frame import ToGo
-from aftdeck.steering.mode import MODES
+from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.remaining import Remaining
-from aftdeck.tuples import Vec3
 
 
 def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array, closing: float | None = None) -> ToGo:
@@ -28,25 +20,8 @@ def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array, cl
         axes: (3, 3) axes of the sticks in L, in columns.
         closing: speed at which the distance becomes smaller [m/s]; None if it is not known.
     """
-    translation = rotation = None
-    shift: tuple[float, ...] = ()
-    if (motion := remaining.motion) is not None:
-        shift = scene.motion(motion)
-        if MODES[frame.mode].kind == "manual":
-            point = np.array(frame.resolution)
-            moved = product(motion.rotation, point) + motion.position - point
-            translation, rotation = _vec3(product(moved, axes)), _vec3(product(_vector(motion.rotation), axes))
+    translation, rotation = along_sticks(remaining, frame, axes) or (None, None)
+    shift = () if remaining.motion is None else scene.motion(remaining.motion)
     return ToGo(
         remaining.to, translation, rotation, remaining.distance, remaining.angle, remaining.near, closing, shift
     )
-
-
-def _vector(rotation: Array) -> Array:
-    """Return the rotation vector (3,) of a rotation matrix: its axis times its angle [rad], at most pi."""
-    w, *vector = quaternion(rotation)
-    sine = math.hypot(*vector)
-    return np.array(vector) * (2.0 * math.atan2(sine, w) / sine if sine > 0.0 else 2.0)
-
-
-def _vec3(values: Array) -> Vec3:
-    return cast("Vec3", tuple(values.tolist()))
