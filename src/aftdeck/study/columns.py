@@ -11,7 +11,7 @@ Row = dict[str, Cell]
 
 BEFORE = ("index", "seed")
 """Columns before those of the factors."""
-OUTCOME = ("ended", "success", "steps_done", "error", "frames_sha256")
+OUTCOME = ("ended", "success", "steps_done", "error", "frames_sha256", "final_error_m", "final_angle_rad")
 """Columns between those of the factors and those of the metrics."""
 FIXED_COLUMNS = (*BEFORE, *OUTCOME)
 
@@ -22,8 +22,15 @@ ABOUT = {
     "success": "whether the run satisfies the study's rule of success; an error is no success",
     "steps_done": "share of the task's steps that were completed; empty if the scenario has no steps",
     "error": "reason why there is no result; empty if there is one",
+    "final_error_m": "distance of the true tip from its target at the end [m]; empty without a target",
+    "final_angle_rad": "angle of the true tip from its target at the end [rad]; empty without a target",
     "frames_sha256": "SHA-256 over the state digests of all steps: equal for equal runs",
 }
 """Description of each fixed column."""
-NUMERIC = ("steps_done", *(metric.column for metric in METRICS if metric.quantity != "words"))
+NUMERIC = (
+    "steps_done",
+    "final_error_m",
+    "final_angle_rad",
+    *(metric.column for metric in METRICS if metric.quantity != "words"),
+)
 """Columns of results with numbers."""

@@ -41,7 +41,11 @@ def title_of(column: str) -> str:
     """Return the name of a result for people, with its unit."""
     metric = next((metric for metric in METRICS if metric.column == column), None)
     if metric is None:
-        return "Steps done" if column == "steps_done" else column
+        return {
+            "steps_done": "Steps done",
+            "final_error_m": "Final error [m]",
+            "final_angle_rad": "Final angle [rad]",
+        }.get(column, column)
     unit = UNITS[metric.quantity]
     return f"{metric.title} [{unit}]" if unit else metric.title
 

@@ -106,9 +106,9 @@ def _facts(study: Study, rows: Sequence[Row]) -> str:
 def _rule(study: Study) -> str:
     rule = study.spec.success
     parts = ["it completes"] if rule.ended == "completed" else ["it ends without an error"]
-    parts += [f"{name} is at most {bound:g}" for name, bound in rule.at_most.items()]
-    parts += [f"{name} is at least {bound:g}" for name, bound in rule.at_least.items()]
-    return f"A case is successful if {', '.join(parts)}."
+    parts += [f"{name} ≤ {bound:g}" for name, bound in rule.at_most.items()]
+    parts += [f"{name} ≥ {bound:g}" for name, bound in rule.at_least.items()]
+    return f"A case is successful if {' and '.join(parts)}."
 
 
 def _success_table(factors: Sequence[Factor], rows: Sequence[Row]) -> str:

@@ -23,7 +23,13 @@ def results(plan: Plan, scenario: Scenario, spec: OperatorSpec, watch: Watch, su
         ended = "completed" if watch.steps_done in (None, 1.0) else "given up"
         if ended == "given up" and summary.time_s >= scenario.duration:
             ended = "time"
-    numbers: Row = {**found, "steps_done": watch.steps_done}
+    position, angle = summary.true_position_error_m, summary.true_rotation_error_rad
+    own: Row = {
+        "steps_done": watch.steps_done,
+        "final_error_m": summary.position_error_m if position is None else position,
+        "final_angle_rad": summary.rotation_error_rad if angle is None else angle,
+    }
+    numbers = found | own
     rule = plan.success
     success = (
         rule.ended in (ended, "any")
@@ -33,11 +39,10 @@ def results(plan: Plan, scenario: Scenario, spec: OperatorSpec, watch: Watch, su
     outcome: Row = {
         "ended": ended,
         "success": success,
-        "steps_done": watch.steps_done,
         "error": "",
         "frames_sha256": summary.frames_sha256,
     }
-    return outcome | {name: found[name] for name in plan.metrics}
+    return outcome | own | {name: found[name] for name in plan.metrics}
 
 
 def _number(numbers: Row, name: str) -> float:
@@ -48,7 +53,7 @@ def _number(numbers: Row, name: str) -> float:
 
 def row_of(plan: Plan, case: Case, found: Row) -> Row:
     """Return the row of a case in the order of the columns; what is not in `found` is empty."""
-    empty: Row = {"ended": "", "success": False, "steps_done": None, "error": "", "frames_sha256": ""}
+    empty: Row = {"ended": "", "success": False, "error": "", "frames_sha256": ""}
     head: Row = {"index": case.index, "seed": case.seed} | dict(zip(plan.factors, case.cells, strict=True))
     return head | {name: found.get(name, empty.get(name)) for name in (*OUTCOME, *plan.metrics)}
 

@@ -11,7 +11,7 @@ from aftdeck.law import state_of_the_laws
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.quantity import UNITS
 from aftdeck.study.case import Outcome
-from aftdeck.study.columns import ABOUT, OUTCOME, Row
+from aftdeck.study.columns import ABOUT, NUMERIC, OUTCOME, Row
 from aftdeck.study.extra import needed
 from aftdeck.study.factor import Factor
 from aftdeck.study.file import Study
@@ -73,7 +73,8 @@ def _write(table: Any, path: Path) -> None:
 
 def _fields(study: Study, arrow: Any) -> list[tuple[str, Any, dict[str, str]]]:
     """Return name, type and metadata of each column."""
-    kinds = dict.fromkeys(OUTCOME, arrow.string()) | {"success": arrow.bool_(), "steps_done": arrow.float64()}
+    kinds = {name: arrow.float64() if name in NUMERIC else arrow.string() for name in OUTCOME}
+    kinds["success"] = arrow.bool_()
     head = [(name, arrow.int64(), {"description": ABOUT[name]}) for name in ("index", "seed")]
     factors = [(factor.column, _kind(factor, arrow), _about(factor)) for factor in study.factors]
     outcome = [(name, kinds[name], {"description": ABOUT[name]}) for name in OUTCOME]
