@@ -33,6 +33,10 @@ _STYLE = {
 }
 _LONG = 12
 """Length of a label above which labels are written in a slope [characters]."""
+_MOST_TICKS = 8
+"""Greatest number of levels that are all written on the axis."""
+_FLAT = 1e-3
+"""Range of an axis, as a share of its values, below which the differences are not worth a picture."""
 _MOST_LINES = 6
 """Greatest number of lines in one chart."""
 
@@ -82,6 +86,8 @@ def response_chart(factor: Factor, rows: Sequence[Row], column: str, by: Factor 
             ]
             _bars(axes, found, order, colour, label, (number - (len(lines) - 1) / 2.0) * 0.08)
         axes.set_ylabel(title_of(column))
+        axes.ticklabel_format(axis="y", useOffset=False)
+        _not_flat(axes)
         _finish(axes, factor, order, legend=by.name if by is not None else "")
 
     what = f"{title_of(column)} against {factor.name}" + (f" by {by.name}" if by is not None else "")
@@ -133,8 +139,19 @@ def _finish(axes: Any, factor: Factor, order: Sequence[str], legend: str = "") -
         slope = max(map(len, order)) > _LONG or len(order) > _MOST_LINES
         axes.set_xticks(range(len(order)), order, rotation=30 if slope else 0, ha="right" if slope else "center")
         axes.set_xlim(-0.5, len(order) - 0.5)
+    elif factor.levels and len(order) <= _MOST_TICKS:
+        axes.set_xticks(cells, order)
     if legend:
         axes.legend(title=legend, fontsize=8, title_fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1.0))
+
+
+def _not_flat(axes: Any) -> None:
+    """Widen an axis that would magnify differences of no importance."""
+    low, high = axes.get_ylim()
+    middle = (low + high) / 2.0
+    least = _FLAT * abs(middle)
+    if high - low < least:
+        axes.set_ylim(middle - 20.0 * least, middle + 20.0 * least)
 
 
 def _svg(draw: Any, what: str) -> str:

@@ -70,7 +70,7 @@ def page(study: Study, rows: Sequence[Row], folder: Path) -> str:
 
 
 def _body(study: Study, rows: Sequence[Row], folder: Path) -> Iterator[str]:
-    good = [row for row in rows if not row["error"]]
+    good = [row for row in rows if not row["error"] and study.spec.success.ended in (row["ended"], "any")]
     yield f"<h1>{escape(study.spec.title)}</h1>"
     if study.spec.text:
         yield f"<p>{escape(study.spec.text)}</p>"
@@ -81,6 +81,9 @@ def _body(study: Study, rows: Sequence[Row], folder: Path) -> Iterator[str]:
         yield _charts(success_chart(factor, rows) for factor in study.factors)
         yield _success_table(study.factors, rows)
     for column in study.responses if good else ():
+        yield f"<h2>{escape(title_of(column))}</h2>"
+        if len(good) < len(rows):
+            yield f'<p class="note">Only the {len(good)} cases that {_came(study)}.</p>'
         yield from _response(study, good, column)
     yield from _worst(study, rows, folder)
     yield from _errors(rows)
@@ -111,6 +114,10 @@ def _rule(study: Study) -> str:
     return f"A case is successful if {' and '.join(parts)}."
 
 
+def _came(study: Study) -> str:
+    return "completed" if study.spec.success.ended == "completed" else "ended without an error"
+
+
 def _success_table(factors: Sequence[Factor], rows: Sequence[Row]) -> str:
     lines = [
         (
@@ -126,7 +133,6 @@ def _success_table(factors: Sequence[Factor], rows: Sequence[Row]) -> str:
 
 
 def _response(study: Study, rows: Sequence[Row], column: str) -> Iterator[str]:
-    yield f"<h2>{escape(title_of(column))}</h2>"
     if all(row[column] is None for row in rows):
         yield '<p class="note">No case has a value.</p>'
         return
