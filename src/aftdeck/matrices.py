@@ -18,18 +18,18 @@ from aftdeck.elementary import sincos
 
 def product(a: Array, b: Array) -> Array:
     """Return the matrix product of a (..., m) or (..., l, m) and b (m,) or (..., m, n), as `a @ b` does."""
-    total = _term(a, b, 0)
-    for k in range(1, a.shape[-1]):
-        total = total + _term(a, b, k)
-    return np.asarray(total)
-
-
-def _term(a: Array, b: Array, k: int) -> Array:
-    """Return the products of column k of `a` and row k of `b`."""
+    inner = range(1, a.shape[-1])
     if b.ndim == 1:
-        return np.asarray(a[..., k] * b[k])
-    row = b[..., k, :] if a.ndim == 1 else b[..., k, None, :]
-    return np.asarray(a[..., k, None] * row)
+        terms = a * b
+        total = terms[..., 0]
+        for k in inner:
+            total = total + terms[..., k]
+        return np.asarray(total)
+    terms = a[..., None] * (b if a.ndim == 1 else b[..., None, :, :])
+    total = terms[..., 0, :]
+    for k in inner:
+        total = total + terms[..., k, :]
+    return total
 
 
 def dots(a: Array, b: Array) -> Array:

@@ -12,14 +12,30 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from aftdeck.operators.pilot import pilot
+from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.lamps import Lamp
 from aftdeck.report.metric import Collector, Metric, Value
-from aftdeck.report.metrics import alarms, clearance, forces, limits, moments, path, pictures, sticks, stopping, times
+from aftdeck.report.metrics import (
+    alarms,
+    clearance,
+    forces,
+    limits,
+    moments,
+    path,
+    pictures,
+    steps,
+    sticks,
+    stopping,
+    times,
+)
 from aftdeck.report.run_metrics import RunMetrics
+from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Dynamics, Force, Frame, Goal, Holding, Placed
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.run import Simulation, run
+from aftdeck.task.progress import Progress
 from aftdeck.worksite.report import Cargo, Near
 from tests.station.pages import scenario
 
@@ -311,3 +327,31 @@ def test_lamp_that_goes_out_and_on_again_raises_a_second_alarm() -> None:
         collector.see(lit)
     ((_, value),) = collector.found()
     assert (value.number, value.level) == (3.0, "warning")
+
+
+def test_steps_are_counted_as_a_task_is_flown() -> None:
+    made = load_scenario("first-flight")
+    frames = run(made, inputs=pilot(made, OperatorSpec("perfect"), 1)).frames
+    metrics, progress = RunMetrics(made), Progress(made)
+    done: list[float] = []
+    for frame in frames:
+        metrics.see(frame, ())
+        done += [frame.time_s] * len(progress.see(frame))
+        if len(done) == 1:
+            assert steps.TASK not in metrics.found()
+            assert metrics.found()[steps.DONE].number == 1
+    found = metrics.found()
+    assert found[steps.DONE].number == len(made.steps) == len(done)
+    assert found[steps.SHARE].number == 1.0
+    assert found[steps.TASK].number == pytest.approx(done[-1])
+    assert found[steps.LONGEST].number == pytest.approx(max(b - a for a, b in pairwise([0.0, *done])))
+
+
+def test_steps_of_a_part_are_timed_from_its_re_initialisation() -> None:
+    sim = Simulation("concept-1972")
+    metrics = RunMetrics(sim.scenario)
+    for _ in range(100):
+        metrics.see(sim.step(Inputs()), ())
+    metrics.see(sim.step(Inputs(initialise="manoeuvring")), ())
+    assert metrics.found()[steps.DONE].number == 0
+    assert metrics.found()[times.RUN].number == pytest.approx(PERIOD)

@@ -77,9 +77,10 @@ def test_closing_speed_is_that_of_the_distance_also_if_the_orbiter_flies() -> No
     progress, distances, speeds = Progress(sim.scenario), [], []
     for _ in range(200):
         flown(sim, progress, Inputs(orbiter=(1.0, 0.0, 0.0)))
-        assert progress.remaining is not None
-        distances.append(progress.remaining.distance)
-        speeds.append(progress.closing)
+        remaining = progress.remaining()
+        assert remaining is not None
+        distances.append(remaining.distance)
+        speeds.append(progress.closing())
     assert speeds[0] is None
     assert speeds[1:] == pytest.approx([50.0 * (a - b) for a, b in pairwise(distances)])
     assert (speeds[-1] or 0.0) > 0.05
@@ -104,11 +105,11 @@ def test_step_counts_the_way_since_its_own_beginning(tmp_path: Path) -> None:
 def test_hint_is_shown_while_its_state_holds(tmp_path: Path) -> None:
     sim, progress = two(tmp_path)
     flown(sim, progress, STILL)
-    assert progress.hint == -1
+    assert progress.hint() == -1
     flown(sim, progress, UP, 10)
-    assert progress.hint == 0
+    assert progress.hint() == 0
     flown(sim, progress, STILL, 200)
-    assert progress.hint == -1
+    assert progress.hint() == -1
 
 
 def test_step_entered_again_needs_its_state_anew(tmp_path: Path) -> None:

@@ -50,7 +50,7 @@ def decide(frame: Frame, progress: Progress, axes: Any, speeds: Speeds, orbiter:
         return leave(frame, frame.ways_out)
     if step.mode is not None and frame.mode != step.mode:
         return Inputs(mode=step.mode)
-    return operated(frame, step, progress.remaining) or moved(frame, step, progress, axes, speeds, orbiter)
+    return operated(frame, step, progress.remaining()) or moved(frame, step, progress, axes, speeds, orbiter)
 
 
 def leave(frame: Frame, ways: tuple[WayOut, ...]) -> Inputs:
@@ -110,7 +110,7 @@ def moved(
     frame: Frame, step: TaskStep, progress: Progress, axes: Any, speeds: Speeds, orbiter: Speeds | None
 ) -> Inputs:
     """Return the sticks that bring the run closer to the state that completes the step."""
-    done, remaining = step.done, progress.remaining
+    done, remaining = step.done, progress.remaining()
     if done.looked:
         progress.look()
         return Inputs()

@@ -64,7 +64,7 @@ class Pilot:
         return wanted if self._hand is None else self._hand.moved(wanted)
 
     def _wanted(self, frame: Frame) -> Inputs:
-        text = (self.progress.at, self.progress.hint)
+        text = (self.progress.at, self.progress.hint())
         if text not in self._read:
             self._read.add(text)
             self._until = frame.time_s + self._thinking

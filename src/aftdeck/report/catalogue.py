@@ -15,6 +15,7 @@ from aftdeck.report.metrics import (
     moments,
     path,
     pictures,
+    steps,
     sticks,
     stopping,
     times,
@@ -23,6 +24,7 @@ from aftdeck.report.quantity import UNITS
 
 SUBJECTS: dict[str, tuple[Metric, ...]] = {
     "Times": times.METRICS,
+    "Task": steps.METRICS,
     "Path": path.METRICS,
     "Captures, dockings, latchings, releases": moments.METRICS,
     "Clearance": clearance.METRICS,

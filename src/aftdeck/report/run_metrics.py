@@ -14,29 +14,37 @@ from aftdeck.report.metrics.limits import Limits
 from aftdeck.report.metrics.moments import Moments
 from aftdeck.report.metrics.path import Path
 from aftdeck.report.metrics.pictures import Pictures
+from aftdeck.report.metrics.steps import Steps
 from aftdeck.report.metrics.sticks import Sticks
 from aftdeck.report.metrics.stopping import Stopping
 from aftdeck.report.metrics.times import Times
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.task.progress import Progress
 
 
 class RunMetrics:
     """Metrics of one run: the same for a person's flight, a script's and a policy's, live or recorded.
 
     A re-initialisation begins them again.
+
+    Args:
+        scenario: the scenario.
+        progress: progress through its task that someone else updates by the same frames; None to compute it here.
     """
 
-    def __init__(self, scenario: Scenario) -> None:
-        self._scenario = scenario
+    def __init__(self, scenario: Scenario, progress: Progress | None = None) -> None:
+        self._scenario, self._progress = scenario, progress
         self._desk, self._pictures = Desk(), Pictures(scenario)
         self._begin()
 
     def _begin(self) -> None:
         scenario, period_s = self._scenario, self._scenario.control_period
         self._alarms = Alarms()
+        self._steps = Steps(scenario, self._progress)
         self._collectors: tuple[Collector, ...] = (
             Times(period_s),
+            self._steps,
             Path(period_s),
             Moments(scenario),
             Clearance(),
@@ -64,6 +72,7 @@ class RunMetrics:
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
         """Set the cameras that the monitors show from the next frame on."""
         self._pictures.shown(monitors)
+        self._steps.look()
 
     def found(self, delays: Delays | None = None) -> dict[Metric, Value]:
         """Return every metric for which the run has data.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.task_file import StateSpec
-from aftdeck.scenario.task_step import Hint, TaskStep
+from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.task.reached import Since, reached
 from aftdeck.task.remaining import Aims, Remaining
@@ -26,14 +26,15 @@ class Progress:
 
     def __init__(self, scenario: Scenario) -> None:
         self.steps: tuple[TaskStep, ...] = scenario.steps
-        self.first, self.at, self.hint = 0, 0, -1
+        self.first, self.at = 0, 0
         self.done_s: list[float | None] = [None] * len(self.steps)
-        self.remaining: Remaining | None = None
-        self.closing: float | None = None
         self._period_s = scenario.control_period
         self._aims = Aims(scenario)
         self.places = self._aims.places
         self._begin: Since | None = None
+        self._frame: Frame | None = None
+        self._before: Frame | None = None  # the frame before, if it was seen in the same step of the task
+        self._known: tuple[tuple[Frame, int, Remaining | None], ...] = ()
         self._held = False  # the end effector held a payload in the last frame
         self._looked = False
         self._again = False  # the present step was entered by `back`, and its state has held since then
@@ -69,16 +70,36 @@ class Progress:
         elif self._held and not held:
             self._return_to_capture()
         self._held = held
-        self.hint = next((i for i, hint in enumerate(self._hints()) if self._reached(frame, self.at, hint.when)), -1)
-        before, self.remaining = self.remaining, self._aims.remaining(frame, self.present)
-        self.closing = self._speed(before)
+        self._before, self._frame = (None if done else self._frame), frame
         return done
 
-    def _speed(self, before: Remaining | None) -> float | None:
-        now = self.remaining
-        if before is None or now is None or now.motion is None or before.to != now.to:
+    def hint(self) -> int:
+        """Return the index of the present step's hint whose state holds in the newest frame; -1 if none does."""
+        frame = self._frame
+        if frame is None or self.present is None:
+            return -1
+        hints = enumerate(self.present.hints)
+        return next((i for i, hint in hints if self._reached(frame, self.at, hint.when)), -1)
+
+    def remaining(self) -> Remaining | None:
+        """Return the motion that is left in the newest frame; None if nothing tells where to move."""
+        return None if self._frame is None else self._left(self._frame)
+
+    def closing(self) -> float | None:
+        """Return the speed towards the place [m/s]; None in the first step of a motion."""
+        if self._before is None or (now := self.remaining()) is None or now.motion is None:
             return None
-        return (before.distance - now.distance) / self._period_s
+        before = self._left(self._before)
+        return None if before is None or before.to != now.to else (before.distance - now.distance) / self._period_s
+
+    def _left(self, frame: Frame) -> Remaining | None:
+        """Return the motion that is left in one of the two newest frames; each is computed once."""
+        for seen, at, left in self._known:
+            if seen is frame and at == self.at:
+                return left
+        left = self._aims.remaining(frame, self.present)
+        self._known = ((frame, self.at, left), *self._known[:1])
+        return left
 
     def look(self) -> None:
         """Note that the operator has put another camera on a monitor."""
@@ -114,7 +135,7 @@ class Progress:
             self._enter(capture)
 
     def _enter(self, at: int) -> None:
-        self.at, self._begin = at, None
+        self.at, self._begin, self._before = at, None, None
         self._looked = self._again = self._open = False
 
     def _completed(self, frame: Frame) -> tuple[int, ...]:
@@ -137,9 +158,6 @@ class Progress:
         elif self._open:
             return tuple(range(self.at, milestone + 1))
         return ()
-
-    def _hints(self) -> tuple[Hint, ...]:
-        return () if self.present is None else self.present.hints
 
     def _reached(self, frame: Frame, at: int, wanted: StateSpec) -> bool:
         since = (self._begin or Since(frame.position, frame.orientation))._replace(looked=self._looked)

@@ -88,8 +88,8 @@ class Displays:
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
         control = self._sticks.in_panel(frame)
-        work, left = frame.work, progress.remaining if progress else self._aims.remaining(frame, None)
-        closing = progress.closing if progress else None
+        work, left = frame.work, progress.remaining() if progress else self._aims.remaining(frame, None)
+        closing = progress.closing() if progress else None
         display = Display(
             stick_seq=stick_seq,
             flown_seq=flown_seq,
@@ -104,7 +104,7 @@ class Displays:
             else to_go(left, frame, self._poses, product(self._mount.rotation.T, control), closing),
             task=None
             if progress is None
-            else TaskNow(progress.at, progress.hint, progress.first, tuple(progress.done_s), debrief),
+            else TaskNow(progress.at, progress.hint(), progress.first, tuple(progress.done_s), debrief),
             orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
             lamps=lit_lamps(self._scenario, frame) if lamps is None else lamps,

@@ -22,7 +22,7 @@ class TaskRun:
 
     def __init__(self, scenario: Scenario) -> None:
         self.progress = Progress(scenario)
-        self._metrics = RunMetrics(scenario)
+        self._metrics = RunMetrics(scenario, self.progress)
         self._begin()
 
     def _begin(self) -> None:
