@@ -11,7 +11,7 @@ Row = dict[str, Cell]
 
 BEFORE = ("index", "seed")
 """Columns before those of the factors."""
-OUTCOME = ("ended", "success", "steps_done", "error", "frames_sha256", "final_error_m", "final_angle_rad")
+OUTCOME = ("ended", "success", "error", "frames_sha256", "final_error_m", "final_angle_rad")
 """Columns between those of the factors and those of the metrics."""
 FIXED_COLUMNS = (*BEFORE, *OUTCOME)
 
@@ -20,7 +20,6 @@ ABOUT = {
     "seed": "seed of the run",
     "ended": "completed, time, fault, given up (an operator that did not complete its task), or empty after an error",
     "success": "whether the run satisfies the study's rule of success; an error is no success",
-    "steps_done": "share of the task's steps that were completed; empty if the scenario has no steps",
     "error": "reason why there is no result; empty if there is one",
     "final_error_m": "distance of the true tip from its target at the end [m]; empty without a target",
     "final_angle_rad": "angle of the true tip from its target at the end [rad]; empty without a target",
@@ -28,7 +27,6 @@ ABOUT = {
 }
 """Description of each fixed column."""
 NUMERIC = (
-    "steps_done",
     "final_error_m",
     "final_angle_rad",
     *(metric.column for metric in METRICS if metric.quantity != "words"),

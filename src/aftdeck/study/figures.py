@@ -46,7 +46,6 @@ def title_of(column: str) -> str:
     metric = next((metric for metric in METRICS if metric.column == column), None)
     if metric is None:
         return {
-            "steps_done": "Steps done",
             "final_error_m": "Final error [m]",
             "final_angle_rad": "Final angle [rad]",
         }.get(column, column)

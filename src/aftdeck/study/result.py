@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from aftdeck.operators.spec import OperatorSpec
+from aftdeck.report.metrics.steps import SHARE
 from aftdeck.report.table import cells
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.summary import Summary
@@ -20,12 +21,11 @@ def results(plan: Plan, scenario: Scenario, spec: OperatorSpec, watch: Watch, su
     found: Row = {**cells(watch.found())}
     ended: str = summary.ended
     if spec.kind != "script":
-        ended = "completed" if watch.steps_done in (None, 1.0) else "given up"
+        ended = "completed" if found[SHARE.column] in (None, 1.0) else "given up"
         if ended == "given up" and summary.time_s >= scenario.duration:
             ended = "time"
     position, angle = summary.true_position_error_m, summary.true_rotation_error_rad
     own: Row = {
-        "steps_done": watch.steps_done,
         "final_error_m": summary.position_error_m if position is None else position,
         "final_angle_rad": summary.rotation_error_rad if angle is None else angle,
     }
