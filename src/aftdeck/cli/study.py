@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+import time
+from datetime import timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,7 +13,7 @@ import typer
 from aftdeck.cli.app import Json, app
 from aftdeck.cli.printing import print_json, print_table
 from aftdeck.errors import InputError
-from aftdeck.lines import print_line, visible
+from aftdeck.lines import print_error, print_line, visible
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -85,8 +87,12 @@ def studies(as_json: Json = False) -> None:
 def _run(loaded: Study, folder: Path, jobs: int | None, ray: str | None, retry: bool, as_json: bool) -> None:
     from aftdeck.study.run import run_study
 
-    with StudyProgress(loaded.spec.title) as progress:
-        outcomes = run_study(loaded, folder, jobs=jobs, ray=ray, retry=retry, progress=progress)
+    try:
+        with StudyProgress(loaded.spec.title) as progress:
+            outcomes = run_study(loaded, folder, jobs=jobs, ray=ray, retry=retry, progress=progress)
+    except KeyboardInterrupt:
+        print_error(f"interrupted; the results so far are in {folder}, and the same command continues")
+        raise
     failed = [outcome.row for outcome in outcomes if outcome.row["error"]]
     good = sum(bool(outcome.row["success"]) for outcome in outcomes)
     if as_json:
@@ -148,7 +154,7 @@ class StudyProgress:
             return None
         from rich.console import Console
         from rich.markup import escape
-        from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+        from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
         from rich.progress import Progress as Bar
 
         columns = (
@@ -157,19 +163,33 @@ class StudyProgress:
             MofNCompleteColumn(),
             TextColumn("{task.fields[failed]}"),
             TimeElapsedColumn(),
-            TextColumn("left"),
-            TimeRemainingColumn(),
+            TextColumn("{task.fields[left]}"),
         )
         bar = self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
         bar.start()
-        task = bar.add_task(escape(visible(self._title)), total=None, failed="")
+        task = bar.add_task(escape(visible(self._title)), total=None, failed="", left="")
+        began, before = time.monotonic(), None
 
         def update(now: Progress) -> None:
+            nonlocal before
+            before = now.done if before is None else before
+            left = time_left(now.done - before, now.cases - now.done, time.monotonic() - began)
             failed = f"{now.failed} with an error" if now.failed else ""
-            bar.update(task, completed=now.done, total=now.cases, failed=failed)
+            bar.update(task, completed=now.done, total=now.cases, failed=failed, left=left)
 
         return update
 
     def __exit__(self, *_: object) -> None:
         if self._bar is not None:
             self._bar.stop()
+
+
+def time_left(done: int, left: int, elapsed_s: float) -> str:
+    """Return the time that is left, from the mean time of a case; "" before the first case is done.
+
+    >>> time_left(10, 20, 30.0)
+    '0:01:00 left'
+    """
+    if not done:
+        return ""
+    return f"{timedelta(seconds=round(elapsed_s / done * left))} left"

@@ -39,7 +39,7 @@ th { font-weight: 600; color: #4a525a; font-size: .88rem; } td.n, th.n { text-al
 .charts svg { width: 100%; height: auto; max-width: 30rem; }
 .facts { display: flex; flex-wrap: wrap; gap: .6rem 2.4rem; margin: 1rem 0; } .facts div { min-width: 7rem; }
 .facts b { display: block; font-size: 1.25rem; font-weight: 600; } .facts span { color: #5b6770; font-size: .88rem; }
-pre { background: #f5f7f8; padding: .8rem; overflow-x: auto; font-size: .85rem; } code { font-size: .9em; }
+pre { background: #f5f7f8; padding: .8rem; overflow-x: auto; font-size: .85rem; } code { font-size: .9em; white-space: nowrap; }
 """
 
 
@@ -168,7 +168,7 @@ def _worst(study: Study, rows: Sequence[Row], folder: Path) -> Iterator[str]:
     yield "<h2>Worst cases</h2>"
     yield (
         '<p class="note">A recording opens with <code>aftdeck replay FILE --open</code>; '
-        f"<code>aftdeck study {escape(study.source.name)} -o DIR --only CASE</code> makes one of any other case.</p>"
+        "<code>aftdeck study STUDY -o DIR --only CASE</code> makes one of any other case.</p>"
     )
     lines = []
     for index in chosen:
