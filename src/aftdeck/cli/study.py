@@ -168,7 +168,8 @@ class StudyProgress:
         bar = self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
         bar.start()
         task = bar.add_task(escape(visible(self._title)), total=None, failed="", left="")
-        began, before = time.monotonic(), None
+        began = time.monotonic()
+        before: int | None = None
 
         def update(now: Progress) -> None:
             nonlocal before

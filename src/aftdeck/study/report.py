@@ -39,7 +39,8 @@ th { font-weight: 600; color: #4a525a; font-size: .88rem; } td.n, th.n { text-al
 .charts svg { width: 100%; height: auto; max-width: 30rem; }
 .facts { display: flex; flex-wrap: wrap; gap: .6rem 2.4rem; margin: 1rem 0; } .facts div { min-width: 7rem; }
 .facts b { display: block; font-size: 1.25rem; font-weight: 600; } .facts span { color: #5b6770; font-size: .88rem; }
-pre { background: #f5f7f8; padding: .8rem; overflow-x: auto; font-size: .85rem; } code { font-size: .9em; white-space: nowrap; }
+pre { background: #f5f7f8; padding: .8rem; overflow-x: auto; font-size: .85rem; } 
+code { font-size: .9em; white-space: nowrap; }
 """
 
 
