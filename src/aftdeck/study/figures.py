@@ -37,7 +37,7 @@ _MOST_TICKS = 8
 """Greatest number of levels that are all written on the axis."""
 _FLAT = 1e-3
 """Range of an axis, as a share of its values, below which the differences are not worth a picture."""
-_MOST_LINES = 6
+_MOST_LINES = 8
 """Greatest number of lines in one chart."""
 
 
