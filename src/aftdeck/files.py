@@ -122,7 +122,7 @@ def examine(
     except RecursionError:
         raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
     for where, value in (changes or {}).items():
-        _put(raw, where, value)
+        put(raw, where, value)
     try:
         if wrong := [Problem(where, what) for where, what in unreadable(raw)]:
             raise ScenarioError(sentences(wrong, name, text))
@@ -140,7 +140,7 @@ def examine(
         return None, problems or [Problem(where, what)]
 
 
-def _put(raw: Any, where: Where, value: object) -> None:
+def put(raw: Any, where: Where, value: object) -> None:
     """Set a value at a place in the raw contents; create the tables that contain the place if they are missing.
 
     Raises:

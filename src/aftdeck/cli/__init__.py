@@ -12,13 +12,14 @@ from aftdeck.cli import pictures as _pictures
 from aftdeck.cli import planes as _planes
 from aftdeck.cli import recordings as _recordings
 from aftdeck.cli import report as _report
+from aftdeck.cli import study as _study
 from aftdeck.cli.app import app
 from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.lines import print_error
 
 __all__ = ["app", "main"]
 
-COMMANDS = (_flights, _arm, _recordings, _report, _pictures, _planes)
+COMMANDS = (_flights, _arm, _recordings, _report, _study, _pictures, _planes)
 """Modules that add their commands to `app` when they are imported, in the order of the help text."""
 
 READER_GONE = 141

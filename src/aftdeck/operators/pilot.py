@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import msgspec
 
 from aftdeck.arms.load import PorLimits
@@ -102,7 +100,7 @@ class Pilot:
         return self._limits[mass]
 
 
-def pilot(scenario: Scenario, spec: OperatorSpec, seed: int) -> Callable[[Simulation], Inputs | None]:
+def pilot(scenario: Scenario, spec: OperatorSpec, seed: int) -> Pilot:
     """Return a synthetic operator for one run, as the argument `inputs` of `aftdeck.run`.
 
     Args:

@@ -24,6 +24,8 @@ class Lit(NamedTuple):
 
 
 def _singular(_scenario: Scenario, frame: Frame) -> Lit | None:
+    if not frame.singular:
+        return None
     near = [(name, d) for name, d in zip(NAMES, frame.singularity, strict=True) if name in frame.singular]
     return Lit("caution", ", ".join(f"{name} {abs(d):.2f}" for name, d in near)) if near else None
 
@@ -143,8 +145,8 @@ def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) ->
         frame: the frame.
         delays: delays of the steps up to this frame; None if they are not known.
     """
-    states = ((name, condition(scenario, frame)) for name, condition in LAMPS.items())
-    lit = tuple(Lamp(name, *lit) for name, lit in states if lit is not None)
+    states = [(name, condition(scenario, frame)) for name, condition in LAMPS.items()]
+    lit = tuple([Lamp(name, *lit) for name, lit in states if lit is not None])
     if delays is None or delays.lost_at_s is None:
         return lit
     level: Level = "caution" if frame.time_s - delays.lost_at_s < NEW_LOSS_S else "info"
@@ -153,13 +155,15 @@ def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) ->
 
 def _joints_beyond(scenario: Scenario, frame: Frame, zone: int) -> Lit | None:
     """Return a caution that names the joints in a zone or beyond it; None if no joint is there."""
+    if max(frame.zones) < zone:
+        return None
     beyond = [joint_label(name) for name, z in zip(scenario.arm.joints, frame.zones, strict=True) if z >= zone]
     return Lit("caution", ", ".join(beyond)) if beyond else None
 
 
 def _limit_text(frame: Frame, kind: str) -> str:
     """Return the text of the first limit of this kind that was active in the step; "" if none was."""
-    return next((limit.text for limit in frame.limits if limit.kind == kind), "")
+    return next((limit.text for limit in frame.limits if limit.kind == kind), "") if frame.limits else ""
 
 
 def _held_loosely(work: Work) -> bool:

@@ -35,7 +35,7 @@ def parse_change(text: str) -> tuple[Where, object]:
 def change_text(where: Where, value: object) -> str:
     """Return a change as the text ``KEY=VALUE``, from which `parse_change` returns the same location and value."""
     plain = isinstance(value, str) and value == value.strip() and value_of(value) == value
-    return f"{place(where)}={value if plain else _toml(value)}"
+    return f"{place(where)}={value if plain else as_toml(value)}"
 
 
 def value_of(value: str) -> object:
@@ -47,12 +47,12 @@ def value_of(value: str) -> object:
     return read["value"] if len(read) == 1 else value
 
 
-def _toml(value: object) -> str:
+def as_toml(value: object) -> str:
     """Return a plain value as TOML; TOML writes texts and lists as JSON does, and tables with ``=``."""
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{_toml(str(key))} = {_toml(item)}" for key, item in value.items()) + " }"
+        return "{ " + ", ".join(f"{as_toml(str(key))} = {as_toml(item)}" for key, item in value.items()) + " }"
     if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(_toml, value)) + "]"
+        return "[" + ", ".join(map(as_toml, value)) + "]"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")
     if isinstance(value, date | time):

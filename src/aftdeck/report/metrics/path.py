@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from operator import truediv
 
 from aftdeck.report.metric import FORMAN, Found, Metric, Value
 from aftdeck.simulation.frame import Frame
@@ -79,6 +80,6 @@ def _handling(frame: Frame) -> list[tuple[bool, str]]:
 
 def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
     """Return the largest ratio |rate| / limit, and the index of its joint; the index is -1 if no joint moves."""
-    parts = [abs(rate) / limit for rate, limit in zip(rates, limits, strict=True)]
+    parts = list(map(truediv, map(abs, rates), limits))
     worst = max(parts)
     return worst, parts.index(worst) if worst > 0 else -1

@@ -71,13 +71,13 @@ class Sticks:
     def see(self, frame: Frame, before: Frame | None) -> None:
         """Add the next frame."""
         self._steps += 1
-        now = frame.translation, frame.rotation, (frame.drive,)
         if before is not None:
-            then = before.translation, before.rotation, (before.drive,)
-            self._inputs += sum(any(stick) and not any(old) for stick, old in zip(now, then, strict=True))
-        thc, rhc = _deflected(frame.translation), _deflected(frame.rotation)
-        if not (thc or rhc):
+            self._inputs += any(frame.translation) and not any(before.translation)
+            self._inputs += any(frame.rotation) and not any(before.rotation)
+            self._inputs += frame.drive != 0.0 and before.drive == 0.0
+        if not (any(frame.translation) or any(frame.rotation)):
             return
+        thc, rhc = _deflected(frame.translation), _deflected(frame.rotation)
         self._any += 1
         self._both += thc > 0 and rhc > 0
         self._several += thc + rhc > 1

@@ -1,0 +1,38 @@
+"""Questions in SQL about the results of a study, answered by DuckDB."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from aftdeck.errors import InputError
+from aftdeck.report.extra import needed
+from aftdeck.study.case import Outcome
+from aftdeck.study.file import Study
+from aftdeck.study.table import results_table, times_table
+
+
+class Answer(NamedTuple):
+    """Answer to a question: names of the columns, and the rows."""
+
+    columns: tuple[str, ...]
+    rows: list[tuple[Any, ...]]
+
+
+def ask(study: Study, outcomes: Sequence[Outcome], sql: str) -> Answer:
+    """Return the answer to a question about the tables `results` and `times`.
+
+    Raises:
+        InputError: the SQL is wrong, or DuckDB or pyarrow is not installed.
+    """
+    duckdb: Any = needed("duckdb")
+    with duckdb.connect() as base:
+        base.register("results", results_table(study, [outcome.row for outcome in outcomes]))
+        base.register("times", times_table(outcomes))
+        try:
+            found = base.sql(sql)
+            if found is None:
+                raise InputError(f"--query needs a question, such as SELECT * FROM results; got {sql!r}")
+            return Answer(tuple(found.columns), found.fetchall())
+        except duckdb.Error as error:
+            raise InputError(f"--query: {error}") from None

@@ -1,0 +1,37 @@
+"""Metrics of a run of a study, step by step."""
+
+from __future__ import annotations
+
+from aftdeck.recording.records import Shown
+from aftdeck.report.lamps import lit_lamps
+from aftdeck.report.metric import Metric, Value
+from aftdeck.report.run_metrics import RunMetrics
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.task.progress import Progress
+
+
+class Watch:
+    """Metrics of a run, step by step."""
+
+    def __init__(
+        self, scenario: Scenario, shown: tuple[tuple[str, ...], tuple[str, ...]], progress: Progress | None
+    ) -> None:
+        """Begin a run.
+
+        Args:
+            scenario: the scenario.
+            shown: cameras on each monitor, during the whole run.
+            progress: the pilot's progress through the task; None without a pilot.
+        """
+        self._scenario = scenario
+        self._metrics = RunMetrics(scenario, progress)
+        self._metrics.note(Shown(0.0, *shown))
+
+    def see(self, frame: Frame) -> None:
+        """Add the next frame."""
+        self._metrics.see(frame, lit_lamps(self._scenario, frame))
+
+    def found(self) -> dict[Metric, Value]:
+        """Return the metrics."""
+        return self._metrics.found()
