@@ -15,10 +15,12 @@ from aftdeck.errors import AftdeckError, InputError
 from aftdeck.lines import print_error, print_line
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from aftdeck.files import Changes, Problem
     from aftdeck.scenario.model import Scenario
+    from aftdeck.simulation.inputs import Inputs
+    from aftdeck.simulation.run import Simulation
     from aftdeck.simulation.summary import Summary
 
 
@@ -154,7 +156,7 @@ def _run(
     from aftdeck.recording.trial import Trial
     from aftdeck.simulation.run import run as run_scenario
 
-    inputs = None
+    inputs: Callable[[Simulation], Inputs | None] | None = None
     if operator is not None:
         from aftdeck.operators.pilot import pilot
         from aftdeck.operators.spec import spec_of

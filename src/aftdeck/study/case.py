@@ -25,7 +25,7 @@ from aftdeck.study.operator import Operator, operator_of, pilot_of, until_the_en
 from aftdeck.study.plan import Plan
 from aftdeck.study.result import error_text, results, row_of
 from aftdeck.study.schema import MonitorsSpec
-from aftdeck.study.watch import Watch
+from aftdeck.study.watch import Monitors, Watch
 
 KEPT_SCENARIOS = 32
 """Number of scenarios that a worker keeps, each for its set of changes; one takes about 1 MB."""
@@ -97,7 +97,7 @@ def _recorded(
     case: Case,
     inputs: Operator | None,
     watch: Watch,
-    shown: tuple[tuple[str, ...], tuple[str, ...]],
+    shown: Monitors,
     path: Path,
 ) -> Summary:
     """Run a case with a recording; the file appears when it is complete, and replaces an older one.

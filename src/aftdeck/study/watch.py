@@ -10,13 +10,14 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.task.progress import Progress
 
+Monitors = tuple[tuple[str, ...], tuple[str, ...]]
+"""Cameras on each of the two monitors."""
+
 
 class Watch:
     """Metrics of a run, step by step."""
 
-    def __init__(
-        self, scenario: Scenario, shown: tuple[tuple[str, ...], tuple[str, ...]], progress: Progress | None
-    ) -> None:
+    def __init__(self, scenario: Scenario, shown: Monitors = ((), ()), progress: Progress | None = None) -> None:
         """Begin a run.
 
         Args:
