@@ -15,6 +15,8 @@ from aftdeck.task.remaining import Remaining
 
 STRAIGHT = 4.0
 """Least ratio of the distance to a payload or berth to the error beside it, while the operator moves closer."""
+HOVER_M = 0.5
+"""Height over a payload or berth below which the operator is only when lined up [m]."""
 PER_ANGLE_M = 2.0
 """Distance that the operator keeps from a payload or berth for each radian of misalignment [m]."""
 CLEAR_M, CLEAR_RAD = 0.3, 0.1
@@ -113,10 +115,11 @@ def _in_its_direction(left: Array, axis: Axis, speeds: Speeds) -> Array:
 
 
 def _closer(height: float, beside: Array, remaining: Remaining) -> float:
-    """Return how far the operator moves closer now: not below a cone over the place, so that it lines up before."""
+    """Return how far the operator moves closer now: not below a cone over the place, and last if lined up."""
     error = max(0.0, float(np.sqrt(dots(beside, beside))) - LINED_UP * remaining.near[0])
     angle = max(0.0, abs(remaining.angle) - LINED_UP * remaining.near[1])
-    return max(0.0, height - STRAIGHT * error - PER_ANGLE_M * angle)
+    least = STRAIGHT * error + PER_ANGLE_M * angle
+    return max(0.0, height - (max(HOVER_M, least) if least > 0.0 else 0.0))
 
 
 def _outwards(move: Array, turn: Array, along: float, beside: Array) -> tuple[Array, Array]:
