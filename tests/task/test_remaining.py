@@ -13,10 +13,12 @@ from aftdeck.scenario.schema import Plant
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 from aftdeck.scenario.task_file import StateSpec
 from aftdeck.scenario.task_step import TaskStep
+from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.to_go import to_go
+from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.places import Places
 from aftdeck.task.remaining import Aims
 from aftdeck.worksite.conditions import all_ready
@@ -107,6 +109,24 @@ def test_motion_along_and_about_the_sticks_leads_to_the_place(mode: str) -> None
     assert turn @ np.array(frame.orientation) == pytest.approx(left.pose.rotation, abs=1e-6)
 
 
+@pytest.mark.parametrize("payload_axes", [False, True])
+def test_rotation_to_go_turns_the_payload_in_either_law_of_orb_ld(payload_axes: bool) -> None:
+    sim = Simulation(scenario("srms-berth"))
+    for _ in range(400):
+        sim.step(Inputs(rotation=(0.5, 0.8, -0.6)))
+    sim.step(Inputs(mode="ORB LD", payload_axes=payload_axes))
+    frame = sim.step(STILL)
+    assert frame.law == (7 if payload_axes else 4)
+    left = Aims(sim.scenario).remaining(frame, step_to(AtSeat("bay", above=3.0)))
+    assert left is not None and left.motion is not None
+    along = along_sticks(left, frame, StickAxes(sim.scenario).in_l(frame))
+    assert along is not None
+    push = 0.5 * np.array(along.rotation) / np.abs(along.rotation).max()
+    demanded = np.array(sim.step(Inputs(rotation=(push[0], push[1], push[2]))).twist_demanded[:3])
+    wanted = Rotation.from_matrix(left.motion.rotation).as_rotvec()
+    assert demanded / np.linalg.norm(demanded) == pytest.approx(wanted / np.linalg.norm(wanted), abs=2e-3)
+
+
 def test_shift_moves_the_drawn_payload_into_its_berth() -> None:
     sim = Simulation(scenario("srms-berth"))
     displays, aims = Displays(sim.scenario), Aims(sim.scenario)
@@ -116,7 +136,7 @@ def test_shift_moves_the_drawn_payload_into_its_berth() -> None:
     assert shown.to_go is None  # the berth is too far to be an objective
     left = aims.remaining(frame, step_to(AtSeat("bay")))
     assert left is not None
-    message = to_go(left, frame, displays._poses, np.eye(3))
+    message = to_go(left, frame, displays._poses, (np.eye(3), np.eye(3)))
     x, y, z, *payload_turn = shown.poses[-7:]
     px, py, pz, *turn = message.shift
     moving = Rotation.from_quat([*turn[1:], turn[0]])

@@ -9,6 +9,7 @@ from typing import Any, cast
 
 import msgspec
 
+from aftdeck.arrays import Array
 from aftdeck.matrices import product
 from aftdeck.operators.approach import LINED_UP, Axis, Speeds, deflection, deflections
 from aftdeck.scenario.target import AtCargo, AtSeat
@@ -34,13 +35,15 @@ _STICKS = ("X", "Y", "Z", "roll", "pitch", "yaw")
 _OPEN = 0.999
 
 
-def decide(frame: Frame, progress: Progress, axes: Any, speeds: Speeds, orbiter: Speeds | None) -> Inputs:
+def decide(
+    frame: Frame, progress: Progress, axes: tuple[Array, Array], speeds: Speeds, orbiter: Speeds | None
+) -> Inputs:
     """Return what the operator wants now.
 
     Args:
         frame: the newest frame.
         progress: progress through the task, which has seen this frame; a step is present.
-        axes: (3, 3) axes of the sticks in L, in columns.
+        axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.
         speeds: speeds of the arm.
         orbiter: speeds of the orbiter; None if it cannot translate.
     """
@@ -107,7 +110,7 @@ def _capture(frame: Frame, remaining: Remaining | None) -> Inputs | None:
 
 
 def moved(
-    frame: Frame, step: TaskStep, progress: Progress, axes: Any, speeds: Speeds, orbiter: Speeds | None
+    frame: Frame, step: TaskStep, progress: Progress, axes: tuple[Array, Array], speeds: Speeds, orbiter: Speeds | None
 ) -> Inputs:
     """Return the sticks that bring the run closer to the state that completes the step."""
     done, remaining = step.done, progress.remaining()
@@ -134,7 +137,7 @@ def moved(
         thc, rhc = deflections(
             left,
             remaining,
-            None if out is None else product(out, axes),
+            None if out is None else product(out, axes[0]),
             tuple("XYZ".index(axis) for axis in step.way),
             speeds,
         )

@@ -11,6 +11,9 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import MODES
 
+MIXED = 7
+"""Number of the steering law in which the RHC acts about the payload's axes, and the THC along the orbiter's."""
+
 
 class StickAxes:
     """Axes along which the sticks of a scenario act."""
@@ -28,6 +31,9 @@ class StickAxes:
             return product(self._mount, np.array(frame.payload[1]))
         return np.eye(3)
 
-    def in_l(self, frame: Frame) -> Array:
-        """Return the axes (3, 3), in columns, in L."""
-        return product(self._mount.T, self.in_panel(frame))
+    def in_l(self, frame: Frame) -> tuple[Array, Array]:
+        """Return the axes of the THC and of the RHC, each (3, 3), in columns, in L; they differ in mode 7 only."""
+        moving = product(self._mount.T, self.in_panel(frame))
+        if frame.law == MIXED and frame.payload is not None:
+            return moving, np.array(frame.payload[1])
+        return moving, moving

@@ -28,13 +28,13 @@ class AlongSticks(NamedTuple):
     rotation: Vec3
 
 
-def along_sticks(remaining: Remaining, frame: Frame, axes: Array) -> AlongSticks | None:
+def along_sticks(remaining: Remaining, frame: Frame, axes: tuple[Array, Array]) -> AlongSticks | None:
     """Return the motion that is left along the sticks; None if a joint has to move, or the mode has no sticks.
 
     Args:
         remaining: the motion that is left.
         frame: the frame.
-        axes: (3, 3) axes of the sticks in L, in columns.
+        axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.
     """
     if remaining.motion is None or MODES[frame.mode].kind != "manual":
         return None
@@ -42,16 +42,17 @@ def along_sticks(remaining: Remaining, frame: Frame, axes: Array) -> AlongSticks
     return AlongSticks(_vec3(moved), _vec3(turned))
 
 
-def along_axes(motion: Pose, point: Array, axes: Array) -> tuple[Array, Array]:
+def along_axes(motion: Pose, point: Array, axes: tuple[Array, Array]) -> tuple[Array, Array]:
     """Return a motion's components along the axes of the sticks: displacement of a point [m], rotation vector [rad].
 
     Args:
         motion: the motion, x to R x + p in L.
         point: (3,) point that the sticks move, in L [m].
-        axes: (3, 3) axes of the sticks in L, in columns.
+        axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.
     """
+    moving, turning = axes
     moved = product(motion.rotation, point) + motion.position - point
-    return product(moved, axes), product(_vector(motion.rotation), axes)
+    return product(moved, moving), product(_vector(motion.rotation), turning)
 
 
 def _vector(rotation: Array) -> Array:

@@ -28,7 +28,7 @@ class Observer:
 
     def __init__(self, scenario: Scenario, frame: Frame) -> None:
         model = scenario.arm.model
-        self._mount, self._sticks = model.mount.rotation.T, StickAxes(scenario)
+        self._sticks = StickAxes(scenario)
         soft = model.limits.soft
         self._middle, self._half = soft.mean(axis=1), 0.5 * (soft[:, 1] - soft[:, 0])
         self._servo, (self._speed, self._turn) = model.rates.servo, frame.por_limits
@@ -41,7 +41,7 @@ class Observer:
             frame: the frame.
             left: motion that is left; None if nothing tells where to move.
         """
-        axes = product(self._mount, self._sticks.in_panel(frame))
+        axes = moving, turning = self._sticks.in_l(frame)
         shift, turn = np.zeros(3), np.zeros(3)
         if left is not None and left.motion is not None:
             shift, turn = along_axes(left.motion, np.array(frame.resolution), axes)
@@ -50,8 +50,8 @@ class Observer:
             [
                 shift,
                 turn,
-                product(twist[3:], axes) / self._speed,
-                product(twist[:3], axes) / self._turn,
+                product(twist[3:], moving) / self._speed,
+                product(twist[:3], turning) / self._turn,
                 (np.array(frame.angles) - self._middle) / self._half,
                 np.array(frame.rates) / self._servo,
                 [

@@ -9,7 +9,6 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
 from aftdeck.kinematics.arm import Arm
-from aftdeck.matrices import product
 from aftdeck.report.lamps import Lamp, lit_lamps
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
@@ -99,9 +98,7 @@ class Displays:
             aim=self._aim(frame.goal),
             payload_id=_payload_id(frame),
             por_offset=self._por_offset(frame, tip),
-            to_go=None
-            if left is None
-            else to_go(left, frame, self._poses, product(self._mount.rotation.T, control), closing),
+            to_go=None if left is None else to_go(left, frame, self._poses, self._sticks.in_l(frame), closing),
             task=None
             if progress is None
             else TaskNow(progress.at, progress.hint(), progress.first, tuple(progress.done_s), debrief),

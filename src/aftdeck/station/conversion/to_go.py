@@ -10,14 +10,16 @@ from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.remaining import Remaining
 
 
-def to_go(remaining: Remaining, frame: Frame, scene: ScenePoses, axes: Array, closing: float | None = None) -> ToGo:
+def to_go(
+    remaining: Remaining, frame: Frame, scene: ScenePoses, axes: tuple[Array, Array], closing: float | None = None
+) -> ToGo:
     """Return the message about the motion that is left in a frame.
 
     Args:
         remaining: the motion that is left.
         frame: the frame.
         scene: poses in the scene.
-        axes: (3, 3) axes of the sticks in L, in columns.
+        axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.
         closing: speed at which the distance becomes smaller [m/s]; None if it is not known.
     """
     translation, rotation = along_sticks(remaining, frame, axes) or (None, None)
