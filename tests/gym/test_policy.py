@@ -69,7 +69,9 @@ def test_saved_policy_acts_as_before(environment: str, tmp_path: Path) -> None:
             {"layers": (Layer(np.zeros((6, 5)), np.zeros(6)),)}, r"weight_0 has shape \(6, 5\)", id="first layer"
         ),
         pytest.param(
-            {"layers": (Layer(np.zeros((4, 24)), np.zeros(4)),)}, "the last layer gives 4 numbers, expected 6", id="last layer"
+            {"layers": (Layer(np.zeros((4, 24)), np.zeros(4)),)},
+            "the last layer gives 4 numbers, expected 6",
+            id="last layer",
         ),
         pytest.param({"keywords": {"colour": "red"}}, "keyword: got 'colour', expected 'plant'", id="keyword"),
         pytest.param({"activation": "sine"}, "activation: got 'sine', expected 'tanh', 'relu'", id="activation"),

@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, test, vi } from 'vitest';
 import type { Action } from '../src/input/keymap';
-import type { ModeInfo, Rate } from '../src/link/protocol';
+import type { AutopilotName, ModeInfo, Rate } from '../src/link/protocol';
 import type { Command } from '../src/link/socket';
 import { Operations } from '../src/page/operations';
 import type { Parts } from '../src/page/parts';
