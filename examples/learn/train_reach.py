@@ -54,7 +54,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("reach.npz"), help="policy file to write")
     parser.add_argument("--curve", type=Path, help="SVG file to write")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--threads", type=int, default=1, help="threads of torch; small networks need one")
     parser.add_argument("--most-steps", type=int, default=10_000_000, help="steps after which the training gives up")
     chosen = parser.parse_args()
     torch.set_num_threads(chosen.threads)
