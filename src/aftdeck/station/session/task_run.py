@@ -29,8 +29,11 @@ class TaskRun:
         self.debrief: Debrief | None = None
         self._flown_by: str | None = None
 
-    def see(self, frame: Frame, lamps: tuple[Lamp, ...], autopilot: str | None) -> tuple[int, ...]:
-        """Add the next frame, its lamps and the title of the autopilot; return the steps that the frame completes."""
+    def see(self, frame: Frame, lamps: tuple[Lamp, ...], autopilot: str | None = None) -> tuple[int, ...]:
+        """Add the next frame and its lamps; return the indices of the steps that it completes.
+
+        `autopilot` is the autopilot that flies, if it is not the script.
+        """
         done = self.progress.see(frame)
         if not self.progress.steps:
             return done
@@ -39,8 +42,8 @@ class TaskRun:
         if self.progress.present is not None:
             self.debrief = None
         self._metrics.see(frame, lamps)
-        if autopilot is not None and self.debrief is None:
-            self._flown_by = autopilot
+        if self.debrief is None:
+            self._flown_by = "script" if frame.by == "script" else autopilot or self._flown_by
         if self.progress.present is None and self.debrief is None:
             self.debrief = self._result()
         return done
