@@ -25,8 +25,6 @@ def test_policy_flies_until_a_key_moves_a_stick(open_page: OpenPage) -> None:
     flight = open_page()
     flight.until(f"{FLIES} && frame.display.autopilot === 'policy'")
     flight.until("frame.translation.some((deflection) => Math.abs(deflection) > 0.1)")
-    flight.press("c")
-    flight.until("document.querySelector('.desk').checkVisibility()")
     flight.until("document.querySelector('.desk').textContent.includes('policy flies')")
     flight.until("frame.display.task.at >= 1")
     flight.hold("s")
