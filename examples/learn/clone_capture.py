@@ -71,7 +71,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--out", type=Path, default=Path("capture.npz"), help="policy file to write")
     parser.add_argument("--curve", type=Path, help="SVG file to write")
-    parser.add_argument("--threads", type=int, default=1, help="threads of torch; small networks need one")
+    parser.add_argument("--threads", type=int, default=1, help="threads of torch")
     chosen = parser.parse_args()
     torch.manual_seed(0)
     torch.set_num_threads(chosen.threads)

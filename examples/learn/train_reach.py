@@ -26,8 +26,8 @@ ENVIRONMENTS, STEPS = 256, 64
 UPDATES = 5
 """Updates between two evaluations."""
 NEAR = 0.2
-"""Scale of the distance and of the rotation to go. Their environments' scales are those of the whole workspace; near
-the goal the numbers would be too small for a fresh network, which would not learn to stop there."""
+"""Scale of the distance and of the rotation to go. The environment scales them for the whole workspace; near the
+goal, its numbers are small for a fresh network."""
 REWARD_SCALE = 0.2
 """Factor of the rewards, so that the value of a state is about 1."""
 EVALUATED_FROM = 1_000_000
@@ -54,7 +54,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("reach.npz"), help="policy file to write")
     parser.add_argument("--curve", type=Path, help="SVG file to write")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--threads", type=int, default=1, help="threads of torch; small networks need one")
+    parser.add_argument("--threads", type=int, default=1, help="threads of torch")
     parser.add_argument("--most-steps", type=int, default=10_000_000, help="steps after which the training gives up")
     chosen = parser.parse_args()
     torch.set_num_threads(chosen.threads)

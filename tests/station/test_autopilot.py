@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from aftdeck.cli.autopilots import operator_flight
 from aftdeck.errors import CommandError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Input
@@ -14,6 +15,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.autopilot import Autopilot, Autopilots, Pilot
 from tests.station.flying import flying, shown, step_until, steps
+from tests.station.pages import scenario
 
 STILL = (0.0, 0.0, 0.0)
 FORWARD = Inputs(translation=(0.5, 0.0, 0.0))
@@ -77,6 +79,14 @@ def test_camera_does_not_move_while_an_autopilot_flies() -> None:
     refused = pytest.raises(CommandError, match="the policy is in control: move a stick to take over")
     with flying(autopilots=forward_for(10)) as session, refused:
         session.turn(from_page.DriveCamera(1, "B", 1.0, 0.0, 0.0, slow=False))
+
+
+def test_synthetic_operator_flies_scenarios_that_have_steps() -> None:
+    operator = operator_flight("perfect", None)
+    assert operator(scenario("concept-1972-script")) is None
+    with flying(autopilots=operator, name="srms-berth") as session:
+        frame = step_until(session, lambda frame: any(frame.translation), "the operator moves a stick")
+        assert frame.display.autopilot == "synthetic operator"
 
 
 def test_inputs_of_an_autopilot_are_recorded_and_replay_exactly(tmp_path: Path) -> None:

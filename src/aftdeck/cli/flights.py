@@ -28,7 +28,13 @@ if TYPE_CHECKING:
     "aftdeck fly --policy examples/learn/reach.npz; aftdeck fly srms-berth --operator perfect"
 )
 def fly(
-    scenario: ScenarioName | None = None,
+    scenario: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="SCENARIO",
+            help="A built-in name or a path to a .toml file; first-flight if none is given and no --policy.",
+        ),
+    ] = None,
     host: Host = "127.0.0.1",
     port: Port = 8340,
     names: Names = None,
@@ -69,6 +75,8 @@ def fly(
             raise InputError(f"{name} requires --record DIR, because it is stored in the recordings")
     if demo + (policy is not None) + (operator is not None) > 1:
         raise InputError("--demo, --policy and --operator each name what flies; use one of them")
+    if record is not None and condition is None and (policy is not None or operator is not None):
+        condition = f"operator {operator}" if policy is None else f"policy {policy.name}"
     own_trial = trial(participant, condition)
     autopilots = None
     if policy is not None:
@@ -82,6 +90,8 @@ def fly(
 
     def load_with_cautions() -> Scenario:
         loaded = load()
+        if autopilots is not None and autopilots(loaded) is None:
+            raise InputError(f"--operator: {loaded.name} has no steps ([[step]]) that an operator could follow")
         print_cautions(_cautions(loaded))
         return loaded
 
