@@ -12,6 +12,7 @@ import pytest
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.messages.frame import Frame
+from aftdeck.station.session.autopilot import Autopilots
 from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 from tests.station.pages import scenario, until
@@ -30,24 +31,26 @@ class Flown(Session):
         scenario: Scenario,
         *,
         demo: bool = False,
+        autopilots: Autopilots | None = None,
         record: Path | None = None,
         trial: Trial = NO_TRIAL,
     ) -> None:
         self.now = 100.0
-        super().__init__(scenario, demo=demo, record=record, trial=trial, clock=lambda: self.now)
+        super().__init__(scenario, demo=demo, autopilots=autopilots, record=record, trial=trial, clock=lambda: self.now)
 
 
 @contextmanager
 def flying(
     *,
     demo: bool = False,
+    autopilots: Autopilots | None = None,
     name: str = "first-flight",
     made: Scenario | None = None,
     record: Path | None = None,
     trial: Trial = NO_TRIAL,
 ) -> Iterator[Flown]:
     """Yield a session after its first step."""
-    session = Flown(made or scenario(name), demo=demo, record=record, trial=trial)
+    session = Flown(made or scenario(name), demo=demo, autopilots=autopilots, record=record, trial=trial)
     session.begin()
     try:
         assert steps(session, 1).tick == 1

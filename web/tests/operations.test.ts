@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, test, vi } from 'vitest';
 import type { Action } from '../src/input/keymap';
-import type { ModeInfo, Rate } from '../src/link/protocol';
+import type { AutopilotName, ModeInfo, Rate } from '../src/link/protocol';
 import type { Command } from '../src/link/socket';
 import { Operations } from '../src/page/operations';
 import type { Parts } from '../src/page/parts';
@@ -22,7 +22,8 @@ const MODES = [
  * A page of the operator, or of an observer if `flying` is false. It displays `frame`; its `parts` record their calls.
  */
 function station(flying = true, payloads = 1) {
-  const frame = { mode: 'ORB UNL', rate: 'coarse' as Rate, by: 'hand' };
+  const display: { autopilot: AutopilotName | null } = { autopilot: null };
+  const frame = { mode: 'ORB UNL', rate: 'coarse' as Rate, display };
   const sticks = { flyingOrbiter: false, flyOrbiter: vi.fn() };
   const sheet = () => ({ open: vi.fn(), close: vi.fn(), toggle: vi.fn() });
   const parts = {
@@ -129,14 +130,14 @@ describe('the THC', () => {
   });
 });
 
-test('camera switches have an effect for an operator while no script flies', () => {
-  const barred = (flying: boolean, by: string) => {
+test('camera switches have an effect for an operator while no autopilot flies', () => {
+  const barred = (flying: boolean, autopilot: AutopilotName | null) => {
     const { frame, operations } = station(flying);
-    frame.by = by;
+    frame.display.autopilot = autopilot;
     return operations.cameraBar() !== '';
   };
-  expect([barred(true, 'hand'), barred(true, 'script')]).toEqual([false, true]);
-  expect([barred(false, 'hand'), barred(false, 'script')]).toEqual([true, true]);
+  expect([barred(true, null), barred(true, 'script'), barred(true, 'policy')]).toEqual([false, true, true]);
+  expect([barred(false, null), barred(false, 'script')]).toEqual([true, true]);
 });
 
 test('the sheet of controllers replaces the key map', () => {

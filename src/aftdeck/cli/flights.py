@@ -26,10 +26,17 @@ if TYPE_CHECKING:
 
 @app.command(
     epilog="Examples: aftdeck fly first-flight --port 8340; aftdeck fly loaded --plant flexible; "
-    "aftdeck fly loaded --record flights --participant P07 --condition 'delay 2 s'"
+    "aftdeck fly loaded --record flights --participant P07 --condition 'delay 2 s'; "
+    "aftdeck fly --policy examples/learn/reach.npz; aftdeck fly srms-berth --operator perfect"
 )
 def fly(
-    scenario: ScenarioName = "first-flight",
+    scenario: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="SCENARIO",
+            help="A built-in name or a path to a .toml file; first-flight if none is given and no --policy.",
+        ),
+    ] = None,
     host: Host = "127.0.0.1",
     port: Port = 8340,
     names: Names = None,
@@ -46,10 +53,21 @@ def fly(
     ] = None,
     no_browser: NoBrowser = False,
     demo: Annotated[bool, typer.Option("--demo", help="Run the script until a stick moves.")] = False,
+    policy: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Fly a trained policy of a learning environment until a stick moves."),
+    ] = None,
+    operator: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND", help="Fly the task with a synthetic operator, perfect or human, until a stick moves."
+        ),
+    ] = None,
     plant: PlantName = None,
     seed: Seed = None,
 ) -> None:
     """Start the station and operate a scenario in the browser."""
+    from aftdeck.cli.autopilots import operator_flight, policy_flight
     from aftdeck.recording.trial import trial
     from aftdeck.scenario.load import find_scenario, parse_scenario
     from aftdeck.station.server.serve import serve
@@ -57,22 +75,37 @@ def fly(
     for name, text in (("--participant", participant), ("--condition", condition)):
         if text is not None and record is None:
             raise InputError(f"{name} requires --record DIR, because it is stored in the recordings")
+    if demo + (policy is not None) + (operator is not None) > 1:
+        raise InputError("--demo, --policy and --operator each name what flies; use one of them")
+    if record is not None and condition is None and (policy is not None or operator is not None):
+        condition = f"operator {operator}" if policy is None else f"policy {policy.name}"
     own_trial = trial(participant, condition)
-    source = find_scenario(scenario)
+    autopilots = None
+    if policy is not None:
+        load, autopilots = policy_flight(policy, scenario, seed, plant)
+    else:
+        source = find_scenario(scenario or "first-flight")
+        autopilots = None if operator is None else operator_flight(operator, seed)
 
-    def load() -> Scenario:
-        loaded = parse_scenario(*source, _plant(plant))
+        def load() -> Scenario:
+            return parse_scenario(*source, _plant(plant))
+
+    def load_with_cautions() -> Scenario:
+        loaded = load()
+        if autopilots is not None and autopilots(loaded) is None:
+            raise InputError(f"--operator: {loaded.name} has no steps ([[step]]) that an operator could follow")
         print_cautions(_cautions(loaded))
         return loaded
 
     serve(
-        load,
+        load_with_cautions,
         seed,
         host=host,
         port=port,
         names=tuple(names or ()),
         open_browser=not no_browser,
         demo=demo,
+        autopilots=autopilots,
         record=record,
         trial=own_trial,
         viewers=foxglove,

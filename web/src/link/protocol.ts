@@ -23,6 +23,7 @@ export type FromPage = Sticks | Shown | ShowPolygons | Announce | Controllers | 
 export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector' | 'limits' | 'singularity';
 export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'announce' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
 export type Grade = 'A' | 'B' | 'C' | 'D';
+export type AutopilotName = 'script' | 'policy' | 'synthetic operator';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused;
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
@@ -1304,6 +1305,8 @@ export interface Display {
   readonly stick_seq: number;
   /** `seq` of the `Sticks` that acted in this step, after the command delay; -1 if no page's `Sticks` acted. */
   readonly flown_seq: number;
+  /** What supplied the inputs of this step, until a stick moves; null with the inputs of a page. */
+  readonly autopilot: AutopilotName | null;
   /** Simulated time in the recording so far [s]; null if the run is not recorded. */
   readonly recording_s: number | null;
   readonly actual: Resolution;

@@ -105,9 +105,10 @@ export class Operations {
   cameraBar(): string {
     const { operator, arrivals } = this.parts;
     if (!operator.flying) return 'Observing: only the operator can move cameras.';
-    return arrivals.telemetry?.by === 'script'
-      ? 'The script is in control: move a stick to take over, then turn cameras.'
-      : '';
+    const autopilot = arrivals.telemetry?.display.autopilot ?? null;
+    return autopilot === null
+      ? ''
+      : `The ${autopilot} is in control: move a stick to take over, then turn cameras.`;
   }
 
   act(action: Action): void {

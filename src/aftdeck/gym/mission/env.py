@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar
 
 import gymnasium
 
@@ -13,12 +12,12 @@ from aftdeck.files import Where
 from aftdeck.gym.actions import checked
 from aftdeck.gym.choices import PLANTS, Plant, no_options, no_rendering, one_of
 from aftdeck.gym.mission import definition
-from aftdeck.gym.mission.definition import CAPTURE, DOCK, EFFECTOR, EXTRACT, SWITCHED, Mission
+from aftdeck.gym.mission.actions import inputs_of, repeats_of
+from aftdeck.gym.mission.definition import CAPTURE, DOCK, EXTRACT, Mission
 from aftdeck.gym.mission.observation import Observer, detrimental
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
 from aftdeck.gym.terms import Floats32, action_space
 from aftdeck.scenario.load import load_scenario
-from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -54,7 +53,7 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         no_rendering(render_mode)
         changes: dict[Where, object] = {("plant",): one_of("plant", plant, PLANTS)}
         loaded = load_scenario(self.mission.scenario if scenario is None else scenario, changes)
-        self._repeats = _repeats(loaded)
+        self._repeats = repeats_of(loaded)
         self._step = step_of(self.mission, loaded)
         base = base_of(loaded, self._step)
         self._sim, self._aims = Simulation(loaded), Aims(loaded)
@@ -95,7 +94,7 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         """
         if not self._begun:
             raise InputError("step: got a call before the first reset, expected reset() first")
-        inputs = self._inputs(checked(action, self.mission.controls))
+        inputs = inputs_of(self.mission, checked(action, self.mission.controls))
         for _ in range(self._repeats):
             self._sim.advance(inputs)
         frame = self._sim.look()
@@ -128,32 +127,6 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
     def _first_inputs(self) -> Inputs:
         """Return the inputs of the first control step: sticks centred, mode of the task's step, rate setting coarse."""
         return Inputs(mode=self._step.mode, rate="coarse")
-
-    def _inputs(self, values: list[float]) -> Inputs:
-        """Return the hand controllers and switches of an action; a switch between its positions keeps its position."""
-        x, y, z, roll, pitch, yaw, rate = values[:7]
-        setting: Literal["coarse", "vernier"] | None = None
-        if abs(rate) > SWITCHED:
-            setting = "coarse" if rate > 0.0 else "vernier"
-        effector: Literal["close", "open"] | None = None
-        if EFFECTOR in self.mission.controls and abs(values[7]) > SWITCHED:
-            effector = "close" if values[7] > 0.0 else "open"
-        return Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw), rate=setting, effector=effector)
-
-
-def _repeats(scenario: Scenario) -> int:
-    """Return the number of control steps in a step of an environment.
-
-    Raises:
-        InputError: the control period does not divide the duration of a step.
-    """
-    steps = definition.PERIOD / scenario.control_period
-    if not math.isclose(steps, round(steps)) or round(steps) < 1:
-        raise InputError(
-            f"scenario: control_period is {scenario.control_period:g} s, expected a whole number of control steps in "
-            f"{definition.PERIOD:g} s"
-        )
-    return round(steps)
 
 
 def _reward(before: Remaining | None, after: Remaining | None, contact: bool, success: bool) -> float:

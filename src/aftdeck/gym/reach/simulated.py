@@ -2,43 +2,35 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 import numpy as np
 
-from aftdeck.arrays import Array
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import checked
 from aftdeck.gym.choices import Plant
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.reach.batch import ReachBatch
-from aftdeck.gym.terms import Floats32, observation_space
+from aftdeck.gym.reach.observer import Observer
+from aftdeck.gym.terms import Floats32
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Start
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 
-_SCENARIO = Path(__file__).with_name("scenario.toml")
+SCENARIO = Path(__file__).with_name("scenario.toml")
+"""Scenario of Reach: the arm in empty space."""
 
 
 class SimulatedReach:
-    """Reach on any plant.
-
-    An observation beyond the limits of the observation space is set to the limit: a joint with a mass can overshoot its
-    greatest rate.
-    """
+    """Reach on any plant."""
 
     def __init__(self, plant: Plant) -> None:
-        scenario = load_scenario(_SCENARIO, {("plant",): plant})
+        scenario = load_scenario(SCENARIO, {("plant",): plant})
         self._sim, self._model = Simulation(scenario), scenario.arm.model
         self._episodes, self._all = ReachBatch(1), np.ones(1, dtype=np.bool_)
-        self._space = observation_space(task.OBSERVATIONS)
-        own = self._model.por_limits(0.0)
-        self._middle, self._one = task.scales(
-            float(own.translation[0]), float(own.rotation[0]), self._model.limits.soft, self._model.rates.servo
-        )
+        self._observer = Observer(self._model)
         self._goal = Pose(np.zeros(3), np.eye(3))
         self._distance = self._chord = 0.0
 
@@ -49,7 +41,7 @@ class SimulatedReach:
         angles, self._goal = self._episodes.angles()[0], self._episodes.goals()[0]
         self._sim.restart(Start(angles, np.zeros(6), float(self._model.links[0]), None))
         tip = self._sim.scenario.arm.forward(angles)
-        observation, self._distance, self._chord = self._observe(tip, angles, np.zeros(6), np.zeros(6))
+        observation, self._distance, self._chord = self._observer.of(self._goal, tip, angles, np.zeros(6), np.zeros(6))
         return observation
 
     def step(self, action: object) -> tuple[Floats32, float, bool]:
@@ -60,8 +52,8 @@ class SimulatedReach:
         )
         frame: Frame = self._sim.look()
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
-        observation, distance, chord = self._observe(
-            tip, np.array(frame.angles), np.array(frame.rates), np.array(frame.twist)
+        observation, distance, chord = self._observer.of(
+            self._goal, tip, np.array(frame.angles), np.array(frame.rates), np.array(frame.twist)
         )
         reached = distance <= task.NEAR and chord <= task.chord(task.NEAR_ANGLE)
         reward = (
@@ -71,25 +63,3 @@ class SimulatedReach:
         )
         self._distance, self._chord = distance, chord
         return observation, reward, reached
-
-    def _observe(self, tip: Pose, angles: Array, rates: Array, twist: Array) -> tuple[Floats32, float, float]:
-        """Return the observation (24,), the distance that is left [m], and the size of the rotation that is left.
-
-        Args:
-            tip: pose of the tip in L.
-            angles: (6,) joint angles [rad].
-            rates: (6,) joint rates [rad/s].
-            twist: (6,) angular velocity and velocity of the tip in L.
-        """
-        turn = self._goal.rotation @ tip.rotation.T
-        shift = self._goal.position - tip.position
-        skew = 0.5 * np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
-        trace = float(np.trace(turn))
-        vector = skew / max(0.5 * math.sqrt(max(1.0 + trace, 0.0)), 1e-6)
-        to_orbiter = self._model.mount.rotation
-        values = np.concatenate(
-            [to_orbiter @ shift, to_orbiter @ vector, to_orbiter @ twist[3:], to_orbiter @ twist[:3], angles, rates]
-        )
-        normalised = (values - self._middle) / self._one
-        observation = np.clip(normalised, self._space.low, self._space.high).astype(np.float32)
-        return observation, float(np.linalg.norm(shift)), math.sqrt(max(3.0 - trace, 0.0))

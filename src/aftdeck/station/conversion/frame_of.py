@@ -20,6 +20,7 @@ from aftdeck.station.conversion.to_go import to_go
 from aftdeck.station.messages.frame import (
     Ahead,
     Aim,
+    AutopilotName,
     ClosestPoints,
     Debrief,
     Display,
@@ -76,12 +77,14 @@ class Displays:
         lamps: tuple[Lamp, ...] | None = None,
         progress: Progress | None = None,
         debrief: Debrief | None = None,
+        autopilot: AutopilotName | None = None,
     ) -> Frame:
         """Return a frame as a message to a page.
 
         If `lighting` is None, the message has the scenario's lighting; if `lamps` is None, the lamps that this frame
         lights. `progress` is the progress through the task, which has seen this frame, and `debrief` its result;
-        both are None in a replay.
+        both are None in a replay. `autopilot` is what flies; the script is
+        known from the frame.
         """
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
@@ -92,6 +95,7 @@ class Displays:
         display = Display(
             stick_seq=stick_seq,
             flown_seq=flown_seq,
+            autopilot="script" if frame.by == "script" else autopilot,
             recording_s=recording_s,
             actual=self._resolution(shown, frame.twist),
             commanded=self._resolution(self._commanded(frame, tip, shown), frame.twist_demanded),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from operator import attrgetter
+from typing import Literal
 
 import msgspec
 
@@ -88,6 +89,10 @@ class Ahead(msgspec.Struct, frozen=True):
     """Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`."""
 
 
+AutopilotName = Literal["script", "policy", "synthetic operator"]
+"""What flies until a stick moves, named for the operator."""
+
+
 class ToGo(msgspec.Struct, frozen=True, gc=False):
     """Motion that is left to the place where the task needs the tip or the held payload."""
 
@@ -145,6 +150,8 @@ class Display(msgspec.Struct, frozen=True):
     """`seq` of the last `Sticks` received before this step; the page computes the latency from this number."""
     flown_seq: int
     """`seq` of the `Sticks` that acted in this step, after the command delay; -1 if no page's `Sticks` acted."""
+    autopilot: AutopilotName | None
+    """What supplied the inputs of this step, until a stick moves; null with the inputs of a page."""
     recording_s: float | None
     """Simulated time in the recording so far [s]; null if the run is not recorded."""
     actual: Resolution

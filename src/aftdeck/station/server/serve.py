@@ -25,6 +25,7 @@ from aftdeck.station.server.access import Access, access_of, shown_host
 from aftdeck.station.server.app import make_app
 from aftdeck.station.server.guard import BACKLOG, MAX_REQUEST, GuardedHttp, GuardedSocket
 from aftdeck.station.server.terse_log import install
+from aftdeck.station.session.autopilot import Autopilots
 from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 
@@ -46,6 +47,7 @@ def serve(
     names: tuple[str, ...] = (),
     open_browser: bool,
     demo: bool,
+    autopilots: Autopilots | None = None,
     record: Path | None = None,
     trial: Trial = NO_TRIAL,
     viewers: int | None = None,
@@ -62,6 +64,7 @@ def serve(
         names: further host names under which pages may address the station.
         open_browser: whether to open the page in a browser.
         demo: whether the script runs until the operator moves a stick or sends a command.
+        autopilots: returns the autopilot that flies a scenario in this way, if the script does not; None: none.
         record: folder into which each run is recorded; None: runs are not recorded.
         trial: participant and condition, stored in each recording and in the list of recordings.
         viewers: port to which Foxglove can attach; None: no port is opened.
@@ -89,7 +92,7 @@ def serve(
             report(COMPILING)
         scenario = load()
         report(f"Preparing {scenario.title!r}.")
-        session = Session(scenario, seed, demo=demo, record=record, trial=trial, live=live)
+        session = Session(scenario, seed, demo=demo, autopilots=autopilots, record=record, trial=trial, live=live)
         print_line(f"Flying {scenario.title!r}. End with Ctrl+C.")
         return session
 

@@ -35,6 +35,7 @@ from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Ahead
+from aftdeck.station.session.autopilot import SCRIPT, Autopilots, Engaged
 from aftdeck.station.session.commands import (
     check_camera,
     check_light,
@@ -60,7 +61,7 @@ LOOK_EVERY = 10
 LOOK_S = 5.0
 """Time span of the look-ahead at the start of a session [s]; a page can set another one."""
 MOVED = 1e-3
-"""Stick deflection above which the operator takes control from the demonstration's script."""
+"""Stick deflection above which the operator takes control from the script or another autopilot."""
 
 LOSS_LOGGED_EVERY = 60.0
 """Least time from one log line about lost time to the next [s]."""
@@ -89,6 +90,7 @@ class Session:
         *,
         demo: bool = False,
         shown: bool = False,
+        autopilots: Autopilots | None = None,
         record: Path | None = None,
         trial: Trial = NO_TRIAL,
         live: Live | None = None,
@@ -101,6 +103,7 @@ class Session:
             seed: random seed; None selects the scenario's seed.
             demo: whether the script runs until the operator moves a stick or sends a command; also after a restart.
             shown: whether the script runs in this way in the first run.
+            autopilots: returns the autopilot that flies a scenario in this way, if the script does not; None: none.
             record: folder into which each run is recorded; None: runs are not recorded.
             trial: participant and condition, stored in each recording.
             live: server for viewers of the run; None: viewers cannot attach.
@@ -108,6 +111,8 @@ class Session:
         """
         self.scenario, self._seed = scenario, seed
         self._start_demo, self._record, self._trial, self._live = demo, record, trial, live
+        self._autopilots = autopilots
+        self._first = SCRIPT if demo else autopilots(scenario) if autopilots else None
         self._clock = clock
         self._displays = Displays(scenario)
         self.welcome = welcome_of(scenario, demo=demo or shown)
@@ -124,8 +129,10 @@ class Session:
         self._reported = Reported(scenario.lighting)
         self._look_s = LOOK_S
         self._cancelled_until = 0.0
+        self._engaged: Engaged | None = None
         self._reset()
-        self._demo = demo or shown
+        if shown:
+            self._engaged = Engaged(SCRIPT)
 
     def _reset(self) -> None:
         """Create the simulation of a new run, and delete all data of the previous run."""
@@ -136,7 +143,7 @@ class Session:
         self._standing = StandingLamps()
         self._lost_logged = 0.0
         self._log_loss_from = -math.inf
-        self._demo = self._start_demo
+        self._engaged = None if self._first is None else Engaged(self._first)
         self._ahead: Ahead | None = None
         self._axis: Axis | None = None
         self._controllers_recorded = NO_CONTROLLERS
@@ -151,6 +158,7 @@ class Session:
             self._seed,
             demo=self._start_demo,
             shown=shown,
+            autopilots=self._autopilots,
             record=self._record,
             trial=self._trial,
             live=self._live,
@@ -188,11 +196,12 @@ class Session:
         """Set the switches that drive a camera.
 
         Raises:
-            CommandError: the camera does not exist or has no drive, a switch is not in [-1, 1], or the script runs.
+            CommandError: the camera does not exist or has no drive, a switch is not in [-1, 1], or an autopilot
+                is in control.
         """
         check_camera(message, self.welcome)
-        if self._demo:
-            raise CommandError("the script is running: move a stick to take control, then move the camera")
+        if (engaged := self._engaged) is not None:
+            raise CommandError(f"the {engaged.name} is in control: move a stick to take over, then move the camera")
         camera = CameraDrive(message.camera, message.pan, message.tilt, message.zoom, message.slow)
         with self._lock:
             self._inputs.turn(camera, self._clock())
@@ -229,7 +238,7 @@ class Session:
         self._reported.announced = by
 
     def light(self, message: from_page.SetLight) -> None:
-        """Set the lighting; allowed even while the script runs.
+        """Set the lighting; allowed even while an autopilot flies.
 
         Raises:
             CommandError: a light condition, a lamp or a camera does not exist.
@@ -295,13 +304,14 @@ class Session:
             self._controllers_recorded = taken.controllers
             self._recorder.controllers(self.time_s, controller_records(taken.controllers))
         moved = any(abs(s) > MOVED for s in travel(taken.sticks))
-        if self._demo and (moved or command is not None or self._sim.ended):
-            self._demo = False
-            self._note("hand", "manual control: the script has stopped")
+        if self._engaged is not None and (moved or command is not None or not self._engaged.fly(self._sim)):
+            self._note("hand", f"manual control: the {self._engaged.name} has stopped")
+            self._engaged = None
         if taken.handed_over:
             self._note("hand-over", taken.handed_over)
-        inputs, flown = None, -1
-        if not self._demo:
+        if self._engaged is not None:
+            inputs, flown = self._engaged.inputs, -1
+        else:
             inputs, flown = inputs_of(taken.sticks, command, self.scenario.arm), taken.flown()
             if cause:
                 inputs = self._make_safe(inputs, cause, now)
@@ -332,6 +342,7 @@ class Session:
             lamps=lamps,
             progress=self._task.progress,
             debrief=self._task.debrief,
+            autopilot=None if self._engaged is None else self._engaged.name,
         )
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
@@ -341,7 +352,7 @@ class Session:
 
     def _see_task(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """Update the task; log the steps that are done, and list the grade."""
-        for i in self._task.see(frame, lamps):
+        for i in self._task.see(frame, lamps, None if self._engaged is None else self._engaged.name):
             self._note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
             if (result := self._task.debrief) is not None:
                 self._recorder.graded(result.grade or "")
@@ -380,7 +391,7 @@ class Session:
         this delay, and for `SILENCE` after it, the result is False.
         """
         frame = self._sim.frame
-        return not self._demo and frame is not None and frame.rate_hold and now >= self._cancelled_until
+        return self._engaged is None and frame is not None and frame.rate_hold and now >= self._cancelled_until
 
     def _make_safe(self, inputs: Inputs, cause: str, now: float) -> Inputs:
         """Return inputs that put the arm into a safe state, and log the cause."""

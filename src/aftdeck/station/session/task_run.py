@@ -27,10 +27,13 @@ class TaskRun:
 
     def _begin(self) -> None:
         self.debrief: Debrief | None = None
-        self._scripted = False
+        self._flown_by: str | None = None
 
-    def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> tuple[int, ...]:
-        """Add the next frame and its lamps; return the indices of the steps that it completes."""
+    def see(self, frame: Frame, lamps: tuple[Lamp, ...], autopilot: str | None = None) -> tuple[int, ...]:
+        """Add the next frame and its lamps; return the indices of the steps that it completes.
+
+        `autopilot` is the autopilot that flies, if it is not the script.
+        """
         done = self.progress.see(frame)
         if not self.progress.steps:
             return done
@@ -39,7 +42,8 @@ class TaskRun:
         if self.progress.present is not None:
             self.debrief = None
         self._metrics.see(frame, lamps)
-        self._scripted = self._scripted or (self.debrief is None and frame.by == "script")
+        if self.debrief is None:
+            self._flown_by = "script" if frame.by == "script" else autopilot or self._flown_by
         if self.progress.present is None and self.debrief is None:
             self.debrief = self._result()
         return done
@@ -48,5 +52,5 @@ class TaskRun:
         skipped, found = len(self.progress.skipped), self._metrics.found()
         kinds = faults(found)
         others = [f"{skipped} step skipped" if skipped == 1 else f"{skipped} steps skipped"] if skipped else []
-        others += ["flown by the script"] if self._scripted else []
+        others += [f"flown by the {self._flown_by}"] if self._flown_by else []
         return Debrief(None if others else grade(kinds), (*kinds, *others), measures_of(found, RESULT))

@@ -64,7 +64,7 @@ export function brakesSafing(desk: Desk): BrakesSafing {
     bars: () => brakes.tick(),
     values({ frame, flying, flier, controllers }) {
       const lost = controllers.gone.thc ?? controllers.gone.rhc;
-      const moved = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
+      const moved = frame.display.autopilot === null ? controllers.words : 'Move a stick to take over';
       const words = !flying ? flown(flier) : lost === null ? moved : `✕ ${lost} lost`;
       setText(device, words);
       setAttribute(device, 'title', words);

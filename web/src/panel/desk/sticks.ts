@@ -88,7 +88,7 @@ export function triple(letters: readonly [string, string, string]): {
 }
 
 /**
- * Writes who moves the sticks after the group's title: the script; on the operator's page `hand`, such as `left hand`;
+ * Writes who moves the sticks after the group's title: the autopilot; on the operator's page `hand`, such as `left hand`;
  * on an observer's page the operator's name.
  */
 export function setHand(
@@ -96,5 +96,6 @@ export function setHand(
   hand: string,
   { frame, flying, flier }: Pick<View, 'frame' | 'flying' | 'flier'>,
 ): void {
-  setAbout(section, frame.by === 'script' ? 'script flies' : flying ? hand : (flier ?? ''));
+  const { autopilot } = frame.display;
+  setAbout(section, autopilot !== null ? `${autopilot} flies` : flying ? hand : (flier ?? ''));
 }

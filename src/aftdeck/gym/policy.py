@@ -1,0 +1,116 @@
+"""Policy: a trained multilayer perceptron and the environment that it flies. It needs NumPy only, no learning library.
+
+`policy_file` reads and writes policies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.errors import InputError
+from aftdeck.gym.choices import one_of
+from aftdeck.gym.mission.definition import MISSIONS
+from aftdeck.gym.mission.definition import OBSERVATIONS as MISSION_OBSERVATIONS
+from aftdeck.gym.reach import definition as reach
+from aftdeck.gym.terms import Floats32, Observed
+
+REACH = "aftdeck/Reach-v0"
+"""Id of the environment Reach."""
+MAX_LAYERS = 32
+"""Greatest number of layers; assumed."""
+
+Activation = Literal["tanh", "relu"]
+"""Function between two layers; the last layer is linear."""
+
+
+def _count(groups: Sequence[Observed]) -> int:
+    return sum(group.size for group in groups)
+
+
+SIZES: Mapping[str, tuple[int, int]] = MappingProxyType(
+    {REACH: (_count(reach.OBSERVATIONS), len(reach.CONTROLS))}
+    | {f"aftdeck/{one.name}-v0": (_count(MISSION_OBSERVATIONS), len(one.controls)) for one in MISSIONS}
+)
+"""Numbers of observations and of actions of each environment, by its id."""
+
+
+class Layer(NamedTuple):
+    """One layer: output = weight @ input + bias.
+
+    Attributes:
+        weight: (outputs, inputs).
+        bias: (outputs,).
+    """
+
+    weight: Array
+    bias: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Policy:
+    """A multilayer perceptron, from an environment's observation to its action.
+
+    Attributes:
+        environment: id of the environment.
+        activation: function between two layers.
+        mean: (observations,) subtracted from an observation.
+        std: (observations,) divides the difference.
+        layers: layers in order; the output of the last one, clipped to [-1, 1], is the action.
+        keywords: keywords with which the environment is made, such as ``plant``.
+    """
+
+    environment: str
+    activation: Activation
+    mean: Array
+    std: Array
+    layers: tuple[Layer, ...]
+    keywords: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+
+    def act(self, observation: Floats32 | Array) -> Floats32:
+        """Return the action (actions,) for an observation (observations,), or one for each row (n, observations)."""
+        value = (np.asarray(observation, dtype=np.float64) - self.mean) / self.std
+        for weight, bias in self.layers[:-1]:
+            value = value @ weight.T + bias
+            value = np.tanh(value) if self.activation == "tanh" else np.maximum(value, 0.0)
+        weight, bias = self.layers[-1]
+        return np.clip(value @ weight.T + bias, -1.0, 1.0).astype(np.float32)
+
+
+def check_policy(policy: Policy, where: str) -> None:
+    """Check that the environment exists, and that all arrays fit to it and to each other.
+
+    Args:
+        policy: the policy.
+        where: name of its file, for the message.
+
+    Raises:
+        InputError: it does not; the message states what was given and what is expected.
+    """
+    environment = one_of(f"{where}: environment", policy.environment, SIZES)
+    one_of(f"{where}: activation", policy.activation, get_args(Activation))
+    for name in policy.keywords:
+        one_of(f"{where}: keyword", name, ("plant",) if environment == REACH else ("plant", "scenario"))
+    observations, actions = SIZES[environment]
+    if not 1 <= len(policy.layers) <= MAX_LAYERS:
+        raise InputError(f"{where}: got {len(policy.layers)} layers, expected 1 to {MAX_LAYERS}")
+    for name, array in (("mean", policy.mean), ("std", policy.std)):
+        if array.shape != (observations,):
+            raise InputError(f"{where}: {name} has shape {array.shape}, expected ({observations},) for {environment}")
+    if not (policy.std > 0.0).all():
+        raise InputError(f"{where}: std has the value {policy.std.min():g}, expected numbers above 0")
+    size = observations
+    for k, (weight, bias) in enumerate(policy.layers):
+        if weight.shape != (bias.size, size) or bias.shape != (bias.size,):
+            raise InputError(
+                f"{where}: weight_{k} has shape {weight.shape} and bias_{k} {bias.shape}, expected (outputs, {size}) "
+                "and (outputs,)"
+            )
+        size = len(bias)
+    if size != actions:
+        raise InputError(f"{where}: the last layer gives {size} numbers, expected {actions} for {environment}")
