@@ -318,10 +318,7 @@ class Session:
             if taken.camera.pan or taken.camera.tilt or taken.camera.zoom:
                 inputs = msgspec.structs.replace(inputs, camera=taken.camera)
         frame = self._sim.step(inputs)
-        if text := self._reported.record(self._recorder, frame.time_s):
-            self._note("light", text)
-        if text := self._reported.announcement(frame):
-            self._note(ANNOUNCED, text)
+        self._note_reported(frame)
         self._recorder.step(inputs, frame, self._reported.latency_ms)
         for text in self._recorder.take_errors():
             self._note("recording", text, "warning")
@@ -349,6 +346,13 @@ class Session:
         self.painter.show(frame, self._lights[shown.display.lighting.condition])
         self.log.add(frame.events)
         return restarted
+
+    def _note_reported(self, frame: Frame) -> None:
+        """Record what the page reports; log the light and announcements."""
+        if text := self._reported.record(self._recorder, frame.time_s):
+            self._note("light", text)
+        if text := self._reported.announcement(frame):
+            self._note(ANNOUNCED, text)
 
     def _see_task(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """Update the task; log the steps that are done, and list the grade."""
