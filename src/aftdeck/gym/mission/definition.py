@@ -91,7 +91,7 @@ EXTRACT = Mission(
     Spread(0.0, 0.1, 0.003, 0.0),
     True,
     600,
-    "Lift the held payload out of its berth to 14 ft above it, without a detrimental contact.",
+    "Lift the held payload out of its berth, clear of the walls of the bay, without a detrimental contact.",
 )
 DOCK = Mission(
     "Dock",
