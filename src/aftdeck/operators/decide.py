@@ -99,7 +99,7 @@ def _capture(frame: Frame, remaining: Remaining | None) -> Inputs | None:
     """Return the command for a capture; None if the end effector has to move first."""
     hand, conditions = frame.work.hand, frame.work.conditions
     if hand.switch == "close" and frame.motions:
-        return Inputs()
+        return Inputs() if hand.spacing is None else None  # the bar may drift while the prong closes: follow it
     if hand.opening < _OPEN:
         return Inputs(effector="open" if hand.switch != "open" else None)
     ready = bool(conditions) and all(c.holds for c in conditions if c.name != CLOSED_BY_CLOSING)
