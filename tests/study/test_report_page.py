@@ -10,7 +10,6 @@ from xml.etree import ElementTree
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from playwright.sync_api import sync_playwright
 
 from aftdeck.report.intervals import mean_interval, wilson
 from aftdeck.study.case import Runner
@@ -108,25 +107,3 @@ def test_page_of_a_study_without_factors_or_results_is_written(tmp_path: Path) -
     assert "<h1>A</h1>" in page(study, [], tmp_path)
     row = Runner(plan_of(study)).run(cases(study)[0]).row
     assert "Worst cases" in page(study, [row], tmp_path)
-
-
-@pytest.mark.browser
-def test_browser_shows_the_page_without_a_request_or_an_error(tmp_path: Path, chromium: Path) -> None:
-    study = loaded(tmp_path, DRAWN)
-    runner = Runner(plan_of(study))
-    file = tmp_path / "report.html"
-    file.write_text(page(study, [runner.run(case).row for case in cases(study)[:8]], tmp_path), encoding="utf-8")
-    requests: list[str] = []
-    errors: list[str] = []
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        shown = browser.new_page(viewport={"width": 420, "height": 800})
-        shown.on("request", lambda request: requests.append(request.url))
-        shown.on("console", lambda message: errors.append(message.text))
-        shown.on("pageerror", lambda error: errors.append(str(error)))
-        shown.goto(file.as_uri())
-        assert shown.locator("svg").count() == 8
-        assert shown.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
-        browser.close()
-    assert requests == [file.as_uri()]
-    assert errors == []
