@@ -75,9 +75,9 @@ def main() -> None:
     chosen = parser.parse_args()
     torch.manual_seed(0)
     torch.set_num_threads(chosen.threads)
-    env, begun = gymnasium.make(CAPTURE), time.perf_counter()
+    env, started = gymnasium.make(CAPTURE), time.perf_counter()
     observations, actions, successes = recorded(env)
-    print(f"{time.perf_counter() - begun:6.1f} s  {successes} of {FLIGHTS} flights succeed, {len(actions)} steps")
+    print(f"{time.perf_counter() - started:6.1f} s  {successes} of {FLIGHTS} flights succeed, {len(actions)} steps")
     mean, std = observations.mean(axis=0), np.maximum(observations.std(axis=0), LEAST_STD)
     inputs, wanted = torch.from_numpy((observations - mean) / std), torch.from_numpy(actions)
     network = torch.nn.Sequential(
@@ -96,13 +96,13 @@ def main() -> None:
             total += loss.item() * len(chunk)
         schedule.step()
         points.append((number, (total / len(inputs)) ** 0.5))
-    print(f"{time.perf_counter() - begun:6.1f} s  error of a control {points[-1][1]:.3f} (root mean square)")
+    print(f"{time.perf_counter() - started:6.1f} s  error of a control {points[-1][1]:.3f} (root mean square)")
     policy = exported(CAPTURE, network, "relu", mean, std)
     save_policy(policy, chosen.out)
     results = [flown(env, EVALUATED_FROM + k, policy.act) for k in range(EPISODES)]
     durations = [duration for success, duration in results if success]
     print(
-        f"{time.perf_counter() - begun:6.1f} s  {chosen.out}: {len(durations)} of {EPISODES} new episodes succeed, "
+        f"{time.perf_counter() - started:6.1f} s  {chosen.out}: {len(durations)} of {EPISODES} new episodes succeed, "
         f"{np.mean(durations):.1f} s on average"
     )
     if chosen.curve is not None:

@@ -18,8 +18,9 @@ from exported import exported
 from reach_for_sb3 import ReachForSb3
 from stable_baselines3 import PPO
 
-from aftdeck.gym.policy import REACH, Policy
+from aftdeck.gym.policy import Policy
 from aftdeck.gym.policy_file import save_policy
+from aftdeck.gym.reach.definition import ID as REACH
 
 ENVIRONMENTS, STEPS = 256, 64
 """Environments of the batch, and steps of each between two updates of the policy."""
@@ -60,11 +61,11 @@ def main() -> None:
     torch.set_num_threads(chosen.threads)
     mean, std = np.zeros(24, dtype=np.float32), np.ones(24, dtype=np.float32)
     std[:6] = NEAR
-    begun = time.perf_counter()
+    started = time.perf_counter()
     reach = ReachForSb3(ENVIRONMENTS, chosen.seed, std, REWARD_SCALE)
     reach.reset()
     reach.step(np.zeros((ENVIRONMENTS, 6), dtype=np.float32))
-    print(f"{time.perf_counter() - begun:6.1f} s  the environment is compiled")
+    print(f"{time.perf_counter() - started:6.1f} s  the environment is compiled")
     model = PPO(
         "MlpPolicy",
         ReachForSb3(ENVIRONMENTS, chosen.seed, std, REWARD_SCALE),
@@ -87,7 +88,7 @@ def main() -> None:
         rate, duration = success_rate(policy, 200, EVALUATED_FROM)
         points.append((model.num_timesteps / 1e6, rate))
         print(
-            f"{time.perf_counter() - begun:6.1f} s  {points[-1][0]:.2f} M steps  {rate:4.0%}  {duration:.1f} s",
+            f"{time.perf_counter() - started:6.1f} s  {points[-1][0]:.2f} M steps  {rate:4.0%}  {duration:.1f} s",
             flush=True,
         )
     save_policy(policy, chosen.out)

@@ -72,6 +72,33 @@ def as_path(name_or_path: object) -> Path:
     return Path(name_or_path)
 
 
+def find_toml(
+    name_or_path: object, folder: Path, names: Sequence[str], kinds: tuple[str, str], error: Callable[[str], Exception]
+) -> Path:
+    """Return the path of a built-in file of `folder` by its name, or a path to another TOML file unchanged.
+
+    Args:
+        name_or_path: the name or the path.
+        folder: folder of the built-in files.
+        names: names of the built-in files.
+        kinds: what the file is, singular and plural, for the message.
+        error: makes the error for a name that is not built in.
+
+    Raises:
+        InputError: `name_or_path` is neither a text nor a path.
+    """
+    path = as_path(name_or_path)
+    if path.suffix == ".toml":
+        return path
+    if str(name_or_path) not in names:
+        kind, plural = kinds
+        raise error(
+            f"no {kind} {str(name_or_path)!r}; the built-in {plural} are {', '.join(names)}; a path to "
+            f"{'an' if kind == 'arm' else 'a'} {kind} file ends in .toml"
+        )
+    return folder / f"{name_or_path}.toml"
+
+
 def beside(name: str, folder: Path) -> str:
     """Return `folder` joined with the path `name`; `folder` is the folder of the file in which `name` is written.
 

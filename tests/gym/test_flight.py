@@ -12,8 +12,9 @@ import aftdeck
 import aftdeck.gym
 from aftdeck.errors import InputError
 from aftdeck.gym.flight import pilot_of_policy, scenario_of_policy
-from aftdeck.gym.policy import REACH, SIZES, Layer, Policy
+from aftdeck.gym.policy import SIZES, Layer, Policy
 from aftdeck.gym.policy_file import load_policy
+from aftdeck.gym.reach.definition import ID as REACH
 from aftdeck.gym.reach.goals import GOALS, goals_scenario
 from aftdeck.gym.reach.pilot import ReachPilot
 from aftdeck.scenario.target import Target

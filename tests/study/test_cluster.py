@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
+from aftdeck.report.table import Row
 from aftdeck.study import cluster
 from aftdeck.study.case import Runner
 from aftdeck.study.cluster import Cluster
-from aftdeck.study.columns import Row
 from aftdeck.study.design import cases
+from aftdeck.study.failures import PoolError
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of
-from aftdeck.study.pool import PoolError
 from aftdeck.study.worker import Job
 from tests.study.studies import loaded
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from aftdeck.report.table import Row
 from aftdeck.study.case import Runner
-from aftdeck.study.columns import Row
 from aftdeck.study.design import cases
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of

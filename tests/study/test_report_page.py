@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aftdeck.report.intervals import mean_interval, wilson
+from aftdeck.report.table import Row
 from aftdeck.study.case import Runner
-from aftdeck.study.columns import Row
 from aftdeck.study.design import cases
 from aftdeck.study.plan import plan_of
 from aftdeck.study.report import page

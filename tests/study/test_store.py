@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from aftdeck.report.table import Row
 from aftdeck.study.case import Outcome
-from aftdeck.study.columns import Row
 from aftdeck.study.file import load_study
 from aftdeck.study.store import LINES, Store, StoreError, outcomes_in
 from tests.study.studies import FOUR, loaded

@@ -18,7 +18,7 @@ from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.model import ArmFile, PorRow
 from aftdeck.arrays import Array
 from aftdeck.errors import ArmError, InputError, ScenarioError
-from aftdeck.files import Text, as_path, parse, read, sentences
+from aftdeck.files import Text, find_toml, parse, read, sentences
 from aftdeck.frames import Mount, rotation_x
 from aftdeck.matrices import product
 
@@ -179,14 +179,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
         ArmError: no built-in arm has that name.
         ScenarioError: the file has errors (the message lists all of them), or the arm's shape file cannot be read.
     """
-    path = as_path(name_or_path)
-    if path.suffix != ".toml":
-        if str(name_or_path) not in built_in():
-            raise ArmError(
-                f"no arm {str(name_or_path)!r}; the built-in arms are {', '.join(built_in())}; a path to an arm file "
-                "ends in .toml"
-            )
-        path = HERE / f"{name_or_path}.toml"
+    path = find_toml(name_or_path, HERE, built_in(), ("arm", "arms"), ArmError)
     return model_of(read(path), lambda name: read(path.parent / name))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
@@ -13,11 +13,13 @@ from aftdeck.errors import AftdeckError, InputError
 from aftdeck.lines import print_error, print_line
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
+    from aftdeck.recording.reader import Recording
     from aftdeck.report.page.gather import Gathered
     from aftdeck.report.table import Row
 
+_T = TypeVar("_T")
 _COLUMN = 14
 """Least width of a run's column [characters]."""
 
@@ -48,17 +50,20 @@ def report(
     Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all. A recording
     that cannot be read is left out, and the exit code is then 2.
     """
-    from aftdeck.report.table import ENDINGS, check_new, write_table
+    from aftdeck.report.of_recording import metrics_of
+    from aftdeck.report.table import ENDINGS, check_new, row_of, write_table
 
     if table is not None:
         check_new(table, ENDINGS)
     if out is not None:
         check_new(out, (".html",))
     if out is None:
-        rows = list(_rows(files))
+        rows = list(_read(files, lambda recording: row_of(recording, metrics_of(recording))))
     else:
-        runs = list(_gathered(files))
-        rows = [_row(run) for run in runs]
+        from aftdeck.report.page.gather import gathered
+
+        runs = list(_read(files, gathered))
+        rows = [row_of(run.recording, run.metrics) for run in runs]
         if runs:
             text = _write_page(runs, out)
             if not as_json:
@@ -77,38 +82,15 @@ def report(
         raise typer.Exit(2)
 
 
-def _rows(files: Sequence[Path]) -> Iterator[Row]:
-    """Yield the row of each recording; print the error of one that cannot be read."""
+def _read(files: Sequence[Path], read: Callable[[Recording], _T]) -> Iterator[_T]:
+    """Yield what `read` makes of each recording; print the error of one that cannot be read."""
     from aftdeck.recording.reader import Recording
-    from aftdeck.report.of_recording import metrics_of
-    from aftdeck.report.table import row_of
 
     for file in files:
         try:
-            recording = Recording(file)
-            metrics = metrics_of(recording)
+            yield read(Recording(file))
         except AftdeckError as error:
             print_error(str(error))
-        else:
-            yield row_of(recording, metrics)
-
-
-def _gathered(files: Sequence[Path]) -> Iterator[Gathered]:
-    """Yield the data of each recording for a page; print the error of one that cannot be read."""
-    from aftdeck.recording.reader import Recording
-    from aftdeck.report.page.gather import gathered
-
-    for file in files:
-        try:
-            yield gathered(Recording(file))
-        except AftdeckError as error:
-            print_error(str(error))
-
-
-def _row(run: Gathered) -> Row:
-    from aftdeck.report.table import row_of
-
-    return row_of(run.recording, run.metrics)
 
 
 def _write_page(runs: Sequence[Gathered], out: Path) -> str:

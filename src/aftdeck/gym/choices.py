@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Literal, TypeVar, get_args
+from typing import TypeVar, get_args
 
 from aftdeck.errors import InputError
+from aftdeck.scenario.schema import Plant
 from aftdeck.units import short
 
-Plant = Literal["kinematic", "rigid", "flexible"]
-"""Model that turns commanded rates into motion: without masses, or with rigid or flexible bodies."""
 PLANTS: tuple[Plant, ...] = get_args(Plant)
 
 _T = TypeVar("_T", bound=str)

@@ -23,10 +23,10 @@ def _lines() -> Iterator[str]:
         f"Move the tip within {reach.NEAR * 100.0:.1f} cm and {_degrees(reach.NEAR_ANGLE)} deg of a random pose, in "
         "ORB UNL."
     )
-    yield f"| `aftdeck/Reach-v0` | | {task} | {reach.PERIOD:g} s | {reach.MOST_STEPS} steps |"
-    for one in mission.MISSIONS:
+    yield f"| `{reach.ID}` | | {task} | {reach.PERIOD:g} s | {reach.MOST_STEPS} steps |"
+    for one in mission.MISSIONS.values():
         limit = f"{mission.PERIOD:g} s | {one.most_steps} steps"
-        yield f"| `aftdeck/{one.name}-v0` | `{one.scenario}` | {one.task} | {limit} |"
+        yield f"| `{one.id}` | `{one.scenario}` | {one.task} | {limit} |"
     yield "\n### Reach: actions\n"
     yield from _controls(reach.CONTROLS)
     yield "\n### Reach: observations\n"
@@ -41,7 +41,7 @@ def _lines() -> Iterator[str]:
     yield from _rewards(mission.REWARDS)
     yield "\n### Capture, Extract, Dock: starts\n"
     yield "| environment | before the place of the task | across | rotation about each axis |\n|---|---|---|---|"
-    for one in mission.MISSIONS:
+    for one in mission.MISSIONS.values():
         s = one.spread
         yield f"| {one.name} | {s.least:.2f} to {s.greatest:.2f} m | ±{s.across:g} m | ±{_degrees(s.turn)} deg |"
     yield ""

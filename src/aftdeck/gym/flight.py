@@ -9,7 +9,8 @@ from aftdeck.errors import InputError
 from aftdeck.files import Changes
 from aftdeck.gym.mission.definition import MISSIONS
 from aftdeck.gym.mission.pilot import MissionPilot
-from aftdeck.gym.policy import REACH, Policy
+from aftdeck.gym.policy import Policy
+from aftdeck.gym.reach.definition import ID as REACH
 from aftdeck.gym.reach.goals import goals_scenario, has_goals
 from aftdeck.gym.reach.pilot import ReachPilot
 from aftdeck.scenario.load import load_scenario
@@ -39,8 +40,8 @@ def scenario_of_policy(policy: Policy, given: str | None, seed: int, plant: str 
                 f"scenario: got {given!r}, expected none: a policy of {REACH} flies to {REACH}'s own random goals"
             )
         return goals_scenario(seed, changes)
-    mission = next(one for one in MISSIONS if policy.environment == f"aftdeck/{one.name}-v0")
-    return load_scenario(given or policy.keywords.get("scenario") or mission.scenario, changes)
+    own = policy.keywords.get("scenario") or MISSIONS[policy.environment].scenario
+    return load_scenario(given or own, changes)
 
 
 def pilot_of_policy(policy: Policy, scenario: Scenario) -> Callable[[], Callable[[Simulation], Inputs | None]]:

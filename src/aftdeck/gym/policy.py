@@ -20,8 +20,6 @@ from aftdeck.gym.mission.definition import OBSERVATIONS as MISSION_OBSERVATIONS
 from aftdeck.gym.reach import definition as reach
 from aftdeck.gym.terms import Floats32, Observed
 
-REACH = "aftdeck/Reach-v0"
-"""Id of the environment Reach."""
 MAX_LAYERS = 32
 """Greatest number of layers; assumed."""
 
@@ -34,8 +32,8 @@ def _count(groups: Sequence[Observed]) -> int:
 
 
 SIZES: Mapping[str, tuple[int, int]] = MappingProxyType(
-    {REACH: (_count(reach.OBSERVATIONS), len(reach.CONTROLS))}
-    | {f"aftdeck/{one.name}-v0": (_count(MISSION_OBSERVATIONS), len(one.controls)) for one in MISSIONS}
+    {reach.ID: (_count(reach.OBSERVATIONS), len(reach.CONTROLS))}
+    | {id: (_count(MISSION_OBSERVATIONS), len(one.controls)) for id, one in MISSIONS.items()}
 )
 """Numbers of observations and of actions of each environment, by its id."""
 
@@ -95,7 +93,7 @@ def check_policy(policy: Policy, where: str) -> None:
     environment = one_of(f"{where}: environment", policy.environment, SIZES)
     one_of(f"{where}: activation", policy.activation, get_args(Activation))
     for name in policy.keywords:
-        one_of(f"{where}: keyword", name, ("plant",) if environment == REACH else ("plant", "scenario"))
+        one_of(f"{where}: keyword", name, ("plant",) if environment == reach.ID else ("plant", "scenario"))
     observations, actions = SIZES[environment]
     if not 1 <= len(policy.layers) <= MAX_LAYERS:
         raise InputError(f"{where}: got {len(policy.layers)} layers, expected 1 to {MAX_LAYERS}")

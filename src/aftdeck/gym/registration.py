@@ -5,22 +5,22 @@ from __future__ import annotations
 import gymnasium
 
 from aftdeck.gym.mission.definition import MISSIONS
-from aftdeck.gym.reach.definition import MOST_STEPS
+from aftdeck.gym.reach.definition import ID, MOST_STEPS
 
 
 def register_all() -> None:
     """Register all environments, unless they are registered already."""
-    if "aftdeck/Reach-v0" in gymnasium.registry:
+    if ID in gymnasium.registry:
         return
     gymnasium.register(
-        "aftdeck/Reach-v0",
+        ID,
         entry_point="aftdeck.gym.reach.single:ReachEnv",
         vector_entry_point="aftdeck.gym.reach.vector:ReachVectorEnv",
         max_episode_steps=MOST_STEPS,
     )
-    for mission in MISSIONS:
+    for mission in MISSIONS.values():
         gymnasium.register(
-            f"aftdeck/{mission.name}-v0",
+            mission.id,
             entry_point=f"aftdeck.gym.mission.env:{mission.name}Env",
             max_episode_steps=mission.most_steps,
         )

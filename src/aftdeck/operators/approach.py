@@ -9,7 +9,7 @@ import numpy as np
 
 from aftdeck.arms.load import PorLimits
 from aftdeck.arrays import Array
-from aftdeck.matrices import dots
+from aftdeck.matrices import dots, lengths
 from aftdeck.task.along_sticks import AlongSticks
 from aftdeck.task.remaining import Remaining
 
@@ -19,9 +19,10 @@ HOVER_M = 0.5
 """Height over a payload or berth below which the operator is only when lined up [m]."""
 PER_ANGLE_M = 2.0
 """Distance that the operator keeps from a payload or berth for each radian of misalignment [m]."""
-CLEAR_M, CLEAR_RAD = 0.3, 0.1
-"""Distance [m] that is left on the way out, and error beside it [m] and angle [rad] that are corrected before."""
-BESIDE_M = 0.1
+CLEAR_M = 0.3
+"""Distance that is left on the way out, below which the operator also moves aside and turns [m]."""
+BESIDE_M, CLEAR_RAD = 0.1, 0.1
+"""Errors beside the way out [m] and in attitude [rad] up to which they are corrected on the way, too."""
 LINED_UP = 0.5
 """Part of the tolerance that an axis may miss when the next axis of the way begins."""
 LEAST_M = 0.02
@@ -110,13 +111,13 @@ def deflection(left: float, axis: Axis, speeds: Speeds) -> float:
 
 def _in_its_direction(left: Array, axis: Axis, speeds: Speeds) -> Array:
     """Return the deflections for a vector: those of its magnitude, in its direction."""
-    size = float(np.sqrt(dots(left, left)))
+    size = float(lengths(left))
     return left * (deflection(size, axis, speeds) / size) if size > 0.0 else left
 
 
 def _closer(height: float, beside: Array, remaining: Remaining) -> float:
     """Return how far the operator moves closer now: not below a cone over the place, and last if lined up."""
-    error = max(0.0, float(np.sqrt(dots(beside, beside))) - LINED_UP * remaining.near[0])
+    error = max(0.0, float(lengths(beside)) - LINED_UP * remaining.near[0])
     angle = max(0.0, abs(remaining.angle) - LINED_UP * remaining.near[1])
     least = STRAIGHT * error + PER_ANGLE_M * angle
     return max(0.0, height - (max(HOVER_M, least) if least > 0.0 else 0.0))
@@ -126,8 +127,8 @@ def _outwards(move: Array, turn: Array, along: float, beside: Array) -> tuple[Ar
     """Return the motion on the way out: first straight out, with small corrections only."""
     if along < CLEAR_M:
         return move, turn
-    small = float(np.sqrt(dots(beside, beside))) < BESIDE_M
-    turned = float(np.sqrt(dots(turn, turn)))
+    small = float(lengths(beside)) < BESIDE_M
+    turned = float(lengths(turn))
     return (move if small else move - beside), turn if turned < CLEAR_RAD else turn * 0.0
 
 

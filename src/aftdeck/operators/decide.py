@@ -5,12 +5,13 @@ An operator knows the procedures of the end effector and of the latches; where t
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Literal
 
 import msgspec
 
 from aftdeck.arrays import Array
-from aftdeck.matrices import product
+from aftdeck.bodies.pose import vec3
+from aftdeck.matrices import length, product
 from aftdeck.operators.approach import LINED_UP, Axis, Speeds, deflection, deflections
 from aftdeck.scenario.target import AtCargo, AtSeat
 from aftdeck.scenario.task_step import TaskStep
@@ -20,7 +21,6 @@ from aftdeck.steering.mode import MODES
 from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.progress import Progress
 from aftdeck.task.remaining import Remaining
-from aftdeck.tuples import Vec3
 from aftdeck.worksite.conditions import all_ready
 
 CLOSED_BY_CLOSING = "prong closed"
@@ -31,8 +31,11 @@ VERNIER_M, COARSE_M = 0.4, 0.8
 """Distance to a place of contact below which vernier rates are used, and above which coarse rates are used [m]."""
 CONTACT_M = 0.1
 """Greatest distance above a payload or a berth at which a place is one of contact [m]."""
-_STICKS = ("X", "Y", "Z", "roll", "pitch", "yaw")
+STILL_M_S = 0.01
+"""Speed of the tip below which the operator works with end effector and latches [m/s]."""
+_THC, _RHC = ("X", "Y", "Z"), ("roll", "pitch", "yaw")
 _OPEN = 0.999
+"""Opening from which on the end effector is open."""
 
 
 def decide(
@@ -121,16 +124,16 @@ def moved(
         limit = frame.rate_limits[step.joint]
         angle = step.joint_at - frame.angles[step.joint]
         drive = deflection(angle, Axis(limit, speeds.por.angular_acceleration, 0.0), speeds)
-        arrived = done.within_angle is not None and abs(angle) < 0.5 * done.within_angle
+        arrived = done.within_angle is not None and abs(angle) < LINED_UP * done.within_angle
         return Inputs(joint=step.joint, drive=0.0 if arrived else drive)
     if step.target is not None and remaining is not None:
         left = along_sticks(remaining, frame, axes)
         if left is None:
             return Inputs()
         if orbiter is not None and any(use.use == "fly orbiter" for use in step.uses) and done.orbiter_at_rest:
-            arrived = done.within is not None and remaining.distance < 0.5 * done.within
+            arrived = done.within is not None and remaining.distance < LINED_UP * done.within
             thc, _ = deflections(left, remaining, None, (), orbiter)
-            return Inputs(orbiter=(0.0, 0.0, 0.0) if arrived else _vec3(thc))
+            return Inputs(orbiter=(0.0, 0.0, 0.0) if arrived else vec3(thc, 0))
         if (rate := _rate(frame, step, remaining.distance)) is not None:
             return Inputs(rate=rate)
         out = progress.places.way_out(frame, step.target)
@@ -141,7 +144,7 @@ def moved(
             tuple("XYZ".index(axis) for axis in step.way),
             speeds,
         )
-        return Inputs(translation=_vec3(thc), rotation=_vec3(rhc))
+        return Inputs(translation=vec3(thc, 0), rotation=vec3(rhc, 0))
     if done.singular is False and frame.singular:
         return leave(frame, frame.ways_out)
     if done.sticks_released or done.at_rest:
@@ -149,7 +152,7 @@ def moved(
     return _push(step, turns=done.turned is not None)
 
 
-def _rate(frame: Frame, step: TaskStep, distance: float) -> Any:
+def _rate(frame: Frame, step: TaskStep, distance: float) -> Literal["coarse", "vernier"] | None:
     """Return the rate setting to change to; None for no change."""
     near = isinstance(step.target, AtCargo | AtSeat) and step.target.above <= CONTACT_M
     if near and distance < VERNIER_M and frame.rate == "coarse":
@@ -159,23 +162,20 @@ def _rate(frame: Frame, step: TaskStep, distance: float) -> Any:
 
 def _push(step: TaskStep, turns: bool) -> Inputs:
     """Return full deflection of the first axis that the step names: of the RHC if `turns`, else of the THC."""
+    stick, names = ("rotation", _RHC) if turns else ("translation", _THC)
     for use in step.uses:
         sign, axis = use.use[:1], use.use[1:]
-        if axis in _STICKS and (_STICKS.index(axis) >= 3) == turns:  # noqa: PLR2004
-            return _stick("rotation" if turns else "translation", _STICKS.index(axis) % 3, float(f"{sign}1"))
+        if axis in names:
+            return _stick(stick, names.index(axis), float(f"{sign}1"))
     return Inputs()
 
 
 def _still(frame: Frame) -> bool:
     """Return whether the tip is slow enough to work with end effector or latches."""
-    return sum(v * v for v in frame.twist[3:]) < 1e-4  # noqa: PLR2004
+    return length(frame.twist[3:]) < STILL_M_S
 
 
 def _stick(stick: str, axis: int, value: float) -> Inputs:
     vector = [0.0, 0.0, 0.0]
     vector[axis] = value
     return msgspec.structs.replace(Inputs(), **{stick: tuple(vector)})
-
-
-def _vec3(values: Any) -> Vec3:
-    return cast("Vec3", tuple(values.tolist()))

@@ -34,6 +34,7 @@ def record(
     seed: int | None = None,
     *,
     trial: Trial = NO_TRIAL,
+    shown: tuple[tuple[str, ...], ...] | None = None,
     inputs: Callable[[Simulation], Inputs | None] | None = None,
     progress: Callable[[float], None] | None = None,
     stepped: Callable[[Simulation], None] | None = None,
@@ -47,6 +48,7 @@ def record(
         out: file to create; its folder is created if it is missing.
         seed: seed of the run; None selects the scenario's seed.
         trial: participant and condition.
+        shown: cameras on each monitor during the whole run; None if there are no monitors.
         inputs: function that is called before every step and returns manual inputs, as in `simulation.run.run`.
         progress: called repeatedly with the fraction of the maximum duration that has passed, 0 to 1.
         stepped: called with the simulation after every step.
@@ -64,6 +66,8 @@ def record(
     loaded = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
     own_seed = loaded.seed if seed is None else whole(seed, "seed")
     recorder = Recorder(Path(out), loaded, own_seed, trial=trial, index=index)
+    if shown is not None:
+        recorder.shown(0.0, shown)
 
     def record_step(sim: Simulation) -> None:
         recorder.step(sim.given, sim.look())

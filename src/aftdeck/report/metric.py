@@ -39,6 +39,11 @@ class Metric(NamedTuple):
     source: str = OWN
 
     @property
+    def is_text(self) -> bool:
+        """Whether its values are texts."""
+        return self.quantity == "words"
+
+    @property
     def column(self) -> str:
         """Name of a table's column, with the unit: ``tip_path_m``, ``closing_speed_m_s``."""
         unit = UNITS[self.quantity].replace("/", "_").replace(" ", "_").lower()

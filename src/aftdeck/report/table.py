@@ -13,7 +13,7 @@ from aftdeck.report.catalogue import METRICS
 from aftdeck.report.extra import needed
 from aftdeck.report.metric import Metric, Value
 
-Cell = str | float | int | None
+Cell = bool | int | float | str | None
 Row = dict[str, Cell]
 
 RUN_COLUMNS = ("recording", "scenario", "participant", "condition", "seed", "began", "ended", "version")
@@ -91,7 +91,7 @@ def write_table(rows: Sequence[Row], file: Path) -> None:
 def _write_parquet(rows: Sequence[Row], names: Sequence[str], file: Path) -> None:
     """Write a Parquet file; a column is text if it describes the run or a metric without a number, else a double."""
     arrow: Any = needed("pyarrow")
-    texts = {*RUN_COLUMNS, *(metric.column for metric in METRICS if metric.quantity == "words")}
+    texts = {*RUN_COLUMNS, *(metric.column for metric in METRICS if metric.is_text)}
     kinds = {name: arrow.string() if name in texts else arrow.float64() for name in names} | {"seed": arrow.int64()}
     schema = arrow.schema([(name, kinds[name]) for name in names])
     needed("pyarrow.parquet").write_table(arrow.Table.from_pylist([dict(row) for row in rows], schema), file)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from aftdeck.dimensions import KEY, derive_from, has_formulas
 from aftdeck.errors import ScenarioError
-from aftdeck.files import Changes, Problem, Text, as_path, examine, read, sentences
+from aftdeck.files import Changes, Problem, Text, examine, find_toml, read, sentences
 from aftdeck.scenario.build import BUILT_IN, build
 from aftdeck.scenario.changes import change_text
 from aftdeck.scenario.model import Scenario
@@ -59,16 +59,8 @@ def find_scenario(name_or_path: str | Path) -> Source:
     Raises:
         ScenarioError: there is no such scenario, or its file cannot be read.
     """
-    path = as_path(name_or_path)
-    if path.suffix != ".toml":
-        if str(name_or_path) not in built_in():
-            raise ScenarioError(
-                [
-                    f"no scenario {str(name_or_path)!r}; the built-in scenarios are {', '.join(built_in())}; "
-                    "a path to a scenario file ends in .toml"
-                ]
-            )
-        path = BUILT_IN / f"{name_or_path}.toml"
+    names = "scenario", "scenarios"
+    path = find_toml(name_or_path, BUILT_IN, built_in(), names, lambda text: ScenarioError([text]))
     return Source(read(path).text, path.stem, path.name, path.parent)
 
 

@@ -12,13 +12,13 @@ from typing import Any
 import msgspec
 
 from aftdeck.errors import RecordingError
+from aftdeck.recording.run import record
 from aftdeck.recording.trial import Trial
-from aftdeck.recording.writer import Recorder
+from aftdeck.report.table import Row
 from aftdeck.scenario.model import Scenario
 from aftdeck.schema_check import convert
-from aftdeck.simulation.run import Simulation, run
+from aftdeck.simulation.run import run
 from aftdeck.simulation.summary import Summary
-from aftdeck.study.columns import Row
 from aftdeck.study.design import Case
 from aftdeck.study.keys import Change, Kind, of_kind
 from aftdeck.study.operator import Operator, operator_of, pilot_of, until_the_end
@@ -107,26 +107,24 @@ def _recorded(
     """
     new = path.with_name(f".{path.stem}.new.mcap")
     new.unlink(missing_ok=True)
-    recorder = Recorder(new, scenario, case.seed, trial=Trial(condition=f"case {case.index}"))
-    recorder.shown(0.0, shown)
-
-    def stepped(sim: Simulation) -> None:
-        frame = sim.look()
-        watch.see(frame)
-        recorder.step(sim.given, frame)
-        recorder.wait_for_room()
-
+    trial = Trial(condition=f"case {case.index}")
     try:
-        summary = run(scenario, case.seed, inputs=inputs, keep_frames=False, stepped=stepped).summary
-    except BaseException:
-        recorder.close("stopped")
-        new.replace(path)
+        done = record(
+            scenario,
+            new,
+            case.seed,
+            trial=trial,
+            shown=shown,
+            inputs=inputs,
+            stepped=lambda sim: watch.see(sim.look()),
+        )
+    except RecordingError:
         raise
-    recorder.close(summary.ended, summary)
-    if recorder.failure:
-        raise RecordingError(recorder.failure)
+    except BaseException:
+        new.replace(path)  # what was recorded until the run failed
+        raise
     new.replace(path)
-    return summary
+    return done.summary
 
 
 def check_cameras(scenario: Scenario, monitors: MonitorsSpec) -> None:

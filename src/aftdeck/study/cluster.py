@@ -13,9 +13,9 @@ from aftdeck.law import state_of_the_laws
 from aftdeck.report.extra import needed
 from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.design import Case
+from aftdeck.study.failures import Failures, Finished, PoolError
 from aftdeck.study.plan import Plan
-from aftdeck.study.pool import MOST_DEATHS, MOST_FAILED_STARTS, ONE_THREAD, Finished, PoolError
-from aftdeck.study.result import row_of
+from aftdeck.study.pool import ONE_THREAD
 from aftdeck.study.worker import Job, prepare
 from aftdeck.version import __version__
 
@@ -83,8 +83,7 @@ class Cluster:
         self._stored = self._ray.put(plan)
         self._busy: dict[Any, _Worker] = {}
         self._waiting: deque[Job] = deque()
-        self._deaths: dict[int, int] = {}
-        self._failed_starts = 0
+        self._failures = Failures(plan)
 
     def __enter__(self) -> Cluster:
         return self
@@ -112,8 +111,7 @@ class Cluster:
                 if worker.job is not None and now - worker.since > self._limit_s:
                     del self._busy[reference]
                     self._ray.kill(worker.actor)
-                    why = f"TooLong: ended after {self._limit_s:g} s, the study's limit"
-                    yield Finished(worker.job, Outcome(self._failed(worker.job, why), self._limit_s))
+                    yield self._failures.too_long(worker.job, self._limit_s)
                     self._start(worker.job.case)
 
     def _start(self, first: Case) -> None:
@@ -138,7 +136,7 @@ class Cluster:
             yield from self._dead(worker, str(error).splitlines()[0])
             return
         if worker.job is None:
-            self._failed_starts = 0
+            self._failures.ready()
             if result != (__version__, state_of_the_laws()):
                 raise PoolError(
                     f"a machine of the cluster has Aftdeck {result[0]}, laws {result[1]}; this one has {__version__}, "
@@ -151,20 +149,13 @@ class Cluster:
     def _dead(self, worker: _Worker, why: str) -> Iterator[Finished]:
         job = worker.job
         if job is None:
-            self._failed_starts += 1
-            if self._failed_starts >= MOST_FAILED_STARTS:
-                raise PoolError(f"{MOST_FAILED_STARTS} Ray workers ended before they were ready: {why}")
+            self._failures.not_started(f"Ray workers ended before they were ready: {why}")
             if self._waiting:
                 self._start(self._waiting[0].case)
             return
-        index = job.case.index
-        self._deaths[index] = self._deaths.get(index, 0) + 1
-        if self._deaths[index] < MOST_DEATHS:
+        given_up = self._failures.died(job, f": {why}")
+        if given_up is None:
             self._waiting.appendleft(job)
         else:
-            why = f"WorkerDied: {MOST_DEATHS} worker processes ended in this case: {why}"
-            yield Finished(job, Outcome(self._failed(job, why), 0.0))
+            yield given_up
         self._start(job.case)
-
-    def _failed(self, job: Job, why: str) -> Any:
-        return row_of(self._plan, job.case, {"error": why})

@@ -4,11 +4,6 @@ from __future__ import annotations
 
 from aftdeck.report.catalogue import METRICS
 
-Cell = bool | int | float | str | None
-"""A value in the table; None for no value."""
-Row = dict[str, Cell]
-"""A case in the table, by the names of the columns."""
-
 BEFORE = ("index", "seed")
 """Columns before those of the factors."""
 OUTCOME = ("ended", "success", "error", "frames_sha256", "final_error_m", "final_angle_rad")
@@ -29,6 +24,6 @@ ABOUT = {
 NUMERIC = (
     "final_error_m",
     "final_angle_rad",
-    *(metric.column for metric in METRICS if metric.quantity != "words"),
+    *(metric.column for metric in METRICS if not metric.is_text),
 )
 """Columns of results with numbers."""

@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 
 from aftdeck.report.extra import needed
-from aftdeck.study.columns import Cell
+from aftdeck.report.table import Cell
 from aftdeck.study.factor import Factor, Level
 from aftdeck.study.file import Study
 from aftdeck.study.keys import Change

@@ -9,7 +9,7 @@ from aftdeck.report.catalogue import METRICS
 from aftdeck.report.intervals import Interval, mean_interval
 from aftdeck.report.page.svg import COLOURS, chart
 from aftdeck.report.quantity import UNITS
-from aftdeck.study.columns import Row
+from aftdeck.report.table import Row
 from aftdeck.study.factor import Factor
 from aftdeck.study.statistics import Group, groups, numbers, success_rate
 
@@ -27,10 +27,7 @@ def title_of(column: str) -> str:
     """Return the name of a result for people, with its unit."""
     metric = next((metric for metric in METRICS if metric.column == column), None)
     if metric is None:
-        return {
-            "final_error_m": "Final error [m]",
-            "final_angle_rad": "Final angle [rad]",
-        }.get(column, column)
+        return {"final_error_m": "Final error [m]", "final_angle_rad": "Final angle [rad]"}.get(column, column)
     unit = UNITS[metric.quantity]
     return f"{metric.title} [{unit}]" if unit else metric.title
 

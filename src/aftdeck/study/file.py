@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import msgspec
 
 from aftdeck.errors import AftdeckError, ScenarioError
-from aftdeck.files import Problem, Text, Where, as_path, beside, examine, read, sentences
+from aftdeck.files import Problem, Text, Where, beside, examine, find_toml, read, sentences
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.catalogue import METRICS
 from aftdeck.scenario.load import Source, find_scenario
@@ -71,16 +71,8 @@ def load_study(name_or_path: str | Path) -> Study:
     Raises:
         ScenarioError: there is no such study, or its file has errors; the message lists all errors, with their lines.
     """
-    path = as_path(name_or_path)
-    if path.suffix != ".toml":
-        if str(name_or_path) not in built_in():
-            raise ScenarioError(
-                [
-                    f"no study {str(name_or_path)!r}; the built-in studies are {', '.join(built_in())}; a path to a "
-                    "study file ends in .toml"
-                ]
-            )
-        path = BUILT_IN / f"{name_or_path}.toml"
+    names = "study", "studies"
+    path = find_toml(name_or_path, BUILT_IN, built_in(), names, lambda text: ScenarioError([text]))
     return parse_study(read(path), path.stem, path.parent)
 
 

@@ -10,35 +10,16 @@ import time
 from collections import deque
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import NamedTuple
 
-from aftdeck.errors import AftdeckError
 from aftdeck.law import compiled_before
-from aftdeck.study.case import Outcome
+from aftdeck.study.failures import Failures, Finished
 from aftdeck.study.plan import Plan
-from aftdeck.study.result import row_of
 from aftdeck.study.worker import Done, Job, Ready, work
 
-MOST_DEATHS = 2
-"""Number of workers that may die in the same case; the case is then recorded with an error."""
-MOST_FAILED_STARTS = 3
-"""Number of workers that may die one after the other before they are ready; the study then ends."""
 START_S = 900.0
 """Longest time until a worker is ready [s]; to compile all laws takes a minute."""
 ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 """Variables that limit the threads of libraries: the processes already use all cores."""
-
-
-class PoolError(AftdeckError):
-    """Workers that cannot be started."""
-
-
-class Finished(NamedTuple):
-    """A finished job: its outcome, or the reason why its recording failed."""
-
-    job: Job
-    outcome: Outcome | None
-    failure: str = ""
 
 
 class _Worker:
@@ -91,8 +72,7 @@ class Pool:
         self._plan, self._processes, self._limit_s = plan, processes, limit_s
         self._workers: list[_Worker] = []
         self._waiting: deque[Job] = deque()
-        self._deaths: dict[int, int] = {}
-        self._failed_starts = 0
+        self._failures = Failures(plan)
 
     def __enter__(self) -> Pool:
         return self
@@ -156,7 +136,8 @@ class Pool:
             yield from self._dead(worker)
             return
         if isinstance(message, Ready):
-            worker.ready, self._failed_starts = True, 0
+            worker.ready = True
+            self._failures.ready()
         elif isinstance(message, Done) and worker.job is not None:
             job, worker.job = worker.job, None
             yield Finished(job, message.outcome, message.failure)
@@ -166,27 +147,19 @@ class Pool:
         self._workers.remove(worker)
         why, job = worker.end_of_process(), worker.job
         if not worker.ready:
-            self._failed_starts += 1
-            if self._failed_starts >= MOST_FAILED_STARTS:
-                raise PoolError(
-                    f"{MOST_FAILED_STARTS} worker processes ended before they were ready, the last by {why}"
-                )
+            self._failures.not_started(f"worker processes ended before they were ready, the last by {why}")
         if job is None:
             return
-        index = job.case.index
-        self._deaths[index] = self._deaths.get(index, 0) + 1
-        if self._deaths[index] < MOST_DEATHS:
+        given_up = self._failures.died(job, f", the last by {why}")
+        if given_up is None:
             self._waiting.appendleft(job)
         else:
-            yield self._failed(job, f"WorkerDied: {MOST_DEATHS} worker processes ended in this case, the last by {why}")
+            yield given_up
 
     def _too_long(self, worker: _Worker, job: Job) -> Finished:
         self._workers.remove(worker)
         worker.kill()
-        return self._failed(job, f"TooLong: ended after {self._limit_s:g} s, the study's limit", self._limit_s)
-
-    def _failed(self, job: Job, why: str, wall_s: float = 0.0) -> Finished:
-        return Finished(job, Outcome(row_of(self._plan, job.case, {"error": why}), wall_s))
+        return self._failures.too_long(job, self._limit_s)
 
 
 @contextmanager

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from aftdeck.report.intervals import Interval
 from aftdeck.report.page.document import Line, charts, document, facts, figure, table
+from aftdeck.report.table import Cell, Row
 from aftdeck.study.case import Outcome
-from aftdeck.study.columns import Cell, Row
 from aftdeck.study.factor import Factor
 from aftdeck.study.figures import response_chart, success_chart, title_of
 from aftdeck.study.file import Study

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.metrics.steps import SHARE
-from aftdeck.report.table import cells
+from aftdeck.report.table import Row, cells
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.summary import Summary
-from aftdeck.study.columns import OUTCOME, Row
+from aftdeck.study.columns import OUTCOME
 from aftdeck.study.design import Case
 from aftdeck.study.plan import Plan
 from aftdeck.study.watch import Watch
@@ -18,7 +18,7 @@ LONGEST_ERROR = 2000
 
 def results(plan: Plan, scenario: Scenario, spec: OperatorSpec, watch: Watch, summary: Summary) -> Row:
     """Return the columns of a run that reached its end."""
-    found: Row = {**cells(watch.found())}
+    found = cells(watch.found())
     ended: str = summary.ended
     if spec.kind != "script":
         ended = "completed" if found[SHARE.column] in (None, 1.0) else "given up"
@@ -34,7 +34,7 @@ def results(plan: Plan, scenario: Scenario, spec: OperatorSpec, watch: Watch, su
     success = (
         rule.ended in (ended, "any")
         and all(_number(numbers, name) <= bound for name, bound in rule.at_most.items())
-        and all(-_number(numbers, name) <= -bound for name, bound in rule.at_least.items())
+        and all(_number(numbers, name) >= bound for name, bound in rule.at_least.items())
     )
     outcome: Row = {
         "ended": ended,

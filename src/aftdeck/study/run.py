@@ -11,9 +11,10 @@ from aftdeck.errors import InputError
 from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.cluster import Cluster
 from aftdeck.study.design import cases
+from aftdeck.study.failures import Finished
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of
-from aftdeck.study.pool import Finished, Pool
+from aftdeck.study.pool import Pool
 from aftdeck.study.report import write_report
 from aftdeck.study.store import Store
 from aftdeck.study.table import write_tables

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from aftdeck.report.intervals import Interval, wilson
-from aftdeck.study.columns import Row
+from aftdeck.report.table import Row
 from aftdeck.study.factor import Factor
 
 BINS = 6

@@ -159,7 +159,7 @@ def check_about(folder: Path, study: Study) -> bool:
     texts = {
         "study_sha256": "the study file has changed",
         "files_sha256": "the scenario, an arm or a worksite has changed",
-        "version": f"it was begun by Aftdeck {theirs.version}, and this is {mine.version}",
+        "version": f"it was started by Aftdeck {theirs.version}, and this is {mine.version}",
         "laws": "the laws of this version differ",
         "title": "the title has changed",
     }

@@ -11,8 +11,9 @@ from aftdeck.law import state_of_the_laws
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.extra import needed
 from aftdeck.report.quantity import UNITS
+from aftdeck.report.table import Row
 from aftdeck.study.case import Outcome
-from aftdeck.study.columns import ABOUT, NUMERIC, OUTCOME, Row
+from aftdeck.study.columns import ABOUT, NUMERIC, OUTCOME
 from aftdeck.study.factor import Factor
 from aftdeck.study.file import Study
 from aftdeck.study.store import replace
@@ -81,7 +82,7 @@ def _fields(study: Study, arrow: Any) -> list[tuple[str, Any, dict[str, str]]]:
     metrics = [
         (
             metric.column,
-            arrow.string() if metric.quantity == "words" else arrow.float64(),
+            arrow.string() if metric.is_text else arrow.float64(),
             {"description": f"{metric.title}. {metric.definition}", "unit": UNITS[metric.quantity]},
         )
         for metric in METRICS

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-from aftdeck.study.columns import Row
+from aftdeck.report.table import Row
 from aftdeck.study.file import Study
 
 RECORDINGS = "recordings"

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import vec3
 from aftdeck.frames import Pose, quaternion
 from aftdeck.matrices import product
 from aftdeck.simulation.frame import Frame
@@ -39,7 +40,7 @@ def along_sticks(remaining: Remaining, frame: Frame, axes: tuple[Array, Array]) 
     if remaining.motion is None or MODES[frame.mode].kind != "manual":
         return None
     moved, turned = along_axes(remaining.motion, np.array(frame.resolution), axes)
-    return AlongSticks(_vec3(moved), _vec3(turned))
+    return AlongSticks(vec3(moved, 0), vec3(turned, 0))
 
 
 def along_axes(motion: Pose, point: Array, axes: tuple[Array, Array]) -> tuple[Array, Array]:
@@ -60,7 +61,3 @@ def _vector(rotation: Array) -> Array:
     w, *vector = quaternion(rotation)
     sine = math.hypot(*vector)
     return np.array(vector) * (2.0 * math.atan2(sine, w) / sine if sine > 0.0 else 2.0)
-
-
-def _vec3(values: Array) -> Vec3:
-    return cast("Vec3", tuple(values.tolist()))

@@ -18,10 +18,7 @@ class Progress:
         first: index of the step at which the run began: 0, or the first step of the part that was re-initialised.
         at: index of the present step; the number of steps when all are complete.
         done_s: for each step, the simulated time at which it was completed [s]; None if it is open or was skipped.
-        hint: index of the present step's hint whose state holds; -1 if none does.
-        remaining: motion that is left in the newest frame; None if nothing tells where to move.
-        places: poses of the scenario's things.
-        closing: speed at which its distance becomes smaller [m/s]; None in the first step of a motion to a place.
+        places: poses of the scenario's payloads and berths, and of the tip.
     """
 
     def __init__(self, scenario: Scenario) -> None:

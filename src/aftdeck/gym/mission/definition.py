@@ -53,6 +53,11 @@ class Mission(NamedTuple):
     most_steps: int
     task: str
 
+    @property
+    def id(self) -> str:
+        """Id of the environment."""
+        return f"aftdeck/{self.name}-v0"
+
     def is_step(self, step: TaskStep) -> bool:
         """Return whether a step of a scenario's task is the one that this environment flies."""
         match self.name:
@@ -102,7 +107,8 @@ DOCK = Mission(
     900,
     "Bring the held payload from in front of the docking port into the port, which latches by itself.",
 )
-MISSIONS = (CAPTURE, EXTRACT, DOCK)
+MISSIONS = {mission.id: mission for mission in (CAPTURE, EXTRACT, DOCK)}
+"""Environments by their ids."""
 
 _FAR = 40.0
 """Greatest displacement that is observed [m]."""

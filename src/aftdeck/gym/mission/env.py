@@ -10,7 +10,7 @@ import gymnasium
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import Where
 from aftdeck.gym.actions import checked
-from aftdeck.gym.choices import PLANTS, Plant, no_options, no_rendering, one_of
+from aftdeck.gym.choices import PLANTS, no_options, no_rendering, one_of
 from aftdeck.gym.mission import definition
 from aftdeck.gym.mission.actions import inputs_of, repeats_of
 from aftdeck.gym.mission.definition import CAPTURE, DOCK, EXTRACT, Mission
@@ -18,6 +18,7 @@ from aftdeck.gym.mission.observation import Observer, detrimental
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
 from aftdeck.gym.terms import Floats32, action_space
 from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.schema import Plant
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation

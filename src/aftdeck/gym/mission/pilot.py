@@ -27,7 +27,7 @@ class MissionPilot:
     """
 
     def __init__(self, scenario: Scenario, policy: Policy) -> None:
-        self._mission = next(one for one in MISSIONS if policy.environment == f"aftdeck/{one.name}-v0")
+        self._mission = MISSIONS[policy.environment]
         self._step = step_of(self._mission, scenario)
         self._last = scenario.steps.index(self._step)
         self._scenario, self._policy = scenario, policy

@@ -10,6 +10,8 @@ from aftdeck.arrays import Array
 from aftdeck.gym.terms import Control, Observed, Rewarded
 from aftdeck.tuples import Six
 
+ID = "aftdeck/Reach-v0"
+"""Id of the environment."""
 PERIOD = 0.08
 """Control period [s]: that of the arm's own computer. A step of the environment is one control step."""
 MOST_STEPS = 500

@@ -12,6 +12,7 @@ from aftdeck.arrays import Array
 from aftdeck.frames import Pose
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.terms import Floats32, observation_space
+from aftdeck.simulation.frame import Frame
 
 
 class Observation(NamedTuple):
@@ -64,3 +65,8 @@ class Observer:
         normalised = (values - self._middle) / self._one
         observation = np.clip(normalised, self._space.low, self._space.high).astype(np.float32)
         return Observation(observation, float(np.linalg.norm(shift)), math.sqrt(max(3.0 - trace, 0.0)))
+
+    def in_frame(self, goal: Pose, frame: Frame) -> Observation:
+        """Return the observation of a frame; `goal` is the pose in L that the tip has to reach."""
+        tip = Pose(np.array(frame.position), np.array(frame.orientation))
+        return self.of(goal, tip, np.array(frame.angles), np.array(frame.rates), np.array(frame.twist))

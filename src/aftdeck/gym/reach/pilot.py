@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from aftdeck.frames import Pose
 from aftdeck.gym.policy import Policy
 from aftdeck.gym.reach.observer import Observer
 from aftdeck.scenario.model import Scenario
@@ -33,7 +30,5 @@ class ReachPilot:
         left = self.progress.remaining()
         if self.progress.present is None or left is None or left.pose is None:
             return None
-        tip = Pose(np.array(frame.position), np.array(frame.orientation))
-        seen = self._observer.of(left.pose, tip, np.array(frame.angles), np.array(frame.rates), np.array(frame.twist))
-        x, y, z, roll, pitch, yaw = self._policy.act(seen.values).tolist()
+        x, y, z, roll, pitch, yaw = self._policy.act(self._observer.in_frame(left.pose, frame).values).tolist()
         return Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw))

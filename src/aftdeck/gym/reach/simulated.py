@@ -8,14 +8,13 @@ import numpy as np
 
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import checked
-from aftdeck.gym.choices import Plant
 from aftdeck.gym.reach import definition as task
 from aftdeck.gym.reach.batch import ReachBatch
 from aftdeck.gym.reach.observer import Observer
 from aftdeck.gym.terms import Floats32
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Start
-from aftdeck.simulation.frame import Frame
+from aftdeck.scenario.schema import Plant
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 
@@ -50,11 +49,7 @@ class SimulatedReach:
         self._sim.advance(
             Inputs(translation=(sticks[0], sticks[1], sticks[2]), rotation=(sticks[3], sticks[4], sticks[5]))
         )
-        frame: Frame = self._sim.look()
-        tip = Pose(np.array(frame.position), np.array(frame.orientation))
-        observation, distance, chord = self._observer.of(
-            self._goal, tip, np.array(frame.angles), np.array(frame.rates), np.array(frame.twist)
-        )
+        observation, distance, chord = self._observer.in_frame(self._goal, self._sim.look())
         reached = distance <= task.NEAR and chord <= task.chord(task.NEAR_ANGLE)
         reward = (
             task.DISTANCE.weight * (self._distance - distance)

@@ -8,12 +8,13 @@ import gymnasium
 import numpy as np
 
 from aftdeck.errors import InputError
-from aftdeck.gym.choices import PLANTS, Plant, no_options, no_rendering, one_of
+from aftdeck.gym.choices import PLANTS, no_options, no_rendering, one_of
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.batch import ReachBatch
 from aftdeck.gym.reach.layout import DISABLED
 from aftdeck.gym.reach.simulated import SimulatedReach
 from aftdeck.gym.terms import Floats32, action_space, observation_space
+from aftdeck.scenario.schema import Plant
 
 
 class Reach(Protocol):

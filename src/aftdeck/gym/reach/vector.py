@@ -11,12 +11,13 @@ from gymnasium.vector.utils import batch_space
 
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
-from aftdeck.gym.choices import PLANTS, Plant, no_options, no_rendering, one_of, whole
+from aftdeck.gym.choices import PLANTS, no_options, no_rendering, one_of, whole
 from aftdeck.gym.reach import definition
 from aftdeck.gym.reach.batch import ReachBatch, Step
 from aftdeck.gym.reach.kernel import Flags
 from aftdeck.gym.reach.layout import DISABLED, NEXT_STEP, SAME_STEP
 from aftdeck.gym.terms import Floats32, action_space, observation_space
+from aftdeck.scenario.schema import Plant
 from aftdeck.units import short
 
 _MODES = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -178,9 +178,3 @@ def _path(values: array[float], poses: ScenePoses) -> Array:
     every = -(-len(points) // PATH_POINTS)
     kept = np.concatenate([points[::every], points[-1:]])
     return np.array([poses.point(tuple(point)) for point in kept.tolist()])
-
-
-def steps_of(progress: Progress) -> Iterator[tuple[str, float | None]]:
-    """Yield the title of each step of a task, and the time at which it was completed [s], or None."""
-    for step, done_s in zip(progress.steps, progress.done_s, strict=True):
-        yield step.title, done_s

@@ -121,11 +121,10 @@ def _metrics(runs: Sequence[Gathered]) -> str:
         if known:
             lines.append(Line((subject,), "subject"))
         lines += [_line(metric, runs) for metric in known]
-    heads = ["", *(run.title for run in runs)] if len(runs) > 1 else ["", "value", "where"]
-    numbers = range(1, len(runs) + 1)
-    if len(runs) > 1:
-        heads += ["mean, 95 % interval"]
-    return table(heads, lines, numbers=[*numbers, len(runs) + 1] if len(runs) > 1 else [1])
+    if len(runs) == 1:
+        return table(("", "value", "where"), lines, numbers=(1,))
+    heads = ("", *(run.title for run in runs), "mean, 95 % interval")
+    return table(heads, lines, numbers=range(1, len(heads)))
 
 
 def _line(metric: Metric, runs: Sequence[Gathered]) -> Line:
