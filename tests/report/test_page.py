@@ -136,9 +136,10 @@ def test_both_tables_have_the_same_values(run: Run, tutorial: Path, tmp_path: Pa
     (row,) = parquet.read_table(tmp_path / "runs.parquet").to_pylist()
     assert list(row) == list(text) == [*RUN_COLUMNS, *(metric.column for metric in METRICS)]
     for name, value in row.items():
-        assert text[name] == ("" if value is None else text[name])
         if isinstance(value, float):
             assert float(text[name]) == value
+        else:
+            assert text[name] == ("" if value is None else str(value))
 
 
 def test_the_command_writes_a_page_once(run: Run, tutorial: Path, tmp_path: Path) -> None:
