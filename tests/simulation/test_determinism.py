@@ -35,6 +35,17 @@ def test_summary_digest_covers_the_digests_of_all_frames() -> None:
     assert done.summary.frames_sha256 == digest.hexdigest()
 
 
+def test_run_without_digests_has_the_same_frames_and_summary_but_for_the_digests() -> None:
+    with_digests, without = aftdeck.run("uncradle"), aftdeck.run("uncradle", digests=False)
+    bare = [msgspec.structs.replace(frame, sha256="") for frame in with_digests.frames]
+    assert bits(bare) == bits(list(without.frames))
+    assert msgspec.structs.replace(with_digests.summary, frames_sha256="") == without.summary
+    sim = aftdeck.Simulation("uncradle", digests=False)
+    while not sim.ended:
+        sim.advance()
+    assert sim.seal().hex() == with_digests.frames[-1].sha256
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FLOWN)
 def test_building_frames_changes_no_state(name: str) -> None:

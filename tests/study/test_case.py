@@ -27,7 +27,7 @@ def test_row_has_the_metrics_of_the_run(tmp_path: Path) -> None:
     recording = tmp_path / "case.mcap"
     row = Runner(plan_of(study)).run(case, recording).row
     alone = run(load_scenario(tmp_path / "short.toml", {("limits", "por", "translation"): "2 ft/s"}))
-    assert row["frames_sha256"] == alone.summary.frames_sha256
+    assert row["state_sha256"] == alone.frames[-1].sha256
     assert row["speed_ft_s"] == 2.0
     recorded = cells(metrics_of(Recording(recording)))
     assert {name: row[name] for name in study.metric_columns} == pytest.approx(recorded, abs=1e-3)
@@ -85,5 +85,5 @@ def test_camera_of_a_monitor_decides_the_angle_of_the_picture(tmp_path: Path) ->
     runner = Runner(plan_of(study))
     a, b, unknown = (runner.run(case).row for case in cases(study))
     assert a["stick_to_picture_angle_rad"] != b["stick_to_picture_angle_rad"]
-    assert a["frames_sha256"] == b["frames_sha256"]
+    assert a["state_sha256"] == b["state_sha256"]
     assert "none" in str(unknown["error"])

@@ -8,7 +8,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
-from aftdeck.worksite.capture.acquisition import FOUND, Tolerances, acquire
+from aftdeck.worksite.capture.acquisition import FOUND, Tolerances, acquire, still_turns
 
 TOLERANCES = Tolerances(
     spacing=0.8 * FOOT, window=FOOT / 16.0, front=0.5 * FOOT, rear=0.5 * FOOT, fingers_within=8.0 * FOOT
@@ -65,9 +65,10 @@ def over(
 
 
 def found_at(bodies: list[Array], tolerances: Tolerances = TOLERANCES) -> tuple[bool, Array]:
-    """Return the result of `acquire` for palm, fixed finger, prong and bar (8, 3) in one coordinate frame."""
+    """Return the results of `acquire` and `still_turns` for palm, fixed finger, prong and bar (8, 3) in one frame."""
     found = np.full(FOUND, np.nan)
     packed = np.array([hexahedron(body, "a body") for body in bodies])
+    still_turns(packed, WHICH, found)
     return bool(acquire(packed, WHICH, tolerances.packed(), found)), found
 
 

@@ -145,12 +145,14 @@ def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) ->
         frame: the frame.
         delays: delays of the steps up to this frame; None if they are not known.
     """
-    states = [(name, condition(scenario, frame)) for name, condition in LAMPS.items()]
-    lit = tuple([Lamp(name, *lit) for name, lit in states if lit is not None])
-    if delays is None or delays.lost_at_s is None:
-        return lit
-    level: Level = "caution" if frame.time_s - delays.lost_at_s < NEW_LOSS_S else "info"
-    return (*lit, Lamp(TIME_LOST, level, delays.text(), standing=True))
+    lit = []
+    for name, condition in LAMPS.items():
+        if (state := condition(scenario, frame)) is not None:
+            lit.append(Lamp(name, *state))
+    if delays is not None and delays.lost_at_s is not None:
+        level: Level = "caution" if frame.time_s - delays.lost_at_s < NEW_LOSS_S else "info"
+        lit.append(Lamp(TIME_LOST, level, delays.text(), standing=True))
+    return tuple(lit)
 
 
 def _joints_beyond(scenario: Scenario, frame: Frame, zone: int) -> Lit | None:

@@ -62,7 +62,7 @@ class RunMetrics:
 
     def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """Add the next frame, and the lamps that are lit in it."""
-        if any(event.kind == "initialise" for event in frame.events):
+        if frame.events and any(event.kind == "initialise" for event in frame.events):
             self._begin()
         for collector in self._collectors:
             collector.see(frame, self._before)

@@ -57,7 +57,7 @@ class Summary(msgspec.Struct, frozen=True):
     """
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
-    """SHA-256 over the state digests of all frames, in their order."""
+    """SHA-256 over the state digests of all frames, in their order; empty in a run without digests."""
     true_position_error_m: float | None = None
     """Distance of the true tip from the target, with masses; the other error is by the encoders."""
     true_rotation_error_rad: float | None = None
@@ -78,10 +78,10 @@ class Tally:
         self.ticks = 0
         self.events: list[Event] = []
         self.worst, self.least = 0.0, math.inf
-        self._digest = sha256()
+        self._digest, self._sealed = sha256(), False
 
     def take(self, state: State, seal: bytes) -> None:
-        """Add the state after a step, and its digest."""
+        """Add the state after a step, and its digest; the digest is empty in a run without digests."""
         self.ticks += 1
         self.events += state.events
         rules = state.rules
@@ -89,7 +89,9 @@ class Tally:
         worksite = state.worksite
         if worksite.nearest >= 0:
             self.least = min(self.least, float(worksite.watch.found[worksite.nearest, CLEARANCE]))
-        self._digest.update(seal)
+        if seal:
+            self._digest.update(seal)
+            self._sealed = True
 
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
         """Return the summary of a run that ended for the reason `ended`, with `frame` as its last frame."""
@@ -110,7 +112,7 @@ class Tally:
             worst_rate_ratio=self.worst,
             min_clearance_m=self.least if math.isfinite(self.least) else None,
             events=tuple(SummaryEvent(e.time_s, e.kind, e.text) for e in self.events),
-            frames_sha256=self._digest.hexdigest(),
+            frames_sha256=self._digest.hexdigest() if self._sealed else "",
             true_position_error_m=None if miss is None else miss[0],
             true_rotation_error_rad=None if miss is None else miss[1],
         )

@@ -86,7 +86,9 @@ class Runner:
         watch = Watch(scenario, shown, None if flown is None else flown.progress)
         inputs = None if flown is None else until_the_end(flown, scenario.ticks)
         if recording is None:
-            summary = run(scenario, case.seed, inputs=inputs, keep_frames=False, seen=watch.see).summary
+            summary = run(
+                scenario, case.seed, inputs=inputs, keep_frames=False, stepped=watch.see, digests=False
+            ).summary
         else:
             summary = _recorded(scenario, case, inputs, watch, shown, recording)
         return results(plan, scenario, spec, watch, summary)
@@ -116,7 +118,7 @@ def _recorded(
             trial=trial,
             shown=shown,
             inputs=inputs,
-            stepped=lambda sim: watch.see(sim.look()),
+            stepped=watch.see,
         )
     except RecordingError:
         raise

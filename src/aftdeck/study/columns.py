@@ -6,7 +6,7 @@ from aftdeck.report.catalogue import METRICS
 
 BEFORE = ("index", "seed")
 """Columns before those of the factors."""
-OUTCOME = ("ended", "success", "error", "frames_sha256", "final_error_m", "final_angle_rad")
+OUTCOME = ("ended", "success", "error", "state_sha256", "final_error_m", "final_angle_rad")
 """Columns between those of the factors and those of the metrics."""
 FIXED_COLUMNS = (*BEFORE, *OUTCOME)
 
@@ -18,7 +18,7 @@ ABOUT = {
     "error": "reason why there is no result; empty if there is one",
     "final_error_m": "distance of the true tip from its target at the end [m]; empty without a target",
     "final_angle_rad": "angle of the true tip from its target at the end [rad]; empty without a target",
-    "frames_sha256": "SHA-256 over the state digests of all steps: equal for equal runs",
+    "state_sha256": "SHA-256 of the exact state after the last step: equal for equal runs",
 }
 """Description of each fixed column."""
 NUMERIC = (

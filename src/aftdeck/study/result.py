@@ -40,7 +40,7 @@ def results(plan: Plan, scenario: Scenario, spec: OperatorSpec, watch: Watch, su
         "ended": ended,
         "success": success,
         "error": "",
-        "frames_sha256": summary.frames_sha256,
+        "state_sha256": watch.state().hex(),
     }
     return outcome | own | {name: found[name] for name in plan.metrics}
 
@@ -53,7 +53,7 @@ def _number(numbers: Row, name: str) -> float:
 
 def row_of(plan: Plan, case: Case, found: Row) -> Row:
     """Return the row of a case in the order of the columns; what is not in `found` is empty."""
-    empty: Row = {"ended": "", "success": False, "error": "", "frames_sha256": ""}
+    empty: Row = {"ended": "", "success": False, "error": "", "state_sha256": ""}
     head: Row = {"index": case.index, "seed": case.seed} | dict(zip(plan.factors, case.cells, strict=True))
     return head | {name: found.get(name, empty.get(name)) for name in (*OUTCOME, *plan.metrics)}
 

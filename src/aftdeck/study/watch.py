@@ -7,7 +7,7 @@ from aftdeck.report.lamps import lit_lamps
 from aftdeck.report.metric import Metric, Value
 from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.run import Simulation
 from aftdeck.task.progress import Progress
 
 Monitors = tuple[tuple[str, ...], tuple[str, ...]]
@@ -29,9 +29,14 @@ class Watch:
         self._metrics = RunMetrics(scenario, progress)
         self._metrics.note(Shown(0.0, *shown))
 
-    def see(self, frame: Frame) -> None:
-        """Add the next frame."""
+    def see(self, sim: Simulation) -> None:
+        """Add the step that a simulation has made."""
+        self._sim, frame = sim, sim.look()
         self._metrics.see(frame, lit_lamps(self._scenario, frame))
+
+    def state(self) -> bytes:
+        """Return the digest of the exact state after the last step."""
+        return self._sim.seal()
 
     def found(self) -> dict[Metric, Value]:
         """Return the metrics."""

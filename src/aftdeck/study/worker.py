@@ -75,9 +75,10 @@ def prepare(runner: Runner, case: Case) -> None:
         scenario = runner.scenario(case)
         if not compiled_before():
             warm_up(scenario)
-        sim, watch = Simulation(scenario, case.seed), Watch(scenario)
+        sim, watch = Simulation(scenario, case.seed, digests=False), Watch(scenario)
         for _ in range(FIRST_STEPS):
-            watch.see(sim.step())
+            sim.advance()
+            watch.see(sim)
 
 
 def _end_with_parent() -> None:

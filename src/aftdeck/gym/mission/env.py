@@ -57,7 +57,7 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         self._repeats = repeats_of(loaded)
         self._step = step_of(self.mission, loaded)
         base = base_of(loaded, self._step)
-        self._sim, self._aims = Simulation(loaded), Aims(loaded)
+        self._sim, self._aims = Simulation(loaded, digests=False), Aims(loaded)
         self._sim.restart(base)
         frame = self._sim.step(self._first_inputs())
         self._starts = Starts(loaded, self._step, base, self.mission.spread, frame)

@@ -42,6 +42,7 @@ class Path:
         self._path = self._straight = self._turned = self._fastest = self._worst = 0.0
         self._from: Vec3 | None = None
         self._last: Frame | None = None
+        self._handling: list[tuple[bool, str]] = []
 
     def see(self, frame: Frame, before: Frame | None) -> None:
         """Add the next frame."""
@@ -49,11 +50,12 @@ class Path:
         self._turned += math.hypot(*frame.twist[:3]) * self._period_s
         self._fastest = max(self._fastest, math.hypot(*frame.twist[3:]))
         self._worst = max(self._worst, worst_rate(frame.rates_commanded, frame.rate_limits)[0])
+        handled, self._handling = self._handling, _handling(frame)
         if before is None or self._from is None:
             self._from = frame.position
             return
         self._path += math.dist(frame.position, before.position)
-        if _handling(frame) != _handling(before):
+        if self._handling != handled:
             self._straight += math.dist(frame.position, self._from)
             self._from = frame.position
 

@@ -66,16 +66,16 @@ class Sticks:
         self._steps = self._inputs = 0
         self._any = self._both = self._several = 0
         self._thc = self._thc_several = self._rhc = self._rhc_several = 0
+        self._moved = False, False, False
         self._signs, self._reversals = [0] * 6, [0] * 6
 
     def see(self, frame: Frame, before: Frame | None) -> None:
         """Add the next frame."""
         self._steps += 1
-        if before is not None:
-            self._inputs += any(frame.translation) and not any(before.translation)
-            self._inputs += any(frame.rotation) and not any(before.rotation)
-            self._inputs += frame.drive != 0.0 and before.drive == 0.0
-        if not (any(frame.translation) or any(frame.rotation)):
+        moved, self._moved = self._moved, (any(frame.translation), any(frame.rotation), frame.drive != 0.0)
+        if self._moved != moved and before is not None:
+            self._inputs += sum(now and not was for now, was in zip(self._moved, moved, strict=True))
+        if not (self._moved[0] or self._moved[1]):
             return
         thc, rhc = _deflected(frame.translation), _deflected(frame.rotation)
         self._any += 1

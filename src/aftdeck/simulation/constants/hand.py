@@ -10,7 +10,7 @@ import numpy as np
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import row_of
-from aftdeck.worksite.capture.acquisition import FOUND, Tolerances, acquire
+from aftdeck.worksite.capture.acquisition import MEASURED, Tolerances, acquire
 from aftdeck.worksite.capture.grapple import CaptureEnvelope
 from aftdeck.worksite.capture.snare import SnareTimes
 from aftdeck.worksite.file.cargo import part_of
@@ -43,10 +43,10 @@ class Bar:
         return None if solids[0] < 0 else solids
 
     def measured(self, placed: Array, k: int) -> Array | None:
-        """Return the measures (12,) of `acquire` for payload k, with all solids at `placed`; None without a bar."""
+        """Return the measures (9,) of `acquire` for payload k, with all solids at `placed`; None without a bar."""
         if (solids := self.solids(k)) is None:
             return None
-        found = np.empty(FOUND)
+        found = np.empty(MEASURED)
         acquire(placed, solids, self.packed, found)
         return found
 

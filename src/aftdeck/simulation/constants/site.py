@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -74,6 +75,7 @@ class Site:
         of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
         held: for each payload, (g,) 1 for its pairs with the end effector. These pairs are not monitored while the end
             effector holds the payload.
+        not_held: for each payload, (g,) 0 for these pairs, and 1 for all others.
         seated: for each payload and berth, an array (g,): 1 for pairs that are not monitored while the payload is in
             the berth.
         scene: (12,) pose of the scene's frame in L.
@@ -108,6 +110,7 @@ class Site:
     by_prong: Mask
     of_cargo: tuple[Mask, ...]
     held: tuple[Mask, ...]
+    not_held: tuple[Mask, ...]
     seated: dict[tuple[int, str], Mask]
     scene: Array
     hand: Array
@@ -165,8 +168,9 @@ class Site:
         return any(berth.is_passive for own in self.berths for berth in own if berth.seat.name == name)
 
 
+@lru_cache(maxsize=8)
 def site_of(scenario: Scenario) -> Site:
-    """Return the worksite constants of a scenario."""
+    """Return the worksite constants of a scenario; for a scenario that was asked for before, the same constants."""
     model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
     arm = frames_of(model)
     frames = ("orbiter", *arm.names, "space", *(payload.name for payload in cargo))
@@ -188,6 +192,7 @@ def site_of(scenario: Scenario) -> Site:
     essential = np.zeros(len(layout.groups), np.uint8)
     essential[[meeting.group for meeting in meetings]] = 1
     of_cargo = tuple(layout.carried([payload.name]) for payload in cargo)
+    with_hand = tuple(layout.between(hand, own_parts) for own_parts in parts)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
     link = float(model.links[L5])
     berths = tuple(
@@ -210,7 +215,8 @@ def site_of(scenario: Scenario) -> Site:
         by_arm=by_arm,
         by_prong=layout.carried([PRONG]) if PRONG in arm.names else np.zeros_like(by_arm),
         of_cargo=of_cargo,
-        held=tuple(layout.between(hand, own_parts) for own_parts in parts),
+        held=with_hand,
+        not_held=tuple(1 - pairs for pairs in with_hand),
         seated={
             (k, seat.name): layout.between(own_parts, _parts_of(worksite, seat))
             for k, own_parts in enumerate(parts)

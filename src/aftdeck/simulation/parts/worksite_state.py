@@ -174,7 +174,7 @@ class WorksiteState(StatePart):
         active[:] = 1
         for k, payload in enumerate(self.cargo):
             if payload.held:
-                active &= 1 - site.held[k]
+                active &= site.not_held[k]
             if payload.seat:
                 active &= 1 - site.seated[k, payload.seat]
 

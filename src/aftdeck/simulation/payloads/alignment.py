@@ -117,7 +117,7 @@ def alarm_pairs(
         k = _before_snares(site, site.snares, frames, before)
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
         return counts, k
-    return counts & (1 - site.held[k]), k
+    return counts & site.not_held[k], k
 
 
 def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, nearest: int, counts: Mask) -> None:

@@ -6,9 +6,9 @@ therefore faces the bar; face b of the fixed finger (HEX 2) and face e of the pr
 the Remote Manipulator Simulation, acquisition conditions 1 to 6 (restored).
 
 `acquire` takes an array of placed bodies and the indices of the four bodies that it needs, and writes its results into
-a packed array. It also computes the angles by which the end effector may still turn about the centre of face d before
-one of the first three conditions fails. Such a turn does not affect the other conditions. With a long bar, the angle of
-pitch is much smaller than the other angles.
+a packed array. `still_turns` computes the angles by which the end effector may still turn about the centre of face d
+before one of the first three conditions fails. Such a turn does not affect the other conditions. With a long bar, the
+angle of pitch is much smaller than the other angles.
 """
 
 from __future__ import annotations
@@ -43,13 +43,15 @@ AWAY = 7
 SIDE = 8
 """Dot product of Z2 and the bar's axis (UZ2·XR in the report) [1]. It is negative if the prong is at the bar's face b,
 and positive if it is at face e."""
+MEASURED = 9
+"""Length of the array of the values above."""
 PITCH, ROLL, YAW = 9, 10, 11
 """Angles by which the end effector may turn about Y2, Z2 and X2 through the centre of face d [rad].
 
 A negative angle means that at least one of the first three conditions fails. Its magnitude is the turn needed.
 """
 FOUND = 12
-"""Length of the array of results."""
+"""Length of the array of all values."""
 
 SPACING_MOST, WINDOW, FRONT, REAR, FINGERS_WITHIN = 0, 1, 2, 3, 4
 """Indices of the fields of `Tolerances` in its packed form; the fields are in [m]."""
@@ -143,13 +145,13 @@ def _turn(bar: Array, body: Array, f: int, centre: Vector, axis: Vector) -> floa
 
 @law
 def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
-    """Return whether the bar is acquired by the six conditions of mode 1, and fill `found` (12,).
+    """Return whether the bar is acquired by the six conditions of mode 1, and write the values up to SIDE to `found`.
 
     Args:
         bodies: (n, 48) packed bodies, all placed in one coordinate frame.
         which: (4,) indices in `bodies` of the palm, the fixed finger, the prong and the bar.
         rules: (5,) packed tolerances.
-        found: (12,) output: measured values, and angles by which the end effector may still turn.
+        found: (9,) or more, output: measured values.
     """
     palm, fixed, prong, bar = bodies[which[0]], bodies[which[1]], bodies[which[2]], bodies[which[3]]
     x2, y2 = face_normal(palm, _D), face_normal(prong, _E)
@@ -168,11 +170,6 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
     found[ALONG] = dot(axis, centre) - 0.5 * (dot(axis, front) + dot(axis, rear))
     found[AWAY] = sqrt(dot(from_top, from_top))
     found[SIDE] = dot(z2, axis)
-    roll = lesser(_turn(bar, palm, _D, centre, z2), _turn(bar, fixed, _B, centre, z2))
-    yaw = lesser(_turn(bar, fixed, _B, centre, x2), _turn(bar, prong, _E, centre, x2))
-    found[PITCH] = 2.0 * atan2(_turn(bar, palm, _D, centre, y2), 1.0)
-    found[ROLL] = 2.0 * atan2(lesser(roll, _turn(bar, prong, _E, centre, z2)), 1.0)
-    found[YAW] = 2.0 * atan2(yaw, 1.0)
     return bool(
         found[AWAY] <= rules[FINGERS_WITHIN]
         and found[PALM] >= 0.0
@@ -185,6 +182,23 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
 
 
 @law
+def still_turns(bodies: Array, which: Indices, found: Array) -> None:
+    """Write PITCH, ROLL and YAW to `found` (12,): angles by which the end effector may still turn.
+
+    The other arguments are those of `acquire`.
+    """
+    palm, fixed, prong, bar = bodies[which[0]], bodies[which[1]], bodies[which[2]], bodies[which[3]]
+    x2, y2 = face_normal(palm, _D), face_normal(prong, _E)
+    z2 = cross(x2, y2)
+    centre = _middle(palm, _D)
+    roll = lesser(_turn(bar, palm, _D, centre, z2), _turn(bar, fixed, _B, centre, z2))
+    yaw = lesser(_turn(bar, fixed, _B, centre, x2), _turn(bar, prong, _E, centre, x2))
+    found[PITCH] = 2.0 * atan2(_turn(bar, palm, _D, centre, y2), 1.0)
+    found[ROLL] = 2.0 * atan2(lesser(roll, _turn(bar, prong, _E, centre, z2)), 1.0)
+    found[YAW] = 2.0 * atan2(yaw, 1.0)
+
+
+@law
 def acquired_bar(bodies: Array, bars: Indices, rules: Array) -> int:
     """Return the first payload whose bar is acquired; -1 if there is none.
 
@@ -193,7 +207,7 @@ def acquired_bar(bodies: Array, bars: Indices, rules: Array) -> int:
         bars: (c, 4) for each payload, the indices `which` of `acquire`; negative for a payload without a bar.
         rules: as for `acquire`.
     """
-    found = np.empty(FOUND)
+    found = np.empty(MEASURED)
     for k in range(len(bars)):
         if bars[k, 0] >= 0 and acquire(bodies, bars[k], rules, found):
             return k
@@ -206,7 +220,7 @@ def enclosed_bar(bodies: Array, bars: Indices, rules: Array, near: float) -> int
 
     Bars at a distance of `near` [m] or more from the palm are ignored. The other arguments are those of `acquired_bar`.
     """
-    found = np.empty(FOUND)
+    found = np.empty(MEASURED)
     for k in range(len(bars)):
         if bars[k, 0] < 0:
             continue
@@ -217,12 +231,12 @@ def enclosed_bar(bodies: Array, bars: Indices, rules: Array, near: float) -> int
 
 
 def grasp(found: Array) -> Grasp:
-    """Return the orientation of the end effector, and the angles by which it may still turn, from `found`."""
+    """Return the orientation of the end effector, and the angles by which it may still turn, from `found` (12,)."""
     return Grasp("b" if found[SIDE] < 0.0 else "e", float(found[PITCH]), float(found[ROLL]), float(found[YAW]))
 
 
 def acquisition(found: Array, tolerances: Tolerances) -> tuple[Condition, ...]:
-    """Return the six conditions, in the report's order, from the result `found` (12,) of `acquire`."""
+    """Return the six conditions, in the report's order, from the values `found` of `acquire`."""
     value = found.tolist()
     half = value[HALF]
     return (
