@@ -36,6 +36,8 @@ NAMES = {
     "dynamics": "dynamics.dynamics",
     "pictures": "pictures.pictures",
     "reach": "environments.reach",
+    "studies": "studies.studies",
+    "ray": "studies.on_ray",
 }
 """Module and function of each benchmark."""
 

@@ -34,6 +34,7 @@ LAYERS = (
         "toml_lines",
         "version",
         "made_tables",
+        "processes",
     ),
     ("bodies",),
     ("arms",),

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import importlib.util
+import subprocess
+import sys
 from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import SimpleNamespace
 from typing import Any
 
@@ -19,7 +23,8 @@ from aftdeck.study.failures import PoolError
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of
 from aftdeck.study.worker import Job
-from tests.study.studies import loaded
+from benchmarks.ray_nodes import nodes
+from tests.study.studies import loaded, written
 
 
 class FakeError(Exception):
@@ -119,8 +124,18 @@ def test_workers_that_cannot_start_end_the_study(study: Study, monkeypatch: pyte
 @pytest.mark.slow
 @pytest.mark.long
 @pytest.mark.skipif(importlib.util.find_spec("ray") is None, reason="Ray is not installed")
-def test_two_workers_of_ray_give_the_results_of_one_process(study: Study) -> None:
-    with Cluster(plan_of(study), "local", 600.0, 2) as workers:
-        rows = [done.outcome.row for done in workers.run([Job(case) for case in cases(study)]) if done.outcome]
-    runner = Runner(plan_of(study))
-    assert sorted(rows, key=lambda row: int(str(row["index"]))) == [runner.run(case).row for case in cases(study)]
+@pytest.mark.parametrize("address", ["local", "two nodes"])
+def test_real_cluster_writes_the_table_of_one_process(tmp_path: Path, address: str) -> None:
+    file = written(tmp_path)
+
+    def table(name: str, *options: str) -> bytes:
+        command = [sys.executable, "-m", "aftdeck", "study", str(file), "-o", str(tmp_path / name), *options]
+        subprocess.run(command, check=True, timeout=600.0, stdout=subprocess.DEVNULL)
+        return (tmp_path / name / "results.parquet").read_bytes()
+
+    one = table("one", "--jobs", "1")
+    with ExitStack() as stack:
+        if address == "two nodes":
+            folder = stack.enter_context(TemporaryDirectory(prefix="ray"))  # short, for the sockets in it
+            address = stack.enter_context(nodes(2, 6392, Path(folder)))
+        assert table("ray", "--ray", address, "--jobs", "2") == one

@@ -50,7 +50,7 @@ def report(
     Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all. A recording
     that cannot be read is left out, and the exit code is then 2.
     """
-    from aftdeck.report.of_recording import metrics_of
+    from aftdeck.report.of_recording import recorded_row
     from aftdeck.report.table import ENDINGS, check_new, row_of, write_table
 
     if table is not None:
@@ -58,11 +58,11 @@ def report(
     if out is not None:
         check_new(out, (".html",))
     if out is None:
-        rows = list(_read(files, lambda recording: row_of(recording, metrics_of(recording))))
+        rows = list(_read(files, recorded_row))
     else:
         from aftdeck.report.page.gather import gathered
 
-        runs = list(_read(files, gathered))
+        runs = list(_read(files, gathered, _prepare_page))
         rows = [row_of(run.recording, run.metrics) for run in runs]
         if runs:
             text = _write_page(runs, out)
@@ -82,23 +82,35 @@ def report(
         raise typer.Exit(2)
 
 
-def _read(files: Sequence[Path], read: Callable[[Recording], _T]) -> Iterator[_T]:
+def _read(
+    files: Sequence[Path], read: Callable[[Recording], _T], meanwhile: Callable[[], object] = lambda: None
+) -> Iterator[_T]:
     """Yield what `read` makes of each recording; print the error of one that cannot be read."""
-    from aftdeck.recording.reader import Recording
+    from aftdeck.report.read_all import read_all
 
-    for file in files:
-        try:
-            yield read(Recording(file))
-        except AftdeckError as error:
-            print_error(str(error))
+    for found in read_all(files, read, meanwhile):
+        if isinstance(found, AftdeckError):
+            print_error(str(found))
+        else:
+            yield found
+
+
+def _prepare_page() -> None:
+    """Load what draws the page, by a first chart and a first picture; this takes some seconds."""
+    from aftdeck.cli.drawing import announce_compilation
+    from aftdeck.report.page.runs import page  # noqa: F401
+    from aftdeck.report.page.svg import chart
+    from aftdeck.visual.warm import warm_up
+
+    chart(lambda _: None, "nothing")
+    announce_compilation()
+    warm_up()
 
 
 def _write_page(runs: Sequence[Gathered], out: Path) -> str:
     """Write the page; return a text about it."""
-    from aftdeck.cli.drawing import announce_compilation
     from aftdeck.report.page.runs import page
 
-    announce_compilation()
     text = page(runs)
     try:
         with out.open("x", encoding="utf-8") as file:

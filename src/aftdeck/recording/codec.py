@@ -41,7 +41,7 @@ def decode(kind: type[S], data: bytes) -> S:
 
 
 def restored(kind: type[S], data: Any) -> S:
-    """Convert the plain form of a message to a message of the type `kind`.
+    """Convert the plain form of a message to a message of the type `kind`; the plain form is used up.
 
     Raises:
         msgspec.ValidationError: `data` is not a message of this type.
@@ -69,14 +69,19 @@ def _of_struct(kind: type, decimals: int | None = None) -> Change | None:
     hints = get_type_hints(kind, include_extras=True)
     changes = {name: change for name in names(kind) if (change := _of(hints[name], decimals))}
     if not issubclass(kind, msgspec.Struct):
-        return lambda data: [changes[name](data[name]) if name in changes else data[name] for name in names(kind)]
+        fields = [(name, changes.get(name)) for name in names(kind)]
+        return lambda data: [data[name] if change is None else change(data[name]) for name, change in fields]
     if not changes:
         return None
 
+    steps = tuple(changes.items())
+
     def read(data: Any) -> Any:
-        if not isinstance(data, dict):
-            return data
-        return {name: changes[name](value) if name in changes else value for name, value in data.items()}
+        if isinstance(data, dict):
+            for name, change in steps:
+                if name in data:
+                    data[name] = change(data[name])
+        return data
 
     return read
 

@@ -9,6 +9,7 @@ from aftdeck.recording.records import FrameRecord
 from aftdeck.report.lamps import lit_lamps
 from aftdeck.report.metric import Metric, Value
 from aftdeck.report.run_metrics import RunMetrics
+from aftdeck.report.table import Row, row_of
 
 
 def metrics_of(recording: Recording) -> dict[Metric, Value]:
@@ -28,3 +29,12 @@ def metrics_of(recording: Recording) -> dict[Metric, Value]:
     if not steps:
         raise RecordingError(f"{recording.path}: ends before its first step and has no metrics", "empty")
     return metrics.found(recording.delays)
+
+
+def recorded_row(recording: Recording) -> Row:
+    """Return the row of a recording in a table of runs.
+
+    Raises:
+        RecordingError: the recording has no step.
+    """
+    return row_of(recording, metrics_of(recording))

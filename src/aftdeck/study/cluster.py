@@ -10,12 +10,12 @@ from typing import Any, NamedTuple
 
 from aftdeck.errors import InputError
 from aftdeck.law import state_of_the_laws
+from aftdeck.processes import ONE_THREAD
 from aftdeck.report.extra import needed
 from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.design import Case
 from aftdeck.study.failures import Failures, Finished, PoolError
 from aftdeck.study.plan import Plan
-from aftdeck.study.pool import ONE_THREAD
 from aftdeck.study.worker import Job, prepare
 from aftdeck.version import __version__
 

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import multiprocessing
 import multiprocessing.connection
-import os
 import signal
 import time
 from collections import deque
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 
 from aftdeck.law import compiled_before
+from aftdeck.processes import one_thread
 from aftdeck.study.failures import Failures, Finished
 from aftdeck.study.plan import Plan
 from aftdeck.study.worker import Done, Job, Ready, work
 
 START_S = 900.0
 """Longest time until a worker is ready [s]; to compile all laws takes a minute."""
-ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
-"""Variables that limit the threads of libraries: the processes already use all cores."""
 
 
 class _Worker:
@@ -29,7 +26,7 @@ class _Worker:
         context = multiprocessing.get_context("spawn")
         self.pipe, theirs = context.Pipe()
         self.process = context.Process(target=work, args=(theirs, plan, job.case), daemon=True)
-        with _one_thread():
+        with one_thread():
             self.process.start()
         theirs.close()
         self.ready = False
@@ -160,18 +157,3 @@ class Pool:
         self._workers.remove(worker)
         worker.kill()
         return self._failures.too_long(job, self._limit_s)
-
-
-@contextmanager
-def _one_thread() -> Iterator[None]:
-    """Set the variables of `ONE_THREAD` for the processes that start meanwhile."""
-    before = {name: os.environ.get(name) for name in ONE_THREAD}
-    os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                os.environ.pop(name, None)
-            else:
-                os.environ[name] = value

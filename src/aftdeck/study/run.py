@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from aftdeck.errors import InputError
+from aftdeck.processes import cores
 from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.cluster import Cluster
 from aftdeck.study.design import cases
@@ -37,11 +37,6 @@ class Progress(NamedTuple):
     done: int
     failed: int
     cases: int
-
-
-def cores() -> int:
-    """Return the number of cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def run_study(

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import multiprocessing
-import multiprocessing.connection
-import os
-import signal
-import threading
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import NamedTuple
 
 from aftdeck.errors import AftdeckError
 from aftdeck.law import compiled_before
+from aftdeck.processes import obey_parent
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.study.case import Outcome, Runner
@@ -51,8 +47,7 @@ def work(pipe: Connection, plan: Plan, first: Case) -> None:
         plan: what all cases have in common.
         first: case whose scenario is used to load the laws.
     """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the study decides when a worker ends
-    _end_with_parent()
+    obey_parent()
     runner = Runner(plan)
     prepare(runner, first)
     with contextlib.suppress(EOFError, OSError):
@@ -79,17 +74,3 @@ def prepare(runner: Runner, case: Case) -> None:
         for _ in range(FIRST_STEPS):
             sim.advance()
             watch.see(sim)
-
-
-def _end_with_parent() -> None:
-    """End this process as soon as the study's process has ended, even in the middle of a run."""
-    parent = multiprocessing.parent_process()
-    if parent is None:
-        return
-    sentinel = parent.sentinel
-
-    def wait() -> None:
-        multiprocessing.connection.wait([sentinel])
-        os._exit(1)
-
-    threading.Thread(target=wait, name="parent", daemon=True).start()

@@ -1,0 +1,75 @@
+"""Ray cluster of several nodes on this machine: what a cluster of several machines has, without the network."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from aftdeck.study.cluster import QUIET
+
+START_S = 120.0
+"""Longest time until all nodes have joined the cluster [s]."""
+END_S = 30.0
+"""Longest time until a node has ended its processes [s]."""
+
+
+@contextmanager
+def nodes(count: int, port: int, folder: Path) -> Iterator[str]:
+    """Start a cluster of nodes with one core each, and end it.
+
+    Args:
+        count: number of nodes; the first one is the head.
+        port: port of the head.
+        folder: folder for the logs and sockets of Ray; its path must be short, because it becomes part of a socket's.
+
+    Yields:
+        The address of the cluster, for ``--ray``.
+
+    Raises:
+        TimeoutError: the nodes have not joined in time.
+    """
+    address = f"127.0.0.1:{port}"
+    head = ["--head", f"--port={port}", f"--temp-dir={folder}", "--include-dashboard=false"]
+    started = [_start(*head)]
+    try:
+        _wait(address, 1, started)
+        for number in range(1, count):
+            started.append(_start(f"--address={address}"))
+            _wait(address, number + 1, started)
+        yield address
+    finally:
+        for node in reversed(started):  # a node that is told to end ends its processes
+            node.terminate()
+        for node in started:
+            node.wait(END_S)
+
+
+def _start(*options: str) -> subprocess.Popen[bytes]:
+    command = [sys.executable, "-m", "ray.scripts.scripts", "start", *options]
+    fixed = ["--node-ip-address=127.0.0.1", "--num-cpus=1", "--disable-usage-stats", "--block"]
+    return subprocess.Popen(
+        [*command, *fixed], env=os.environ | QUIET, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+
+
+def _wait(address: str, count: int, started: list[subprocess.Popen[bytes]]) -> None:
+    """Wait until a number of nodes has joined."""
+    ask = f"import ray; ray.init(address={address!r}, log_to_driver=False); print('nodes', len(ray.nodes()))"
+    end, said = time.monotonic() + START_S, ""
+    while time.monotonic() < end:
+        if any(node.poll() is not None for node in started):
+            raise TimeoutError(f"a node of the cluster at {address} has ended")
+        asked: Any = subprocess.run(
+            [sys.executable, "-c", ask], env=os.environ | QUIET, capture_output=True, check=False
+        )
+        said = asked.stdout.decode()
+        if f"nodes {count}" in said:
+            return
+        time.sleep(1.0)
+    raise TimeoutError(f"the cluster at {address} has not {count} nodes after {START_S:g} s: {said}")

@@ -1,0 +1,127 @@
+"""Benchmark of studies: time of a case and of its parts, and how much faster two processes are than one."""
+
+from __future__ import annotations
+
+import importlib.util
+import tempfile
+import time
+from collections.abc import Iterable
+from pathlib import Path
+
+import aftdeck
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.run import Simulation
+from aftdeck.study.case import Runner
+from aftdeck.study.cluster import Cluster
+from aftdeck.study.design import cases
+from aftdeck.study.failures import Finished
+from aftdeck.study.file import Study, load_study
+from aftdeck.study.plan import plan_of
+from aftdeck.study.pool import Pool
+from aftdeck.study.worker import Job
+from benchmarks.measure import Figure
+from benchmarks.ray_nodes import nodes
+
+KINEMATIC, RIGID = "concept-1972-script", "sts-400-closed"
+CASES = 60
+"""Number of cases of a throughput measurement; the first case of each worker does not count."""
+LIMIT_S = 600.0
+PROMISED_MIN = 4.0
+"""Promised time of 1,000 cases of the script, with two processes [min]."""
+EFFICIENT = 0.8
+"""Promised efficiency of two processes with masses: half the ratio of their throughput to that of one."""
+ROUNDS = 5
+
+
+def studies() -> list[Figure]:
+    """Measure a case of the whole problem of 1972 and its parts, and the throughput of one and two processes."""
+    scenario = aftdeck.load_scenario(KINEMATIC)
+    motion, frames = _alone(scenario, frames=False), _alone(scenario, frames=True)
+    study = _study(KINEMATIC, CASES)
+    whole = _case(study)
+    one, two = (_each_by_pool(study, workers) for workers in (1, 2))
+    rigid = _study(RIGID, CASES // 2, '[[factor]]\nkey = "plant"\nlevels = ["rigid"]\n')
+    slow, fast = (_each_by_pool(rigid, workers) for workers in (1, 2))
+    return [
+        Figure("a case, simulation alone", motion * 1e3, "ms", None, f"{KINEMATIC}, without digests"),
+        Figure("a case, with its frames", frames * 1e3, "ms"),
+        Figure("a case, with its metrics", whole * 1e3, "ms", None, "what a worker does"),
+        Figure("1,000 cases, two processes", two * 1000 / 60, "min", PROMISED_MIN, _efficiency(one, two)),
+        Figure(
+            "a case with masses, twice",
+            2.0 * fast / slow,
+            "ratio",
+            1.0 / EFFICIENT,
+            f"{RIGID}, {_efficiency(slow, fast)}",
+        ),
+    ]
+
+
+def on_ray() -> list[Figure]:
+    """Measure the throughput of one and two nodes of a Ray cluster, beside the pool; nothing without Ray."""
+    if importlib.util.find_spec("ray") is None:
+        return []
+    study = _study(KINEMATIC, CASES)
+    found: list[Figure] = []
+    with tempfile.TemporaryDirectory(prefix="ray") as folder, nodes(2, 6391, Path(folder)) as address:
+        seconds = []
+        for workers in (1, 2):
+            pool = _each_by_pool(study, workers)
+            with Cluster(plan_of(study), address, LIMIT_S, workers) as cluster:
+                each, memory = _each(cluster.run([Job(case) for case in cases(study)]), workers)
+            seconds.append(each)
+            note = f"the pool {pool * 1e3:.0f} ms; {memory:.0f} MB a worker"
+            found.append(Figure(f"a case, Ray, {workers} nodes", each * 1e3, "ms", None, note))
+        found.append(Figure("two nodes of Ray", 2.0 * seconds[1] / seconds[0], "ratio", None, _efficiency(*seconds)))
+    return found
+
+
+def _efficiency(one: float, two: float) -> str:
+    return f"one takes {one * 1e3:.0f} ms a case, two {two * 1e3:.0f} ms: efficiency {one / two / 2:.0%}"
+
+
+def _study(scenario: str, repeats: int, more: str = "") -> Study:
+    """Return a study that runs a scenario a number of times."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "study.toml"
+        path.write_text(f'title = "Benchmark"\nscenario = "{scenario}"\nrepeats = {repeats}\n{more}', encoding="utf-8")
+        return load_study(path)
+
+
+def _alone(scenario: Scenario, *, frames: bool) -> float:
+    """Return the shortest time of a run in this process [s]."""
+    times = []
+    for _ in range(ROUNDS):
+        begin = time.perf_counter()
+        sim = Simulation(scenario, digests=False)
+        while not sim.ended:
+            sim.advance()
+            if frames:
+                sim.look()
+        times.append(time.perf_counter() - begin)
+    return min(times)
+
+
+def _case(study: Study) -> float:
+    """Return the shortest time of a case in this process [s]."""
+    runner, (first, *_) = Runner(plan_of(study)), cases(study)
+    return min(runner.run(first).wall_s for _ in range(ROUNDS))
+
+
+def _each_by_pool(study: Study, workers: int) -> float:
+    """Return the time of a case by the wall clock, with a number of processes [s]."""
+    with Pool(plan_of(study), workers, LIMIT_S) as pool:
+        return _each(pool.run([Job(case) for case in cases(study)]), workers)[0]
+
+
+def _each(finished: Iterable[Finished], workers: int) -> tuple[float, float]:
+    """Return the mean time of a case by the wall clock [s], and the greatest memory of a worker [MB].
+
+    The first case of each worker does not count.
+    """
+    times, memory = [], 0.0
+    for done in finished:
+        assert done.outcome is not None and not done.outcome.row["error"], done
+        times.append(time.perf_counter())
+        memory = max(memory, done.outcome.peak_memory_mb)
+    return (times[-1] - times[workers - 1]) / (len(times) - workers), memory

@@ -1,0 +1,56 @@
+"""Recordings read by several processes: the same results as in one process, and an error for each that fails."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from aftdeck.errors import AftdeckError
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.run import record
+from aftdeck.report import read_all as module
+from aftdeck.report.of_recording import recorded_row
+from aftdeck.report.read_all import read_all
+
+
+def row_unless_named_dies(recording: Recording) -> object:
+    """Return a row of the table; end the process for the recording with the name ``dies``."""
+    if recording.path.stem == "dies":
+        os._exit(9)
+    return recorded_row(recording)
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Two recordings with a damaged file between them."""
+    folder = tmp_path_factory.mktemp("runs")
+    files = [folder / name for name in ("a.mcap", "damaged.mcap", "dies.mcap")]
+    for file in files[::2]:
+        record("first-flight", file)
+    files[1].write_bytes(b"no recording")
+    return files
+
+
+@pytest.fixture
+def processes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Start processes even for small files, and on a machine with one core."""
+    monkeypatch.setattr(module, "ENOUGH", 0)
+    monkeypatch.setattr(module, "cores", lambda: 2)
+
+
+@pytest.mark.usefixtures("processes")
+def test_processes_give_the_rows_and_errors_of_one_process(files: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    calls: list[int] = []
+    several = list(read_all(files, recorded_row, lambda: calls.append(1)))
+    monkeypatch.setattr(module, "cores", lambda: 1)
+    one = list(read_all(files, recorded_row, lambda: calls.append(2)))
+    assert calls == [1, 2]
+    assert several[::2] == one[::2] and isinstance(one[0], dict)
+    assert isinstance(one[1], AftdeckError) and str(several[1]) == str(one[1])
+
+
+@pytest.mark.usefixtures("processes")
+def test_death_of_a_process_is_an_error_of_its_recording(files: list[Path]) -> None:
+    assert [type(found) for found in read_all(files[2:], row_unless_named_dies)] == [AftdeckError]
