@@ -51,6 +51,7 @@ LAYERS = (
     ("task",),
     ("recording",),
     ("report",),
+    ("export",),
     ("operators",),
     ("study", "gym"),
     ("station",),

@@ -7,6 +7,7 @@ import os
 import sys
 
 from aftdeck.cli import arm as _arm
+from aftdeck.cli import export as _export
 from aftdeck.cli import flights as _flights
 from aftdeck.cli import pictures as _pictures
 from aftdeck.cli import planes as _planes
@@ -19,7 +20,7 @@ from aftdeck.lines import print_error
 
 __all__ = ["app", "main"]
 
-COMMANDS = (_flights, _arm, _recordings, _report, _study, _pictures, _planes)
+COMMANDS = (_flights, _arm, _recordings, _report, _export, _study, _pictures, _planes)
 """Modules that add their commands to `app` when they are imported, in the order of the help text."""
 
 READER_GONE = 141

@@ -64,7 +64,7 @@ class WordsWriter:
     def step(self, sim: Simulation) -> None:
         """Write the line of the last step."""
         flight, state = sim._flight, sim._state
-        line = line_of(flight, state, sim._flown, self._before)
+        line = line_of(flight, state, sim.flown, self._before)
         self._before = places_of(state)
         self.steps += 1
         self.unsaid.update(line.unsaid)

@@ -88,6 +88,11 @@ class Simulation:
         """Inputs that the caller passed to the last step; None before the first step, or if the caller passed none."""
         return self._given
 
+    @property
+    def flown(self) -> Inputs:
+        """Inputs that acted in the last step: those of the script, or the caller's after the command delay."""
+        return self._flown
+
     def step(self, inputs: Inputs | None = None) -> Frame:
         """Advance by one control period and return the frame; arguments and errors as for `advance`."""
         self.advance(inputs)

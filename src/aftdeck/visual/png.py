@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from aftdeck.visual.page import GAP, HEADER, Page
@@ -33,6 +34,11 @@ def animated_png(pages: Sequence[Page], step_s: float) -> bytes:
         stream, "PNG", save_all=True, append_images=images[1:], duration=1000.0 * step_s, loop=0, compress_level=3
     )
     return stream.getvalue()
+
+
+def pixels(picture: Picture) -> NDArray[np.uint8]:
+    """Return a picture as an array (height, width, 3) of its colours."""
+    return np.array(_picture(picture), dtype=np.uint8)
 
 
 def _painted(page: Page) -> Image.Image:

@@ -14,7 +14,7 @@ from aftdeck.gym.choices import PLANTS, no_options, no_rendering, one_of
 from aftdeck.gym.mission import definition
 from aftdeck.gym.mission.actions import inputs_of, repeats_of
 from aftdeck.gym.mission.definition import CAPTURE, DOCK, EXTRACT, Mission
-from aftdeck.gym.mission.observation import Observer, detrimental
+from aftdeck.gym.mission.observation import Observer
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
 from aftdeck.gym.terms import Floats32, action_space
 from aftdeck.scenario.load import load_scenario
@@ -23,6 +23,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.reached import Since, reached
+from aftdeck.task.readings import detrimental
 from aftdeck.task.remaining import Aims, Remaining
 
 _TRIES = 100
@@ -66,6 +67,16 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         self._since = Since(frame.position, frame.orientation)
         self._left: Remaining | None = None
         self._begun = False
+
+    @property
+    def simulation(self) -> Simulation:
+        """Simulation of the present episode."""
+        return self._sim
+
+    @property
+    def left(self) -> Remaining | None:
+        """Motion that is left to the place of the task; None if nothing tells where to move."""
+        return self._left
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None

@@ -12,8 +12,8 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
 from aftdeck.task.along_sticks import along_axes
+from aftdeck.task.readings import clearance_share, conditions_share
 from aftdeck.task.remaining import Remaining
-from aftdeck.units import FOOT
 
 _SWITCH = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
@@ -55,9 +55,9 @@ class Observer:
                 (np.array(frame.angles) - self._middle) / self._half,
                 np.array(frame.rates) / self._servo,
                 [
-                    clearance(frame),
+                    clearance_share(frame),
                     float(frame.work.arm_inhibit),
-                    conditions(frame),
+                    conditions_share(frame),
                     1.0 if frame.rate == "coarse" else -1.0,
                     _SWITCH[hand.switch],
                     hand.opening,
@@ -65,22 +65,3 @@ class Observer:
             ]
         )
         return np.clip(values, self.space.low, self.space.high).astype(np.float32)
-
-
-def clearance(frame: Frame) -> float:
-    """Return the minimum clearance c as c / (c + 1 ft), 0 in contact; 1 if no pair is monitored."""
-    if frame.work.nearest is None:
-        return 1.0
-    distance = max(frame.work.nearest.clearance, 0.0)
-    return distance / (distance + FOOT)
-
-
-def conditions(frame: Frame) -> float:
-    """Return the share of the present conditions that hold; 0 if there are none."""
-    found = frame.work.conditions
-    return sum(condition.holds for condition in found) / len(found) if found else 0.0
-
-
-def detrimental(frame: Frame) -> bool:
-    """Return whether a detrimental contact exists."""
-    return any(not contact.essential for contact in frame.work.contacts)

@@ -1,0 +1,177 @@
+"""Command ``export``."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from aftdeck.cli.app import Json, app
+from aftdeck.cli.printing import Progress, print_json
+from aftdeck.errors import InputError
+from aftdeck.lines import print_error, print_line
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from aftdeck.export.about import Episode
+    from aftdeck.export.flight import Flight
+    from aftdeck.export.plan import Plan
+
+
+@app.command(
+    short_help="Export recorded runs to a dataset for learners.",
+    epilog="Examples: aftdeck export run.mcap --lerobot flights; "
+    "aftdeck export P07-*.mcap --lerobot P07 --camera WR --camera ELB --size 224x224; "
+    "aftdeck export run.mcap --minari flights-v0 --fps 50",
+)
+def export(
+    files: Annotated[list[Path], typer.Argument(metavar="RECORDING...", help="Recordings (.mcap).")],
+    lerobot: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Write a LeRobotDataset v3.0 into this new folder.")
+    ] = None,
+    minari: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write a Minari dataset into this new folder, such as flights-v0."),
+    ] = None,
+    cameras: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--camera",
+            metavar="NAME",
+            help="Camera whose pictures are drawn again. Repeatable. Default with --lerobot: those on the monitors.",
+        ),
+    ] = None,
+    no_pictures: Annotated[bool, typer.Option("--no-pictures", help="Draw no pictures.")] = False,
+    size: Annotated[
+        str | None, typer.Option(metavar="WxH", help="Size of a picture in pixels; default: 320x240.")
+    ] = None,
+    fps: Annotated[
+        float | None,
+        typer.Option(metavar="RATE", help="Samples in a second; the control rate is a multiple of it. Default: 10."),
+    ] = None,
+    columns: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME,...",
+            help="Columns of the actions. Default: the hand controllers' and all others that a run uses.",
+        ),
+    ] = None,
+    task: Annotated[
+        str | None, typer.Option(metavar="TEXT", help="The task, for learners. Default: the scenario's title.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Export recorded runs to a dataset for learners: an episode for each run, with pictures drawn again.
+
+    Each run is simulated again, and the dataset's numbers are flown and compared with the recorded flight.
+    docs/export.md lists all columns.
+    """
+    from aftdeck.export.pictures import SIZE
+    from aftdeck.export.plan import plan
+
+    if (lerobot is None) == (minari is None):
+        raise InputError("export needs either --lerobot DIR or --minari DIR")
+    if no_pictures and (cameras or size):
+        raise InputError("--no-pictures cannot be combined with --camera and --size")
+    folder, write = _writer(lerobot, minari)
+    pixels = SIZE if size is None else _size(size)
+    flights = _read(files)
+    drawn: Sequence[str] = cameras or ()
+    if lerobot is not None and not cameras and not no_pictures:
+        drawn = _usual(flights)
+    chosen = plan(
+        flights, fps=fps, columns=None if columns is None else columns.split(","), cameras=drawn, size=pixels, task=task
+    )
+    if chosen.pictures:
+        from aftdeck.cli.drawing import announce_compilation
+
+        announce_compilation()
+    with Progress(f"{folder}") as progress:
+        episodes = write(flights, folder, chosen, progress)
+    if as_json:
+        print_json({"folder": str(folder), "plan": chosen, "episodes": episodes}, indent=2)
+    else:
+        _print(folder, chosen, episodes)
+    if not all(episode.inputs_equal for episode in episodes):
+        raise typer.Exit(1)
+
+
+def _writer(
+    lerobot: Path | None, minari: Path | None
+) -> tuple[Path, Callable[[Sequence[Flight], Path, Plan, Callable[[float], None] | None], list[Episode]]]:
+    """Return the folder and the writer; raise `InputError` if its library is missing or the folder exists."""
+    from aftdeck.export.written import check_new
+    from aftdeck.report.extra import needed
+
+    if lerobot is not None:
+        from aftdeck.export.lerobot import write_lerobot
+
+        check_new(lerobot)
+        needed("lerobot", "lerobot")
+        return lerobot, write_lerobot
+    assert minari is not None
+    from aftdeck.export.minari import check_name, write_minari
+
+    check_new(minari)
+    check_name(minari)
+    needed("minari", "minari")
+    return minari, write_minari
+
+
+def _read(files: Sequence[Path]) -> list[Flight]:
+    from aftdeck.export.flight import read_flight
+
+    flights = []
+    for file in files:
+        with Progress(f"reading {file}") as progress:
+            flights.append(read_flight(file, progress))
+    return flights
+
+
+def _usual(flights: Sequence[Flight]) -> tuple[str, ...]:
+    """Return the cameras of the first run's monitors; without monitors, those that see the tip best at the start."""
+    from aftdeck.export.pictures import usual_cameras
+
+    return usual_cameras(flights[0])
+
+
+def _size(text: str) -> tuple[int, int]:
+    from aftdeck.export.pictures import LEAST_SIZE, MOST_SIZE
+
+    found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
+    size = (int(found[1]), int(found[2])) if found else (0, 0)
+    if not all(LEAST_SIZE <= length <= MOST_SIZE for length in size):
+        raise InputError(
+            f"--size: got {text!r}, expected width x height in pixels, such as 320x240; each is from {LEAST_SIZE} to "
+            f"{MOST_SIZE}"
+        )
+    return size
+
+
+def _print(folder: Path, plan: Plan, episodes: Sequence[Episode]) -> None:
+    count, samples = len(episodes), sum(episode.samples for episode in episodes)
+    shown = ", ".join(plan.pictures.values()) or "none"
+    print_line(f"{folder}: {count} {'episode' if count == 1 else 'episodes'}, {samples} samples, {plan.fps:g} a second")
+    print_line(f"  action    {', '.join(plan.action)}")
+    print_line(f"  pictures  {shown}")
+    for episode in episodes:
+        told = "success" if episode.success else "no success"
+        print_line(f"  {episode.recording}: {episode.samples} samples, {told}; {_comparison(episode)}")
+        if not episode.inputs_equal:
+            print_error(
+                f"{episode.recording}: this version does not compute the recorded frames; see `aftdeck replay` for the "
+                "differences"
+            )
+
+
+def _comparison(episode: Episode) -> str:
+    """Return how the flights by the dataset's numbers agree with the recorded one, as text."""
+    if episode.action_equal:
+        return "its actions give the recorded flight"
+    exact = "its inputs give the recorded flight" if episode.inputs_equal else "its inputs give another flight"
+    if episode.action_apart_m is None:
+        return f"{exact}, its actions alone none"
+    return f"{exact}, its actions alone one up to {episode.action_apart_m:.2g} m apart"

@@ -1,0 +1,1 @@
+"""Export of recorded runs to learners' datasets: LeRobotDataset and Minari ([docs/export.md])."""

@@ -1,0 +1,87 @@
+"""Samples of a flight at a fixed rate: what is seen, the action, and what comes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from aftdeck.export.flight import Flight
+from aftdeck.export.pictures import Painter, Pixels, light_named
+from aftdeck.export.state import Floats32, StateReader
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord, LightRecord
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.run import Simulation
+from aftdeck.task.progress import Progress
+from aftdeck.task.remaining import Aims
+
+
+class Seen(NamedTuple):
+    """What a learner sees at one time.
+
+    Attributes:
+        state: (numbers,) the state.
+        pictures: (height, width, 3) picture of each camera, by its name.
+    """
+
+    state: Floats32
+    pictures: dict[str, Pixels]
+
+
+class Sample(NamedTuple):
+    """One sample.
+
+    Attributes:
+        seen: what is seen before the action acts.
+        then: what is seen afterwards.
+        reward: 1 if the task becomes complete in this sample, otherwise 0.
+        success: whether the task is complete afterwards.
+        done: whether this is the last sample.
+    """
+
+    seen: Seen
+    then: Seen
+    reward: float
+    success: bool
+    done: bool
+
+
+def samples(
+    flight: Flight, per_sample: int, painter: Painter | None, progress: Callable[[float], None] | None = None
+) -> Iterator[Sample]:
+    """Yield the samples of a flight; sample k begins `k * per_sample` control steps after the start.
+
+    The task is complete when the steps of the scenario's task are done; in a scenario without a task, when its script
+    is completed.
+
+    Args:
+        flight: the flight.
+        per_sample: control steps in a sample.
+        painter: painter of the pictures; None for none.
+        progress: called repeatedly with the fraction of the flight that is done, 0 to 1.
+    """
+    scenario = flight.scenario
+    reader, aims, task = StateReader(scenario), Aims(scenario), Progress(scenario)
+    light = light_named(scenario.lighting.condition)
+
+    def seen(frame: Frame) -> Seen:
+        left = aims.remaining(frame, task.present)
+        return Seen(reader.of(frame, left), {} if painter is None else painter.draw(frame, light))
+
+    recording = Recording(flight.recording.path)
+    before, was = seen(Simulation(scenario, recording.opening.seed).look()), False
+    for message in recording.messages():
+        if isinstance(message, LightRecord):
+            light = light_named(message.condition)
+        if not isinstance(message, FrameRecord):
+            continue
+        task.see(message)
+        done = message.tick == flight.steps
+        if message.tick % per_sample and not done:
+            continue
+        success = task.at == len(task.steps) if task.steps else done and flight.recording.ended == "completed"
+        then = seen(message)
+        yield Sample(before, then, float(success and not was), success, done)
+        before, was = then, was or success
+        if progress is not None:
+            progress(message.tick / flight.steps)

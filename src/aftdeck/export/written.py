@@ -1,0 +1,98 @@
+"""Episodes as all writers need them: numbers of a flight by the plan, and the description beside them."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.errors import InputError
+from aftdeck.export.about import FORMAT, About, Episode
+from aftdeck.export.columns import Encoding
+from aftdeck.export.flight import Flight
+from aftdeck.export.plan import Plan
+from aftdeck.export.replay import fly
+from aftdeck.version import __version__
+
+
+class Numbers(NamedTuple):
+    """Numbers of an episode.
+
+    Attributes:
+        action: (samples, columns) actions.
+        inputs: (samples, control steps in a sample, columns) inputs; after the last control step, 0.
+    """
+
+    action: Array
+    inputs: Array
+
+
+def numbers_of(flight: Flight, plan: Plan) -> Numbers:
+    """Return the numbers of an episode."""
+    encoding, n = Encoding(flight.driven), plan.per_sample
+    actions = flight.actions(n)
+    inputs = np.zeros((len(actions) * n, len(plan.inputs)))
+    inputs[: flight.steps] = flight.inputs[:, encoding.index(plan.inputs)]
+    return Numbers(actions[:, encoding.index(plan.action)], inputs.reshape(len(actions), n, len(plan.inputs)))
+
+
+def about_of(plan: Plan) -> About:
+    """Return the description of a dataset."""
+    return About(FORMAT, __version__, plan.fps, plan.per_sample, plan.action, plan.inputs, plan.state, plan.pictures)
+
+
+def episode_of(flight: Flight, plan: Plan, numbers: Numbers, *, success: bool) -> Episode:
+    """Return the description of an episode; its inputs and its actions are flown and compared with the recording.
+
+    The numbers are flown as a learner's library returns them: inputs in float64, actions in float32.
+    """
+    encoding, seed = Encoding(flight.driven), flight.recording.opening.seed
+    rows = encoding.completed(plan.inputs, numbers.inputs.reshape(-1, len(plan.inputs)))
+    exact = fly(flight.scenario, seed, rows, flight.steps, 1)
+    learned = encoding.completed(plan.action, numbers.action.astype(np.float32).astype(np.float64))
+    try:
+        rough = fly(flight.scenario, seed, learned, flight.steps, plan.per_sample)
+        equal = rough.frames_sha256 == flight.frames_sha256
+        apart = float(np.linalg.norm(rough.tips - flight.tips, axis=1).max())
+    except InputError:  # a target of which columns were left out
+        equal, apart = False, None
+    return Episode(
+        recording=flight.recording.path.name,
+        task=plan.task_of(flight),
+        steps=flight.steps,
+        samples=len(numbers.action),
+        driven=flight.driven,
+        frames_sha256=flight.frames_sha256,
+        success=success,
+        inputs_equal=exact.frames_sha256 == flight.frames_sha256,
+        action_equal=equal,
+        action_apart_m=apart,
+    )
+
+
+def check_new(folder: Path) -> None:
+    """Check that a folder can be created.
+
+    Raises:
+        InputError: it exists already, or its parent does not.
+    """
+    if folder.exists() or folder.is_symlink():
+        raise InputError(f"{folder}: exists already; name a new folder")
+    if not folder.parent.is_dir():
+        raise InputError(f"{folder}: the folder {folder.parent} does not exist")
+
+
+@contextmanager
+def new_folder(folder: Path) -> Iterator[None]:
+    """Remove a folder again if what fills it fails; errors as for `check_new`."""
+    check_new(folder)
+    try:
+        yield
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
