@@ -33,7 +33,7 @@ TASKS: dict[str, type[MissionEnv]] = {env.mission.name: env for env in (CaptureE
 """Environments by their names. Reach is not one of them: no picture shows its goal."""
 COLUMNS = (*STICKS, "rate", "effector")
 """Columns of the actions; only Capture has the last one."""
-CAMERAS = {"Capture": ("WR", "ELB"), "Extract": ("F", "A"), "Dock": ("F", "A")}
+CAMERAS = {"Capture": ("WR", "ELB"), "Extract": ("F", "A"), "Dock": ("W", "C")}
 """Default cameras of each environment."""
 
 _LIMIT = 1000.0
@@ -59,6 +59,7 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
         task_description: the task, as a sentence.
         action_names: names of the numbers of an action.
         state_names: names of the numbers of the state.
+        mission_env: the environment without pictures.
 
     Raises:
         InputError: an argument is not allowed; the message states what is allowed.
@@ -78,8 +79,8 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
     ) -> None:
         self.render_mode = one_of("render_mode", render_mode, ["rgb_array"])
         self.task = one_of("task", task, TASKS)
-        self._env = TASKS[self.task](scenario, plant)
-        mission, flown = self._env.mission, self._env.simulation.scenario
+        self.mission_env = TASKS[self.task](scenario, plant)
+        mission, flown = self.mission_env.mission, self.mission_env.simulation.scenario
         self.task_description = mission.task
         self._max_episode_steps = mission.most_steps
         pictures = names_of(CAMERAS[self.task] if cameras is None else cameras)
@@ -99,7 +100,7 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
     ) -> tuple[Observation, dict[str, Any]]:
         """Begin an episode at a random start; `options` has no keys."""
         super().reset(seed=seed)
-        _, info = self._env.reset(seed=seed, options=options)
+        _, info = self.mission_env.reset(seed=seed, options=options)
         self._steps = 0
         return self._observed(), info | {"task": self.task}
 
@@ -112,7 +113,7 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
         Raises:
             InputError: the action has another shape, or is not a number.
         """
-        _, reward, over, _, info = self._env.step(np.clip(action, -1.0, 1.0))
+        _, reward, over, _, info = self.mission_env.step(np.clip(action, -1.0, 1.0))
         self._steps += 1
         late = not over and self._steps >= self._max_episode_steps
         return self._observed(), reward, over, late, info | {"task": self.task}
@@ -129,10 +130,10 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
         return next(iter(drawn.values()))
 
     def _pictures(self) -> dict[str, Pixels]:
-        return self._painter.draw(self._env.simulation.look(), self._light)
+        return self._painter.draw(self.mission_env.simulation.look(), self._light)
 
     def _observed(self) -> Observation:
-        state = self._reader.of(self._env.simulation.look(), self._env.left)
+        state = self._reader.of(self.mission_env.simulation.look(), self.mission_env.left)
         drawn = self._pictures()
         return {"agent_pos": state} | ({"pixels": drawn} if drawn else {})
 

@@ -192,8 +192,8 @@ class Simulation:
     def restart(self, start: Start | None = None) -> None:
         """Begin the run again; this takes milliseconds, a new simulation up to a second.
 
-        A recording contains the scenario and the inputs. Therefore a recording of a run with `start` cannot be
-        re-simulated.
+        A recording contains the scenario and the inputs. Therefore a recording of a run with `start` can be
+        re-simulated only if its scenario begins at this start (`aftdeck.gym.record`).
 
         Args:
             start: initial conditions of the arm that replace those of the scenario; None for those of the scenario.

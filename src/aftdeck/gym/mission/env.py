@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -18,7 +19,9 @@ from aftdeck.gym.mission.observation import Observer
 from aftdeck.gym.mission.starts import Starts, base_of, step_of
 from aftdeck.gym.terms import Floats32, action_space
 from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Start
 from aftdeck.scenario.schema import Plant
+from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -40,6 +43,10 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         scenario: name of a built-in scenario, or path of a scenario file, whose task has a step of this kind.
         plant: ``kinematic``, ``rigid`` or ``flexible``.
         render_mode: only None.
+
+    Attributes:
+        start: random start of the present episode; None before the first.
+        stepped: function that is called with the simulation after each control step of `step`; None for none.
 
     Raises:
         InputError: an argument is not allowed, or the scenario has no such step; the message states what is allowed.
@@ -67,11 +74,18 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         self._since = Since(frame.position, frame.orientation)
         self._left: Remaining | None = None
         self._begun = False
+        self.start: Start | None = None
+        self.stepped: Callable[[Simulation], None] | None = None
 
     @property
     def simulation(self) -> Simulation:
         """Simulation of the present episode."""
         return self._sim
+
+    @property
+    def task_step(self) -> TaskStep:
+        """Step of the scenario's task that is flown."""
+        return self._step
 
     @property
     def left(self) -> Remaining | None:
@@ -109,6 +123,8 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
         inputs = inputs_of(self.mission, checked(action, self.mission.controls))
         for _ in range(self._repeats):
             self._sim.advance(inputs)
+            if self.stepped is not None:
+                self.stepped(self._sim)
         frame = self._sim.look()
         before, self._left = self._left, self._aims.remaining(frame, self._step)
         contact = detrimental(frame)
@@ -130,6 +146,7 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
                 continue
             frame = self._sim.step(self._first_inputs())
             if not frame.work.contacts or not detrimental(frame):
+                self.start = start
                 return frame
         raise InputError(
             f"scenario: {self._sim.scenario.name!r} has no start without a contact in {_TRIES} random starts near the "
