@@ -79,14 +79,18 @@ class Painter:
 
 
 def usual_cameras(flight: Flight) -> tuple[str, ...]:
-    """Return the cameras that a flight's monitors showed first; without monitors, two that see the tip at its start."""
+    """Return the cameras that a flight's monitors showed first; without monitors, two television cameras.
+
+    They are those that see the tip best at the start of the flight, if there are any.
+    """
     placed = SceneCameras(flight.scenario)
     shown = tuple(dict.fromkeys(name for name in flight.shown if name in placed.cameras))
     if shown:
         return shown
     frame = Simulation(flight.scenario, flight.recording.opening.seed).look()
     best = best_cameras(VisualScene(flight.scenario), placed, Moment("start", frame, ()))
-    return tuple(sorted(best, key=lambda name: placed.cameras[name].kind != KINDS[0])[:COUNT])
+    ranked = dict.fromkeys([*best, *placed.cameras])  # those that do not see the tip come last
+    return tuple(sorted(ranked, key=lambda name: placed.cameras[name].kind != KINDS[0])[:COUNT])
 
 
 def light_named(name: str) -> LightCondition:

@@ -91,7 +91,9 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
         self.action_names = COLUMNS[: len(mission.controls)]
         self.action_space = action_space(mission.controls)
         width, height = size
-        pixels = {name: spaces.Box(0, 255, (height, width, 3), np.uint8) for name in pictures}
+        pixels: dict[str, spaces.Space[Any]] = {
+            name: spaces.Box(0, 255, (height, width, 3), np.uint8) for name in pictures
+        }
         state = spaces.Box(-_LIMIT, _LIMIT, (len(self.state_names),), np.float32)
         self.observation_space = spaces.Dict({"agent_pos": state} | ({"pixels": spaces.Dict(pixels)} if pixels else {}))
 
@@ -118,7 +120,7 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
         late = not over and self._steps >= self._max_episode_steps
         return self._observed(), reward, over, late, info | {"task": self.task}
 
-    def render(self) -> Pixels:  # type: ignore[override]
+    def render(self) -> Pixels:
         """Return the picture (height, width, 3) of the first camera.
 
         Raises:
