@@ -47,6 +47,7 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	$(PY) -m aftdeck.scenario.ranges_document --check docs/files.md
 	$(PY) -m aftdeck.report.catalogue --check docs/metrics.md
 	$(PY) -m aftdeck.gym.document --check docs/environments.md
+	$(PY) -m aftdeck.export.document --check docs/export.md
 	$(PY) -m aftdeck.simulation.observe.field_values --check
 
 format: .venv/.dev $(MODULES)  ## format Python and TypeScript
@@ -64,6 +65,7 @@ generate: .venv/.dev  ## generate the call of Frame, web/src/link/protocol.ts an
 	$(PY) -m aftdeck.scenario.ranges_document docs/files.md
 	$(PY) -m aftdeck.report.catalogue docs/metrics.md
 	$(PY) -m aftdeck.gym.document docs/environments.md
+	$(PY) -m aftdeck.export.document docs/export.md
 
 fuzz: .venv/.aftdeck .venv/.dev  ## attack with generated files, inputs, recordings and messages; ARGS="--minutes 60"
 	@$(PY) -m fuzz $(ARGS)

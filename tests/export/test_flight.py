@@ -98,7 +98,7 @@ def test_samples_see_what_was_before_and_after(run: Path) -> None:
     assert [sample.done for sample in found] == [False] * 6 + [True]
     tip = StateReader(flight.scenario).names.index("tip_x")
     then = [sample.then.state[tip : tip + 3].tolist() for sample in found]
-    recorded = [np.float32(frames[min(k, STEPS) - 1].position).tolist() for k in range(5, STEPS + 5, 5)]
+    recorded = [np.array(frames[min(k, STEPS) - 1].position, np.float32).tolist() for k in range(5, STEPS + 5, 5)]
     assert then == recorded
     for sample, following in pairwise(found):
         assert sample.then is following.seen

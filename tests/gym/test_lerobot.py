@@ -8,12 +8,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
-from gymnasium.vector import VectorEnv
 
 from aftdeck.errors import InputError
 from aftdeck.export.columns import Encoding
 from aftdeck.export.state import StateReader
-from aftdeck.gym.lerobot import TASKS, LerobotEnv, make_env
+from aftdeck.gym.lerobot import TASKS, LerobotEnv, Vector, make_env
 from aftdeck.gym.mission.actions import inputs_of
 
 SMALL = (32, 24)
@@ -25,13 +24,13 @@ def test_environment_passes_gymnasiums_checker(task: str) -> None:
 
 
 @pytest.fixture
-def batch() -> Iterator[VectorEnv]:  # type: ignore[type-arg]
+def batch() -> Iterator[Vector]:
     env = make_env(n_envs=2, size=SMALL)
     yield env
     env.close()
 
 
-def test_batch_has_pictures_state_task_and_success_in_every_step(batch: VectorEnv) -> None:  # type: ignore[type-arg]
+def test_batch_has_pictures_state_task_and_success_in_every_step(batch: Vector) -> None:
     seen, info = batch.reset(seed=4)
     for _ in range(3):
         assert {name: (one.shape, one.dtype) for name, one in seen["pixels"].items()} == dict.fromkeys(
@@ -49,8 +48,7 @@ def test_batch_has_pictures_state_task_and_success_in_every_step(batch: VectorEn
 
 def test_end_of_an_episode_tells_its_success_and_the_next_one_begins() -> None:
     env = make_env(n_envs=2, task="Extract", cameras=())
-    for one in env.envs[1:]:  # type: ignore[attr-defined]
-        one._max_episode_steps = 2
+    env.set_attr("_max_episode_steps", [900, 2])
     env.reset(seed=0)
     still = np.zeros((2, 7), dtype=np.float32)
     env.step(still)

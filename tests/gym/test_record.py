@@ -25,7 +25,7 @@ def test_recorded_episodes_are_verified_and_begin_at_their_own_starts(task: str,
     for seed in (3, 4):
         env.reset(seed=seed)
         for _ in range(8):
-            env.step(rng.uniform(-1.0, 1.0, env.action_space.shape).astype(np.float32))  # type: ignore[arg-type]
+            env.step(rng.uniform(-1.0, 1.0, env.action_space.shape).astype(np.float32))
         ends.append(env.unwrapped.simulation.look())  # type: ignore[attr-defined]
     env.close()
     files = sorted(tmp_path.iterdir())

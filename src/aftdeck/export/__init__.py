@@ -1,1 +1,1 @@
-"""Export of recorded runs to learners' datasets: LeRobotDataset and Minari ([docs/export.md])."""
+"""Export of recorded runs to learners' datasets, LeRobotDataset and Minari, and the way back to the flight."""

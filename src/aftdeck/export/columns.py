@@ -71,7 +71,7 @@ _STICKS: Mapping[str, tuple[tuple[str, str], ...]] = {
 _ON_OFF: Mapping[object, int] = {True: 1, False: -1}
 _SWITCHES: Mapping[str, tuple[str, Mapping[object, int]]] = {
     "mode": ("MODE rotary.", {name: k for k, name in enumerate(MODES, 1)}),
-    "joint": ("JOINT rotary, by the number of the joint.", {k: k + 1 for k in range(JOINTS)}),
+    "joint": ("JOINT rotary, by the index of the joint.", {k: k + 1 for k in range(JOINTS)}),
     "rate": ("Rate setting.", {"coarse": 1, "vernier": -1}),
     "law": ("Steering law of OPR CMD and AUTO 1-4.", {"position": 1, "closed loop": 2, "open loop": 3}),
     "payload_axes": ("Switch beside ORB LD: rotation about payload axes.", _ON_OFF),
@@ -105,7 +105,7 @@ def _stick(name: str) -> Field:
 
 def _switch(name: str) -> Field:
     text, codes = _SWITCHES[name]
-    listed = ", ".join(f"{code} {_position(value)}" for value, code in codes.items())
+    listed = ", ".join(f"{code}: {_position(value)}" for value, code in codes.items())
     values = {code: value for value, code in codes.items()} | {0: None}
 
     def numbers(value: object) -> tuple[float]:

@@ -14,7 +14,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 from gymnasium import spaces
-from gymnasium.vector import AsyncVectorEnv, AutoresetMode, SyncVectorEnv, VectorEnv
+from gymnasium.vector import AsyncVectorEnv, AutoresetMode, SyncVectorEnv
 
 from aftdeck.errors import InputError
 from aftdeck.export.pictures import SIZE, Painter, Pixels, light_named, names_of
@@ -29,6 +29,8 @@ from aftdeck.scenario.schema import Plant
 Observation = dict[str, Any]
 """Observation: ``pixels``, a picture (height, width, 3) of each camera by its name, and ``agent_pos``, the state."""
 
+Vector = SyncVectorEnv | AsyncVectorEnv
+"""Vector environment, in one process or in several."""
 TASKS: dict[str, type[MissionEnv]] = {env.mission.name: env for env in (CaptureEnv, ExtractEnv, DockEnv)}
 """Environments by their names. Reach is not one of them: no picture shows its goal."""
 COLUMNS = (*STICKS, "rate", "effector")
@@ -140,7 +142,7 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
         return {"agent_pos": state} | ({"pixels": drawn} if drawn else {})
 
 
-def make_env(n_envs: int = 1, use_async_envs: bool = False, cfg: object = None, **keywords: Any) -> VectorEnv:
+def make_env(n_envs: int = 1, use_async_envs: bool = False, cfg: object = None, **keywords: Any) -> Vector:
     """Return a vector environment, as LeRobot's EnvHub asks for.
 
     At its end, an episode begins again in the same step; ``infos["final_info"]["is_success"]`` then tells its result.
