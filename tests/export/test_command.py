@@ -40,10 +40,18 @@ def no_library(monkeypatch: pytest.MonkeyPatch) -> None:
         (["--lerobot", "{}"], "exists already"),
         (["--lerobot", "{}/no/a"], "does not exist"),
         (["--minari", "{}/flights"], "has to end in -v and a number"),
+        (["--minari", "{}/a-v0", "--fps", "7"], "the control rate, divided by a whole number"),
+        (["--minari", "{}/a-v0", "--columns", "thc_x,stick"], "got 'stick'"),
+        (["--minari", "{}/a-v0", "--camera", "Q", "--size", "64x48"], "no camera 'Q'"),
+        (["--minari", "{}/a-v0", "--camera", "WR", "--size", "8x8"], "size: got 8x8"),
+        (["--minari", "{}/a-v0", "--camera", "WR", "--size", "big"], "--size: got 'big'"),
+        (["--minari", "{}/a-v0", "{}/none.mcap"], "none.mcap: cannot be read"),
         (["--minari", "{}/a-v0", "--no-pictures", "--camera", "WR"], "--no-pictures cannot be combined"),
     ],
 )
 def test_error_states_what_is_allowed(options: list[str], part: str, recorded: str, tmp_path: Path, run: Run) -> None:
+    if "--minari" in options:
+        pytest.importorskip("minari")
     code, out, err = run("export", recorded, *(option.format(tmp_path) for option in options))
     assert (code, out) == (2, "")
     assert part in err

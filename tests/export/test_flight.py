@@ -153,6 +153,12 @@ def test_missing_camera_is_rejected_with_those_that_exist(run: Path) -> None:
         Painter(flight.scenario, names_of(["Q"]), (64, 48))
 
 
+@pytest.mark.parametrize("size", [(8, 48), (64, 5000)])
+def test_size_beyond_the_limits_is_rejected(size: tuple[int, int], run: Path) -> None:
+    with pytest.raises(InputError, match="each from 16 to 2048"):
+        Painter(read_flight(run).scenario, {}, size)
+
+
 def test_runs_of_different_arms_are_rejected(run: Path, tmp_path: Path) -> None:
     other = load_scenario("concept-1972")
     record_steps(tmp_path / "concept.mcap", other, iter([Inputs()] * 3), 3)

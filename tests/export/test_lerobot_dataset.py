@@ -44,7 +44,7 @@ items = [data[k] for k in range(len(data))]
 np.savez(
     out,
     inputs=np.array(stored["inputs"][:]),
-    **{name: np.stack([one[name].numpy() for one in items]) for name in items[0] if name != "task"},
+    **{name: np.stack([one[name].numpy() for one in items]) for name in items[0] if name not in ("task", "inputs")},
 )
 print(json.dumps({
     "format": CODEBASE_VERSION, "version": data.meta.info["codebase_version"], "fps": data.fps,

@@ -85,6 +85,18 @@ def test_action_beyond_the_travel_is_full_deflection() -> None:
         env.step(np.full(8, np.nan, dtype=np.float32))
 
 
+@pytest.mark.slow
+def test_environments_in_processes_of_their_own_equal_those_in_one() -> None:
+    states = []
+    for apart in (False, True):
+        env = make_env(n_envs=2, use_async_envs=apart, size=SMALL)
+        env.reset(seed=5)
+        seen = env.step(np.full((2, 8), 0.5, dtype=np.float32))[0]
+        states.append((seen["agent_pos"].tolist(), seen["pixels"]["wr"].tolist()))
+        env.close()
+    assert states[0] == states[1]
+
+
 def test_configuration_names_the_task() -> None:
     env = make_env(cfg=SimpleNamespace(task="Dock"), cameras=())
     assert env.call("task") == ("Dock",)

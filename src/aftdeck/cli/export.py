@@ -139,16 +139,10 @@ def _usual(flights: Sequence[Flight]) -> tuple[str, ...]:
 
 
 def _size(text: str) -> tuple[int, int]:
-    from aftdeck.export.pictures import LEAST_SIZE, MOST_SIZE
-
     found = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
-    size = (int(found[1]), int(found[2])) if found else (0, 0)
-    if not all(LEAST_SIZE <= length <= MOST_SIZE for length in size):
-        raise InputError(
-            f"--size: got {text!r}, expected width x height in pixels, such as 320x240; each is from {LEAST_SIZE} to "
-            f"{MOST_SIZE}"
-        )
-    return size
+    if found is None:
+        raise InputError(f"--size: got {text!r}, expected width x height in pixels, such as 320x240")
+    return int(found[1]), int(found[2])
 
 
 def _print(folder: Path, plan: Plan, episodes: Sequence[Episode]) -> None:

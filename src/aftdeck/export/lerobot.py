@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from aftdeck.errors import InputError
 from aftdeck.export.about import Episode, write_about, write_episode
 from aftdeck.export.flight import Flight
 from aftdeck.export.pictures import Painter
@@ -61,7 +62,10 @@ def write_lerobot(
     Raises:
         InputError: LeRobot is not installed, the folder exists, or a scenario lacks a camera.
     """
-    library = needed("lerobot.datasets.lerobot_dataset", "lerobot")
+    try:
+        library = needed("lerobot.datasets.lerobot_dataset", "lerobot")
+    except ImportError as error:  # LeRobot without its extra for datasets
+        raise InputError(f"LeRobot cannot write datasets: {error}") from error
     needed("datasets", "lerobot").disable_progress_bars()
     total, done, episodes = sum(flight.steps for flight in flights), 0, []
     # all painters first: a missing camera is found before anything is written

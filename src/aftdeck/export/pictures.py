@@ -55,10 +55,15 @@ class Painter:
         size: width and height [pixels].
 
     Raises:
-        InputError: the scenario does not have a camera; the message lists its cameras.
+        InputError: the scenario does not have a camera, or the size is not allowed; the message states what is allowed.
     """
 
     def __init__(self, scenario: Scenario, cameras: dict[str, str], size: tuple[int, int]) -> None:
+        if not all(LEAST_SIZE <= length <= MOST_SIZE for length in size):
+            raise InputError(
+                f"size: got {size[0]}x{size[1]}, expected width x height in pixels, each from {LEAST_SIZE} to "
+                f"{MOST_SIZE}"
+            )
         self._scene, self._cameras, self._size = VisualScene(scenario), cameras, size
         for camera in cameras.values():
             if camera not in self._scene.cameras:

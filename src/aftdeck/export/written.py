@@ -89,10 +89,16 @@ def check_new(folder: Path) -> None:
 
 @contextmanager
 def new_folder(folder: Path) -> Iterator[None]:
-    """Remove a folder again if what fills it fails; errors as for `check_new`."""
+    """Remove a folder again if what fills it fails.
+
+    Raises:
+        InputError: as for `check_new`, or the folder cannot be written.
+    """
     check_new(folder)
     try:
         yield
-    except BaseException:
+    except BaseException as error:
         shutil.rmtree(folder, ignore_errors=True)
+        if isinstance(error, OSError):
+            raise InputError(f"cannot write {folder}: {error.strerror or error}") from error
         raise
