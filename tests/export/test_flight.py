@@ -42,7 +42,7 @@ def test_inputs_of_a_dataset_give_the_recorded_flight(made: Callable[[Path], Pat
     chosen = plan([flight], fps=fps)
     numbers = numbers_of(flight, chosen)
     episode = episode_of(flight, chosen, numbers, success=False)
-    assert episode.inputs_equal
+    assert episode.inputs_equal and episode.inputs_apart_m < 1e-8
     assert len(numbers.action) == episode.samples == -(-STEPS // chosen.per_sample)
 
 
@@ -175,6 +175,14 @@ def test_recording_without_a_step_or_that_is_damaged_is_rejected(run: Path, tmp_
     (tmp_path / "damaged.mcap").write_bytes(text[:2000] + b"\xff" * 50 + text[2050:])
     with pytest.raises(RecordingError, match="damaged"):
         read_flight(tmp_path / "damaged.mcap")
+
+
+def test_recording_of_another_version_tells_how_far_its_flight_is_apart() -> None:
+    flight = read_flight(Path(__file__).parents[1] / "recording" / "layout_1" / "loaded.mcap")
+    chosen = plan([flight])
+    episode = episode_of(flight, chosen, numbers_of(flight, chosen), success=False)
+    assert not episode.inputs_equal and episode.frames_sha256 == ""
+    assert episode.inputs_apart_m < 1e-6
 
 
 def test_too_few_rows_are_rejected(run: Path) -> None:

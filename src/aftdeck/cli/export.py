@@ -156,8 +156,8 @@ def _print(folder: Path, plan: Plan, episodes: Sequence[Episode]) -> None:
         print_line(f"  {episode.recording}: {episode.samples} samples, {told}; {_comparison(episode)}")
         if not episode.inputs_equal:
             print_error(
-                f"{episode.recording}: this version does not compute the recorded frames; see `aftdeck replay` for the "
-                "differences"
+                f"{episode.recording}: the digests of its frames differ from those that this version computes; "
+                "`aftdeck replay` shows the differences"
             )
 
 
@@ -165,7 +165,9 @@ def _comparison(episode: Episode) -> str:
     """Return how the flights by the dataset's numbers agree with the recorded one, as text."""
     if episode.action_equal:
         return "its actions give the recorded flight"
-    exact = "its inputs give the recorded flight" if episode.inputs_equal else "its inputs give another flight"
+    exact = "its inputs give the recorded flight"
+    if not episode.inputs_equal:
+        exact = f"its inputs give a flight up to {episode.inputs_apart_m:.2g} m apart"
     if episode.action_apart_m is None:
         return f"{exact}, its actions alone none"
     return f"{exact}, its actions alone one up to {episode.action_apart_m:.2g} m apart"

@@ -55,6 +55,8 @@ class Episode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Whether the task was complete at the end."""
     inputs_equal: bool
     """Whether the flight by `inputs` equals the recorded one, bit for bit."""
+    inputs_apart_m: float
+    """Greatest distance of the tip of the flight by `inputs` from that of the recorded flight, which is rounded [m]."""
     action_equal: bool
     """Whether the flight by `action` equals the recorded one, bit for bit."""
     action_apart_m: float | None

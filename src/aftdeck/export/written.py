@@ -16,7 +16,7 @@ from aftdeck.export.about import FORMAT, About, Episode
 from aftdeck.export.columns import Encoding
 from aftdeck.export.flight import Flight
 from aftdeck.export.plan import Plan
-from aftdeck.export.replay import fly
+from aftdeck.export.replay import Flown, fly
 from aftdeck.version import __version__
 
 
@@ -58,7 +58,7 @@ def episode_of(flight: Flight, plan: Plan, numbers: Numbers, *, success: bool) -
     try:
         rough = fly(flight.scenario, seed, learned, flight.steps, plan.per_sample)
         equal = rough.frames_sha256 == flight.frames_sha256
-        apart = float(np.linalg.norm(rough.tips - flight.tips, axis=1).max())
+        apart = _apart(rough, flight)
     except InputError:  # a target of which columns were left out
         equal, apart = False, None
     return Episode(
@@ -70,9 +70,15 @@ def episode_of(flight: Flight, plan: Plan, numbers: Numbers, *, success: bool) -
         frames_sha256=flight.frames_sha256,
         success=success,
         inputs_equal=exact.frames_sha256 == flight.frames_sha256,
+        inputs_apart_m=_apart(exact, flight),
         action_equal=equal,
         action_apart_m=apart,
     )
+
+
+def _apart(flown: Flown, flight: Flight) -> float:
+    """Return the greatest distance between the tips of two flights [m]."""
+    return float(np.linalg.norm(flown.tips - flight.tips, axis=1).max())
 
 
 def check_new(folder: Path) -> None:
