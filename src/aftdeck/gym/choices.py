@@ -58,5 +58,5 @@ def no_rendering(render_mode: object) -> None:
     """
     if render_mode is not None:
         raise InputError(
-            f"render_mode: got {short(render_mode)}, expected None; Aftdeck's environments draw no pictures"
+            f"render_mode: got {short(render_mode)}, expected None; only `aftdeck.gym.lerobot` draws pictures"
         )
