@@ -1,6 +1,7 @@
 """LeRobotDatasets: written through LeRobot, loaded by LeRobot alone in a second fresh environment.
 
-LeRobot and torch are several gigabytes. Therefore this test is a long one; it makes both environments itself.
+LeRobot's own evaluation also runs in Aftdeck's environment. LeRobot and torch are several gigabytes. This test is
+therefore a long one; it makes both environments itself.
 """
 
 from __future__ import annotations
@@ -55,14 +56,22 @@ print(json.dumps({
 CONTRACT = """
 import json
 import torch
-from lerobot.envs.utils import _call_make_env, _normalize_hub_result, close_envs, preprocess_observation
+from lerobot.envs.utils import _call_make_env, _normalize_hub_result, close_envs
+from lerobot.scripts.lerobot_eval import rollout
 import aftdeck.gym.lerobot
+
+class Policy(torch.nn.Module):
+    def reset(self):
+        pass
+    def select_action(self, seen):
+        return torch.rand(len(seen["task"]), 8)
+
+same = lambda given: given
 envs = _normalize_hub_result(_call_make_env(aftdeck.gym.lerobot, 2, False, None))
 env = next(iter(envs.values()))[0]
-seen, info = env.reset(seed=[0, 1])
-seen = preprocess_observation(seen)
-assert info["is_success"].shape == (2,)
-print(json.dumps({name: [list(one.shape), str(one.dtype)] for name, one in seen.items()}))
+env.set_attr("_max_episode_steps", [5, 5])
+data = rollout(env, Policy(), same, same, same, same, seeds=[0, 1], return_observations=True)
+print(json.dumps({name: [list(one.shape), str(one.dtype)] for name, one in data["observation"].items()}))
 close_envs(envs)
 """
 
@@ -111,13 +120,8 @@ def test_dataset_loads_by_lerobot_alone_and_its_inputs_give_the_recorded_flights
             assert replays(folder / FOLDER, number, loaded["inputs"][own])
 
     seen = json.loads(called(writer, "-c", CONTRACT, home=tmp_path, path=source))
-    assert seen["observation.images.wr"] == [[2, 3, 240, 320], "torch.float32"]
-    assert seen["observation.state"] == [[2, loaded_size(flights[0])], "torch.float32"]
-
-
-def loaded_size(flight: Flight) -> int:
-    """Return the number of numbers of the state."""
-    return len(plan([flight]).state)
+    assert seen["observation.images.wr"] == [[2, 6, 3, 240, 320], "torch.float32"]
+    assert seen["observation.state"] == [[2, 6, len(plan(flights).state)], "torch.float32"]
 
 
 def compare(loaded: dict[str, np.ndarray], flight: Flight, flights: list[Flight]) -> None:

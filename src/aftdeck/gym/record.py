@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import gymnasium
+from msgspec.structs import replace
 
 from aftdeck.errors import InputError, RecordingError
 from aftdeck.files import Where
@@ -84,7 +85,8 @@ class RecordEpisodes(gymnasium.Wrapper[Any, Floats32, Any, Floats32]):
 
     def _record(self, sim: Simulation) -> None:
         if self._recorder is not None:
-            self._recorder.step(sim.given, sim.look())
+            # the environment's simulation computes no digests
+            self._recorder.step(sim.given, replace(sim.look(), sha256=sim.seal().hex()))
             self._recorder.wait_for_room()
 
     def _finish(self) -> None:
