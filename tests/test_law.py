@@ -62,6 +62,44 @@ assert "numba" not in sys.modules
 """)
 
 
+def test_scenario_loaded_without_numba_starts_where_a_compiled_one_does() -> None:
+    runs("""
+import sys, numpy as np, aftdeck
+from aftdeck import law
+from aftdeck.scenario.load import built_in
+
+def loaded():
+    return {name: aftdeck.load_scenario(name) for name in built_in()}
+
+def targets(scenario):
+    sequences = [point.target for points in scenario.sequences.values() for point in points]
+    return [phase.target for phase in scenario.phases] + sequences
+
+plain = loaded()
+assert "numba" not in sys.modules
+law.load()
+for name, compiled in loaded().items():
+    assert plain[name].initial_angles.tobytes() == compiled.initial_angles.tobytes(), name
+    assert repr(targets(plain[name])) == repr(targets(compiled)), name
+""")
+
+
+def test_law_outside_interpreted_loads_numba_also_in_another_thread() -> None:
+    runs("""
+import sys, threading, aftdeck
+from aftdeck import law
+arm = aftdeck.load_arm("srms")
+with law.interpreted():
+    pose = arm.forward([0.0, 0.5, -1.0, 0.1, 0.2, 0.3])
+    assert "numba" not in sys.modules
+    other = threading.Thread(target=arm.forward, args=([0.0] * 6,))
+    other.start()
+    other.join()
+assert "numba" in sys.modules
+assert arm.forward([0.0, 0.5, -1.0, 0.1, 0.2, 0.3]).position.tobytes() == pose.position.tobytes()
+""")
+
+
 def test_station_and_command_line_import_no_numba() -> None:
     runs("import sys, aftdeck.cli, aftdeck.station.server.serve; assert 'numba' not in sys.modules")
 

@@ -3,7 +3,8 @@
 A *law* is a function that computes with one float at a time, and has few branches. The same source code is
 compiled by Numba (with a cache on disk), inlined in compiled loops over many arms, and run as plain Python under
 ``NUMBA_DISABLE_JIT=1``. Numba is imported at the first call of any law, because importing Numba takes longer than
-loading an arm. Loading an arm calls no law. In compiled code, division by zero gives infinity, as in hardware; a law
+loading an arm or a scenario. Loading an arm calls no law; loading a scenario runs them as plain Python (`interpreted`).
+In compiled code, division by zero gives infinity, as in hardware; a law
 whose divisor could be zero avoids that division.
 
 A law gives the same result, to the last bit, on every processor and as plain Python. For this purpose the compiler may
@@ -30,10 +31,11 @@ import shutil
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar, cast
 
+import numpy as np
 import platformdirs
 
 _P = ParamSpec("_P")
@@ -42,6 +44,15 @@ _R = TypeVar("_R")
 _loading = threading.RLock()
 _waiting: list[_Declared] | None = []
 """Laws that are declared but not yet loaded; None after `load`."""
+
+
+class _Here(threading.local):
+    """What this thread does: `plain` is True inside `interpreted`."""
+
+    plain = False
+
+
+_here = _Here()
 
 _DECLARED = re.compile(rb"^@(elementary_)?law$", re.MULTILINE)
 """Decorator of a law, in a source file."""
@@ -66,8 +77,8 @@ class _Declared:
         return _compiled(self.__wrapped__, fused=self._fused)  # type: ignore[attr-defined]
 
     def __call__(self, *given: Any) -> Any:
-        """Call an interpreted law as plain Python; for any other law, load all laws first."""
-        if self._interpreted and _waiting is not None:
+        """Call an interpreted law, or any law inside `interpreted`, as plain Python; else load all laws first."""
+        if (self._interpreted or _here.plain) and _waiting is not None:
             return self.__wrapped__(*given)  # type: ignore[attr-defined]
         load()
         return self.compiled(*given)
@@ -95,6 +106,20 @@ def elementary_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     Files are read without Numba, and need sines and arc tangents. Both ways give the same result, to the last bit.
     """
     return _declared(function, interpreted=True)
+
+
+@contextlib.contextmanager
+def interpreted() -> Iterator[None]:
+    """Run the laws that this thread calls as plain Python, unless they are loaded already.
+
+    A few dozen calls take less time than loading the laws. The results are the same, to the last bit.
+    """
+    before, _here.plain = _here.plain, True
+    try:
+        with np.errstate(all="ignore"):  # as in compiled code
+            yield
+    finally:
+        _here.plain = before
 
 
 def fused(exact: Callable[_P, _R]) -> Callable[_P, _R]:
