@@ -38,6 +38,7 @@ NAMES = {
     "reach": "environments.reach",
     "studies": "studies.studies",
     "ray": "studies.on_ray",
+    "report": "report.report",
 }
 """Module and function of each benchmark."""
 

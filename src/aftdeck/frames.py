@@ -185,7 +185,8 @@ def quaternion_of_rows(rotation: Rows) -> tuple[float, float, float, float]:
 def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
     """Return the rotation matrix, as rows, of a quaternion (w, x, y, z). The quaternion need not be normalised."""
     size = length(quaternion)
-    w, x, y, z = (part / size for part in quaternion)
+    w, x, y, z = quaternion
+    w, x, y, z = w / size, x / size, y / size, z / size
     return (
         (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
         (2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),

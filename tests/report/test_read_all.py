@@ -14,6 +14,8 @@ from aftdeck.report import read_all as module
 from aftdeck.report.of_recording import recorded_row
 from aftdeck.report.read_all import read_all
 
+ROW = "aftdeck.report.of_recording:recorded_row"
+
 
 def row_unless_named_dies(recording: Recording) -> object:
     """Return a row of the table; end the process for the recording with the name ``dies``."""
@@ -43,9 +45,9 @@ def processes(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("processes")
 def test_processes_give_the_rows_and_errors_of_one_process(files: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
     calls: list[int] = []
-    several = list(read_all(files, recorded_row, lambda: calls.append(1)))
+    several = list(read_all(files, ROW, lambda: calls.append(1)))
     monkeypatch.setattr(module, "cores", lambda: 1)
-    one = list(read_all(files, recorded_row, lambda: calls.append(2)))
+    one = list(read_all(files, ROW, lambda: calls.append(2)))
     assert calls == [1, 2]
     assert several[::2] == one[::2] and isinstance(one[0], dict)
     assert isinstance(one[1], AftdeckError) and str(several[1]) == str(one[1])
@@ -53,4 +55,4 @@ def test_processes_give_the_rows_and_errors_of_one_process(files: list[Path], mo
 
 @pytest.mark.usefixtures("processes")
 def test_death_of_a_process_is_an_error_of_its_recording(files: list[Path]) -> None:
-    assert [type(found) for found in read_all(files[2:], row_unless_named_dies)] == [AftdeckError]
+    assert [type(found) for found in read_all(files[2:], f"{__name__}:row_unless_named_dies")] == [AftdeckError]

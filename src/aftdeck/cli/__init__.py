@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import io
 import os
 import sys
@@ -33,6 +35,7 @@ def main() -> None:
     A character that the terminal cannot show is printed as a question mark. If the reader of a pipe closes it early
     (``| head``), the program ends without a message.
     """
+    atexit.register(gc.freeze)  # otherwise the interpreter looks for garbage at its end, which takes half a second
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -15,11 +15,9 @@ from aftdeck.lines import print_error, print_line
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from aftdeck.recording.reader import Recording
     from aftdeck.report.page.gather import Gathered
     from aftdeck.report.table import Row
 
-_T = TypeVar("_T")
 _COLUMN = 14
 """Least width of a run's column [characters]."""
 
@@ -50,19 +48,18 @@ def report(
     Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all. A recording
     that cannot be read is left out, and the exit code is then 2.
     """
-    from aftdeck.report.of_recording import recorded_row
-    from aftdeck.report.table import ENDINGS, check_new, row_of, write_table
+    from aftdeck.report.new_file import TABLE_ENDINGS, check_new
 
     if table is not None:
-        check_new(table, ENDINGS)
+        check_new(table, TABLE_ENDINGS)
     if out is not None:
         check_new(out, (".html",))
     if out is None:
-        rows = list(_read(files, recorded_row))
+        rows = list(_read(files, "aftdeck.report.of_recording:recorded_row"))
     else:
-        from aftdeck.report.page.gather import gathered
+        runs: list[Gathered] = list(_read(files, "aftdeck.report.page.gather:gathered", _prepare_page))
+        from aftdeck.report.table import row_of
 
-        runs = list(_read(files, gathered, _prepare_page))
         rows = [row_of(run.recording, run.metrics) for run in runs]
         if runs:
             text = _write_page(runs, out)
@@ -71,6 +68,8 @@ def report(
     if not rows:
         raise typer.Exit(2)
     if table is not None:
+        from aftdeck.report.table import write_table
+
         write_table(rows, table)
     if table is not None and not as_json:
         print_line(f"{table}: {len(rows)} {'run' if len(rows) == 1 else 'runs'}, {len(rows[0])} columns")
@@ -82,10 +81,8 @@ def report(
         raise typer.Exit(2)
 
 
-def _read(
-    files: Sequence[Path], read: Callable[[Recording], _T], meanwhile: Callable[[], object] = lambda: None
-) -> Iterator[_T]:
-    """Yield what `read` makes of each recording; print the error of one that cannot be read."""
+def _read(files: Sequence[Path], read: str, meanwhile: Callable[[], object] = lambda: None) -> Iterator[Any]:
+    """Yield what the function named `read` makes of each recording; print the error of one that cannot be read."""
     from aftdeck.report.read_all import read_all
 
     for found in read_all(files, read, meanwhile):

@@ -29,6 +29,7 @@ class Lanes:
             "Alarms": [],
             "Limits": [],
         }
+        self._now: dict[str, tuple[str, Level]] = {}  # label and level of the last interval of each lane
         self._ticks = self.starts = 0
         self._shown: tuple[tuple[str, ...], ...] = ((), ())
 
@@ -49,9 +50,10 @@ class Lanes:
         self._ticks = frame.tick
 
     def _put(self, lane: str, label: str, level: Level) -> None:
-        stretches = self._lanes[lane]
-        if not stretches or stretches[-1][1:] != (label, level):
-            stretches.append((self._ticks, label, level))
+        now = label, level
+        if self._now.get(lane) != now:
+            self._now[lane] = now
+            self._lanes[lane].append((self._ticks, label, level))
             self.starts += 1
 
     def forget(self, before: int) -> None:

@@ -134,23 +134,22 @@ class Strips:
 
     def __init__(self, scenario: Scenario, period_s: float) -> None:
         self._sources = sources(scenario)
-        self._curves = [array("d") for source in self._sources for _ in source.curves]
+        self._curves = sum(len(source.curves) for source in self._sources)
+        self._values = array("d")  # of all curves, frame by frame
         self._period_s = period_s
 
     def add(self, values: Sequence[float | None]) -> None:
         """Add the values of the next frame."""
-        for curve, value in zip(self._curves, values, strict=True):
-            curve.append(math.nan if value is None else value)
+        self._values.extend([math.nan if value is None else value for value in values])
 
     def strips(self) -> tuple[Strip, ...]:
         """Return all strips, thinned; a curve without any value has no points."""
-        curves = iter(self._curves)
+        curves = iter(np.asarray(self._values).reshape(-1, self._curves).T)
         return tuple(self._strip(source, [next(curves) for _ in source.curves]) for source in self._sources)
 
-    def _strip(self, source: Source, columns: Sequence[array[float]]) -> Strip:
+    def _strip(self, source: Source, columns: Sequence[NDArray[np.float64]]) -> Strip:
         curves, ends = [], [0.0] if source.rests else []
-        for (role, _), column in zip(source.curves, columns, strict=True):
-            values = np.asarray(column)
+        for (role, _), values in zip(source.curves, columns, strict=True):
             if np.isnan(values).all():
                 curves.append(Curve(role, (), ()))
                 continue
@@ -233,4 +232,4 @@ def _size(vector: Sequence[float]) -> float:
 
 
 def _deflection(stick: Sequence[float]) -> float:
-    return max(abs(axis) for axis in stick)
+    return max(map(abs, stick))

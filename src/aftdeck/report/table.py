@@ -12,6 +12,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.extra import needed
 from aftdeck.report.metric import Metric, Value
+from aftdeck.report.new_file import TABLE_ENDINGS, check_new
 
 Cell = bool | int | float | str | None
 Row = dict[str, Cell]
@@ -52,29 +53,13 @@ def _cell(value: Value | None) -> Cell:
     return value.text if value.number is None else value.number
 
 
-ENDINGS = (".csv", ".parquet")
-"""Endings of a table's name."""
-
-
-def check_new(file: Path, endings: tuple[str, ...]) -> None:
-    """Check that a file can be written.
-
-    Raises:
-        InputError: the file exists already, or its name has another ending.
-    """
-    if file.suffix not in endings:
-        raise InputError(f"the name has to end with {' or '.join(endings)}, got {file}")
-    if file.exists():
-        raise InputError(f"{file} exists already")
-
-
 def write_table(rows: Sequence[Row], file: Path) -> None:
     """Write rows to a new CSV or Parquet file, with the names of the columns; a missing value is an empty cell or null.
 
     Raises:
         InputError: the file exists already or cannot be written, its name has another ending, or pyarrow is missing.
     """
-    check_new(file, ENDINGS)
+    check_new(file, TABLE_ENDINGS)
     names = [*RUN_COLUMNS, *(metric.column for metric in METRICS)]
     try:
         if file.suffix == ".parquet":

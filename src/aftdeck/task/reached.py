@@ -89,6 +89,8 @@ def _work(wanted: StateSpec, now: Frame) -> bool:
 
 def _conditions(wanted: StateSpec, conditions: tuple[Condition, ...]) -> bool:
     """Return whether each named condition exists and holds within the wanted share of its limit."""
+    if not wanted.holds:
+        return True
     found = {condition.name: condition for condition in conditions}
     return all(
         (condition := found.get(name)) is not None
