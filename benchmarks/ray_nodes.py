@@ -7,9 +7,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
 
 from aftdeck.study.cluster import QUIET
 
@@ -47,7 +46,7 @@ def nodes(count: int, port: int, folder: Path) -> Iterator[str]:
         for node in reversed(started):  # a node that is told to end ends its processes
             node.terminate()
         for node in started:
-            node.wait(END_S)
+            _end(node)
 
 
 def _start(*options: str) -> subprocess.Popen[bytes]:
@@ -58,6 +57,15 @@ def _start(*options: str) -> subprocess.Popen[bytes]:
     )
 
 
+def _end(node: subprocess.Popen[bytes]) -> None:
+    """Wait until a node has ended; kill it if it does not."""
+    try:
+        node.wait(END_S)
+    except subprocess.TimeoutExpired:
+        node.kill()
+        node.wait()
+
+
 def _wait(address: str, count: int, started: list[subprocess.Popen[bytes]]) -> None:
     """Wait until a number of nodes has joined."""
     ask = f"import ray; ray.init(address={address!r}, log_to_driver=False); print('nodes', len(ray.nodes()))"
@@ -65,10 +73,11 @@ def _wait(address: str, count: int, started: list[subprocess.Popen[bytes]]) -> N
     while time.monotonic() < end:
         if any(node.poll() is not None for node in started):
             raise TimeoutError(f"a node of the cluster at {address} has ended")
-        asked: Any = subprocess.run(
-            [sys.executable, "-c", ask], env=os.environ | QUIET, capture_output=True, check=False
-        )
-        said = asked.stdout.decode()
+        with suppress(subprocess.TimeoutExpired):
+            asked = [sys.executable, "-c", ask]
+            said = subprocess.run(
+                asked, env=os.environ | QUIET, capture_output=True, text=True, check=False, timeout=START_S
+            ).stdout
         if f"nodes {count}" in said:
             return
         time.sleep(1.0)

@@ -77,7 +77,16 @@ def test_centred_inputs_are_0() -> None:
 
 
 @pytest.mark.parametrize(
-    ("column", "value", "part"), [("rate", 7.0, "rate: got 7"), ("camera", 3.0, "camera: got 3"), ("joint", -2.0, "-2")]
+    ("column", "value", "part"),
+    [
+        ("rate", 7.0, "rate: got 7"),
+        ("camera", 3.0, "camera: got 3"),
+        ("joint", -2.0, "-2"),
+        ("mode", float("nan"), "nan"),
+        ("script", float("inf"), "inf"),
+        ("target", 7.0, "7"),
+        ("master", -1.0, "-1"),
+    ],
 )
 def test_number_without_a_position_is_rejected(column: str, value: float, part: str) -> None:
     numbers = [0.0] * len(ENCODING.names)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -18,7 +19,7 @@ from aftdeck.export.plan import plan
 from aftdeck.export.replay import fly, fly_episode, replays
 from aftdeck.export.samples import samples
 from aftdeck.export.state import GROUPS, StateReader
-from aftdeck.export.written import about_of, episode_of, numbers_of
+from aftdeck.export.written import about_of, episode_of, new_folder, numbers_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Input
 from aftdeck.scenario.load import load_scenario
@@ -61,11 +62,40 @@ def test_dataset_flies_without_its_recording(run: Path, tmp_path: Path) -> None:
     changed = inputs.copy()
     changed[2, 0] = np.nextafter(changed[2, 0], 2.0)
     assert not replays(folder, 0, changed), "one bit of one stick"
-    assert fly_episode(folder, 0, numbers.action).tips.shape == (STEPS, 3)
+    assert fly_episode(folder, 0, numbers.action, "action").tips.shape == (STEPS, 3)
     with pytest.raises(InputError, match="got shape"):
         fly_episode(folder, 0, inputs[:, :3])
     with pytest.raises(InputError, match="episode-000001"):
         fly_episode(folder, 1, inputs)
+
+
+def test_action_and_inputs_of_the_same_shape_are_not_confused(run: Path, tmp_path: Path) -> None:
+    flight = read_flight(run)
+    names = plan([flight]).inputs
+    chosen = plan([flight], fps=50.0, columns=names[::-1])
+    numbers = numbers_of(flight, chosen)
+    write_about(tmp_path / "about", about_of(chosen))
+    episode = episode_of(flight, chosen, numbers, success=False)
+    write_episode(tmp_path / "about", 0, episode, flight.recording.opening)
+    assert replays(tmp_path / "about", 0, numbers.inputs.reshape(STEPS, -1))
+    assert replays(tmp_path / "about", 0, numbers.action, "action")
+
+
+def test_recording_that_grows_meanwhile_gives_the_samples_of_what_was_read(run: Path) -> None:
+    flight = read_flight(run)
+    part = replace(flight, inputs=flight.inputs[:12], tips=flight.tips[:12], records=flight.records[:12])
+    found = list(samples(part, 5, None))
+    assert [sample.done for sample in found] == [False, False, True]
+    assert len(numbers_of(part, plan([part])).action) == len(found)
+
+
+def test_folder_of_another_process_is_not_touched(tmp_path: Path) -> None:
+    folder = tmp_path / "set-v0"
+    with pytest.raises(InputError, match="exists already"), new_folder(folder) as made:
+        made.mkdir()
+        folder.mkdir()
+        (folder / "theirs").touch()
+    assert [path.name for path in tmp_path.iterdir()] == ["set-v0"] and (folder / "theirs").exists()
 
 
 def test_actions_that_float32_holds_give_the_recorded_flight(tmp_path: Path) -> None:

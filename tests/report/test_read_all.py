@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 from pathlib import Path
 
@@ -12,8 +13,10 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.run import record
 from aftdeck.report import read_all as module
 from aftdeck.report.of_recording import recorded_row
+from aftdeck.report.page.gather import gathered
 from aftdeck.report.read_all import read_all
 
+OLD = Path(__file__).parents[1] / "recording" / "layout_1"
 ROW = "aftdeck.report.of_recording:recorded_row"
 
 
@@ -54,5 +57,31 @@ def test_processes_give_the_rows_and_errors_of_one_process(files: list[Path], mo
 
 
 @pytest.mark.usefixtures("processes")
-def test_death_of_a_process_is_an_error_of_its_recording(files: list[Path]) -> None:
-    assert [type(found) for found in read_all(files[2:], f"{__name__}:row_unless_named_dies")] == [AftdeckError]
+def test_death_of_a_process_is_an_error_of_its_recording_only(files: list[Path]) -> None:
+    found = read_all([*files[2:], *files[:1] * 2], f"{__name__}:row_unless_named_dies")
+    assert [type(one) for one in found] == [AftdeckError, dict, dict]
+
+
+@pytest.mark.usefixtures("processes")
+def test_reading_that_is_broken_off_ends_its_processes(files: list[Path]) -> None:
+    def interrupt() -> None:
+        assert multiprocessing.active_children()
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        list(read_all(files, ROW, interrupt))
+    assert not multiprocessing.active_children()
+
+
+@pytest.mark.usefixtures("processes")
+def test_data_of_a_page_travel_between_processes_also_from_an_old_recording(files: list[Path]) -> None:
+    old = OLD / "loaded.mcap"
+    several = list(read_all([files[0], old], "aftdeck.report.page.gather:gathered"))
+    for file, found in zip((files[0], old), several, strict=True):
+        here = gathered(Recording(file))
+        assert found.metrics == here.metrics and found.events == here.events
+        assert found.tip.tobytes() == here.tip.tobytes()
+
+
+def test_name_that_no_file_can_have_is_an_error() -> None:
+    assert [type(found) for found in read_all([Path("x" * 300)], ROW)] == [AftdeckError]

@@ -76,6 +76,8 @@ def export(
         raise InputError("export needs either --lerobot DIR or --minari DIR")
     if no_pictures and (cameras or size):
         raise InputError("--no-pictures cannot be combined with --camera and --size")
+    if minari is not None and size and not cameras:
+        raise InputError("--size needs --camera: without it, a Minari dataset has no pictures")
     folder, write = _writer(lerobot, minari)
     pixels = SIZE if size is None else _size(size)
     flights = _read(files)
@@ -169,5 +171,5 @@ def _comparison(episode: Episode) -> str:
     if not episode.inputs_equal:
         exact = f"its inputs give a flight up to {episode.inputs_apart_m:.2g} m apart"
     if episode.action_apart_m is None:
-        return f"{exact}, its actions alone none"
-    return f"{exact}, its actions alone one up to {episode.action_apart_m:.2g} m apart"
+        return f"{exact}; its actions cannot be flown alone"
+    return f"{exact}; the flight by its actions alone is up to {episode.action_apart_m:.2g} m away"

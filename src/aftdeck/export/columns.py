@@ -6,7 +6,8 @@ exact deflections of the sticks.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Container, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -71,7 +72,7 @@ _STICKS: Mapping[str, tuple[tuple[str, str], ...]] = {
 _ON_OFF: Mapping[object, int] = {True: 1, False: -1}
 _SWITCHES: Mapping[str, tuple[str, Mapping[object, int]]] = {
     "mode": ("MODE rotary.", {name: k for k, name in enumerate(MODES, 1)}),
-    "joint": ("JOINT rotary, by the index of the joint.", {k: k + 1 for k in range(JOINTS)}),
+    "joint": ("JOINT rotary, by the index of the joint, from 0.", {k: k + 1 for k in range(JOINTS)}),
     "rate": ("Rate setting.", {"coarse": 1, "vernier": -1}),
     "law": ("Steering law of OPR CMD and AUTO 1-4.", {"position": 1, "closed loop": 2, "open loop": 3}),
     "payload_axes": ("Switch beside ORB LD: rotation about payload axes.", _ON_OFF),
@@ -116,12 +117,21 @@ def _switch(name: str) -> Field:
         return (float(codes[value]),)
 
     def position(given: Sequence[float]) -> object:
-        code = round(given[0])
-        if code not in values:
-            raise InputError(f"{name}: got {given[0]:g}, expected 0 or {listed}")
-        return values[code]
+        return values[_code(name, given[0], values, f"0 or {listed}")]
 
     return Field(name, (Column(name, "", f"{text} {listed}."),), numbers, position)
+
+
+def _code(name: str, number: float, allowed: Container[int], words: str) -> int:
+    """Return the nearest whole number of a column.
+
+    Raises:
+        InputError: it is not allowed.
+    """
+    code = round(number) if math.isfinite(number) else None
+    if code is None or code not in allowed:
+        raise InputError(f"{name}: got {number:g}, expected {words}")
+    return code
 
 
 def _position(value: object) -> str:
@@ -152,7 +162,7 @@ def _target() -> Field:
         return (kind, *value.position, *(x for row in value.rotation for x in row), *joints)
 
     def target(n: Sequence[float]) -> Target | None:
-        kind = round(n[0])
+        kind = _code("target", n[0], (0, 1, 2), "0, 1 or 2")
         if kind == 0:
             return None
         rows = (n[4], n[5], n[6]), (n[7], n[8], n[9]), (n[10], n[11], n[12])
@@ -171,7 +181,7 @@ def _master() -> Field:
         "master",
         columns,
         lambda value: (0.0,) * len(columns) if value is None else (1.0, *value),
-        lambda numbers: tuple(numbers[1:]) if round(numbers[0]) else None,
+        lambda numbers: tuple(numbers[1:]) if _code("master", numbers[0], (0, 1), "0 or 1") else None,
         held=True,
     )
 
@@ -189,9 +199,7 @@ def _camera(driven: Sequence[str]) -> Field:
         return (1.0 + driven.index(value.camera), value.pan, value.tilt, value.zoom, float(value.slow))
 
     def drive(given: Sequence[float]) -> CameraDrive | None:
-        number = round(given[0])
-        if not 0 <= number <= len(driven):
-            raise InputError(f"camera: got {given[0]:g}, expected 0 or a camera's number up to {len(driven)}")
+        number = _code("camera", given[0], range(len(driven) + 1), f"0 or a camera's number up to {len(driven)}")
         pan, tilt, zoom, slow = given[1:]
         return CameraDrive(driven[number - 1], pan, tilt, zoom, slow > 0.5) if number else None  # noqa: PLR2004
 
@@ -237,7 +245,7 @@ class Encoding:
         Raises:
             InputError: a switch has no position of this number.
         """
-        if round(numbers[-1]):
+        if _code(SCRIPT.name, numbers[-1], (0, 1), "0 or 1"):
             return None
         values, at = {}, 0
         for field in self.fields:

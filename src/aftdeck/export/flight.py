@@ -54,7 +54,8 @@ class Flight:
     def actions(self, per_sample: int) -> Array:
         """Return the numbers (samples, columns) of the actions.
 
-        An action has the latest deflections of the sticks in its sample, and every switch that was set in it.
+        An action has the latest deflections of the sticks in its sample, and the last position of each switch that was
+        set in it (`recording.resample.merged`).
         """
         if per_sample == 1:
             return self.inputs

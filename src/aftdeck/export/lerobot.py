@@ -71,12 +71,12 @@ def write_lerobot(
     # all painters first: a missing camera is found before anything is written
     painters = [Painter(flight.scenario, plan.pictures, plan.size) if plan.pictures else None for flight in flights]
     rate = int(plan.fps) if plan.fps == int(plan.fps) else plan.fps
-    with new_folder(folder):
+    with new_folder(folder) as made:
         dataset = library.LeRobotDataset.create(
             repo_id=f"aftdeck/{folder.name}",
             fps=rate,
             features=features(plan),
-            root=folder,
+            root=made,
             robot_type=flights[0].scenario.arm.model.name,
             use_videos=False,
         )
@@ -105,7 +105,7 @@ def write_lerobot(
                 dataset.save_episode()
             done += flight.steps
             episodes.append(episode_of(flight, plan, numbers, success=success))
-            write_episode(folder / FOLDER, number, episodes[-1], flight.recording.opening)
+            write_episode(made / FOLDER, number, episodes[-1], flight.recording.opening)
         dataset.finalize()
-        write_about(folder / FOLDER, about_of(plan))
+        write_about(made / FOLDER, about_of(plan))
     return episodes

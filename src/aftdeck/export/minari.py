@@ -59,7 +59,7 @@ def write_minari(
     painters = [Painter(flight.scenario, plan.pictures, plan.size) if plan.pictures else None for flight in flights]
     observation_space, action_space = _spaces(plan)
     dataset: Any = None
-    with new_folder(folder):
+    with new_folder(folder) as made:
         for number, (flight, painter) in enumerate(zip(flights, painters, strict=True)):
             numbers, seen, rewards, successes = numbers_of(flight, plan), list[Seen](), list[float](), list[bool]()
             for k, sample in enumerate(samples(flight, plan.per_sample, painter)):
@@ -84,13 +84,13 @@ def write_minari(
                 },
             )
             if dataset is None:
-                dataset = _created(library, folder, buffer, observation_space, action_space)
+                dataset = _created(library, made, buffer, observation_space, action_space)
             else:
                 dataset.update_dataset_from_buffer([buffer])
             done += flight.steps
             episodes.append(episode_of(flight, plan, numbers, success=successes[-1]))
-            write_episode(folder / FOLDER, number, episodes[-1], flight.recording.opening)
-        write_about(folder / FOLDER, about_of(plan))
+            write_episode(made / FOLDER, number, episodes[-1], flight.recording.opening)
+        write_about(made / FOLDER, about_of(plan))
     return episodes
 
 

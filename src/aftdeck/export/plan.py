@@ -16,6 +16,8 @@ from aftdeck.export.state import StateReader, same_names
 
 USUAL_RATE = 10.0
 """Default number of samples in a second, if the control rate is a multiple of it [1/s]."""
+LEAST_RATE = 0.1
+"""Least number of samples in a second [1/s]: a sample has the inputs of all its control steps."""
 STICKS = Encoding().names[:6]
 """Columns that every dataset has: those of the hand controllers."""
 
@@ -108,10 +110,11 @@ def _rate(fps: float | None, period: float) -> tuple[float, int]:
     control = round(1.0 / period, 9)
     if fps is None:
         fps = control / math.ceil(control / USUAL_RATE - 1e-9)
-    steps = control / fps if fps > 0.0 else 0.0
+    steps = control / fps if fps >= LEAST_RATE else 0.0
     if not math.isclose(steps, round(steps), rel_tol=1e-9) or round(steps) < 1:
         allowed = ", ".join(f"{control / n:g}" for n in range(1, 11))
         raise InputError(
-            f"fps: got {fps:g}, expected {control:g}, the control rate, divided by a whole number: {allowed}, …"
+            f"fps: got {fps:g}, expected {control:g}, the control rate, divided by a whole number: {allowed}, …; at "
+            f"least {LEAST_RATE:g}"
         )
     return control / round(steps), round(steps)

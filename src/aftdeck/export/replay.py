@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -59,7 +59,9 @@ def fly(scenario: Scenario, seed: int, rows: Array, steps: int, per_row: int) ->
     return Flown(digests.hexdigest(), tips)
 
 
-def fly_episode(folder: str | Path, number: int, numbers: Array | Sequence[object]) -> Flown:
+def fly_episode(
+    folder: str | Path, number: int, numbers: Array | Sequence[object], column: Literal["inputs", "action"] = "inputs"
+) -> Flown:
     """Fly an episode of an exported dataset.
 
     Args:
@@ -67,6 +69,7 @@ def fly_episode(folder: str | Path, number: int, numbers: Array | Sequence[objec
         number: number of the episode.
         numbers: its ``inputs``, (samples, control steps in a sample times columns), or its ``action``, (samples,
             columns).
+        column: which of the two the numbers are.
 
     Raises:
         InputError: the folder has no description, there is no such episode, or the numbers have another shape.
@@ -74,21 +77,22 @@ def fly_episode(folder: str | Path, number: int, numbers: Array | Sequence[objec
     about = read_about(Path(folder))
     episode, opening = read_episode(Path(folder), number)
     given = np.asarray(numbers, dtype=np.float64)
-    shapes = {
-        (episode.samples, len(about.inputs) * about.per_sample): (about.inputs, 1),
-        (episode.samples, len(about.action)): (about.action, about.per_sample),
-    }
-    if given.shape not in shapes:
-        raise InputError(f"numbers: got shape {given.shape}, expected {' or '.join(map(str, shapes))}")
-    names, per_row = shapes[given.shape]
+    if column == "inputs":
+        names, per_row, width = about.inputs, 1, len(about.inputs) * about.per_sample
+    else:
+        names, per_row, width = about.action, about.per_sample, len(about.action)
+    if given.shape != (episode.samples, width):
+        raise InputError(f"numbers: got shape {given.shape}, expected {(episode.samples, width)} for {column}")
     rows = Encoding(episode.driven).completed(names, given.reshape(-1, len(names)))
     return fly(scenario_of(opening), opening.seed, rows, episode.steps, per_row)
 
 
-def replays(folder: str | Path, number: int, numbers: Array | Sequence[object]) -> bool:
+def replays(
+    folder: str | Path, number: int, numbers: Array | Sequence[object], column: Literal["inputs", "action"] = "inputs"
+) -> bool:
     """Return whether the flight of an episode's numbers equals the recorded flight, bit for bit.
 
     Arguments and errors as for `fly_episode`.
     """
     episode, _ = read_episode(Path(folder), number)
-    return fly_episode(folder, number, numbers).frames_sha256 == episode.frames_sha256
+    return fly_episode(folder, number, numbers, column).frames_sha256 == episode.frames_sha256

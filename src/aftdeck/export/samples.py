@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from aftdeck.export.flight import Flight
@@ -17,7 +17,7 @@ from aftdeck.task.remaining import Aims
 
 
 class Seen(NamedTuple):
-    """What a learner sees at one time.
+    """Observation of a learner at one time.
 
     Attributes:
         state: (numbers,) the state.
@@ -46,9 +46,7 @@ class Sample(NamedTuple):
     done: bool
 
 
-def samples(
-    flight: Flight, per_sample: int, painter: Painter | None, progress: Callable[[float], None] | None = None
-) -> Iterator[Sample]:
+def samples(flight: Flight, per_sample: int, painter: Painter | None) -> Iterator[Sample]:
     """Yield the samples of a flight; sample k begins `k * per_sample` control steps after the start.
 
     The task is complete when the steps of the scenario's task are done; in a scenario without a task, when its script
@@ -58,7 +56,6 @@ def samples(
         flight: the flight.
         per_sample: control steps in a sample.
         painter: painter of the pictures; None for none.
-        progress: called repeatedly with the fraction of the flight that is done, 0 to 1.
     """
     scenario = flight.scenario
     reader, aims, task = StateReader(scenario), Aims(scenario), Progress(scenario)
@@ -82,6 +79,6 @@ def samples(
         success = task.at == len(task.steps) if task.steps else done and flight.recording.ended == "completed"
         then = seen(message)
         yield Sample(before, then, float(success and not was), success, done)
+        if done:
+            return  # the file may have grown since the flight was read
         before, was = then, was or success
-        if progress is not None:
-            progress(message.tick / flight.steps)

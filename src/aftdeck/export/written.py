@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import shutil
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.errors import InputError
+from aftdeck.errors import InputError, SimulationError
 from aftdeck.export.about import FORMAT, About, Episode
 from aftdeck.export.columns import Encoding
 from aftdeck.export.flight import Flight
@@ -59,7 +60,7 @@ def episode_of(flight: Flight, plan: Plan, numbers: Numbers, *, success: bool) -
         rough = fly(flight.scenario, seed, learned, flight.steps, plan.per_sample)
         equal = rough.frames_sha256 == flight.frames_sha256
         apart = _apart(rough, flight)
-    except InputError:  # a target of which columns were left out
+    except (InputError, SimulationError):  # a target of which columns were left out; a flight that diverges
         equal, apart = False, None
     return Episode(
         recording=flight.recording.path.name,
@@ -87,24 +88,35 @@ def check_new(folder: Path) -> None:
     Raises:
         InputError: it exists already, or its parent does not.
     """
-    if folder.exists() or folder.is_symlink():
+    try:
+        exists, parent = os.path.lexists(folder), folder.parent.is_dir()
+        if not exists:
+            os.stat(folder)
+    except FileNotFoundError:
+        pass
+    except (OSError, ValueError) as error:
+        raise InputError(f"{folder}: cannot be the name of a folder: {error}") from None
+    if exists:
         raise InputError(f"{folder}: exists already; name a new folder")
-    if not folder.parent.is_dir():
+    if not parent:
         raise InputError(f"{folder}: the folder {folder.parent} does not exist")
 
 
 @contextmanager
-def new_folder(folder: Path) -> Iterator[None]:
-    """Remove a folder again if what fills it fails.
+def new_folder(folder: Path) -> Iterator[Path]:
+    """Yield a path of the same name in a private folder; what is written there becomes `folder` when it is complete.
+
+    If something fails, nothing is left behind.
 
     Raises:
         InputError: as for `check_new`, or the folder cannot be written.
     """
     check_new(folder)
     try:
-        yield
-    except BaseException as error:
-        shutil.rmtree(folder, ignore_errors=True)
-        if isinstance(error, OSError):
-            raise InputError(f"cannot write {folder}: {error.strerror or error}") from error
-        raise
+        with TemporaryDirectory(prefix=f".{folder.name}.", dir=folder.parent) as private:
+            made = Path(private, folder.name)
+            yield made
+            check_new(folder)  # another process may have made it meanwhile
+            made.rename(folder)
+    except OSError as error:
+        raise InputError(f"cannot write {folder}: {error.strerror or error}") from error

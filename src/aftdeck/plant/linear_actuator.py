@@ -37,6 +37,8 @@ class Slide(StatePart):
 
     def move(self, travel: Travel, drive: float, period: float) -> None:
         """Move for one control period [s]: drive +1 towards `high`, -1 towards `low`, both at `rate`; 0 stops."""
+        if drive == 0.0 and self.velocity == 0.0:
+            return
         before = self.position
         self.position = self.after(travel, drive, period)
         self.velocity = (self.position - before) / period

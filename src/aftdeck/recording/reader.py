@@ -107,7 +107,7 @@ class Recording:
         self.opening = first
         self.delays = Delays() if first.real_time else None
         if first.format == 1:
-            self._old = FramesOf1(first.joints, lambda: (self._scenario.caution, self._scenario.warning))
+            self._old = FramesOf1(first.joints, self._thresholds)
 
     def messages(self) -> Iterator[Message]:
         """Yield all messages of Aftdeck's own channels in order, and then set `ended` or `cut`.
@@ -232,6 +232,10 @@ class Recording:
             return decode(kind, data)
         except (msgspec.MsgspecError, AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
             raise self._damaged(f"invalid message in {topic}: {error}") from None
+
+    def _thresholds(self) -> tuple[float, float]:
+        """Return the scenario's thresholds of clearance for caution and warning [m]."""
+        return self._scenario.caution, self._scenario.warning
 
     @cached_property
     def _scenario(self) -> Scenario:

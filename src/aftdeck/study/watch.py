@@ -28,6 +28,7 @@ class Watch:
         self._scenario = scenario
         self._metrics = RunMetrics(scenario, progress)
         self._metrics.note(Shown(0.0, *shown))
+        self._sim: Simulation | None = None
 
     def see(self, sim: Simulation) -> None:
         """Add the step that a simulation has made."""
@@ -36,6 +37,7 @@ class Watch:
 
     def state(self) -> bytes:
         """Return the digest of the exact state after the last step."""
+        assert self._sim is not None, "a run has a step"
         return self._sim.seal()
 
     def found(self) -> dict[Metric, Value]:

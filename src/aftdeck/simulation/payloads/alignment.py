@@ -19,8 +19,8 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.bodies.pose import HERE, rows
-from aftdeck.frames import angle_between, oriend_rows
+from aftdeck.bodies.pose import HERE
+from aftdeck.frames import oriend_rows
 from aftdeck.law import law
 from aftdeck.matrices import length, product
 from aftdeck.simulation.constants.berths import Berth
@@ -28,12 +28,11 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Snares
 from aftdeck.simulation.constants.site import Meeting, Site
 from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand
-from aftdeck.simulation.payloads.seating import approached
 from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.acquisition import enclosed_bar
 from aftdeck.worksite.model import Relation
 from aftdeck.worksite.seats.berthing import over
-from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
+from aftdeck.worksite.seats.on_way import on_way, straight_before
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_update import nearest_place
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
@@ -50,7 +49,6 @@ TILTED = math.radians(5.0)
 """Greatest angle between a payload and its attitude in a berth, up to which it is about to enter [rad] (assumed)."""
 STEP = 0.1
 """Distance of the positions on the way into a berth at which clearances are known [m] (assumed)."""
-_UPRIGHT = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 INNER = 0.8
 """Factor on `ASIDE` and `TILTED` [1] (assumed) while a pair of payload and berth has the minimum clearance; without it,
 the lamp could flicker."""
@@ -133,9 +131,7 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     berth = site.berths[k][number]
     pairs = site.seated[k, berth.seat.name]
     factor = INNER if nearest >= 0 and pairs[nearest] else 1.0
-    off, out = berth.offset(frames, row), berth.way_out
-    along = float(product(off[:3], out))
-    aside, tilt = length((off[:3] - along * out).tolist()), angle_between(rows(off, 3), _UPRIGHT)
+    along, aside, tilt = on_way(frames[berth.row], berth.place, frames[row], berth.way_out)
     if aside > factor * ASIDE or tilt > factor * TILTED:
         return
     before = min(max(0, int(along / STEP)), int(NEAR / STEP))
@@ -264,17 +260,11 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
 
 def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
     """Return whether the probe is in front of the port's face, and a straight approach would bring it to the port."""
-    row = site.cargo_row(k)
-    found = approached(berth, frames, row)
-    if found[BEFORE] < -depth or found[DISTANCE] > NEAR:
-        return False
     assert berth.port is not None
-    outer, port = frames[berth.row, 3:].reshape(3, 3), berth.port[3:].reshape(3, 3)
-    inward = product(product(outer, port), berth.seat.envelope[0, :3])
-    there = frames.copy()
-    there[row, :3] += found[BEFORE] * inward
-    found = approached(berth, there, row)
-    return bool(found[INSIDE] >= inside and found[DISTANCE] <= berth.docking.distance - inside)
+    return straight_before(
+        berth.probe, berth.tip, frames[site.cargo_row(k)], frames[berth.row], berth.port, berth.seat.envelope, depth,
+        NEAR, inside, berth.docking.distance - inside,
+    )  # fmt: skip
 
 
 def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
