@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aftdeck.errors import InputError
-from aftdeck.export.columns import SCRIPT, Encoding
+from aftdeck.export.columns import MODE_NUMBERS, SCRIPT, Encoding
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import POSITIONS, Inputs
@@ -93,6 +93,10 @@ def test_number_without_a_position_is_rejected(column: str, value: float, part: 
     numbers[ENCODING.names.index(column)] = value
     with pytest.raises(InputError, match=part):
         ENCODING.decode(numbers)
+
+
+def test_every_mode_has_a_number_of_its_own() -> None:
+    assert set(MODE_NUMBERS) == set(MODES) and len(set(MODE_NUMBERS.values())) == len(MODES)
 
 
 def test_mode_without_a_number_is_rejected() -> None:

@@ -46,13 +46,9 @@ def not_negative(option: str, value: float | None) -> None:
 
 def light_of(scenario: Scenario, name: str | None) -> LightCondition:
     """Return the light condition of a name; None: that of the scenario. Raise `InputError` if there is none."""
-    from aftdeck.scenario.light import conditions
+    from aftdeck.scenario.light import condition_named
 
-    wanted = scenario.lighting.condition if name is None else name
-    for condition in conditions():
-        if condition.name == wanted:
-            return condition
-    raise InputError(f"--light: no light condition {wanted!r}: there are {', '.join(c.name for c in conditions())}")
+    return condition_named(scenario.lighting.condition if name is None else name)
 
 
 def write(path: Path, content: bytes) -> None:

@@ -17,7 +17,6 @@ from aftdeck.errors import InputError
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import JOINTS, Inputs
-from aftdeck.steering.mode import MODES
 from aftdeck.units import short
 
 
@@ -69,9 +68,25 @@ _STICKS: Mapping[str, tuple[tuple[str, str], ...]] = {
 }
 """Columns of each stick, each with its definition."""
 
+MODE_NUMBERS: Mapping[object, int] = {
+    "OPR CMD": 1,
+    "AUTO 1": 2,
+    "AUTO 2": 3,
+    "AUTO 3": 4,
+    "AUTO 4": 5,
+    "TEST": 6,
+    "ORB UNL": 7,
+    "END EFF": 8,
+    "ORB LD": 9,
+    "PL": 10,
+    "SINGLE": 11,
+    "DIRECT": 12,
+    "MASTER": 13,
+}
+"""Number of each position of the MODE rotary; these numbers never change, a new mode gets a new one."""
 _ON_OFF: Mapping[object, int] = {True: 1, False: -1}
 _SWITCHES: Mapping[str, tuple[str, Mapping[object, int]]] = {
-    "mode": ("MODE rotary.", {name: k for k, name in enumerate(MODES, 1)}),
+    "mode": ("MODE rotary.", MODE_NUMBERS),
     "joint": ("JOINT rotary, by the index of the joint, from 0.", {k: k + 1 for k in range(JOINTS)}),
     "rate": ("Rate setting.", {"coarse": 1, "vernier": -1}),
     "law": ("Steering law of OPR CMD and AUTO 1-4.", {"position": 1, "closed loop": 2, "open loop": 3}),

@@ -13,7 +13,7 @@ from aftdeck.errors import InputError, SimulationError
 from aftdeck.export.flight import Flight
 from aftdeck.report.page.gather import Moment
 from aftdeck.report.page.pictures import best_cameras
-from aftdeck.scenario.light import LightCondition, conditions
+from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.cameras import SceneCameras
 from aftdeck.simulation.frame import Frame
@@ -96,15 +96,3 @@ def usual_cameras(flight: Flight) -> tuple[str, ...]:
     best = best_cameras(VisualScene(flight.scenario), placed, Moment("start", frame, ()))
     ranked = dict.fromkeys([*best, *placed.cameras])  # those that do not see the tip come last
     return tuple(sorted(ranked, key=lambda name: placed.cameras[name].kind != KINDS[0])[:COUNT])
-
-
-def light_named(name: str) -> LightCondition:
-    """Return the light condition of a name.
-
-    Raises:
-        InputError: there is none; the message lists the conditions.
-    """
-    for condition in conditions():
-        if condition.name == name:
-            return condition
-    raise InputError(f"light: no condition {name!r}: there are {', '.join(one.name for one in conditions())}")

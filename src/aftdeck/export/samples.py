@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from aftdeck.export.flight import Flight
-from aftdeck.export.pictures import Painter, Pixels, light_named
+from aftdeck.export.pictures import Painter, Pixels
 from aftdeck.export.state import Floats32, StateReader
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, LightRecord
+from aftdeck.scenario.light import condition_named
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.progress import Progress
@@ -59,7 +60,7 @@ def samples(flight: Flight, per_sample: int, painter: Painter | None) -> Iterato
     """
     scenario = flight.scenario
     reader, aims, task = StateReader(scenario), Aims(scenario), Progress(scenario)
-    light = light_named(scenario.lighting.condition)
+    light = condition_named(scenario.lighting.condition)
 
     def seen(frame: Frame) -> Seen:
         left = aims.remaining(frame, task.present)
@@ -69,7 +70,7 @@ def samples(flight: Flight, per_sample: int, painter: Painter | None) -> Iterato
     before, was = seen(Simulation(scenario, recording.opening.seed).look()), False
     for message in recording.messages():
         if isinstance(message, LightRecord):
-            light = light_named(message.condition)
+            light = condition_named(message.condition)
         if not isinstance(message, FrameRecord):
             continue
         task.see(message)

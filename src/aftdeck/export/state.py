@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.errors import InputError
+from aftdeck.export.columns import MODE_NUMBERS
 from aftdeck.frames import quaternion_of_rows
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
-from aftdeck.steering.mode import MODES
 from aftdeck.task.along_sticks import along_axes
-from aftdeck.task.readings import clearance_share, conditions_share
+from aftdeck.task.readings import clearance_share, conditions_share, effector_switch
 from aftdeck.task.remaining import Remaining
 
 Floats32 = NDArray[np.float32]
@@ -58,8 +58,6 @@ GROUPS = (
     Shown("brakes", (), "", "1 while BRAKES are on."),
 )
 """Groups of the state, in their order."""
-_EFFECTOR = {"stop": 0.0, "close": 1.0, "open": -1.0}
-_MODE = {name: float(k) for k, name in enumerate(MODES, 1)}
 
 
 class StateReader:
@@ -102,8 +100,8 @@ class StateReader:
             conditions_share(frame),
             float(frame.payload is not None),
             hand.opening,
-            _EFFECTOR[hand.switch],
-            _MODE.get(frame.mode, 0.0),
+            effector_switch(frame),
+            float(MODE_NUMBERS.get(frame.mode, 0)),
             1.0 if frame.rate == "coarse" else -1.0,
             float(frame.brakes),
         ]

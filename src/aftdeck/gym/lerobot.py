@@ -17,13 +17,14 @@ from gymnasium import spaces
 from gymnasium.vector import AsyncVectorEnv, AutoresetMode, SyncVectorEnv
 
 from aftdeck.errors import InputError
-from aftdeck.export.pictures import SIZE, Painter, Pixels, light_named, names_of
+from aftdeck.export.pictures import SIZE, Painter, Pixels, names_of
 from aftdeck.export.plan import STICKS
 from aftdeck.export.state import StateReader
 from aftdeck.gym.choices import one_of, whole
 from aftdeck.gym.mission import definition
 from aftdeck.gym.mission.env import CaptureEnv, DockEnv, ExtractEnv, MissionEnv
 from aftdeck.gym.terms import Floats32, action_space
+from aftdeck.scenario.light import condition_named
 from aftdeck.scenario.schema import Plant
 
 Observation = dict[str, Any]
@@ -87,7 +88,7 @@ class LerobotEnv(gymnasium.Env[Observation, Floats32]):
         self._max_episode_steps = mission.most_steps
         pictures = names_of(CAMERAS[self.task] if cameras is None else cameras)
         self._painter = Painter(flown, pictures, size)
-        self._light = light_named(flown.lighting.condition)
+        self._light = condition_named(flown.lighting.condition)
         self._reader, self._steps = StateReader(flown), 0
         self.state_names = self._reader.names
         self.action_names = COLUMNS[: len(mission.controls)]

@@ -16,6 +16,7 @@ import msgspec
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.shapes import shapes_of
 from aftdeck.bounds import DIRECTION, Bounds
+from aftdeck.errors import InputError
 from aftdeck.files import parse, read
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.problems import Problems
@@ -94,6 +95,18 @@ class LightFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def conditions() -> tuple[LightCondition, ...]:
     """Return the conditions that a scenario can name; the first is the default."""
     return parse(LightFile, read(Path(__file__).parent / "light.toml")).condition
+
+
+def condition_named(name: str) -> LightCondition:
+    """Return the light condition of a name.
+
+    Raises:
+        InputError: there is none; the message lists the conditions.
+    """
+    for condition in conditions():
+        if condition.name == name:
+            return condition
+    raise InputError(f"no light condition {name!r}: there are {', '.join(one.name for one in conditions())}")
 
 
 def lamps_of(worksite: Worksite, arm: ArmModel, payload: Payload | None, cargo: tuple[Cargo, ...]) -> tuple[str, ...]:

@@ -5,6 +5,13 @@ from __future__ import annotations
 from aftdeck.simulation.frame import Frame
 from aftdeck.units import FOOT
 
+_SWITCH = {"stop": 0.0, "close": 1.0, "open": -1.0}
+
+
+def effector_switch(frame: Frame) -> float:
+    """Return the position of the end effector switch: 1 close, 0 stop, -1 open."""
+    return _SWITCH[frame.work.hand.switch]
+
 
 def clearance_share(frame: Frame) -> float:
     """Return the minimum clearance c as c / (c + 1 ft), 0 in contact; 1 if no pair is monitored."""

@@ -12,10 +12,8 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
 from aftdeck.task.along_sticks import along_axes
-from aftdeck.task.readings import clearance_share, conditions_share
+from aftdeck.task.readings import clearance_share, conditions_share, effector_switch
 from aftdeck.task.remaining import Remaining
-
-_SWITCH = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
 class Observer:
@@ -59,7 +57,7 @@ class Observer:
                     float(frame.work.arm_inhibit),
                     conditions_share(frame),
                     1.0 if frame.rate == "coarse" else -1.0,
-                    _SWITCH[hand.switch],
+                    effector_switch(frame),
                     hand.opening,
                 ],
             ]

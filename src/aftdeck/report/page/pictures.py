@@ -14,7 +14,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import SimulationError
 from aftdeck.report.page.document import figure
 from aftdeck.report.page.gather import Gathered, Moment
-from aftdeck.scenario.light import LightCondition, conditions
+from aftdeck.scenario.light import LightCondition, condition_named
 from aftdeck.scene.cameras import SceneCameras
 from aftdeck.simulation.frame import Frame
 from aftdeck.visual.page import single
@@ -37,7 +37,7 @@ _FAR_M = 20.0
 def pictures(run: Gathered) -> Iterator[str]:
     """Yield a figure for each key moment: the pictures of two cameras."""
     scene, placed = VisualScene(run.scenario), SceneCameras(run.scenario)
-    light = next(one for one in conditions() if one.name == run.scenario.lighting.condition)
+    light = condition_named(run.scenario.lighting.condition)
     for moment in run.moments:
         shown = [name for name in moment.monitors if name in placed.cameras]
         images = list(islice(_images(scene, moment, shown or best_cameras(scene, placed, moment), light), CAMERAS))
