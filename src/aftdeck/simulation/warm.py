@@ -16,7 +16,7 @@ from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
-from aftdeck.simulation.payloads.grasp import attach, empty_grasp, start_free_flight
+from aftdeck.simulation.payloads.grasp import NEAR, attach, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.simulation.payloads.sliding import slide_along
@@ -67,6 +67,9 @@ def _carry(flight: Flight, state: State) -> None:
     slide_along(flight, state, 0.0, 0)
     for berth in flight.site.berths[0]:
         conditions_at(flight, state, 0, berth)
+        berth.on_way(worksite.frames, flight.site.cargo_row(0))
+        if berth.port is not None:
+            berth.is_straight_ahead(worksite.frames, flight.site.cargo_row(0), 0.0, NEAR, 0.0)
     counts = flight.site.detrimental.copy()
     worksite.watch.except_far(flight.site.detrimental, np.zeros(len(counts)), counts)
     empty_grasp(flight, state, 0)

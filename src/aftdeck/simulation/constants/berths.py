@@ -15,6 +15,7 @@ from aftdeck.worksite.file.cargo import part_of
 from aftdeck.worksite.model import Cargo, Seat
 from aftdeck.worksite.seats.berthing import OFFSET, Guide, Guides, SeatTolerances, offsets, prepare
 from aftdeck.worksite.seats.docking import DockingTolerances
+from aftdeck.worksite.seats.on_way import OnWay, on_way, straight_before
 
 KEEL = "keel"
 """Name of the trunnion under the payload."""
@@ -78,6 +79,26 @@ class Berth:
         compose(frames[self.row], self.place, place)
         relative(place, frames[cargo_row], off)
         return off
+
+    def on_way(self, frames: Array, cargo_row: int) -> OnWay:
+        """Return where a payload is on its way into the berth; arguments as for `offset`."""
+        return on_way(frames[self.row], self.place, frames[cargo_row], self.way_out)
+
+    def is_straight_ahead(self, frames: Array, cargo_row: int, depth: float, near: float, inside: float) -> bool:
+        """Return whether a straight approach would bring a payload's probe to the port, which the berth must have.
+
+        Args:
+            frames: (F, 12) poses of all frames in L.
+            cargo_row: row of the payload's frame.
+            depth: depth behind the port's face up to which the probe counts as in front of it [m].
+            near: greatest distance of the probe from the port [m].
+            inside: least distance from the limits of the docking conditions after the approach [m].
+        """
+        assert self.port is not None, "the berth has a port"
+        return straight_before(
+            self.probe, self.tip, frames[cargo_row], frames[self.row], self.port, self.seat.envelope, depth, near,
+            inside, self.docking.distance - inside,
+        )  # fmt: skip
 
     @property
     def latches_automatically(self) -> bool:

@@ -32,7 +32,6 @@ from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.acquisition import enclosed_bar
 from aftdeck.worksite.model import Relation
 from aftdeck.worksite.seats.berthing import over
-from aftdeck.worksite.seats.on_way import on_way, straight_before
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_update import nearest_place
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
@@ -131,7 +130,7 @@ def _except_berth(site: Site, k: int, watch: ClearanceMonitor, frames: Array, ne
     berth = site.berths[k][number]
     pairs = site.seated[k, berth.seat.name]
     factor = INNER if nearest >= 0 and pairs[nearest] else 1.0
-    along, aside, tilt = on_way(frames[berth.row], berth.place, frames[row], berth.way_out)
+    along, aside, tilt = berth.on_way(frames, row)
     if aside > factor * ASIDE or tilt > factor * TILTED:
         return
     before = min(max(0, int(along / STEP)), int(NEAR / STEP))
@@ -250,21 +249,12 @@ def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) 
     match meeting.relation:
         case "docking":
             ports = (berth for berth in site.berths[k] if berth.port is not None)
-            return any(_before_port(site, frames, k, berth, depth, inside) for berth in ports)
+            return any(berth.is_straight_ahead(frames, site.cargo_row(k), depth, NEAR, inside) for berth in ports)
         case "guides":
             guided = (berth for berth in site.berths[k] if berth.guides is not None)
             return any(_over_guides(site, frames, k, berth, depth, inside) for berth in guided)
         case "acquisition" | "capture":
             raise AssertionError(f"alignment does not apply to the relation {meeting.relation!r}")
-
-
-def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """Return whether the probe is in front of the port's face, and a straight approach would bring it to the port."""
-    assert berth.port is not None
-    return straight_before(
-        berth.probe, berth.tip, frames[site.cargo_row(k)], frames[berth.row], berth.port, berth.seat.envelope, depth,
-        NEAR, inside, berth.docking.distance - inside,
-    )  # fmt: skip
 
 
 def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
