@@ -43,7 +43,7 @@ def nodes(count: int, port: int, folder: Path) -> Iterator[str]:
             _wait(address, number + 1, started)
         yield address
     finally:
-        for node in reversed(started):  # a node that is told to end ends its processes
+        for node in reversed(started):  # a node that gets this signal ends its processes
             node.terminate()
         for node in started:
             _end(node)

@@ -61,6 +61,21 @@ def is_file(path: Path) -> bool:
         return False
 
 
+def check_new(path: Path) -> None:
+    """Check that nothing has this path, and that a file or folder can have it.
+
+    Raises:
+        InputError: something exists there, or the name is not allowed, for example because it is too long.
+    """
+    try:
+        path.lstat()
+    except FileNotFoundError:
+        return
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path}: cannot be the name of a folder or file: {error}") from None
+    raise InputError(f"{path}: exists already; give a new name")
+
+
 def as_path(name_or_path: object) -> Path:
     """Return a name or path as a Path.
 

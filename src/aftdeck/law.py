@@ -47,9 +47,9 @@ _waiting: list[_Declared] | None = []
 
 
 class _Here(threading.local):
-    """State of a thread: `plain` is True inside `interpreted`."""
+    """State of a thread: `plain` is True inside `interpreted`, and `nested` inside a law that runs there."""
 
-    plain = False
+    plain = nested = False
 
 
 _here = _Here()
@@ -78,11 +78,18 @@ class _Declared:
 
     def __call__(self, *given: Any) -> Any:
         """Call an interpreted law, or any law inside `interpreted`, as plain Python; else load all laws first."""
-        if (self._interpreted or _here.plain) and _waiting is not None:
+        function: Callable[..., Any] = self.__wrapped__  # type: ignore[attr-defined]
+        if _waiting is None or not (self._interpreted or _here.plain):
+            load()
+            return self.compiled(*given)
+        if self._interpreted or _here.nested:
+            return function(*given)
+        _here.nested = True
+        try:
             with np.errstate(all="ignore"):  # as in compiled code
-                return self.__wrapped__(*given)  # type: ignore[attr-defined]
-        load()
-        return self.compiled(*given)
+                return function(*given)
+        finally:
+            _here.nested = False
 
     @property
     def _numba_type_(self) -> Any:

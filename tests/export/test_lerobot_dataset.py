@@ -105,12 +105,12 @@ def test_dataset_loads_by_lerobot_alone_and_its_inputs_give_the_recorded_flights
     options = [word for camera in CAMERAS for word in ("--camera", camera)]
     export = ["-m", "aftdeck", "export", str(hand), str(script), "--lerobot", str(folder), *options, "--size", "64x48"]
     source = str(ROOT / "src")
-    told = json.loads(called(writer, *export, "--json", home=tmp_path, path=source))
-    assert [episode["inputs_equal"] for episode in told["episodes"]] == [True, True]
+    printed = json.loads(called(writer, *export, "--json", home=tmp_path, path=source))
+    assert [episode["inputs_equal"] for episode in printed["episodes"]] == [True, True]
 
     found = json.loads(called(reader, "-c", LOAD, str(folder), str(tmp_path / "loaded.npz"), home=tmp_path))
     assert found["format"] == found["version"] == "v3.0"
-    assert (found["fps"], found["episodes"], found["names"]) == (10, 2, told["plan"]["action"])
+    assert (found["fps"], found["episodes"], found["names"]) == (10, 2, printed["plan"]["action"])
     flights = [read_flight(hand), read_flight(script)]
     assert found["tasks"] == sorted({flight.scenario.title for flight in flights})
     with np.load(tmp_path / "loaded.npz") as loaded:

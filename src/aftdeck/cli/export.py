@@ -69,7 +69,7 @@ def export(
     Each run is simulated again, and the dataset's numbers are flown and compared with the recorded flight.
     docs/export.md lists all columns.
     """
-    from aftdeck.export.pictures import SIZE
+    from aftdeck.export.pictures import SIZE, usual_cameras
     from aftdeck.export.plan import plan
 
     if (lerobot is None) == (minari is None):
@@ -83,7 +83,7 @@ def export(
     flights = _read(files)
     drawn: Sequence[str] = cameras or ()
     if lerobot is not None and not cameras and not no_pictures:
-        drawn = _usual(flights)
+        drawn = usual_cameras(flights[0])
     chosen = plan(
         flights, fps=fps, columns=None if columns is None else columns.split(","), cameras=drawn, size=pixels, task=task
     )
@@ -105,19 +105,19 @@ def _writer(
     lerobot: Path | None, minari: Path | None
 ) -> tuple[Path, Callable[[Sequence[Flight], Path, Plan, Callable[[float], None] | None], list[Episode]]]:
     """Return the folder and the writer; raise `InputError` if its library is missing or the folder exists."""
-    from aftdeck.export.written import check_new
+    from aftdeck.export.written import check_new_folder
     from aftdeck.report.extra import needed
 
     if lerobot is not None:
         from aftdeck.export.lerobot import write_lerobot
 
-        check_new(lerobot)
+        check_new_folder(lerobot)
         needed("lerobot", "lerobot")
         return lerobot, write_lerobot
     assert minari is not None
     from aftdeck.export.minari import check_name, write_minari
 
-    check_new(minari)
+    check_new_folder(minari)
     check_name(minari)
     needed("minari", "minari")
     return minari, write_minari
@@ -131,13 +131,6 @@ def _read(files: Sequence[Path]) -> list[Flight]:
         with Progress(f"reading {file}") as progress:
             flights.append(read_flight(file, progress))
     return flights
-
-
-def _usual(flights: Sequence[Flight]) -> tuple[str, ...]:
-    """Return the cameras of the first run's monitors; without monitors, those that see the tip best at the start."""
-    from aftdeck.export.pictures import usual_cameras
-
-    return usual_cameras(flights[0])
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -154,8 +147,8 @@ def _print(folder: Path, plan: Plan, episodes: Sequence[Episode]) -> None:
     print_line(f"  action    {', '.join(plan.action)}")
     print_line(f"  pictures  {shown}")
     for episode in episodes:
-        told = "success" if episode.success else "no success"
-        print_line(f"  {episode.recording}: {episode.samples} samples, {told}; {_comparison(episode)}")
+        result = "success" if episode.success else "no success"
+        print_line(f"  {episode.recording}: {episode.samples} samples, {result}; {_comparison(episode)}")
         if not episode.inputs_equal:
             print_error(
                 f"{episode.recording}: the digests of its frames differ from those that this version computes; "

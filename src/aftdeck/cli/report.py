@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -48,12 +49,12 @@ def report(
     Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all. A recording
     that cannot be read is left out, and the exit code is then 2.
     """
-    from aftdeck.report.new_file import TABLE_ENDINGS, check_new
+    from aftdeck.report.new_file import TABLE_ENDINGS, check_new_file
 
     if table is not None:
-        check_new(table, TABLE_ENDINGS)
+        check_new_file(table, TABLE_ENDINGS)
     if out is not None:
-        check_new(out, (".html",))
+        check_new_file(out, (".html",))
     if out is None:
         rows = list(_read(files, "aftdeck.report.of_recording:recorded_row"))
     else:
@@ -95,19 +96,21 @@ def _read(files: Sequence[Path], read: str, meanwhile: Callable[[], object] = la
 def _prepare_page() -> None:
     """Load what draws the page, by a first chart and a first picture; this takes some seconds."""
     from aftdeck.cli.drawing import announce_compilation
-    from aftdeck.report.page.runs import page  # noqa: F401
     from aftdeck.report.page.svg import chart
     from aftdeck.visual.warm import warm_up
 
     chart(lambda _: None, "nothing")
     announce_compilation()
     warm_up()
+    import_module("aftdeck.report.page.runs")
 
 
 def _write_page(runs: Sequence[Gathered], out: Path) -> str:
     """Write the page; return a text about it."""
+    from aftdeck.cli.drawing import announce_compilation
     from aftdeck.report.page.runs import page
 
+    announce_compilation()
     text = page(runs)
     try:
         with out.open("x", encoding="utf-8") as file:

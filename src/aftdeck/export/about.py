@@ -19,7 +19,7 @@ T = TypeVar("T")
 
 
 class About(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What is common to all episodes."""
+    """Description of a dataset: common to all its episodes."""
 
     format: int
     version: str

@@ -52,8 +52,8 @@ def fly(scenario: Scenario, seed: int, rows: Array, steps: int, per_row: int) ->
     encoding = Encoding(sim.cameras)
     digests, tips = hashlib.sha256(), np.empty((steps, 3))
     for step in range(steps):
-        row, begun = divmod(step, per_row)
-        sim.advance(encoding.decode(rows[row].tolist(), held_only=begun > 0))
+        row, since = divmod(step, per_row)
+        sim.advance(encoding.decode(rows[row].tolist(), held_only=since > 0))
         digests.update(sim.seal())
         tips[step] = sim.look().position
     return Flown(digests.hexdigest(), tips)

@@ -10,11 +10,10 @@ from numpy.typing import NDArray
 from aftdeck.errors import InputError
 from aftdeck.export.columns import MODE_NUMBERS
 from aftdeck.frames import quaternion_of_rows
-from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
-from aftdeck.task.along_sticks import along_axes
+from aftdeck.task.along_sticks import seen_along
 from aftdeck.task.readings import clearance_share, conditions_share, effector_switch
 from aftdeck.task.remaining import Remaining
 
@@ -81,25 +80,21 @@ class StateReader:
             frame: the frame.
             left: motion that is left; None if nothing tells where to move.
         """
-        axes = moving, turning = self._sticks.in_l(frame)
-        shift, turn = np.zeros(3), np.zeros(3)
-        if left is not None and left.motion is not None:
-            shift, turn = along_axes(left.motion, np.array(frame.resolution), axes)
-        twist, hand = np.array(frame.twist), frame.work.hand
+        seen = seen_along(frame, left, self._sticks.in_l(frame))
         values = [
             *frame.angles,
             *frame.rates,
             *frame.position,
             *quaternion_of_rows(frame.orientation),
-            *product(twist[3:], moving),
-            *product(twist[:3], turning),
-            *shift,
-            *turn,
+            *seen.velocity,
+            *seen.turning,
+            *seen.to_go,
+            *seen.rotation_to_go,
             clearance_share(frame),
             float(frame.work.arm_inhibit),
             conditions_share(frame),
             float(frame.payload is not None),
-            hand.opening,
+            frame.work.hand.opening,
             effector_switch(frame),
             float(MODE_NUMBERS.get(frame.mode, 0)),
             1.0 if frame.rate == "coarse" else -1.0,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +17,7 @@ from aftdeck.export.columns import Encoding
 from aftdeck.export.flight import Flight
 from aftdeck.export.plan import Plan
 from aftdeck.export.replay import Flown, fly
+from aftdeck.files import check_new
 from aftdeck.version import __version__
 
 
@@ -82,23 +82,14 @@ def _apart(flown: Flown, flight: Flight) -> float:
     return float(np.linalg.norm(flown.tips - flight.tips, axis=1).max())
 
 
-def check_new(folder: Path) -> None:
+def check_new_folder(folder: Path) -> None:
     """Check that a folder can be created.
 
     Raises:
-        InputError: it exists already, or its parent does not.
+        InputError: its parent does not exist; or as for `files.check_new`.
     """
-    try:
-        exists, parent = os.path.lexists(folder), folder.parent.is_dir()
-        if not exists:
-            os.stat(folder)
-    except FileNotFoundError:
-        pass
-    except (OSError, ValueError) as error:
-        raise InputError(f"{folder}: cannot be the name of a folder: {error}") from None
-    if exists:
-        raise InputError(f"{folder}: exists already; name a new folder")
-    if not parent:
+    check_new(folder)
+    if not folder.parent.is_dir():
         raise InputError(f"{folder}: the folder {folder.parent} does not exist")
 
 
@@ -109,14 +100,14 @@ def new_folder(folder: Path) -> Iterator[Path]:
     If something fails, nothing is left behind.
 
     Raises:
-        InputError: as for `check_new`, or the folder cannot be written.
+        InputError: as for `check_new_folder`, or the folder cannot be written.
     """
-    check_new(folder)
+    check_new_folder(folder)
     try:
         with TemporaryDirectory(prefix=f".{folder.name}.", dir=folder.parent) as private:
             made = Path(private, folder.name)
             yield made
-            check_new(folder)  # another process may have made it meanwhile
+            check_new_folder(folder)  # another process may have made it meanwhile
             made.rename(folder)
     except OSError as error:
         raise InputError(f"cannot write {folder}: {error.strerror or error}") from error

@@ -145,10 +145,7 @@ def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) ->
         frame: the frame.
         delays: delays of the steps up to this frame; None if they are not known.
     """
-    lit = []
-    for name, condition in LAMPS.items():
-        if (state := condition(scenario, frame)) is not None:
-            lit.append(Lamp(name, *state))
+    lit = [Lamp(name, *state) for name, holds in LAMPS.items() if (state := holds(scenario, frame)) is not None]
     if delays is not None and delays.lost_at_s is not None:
         level: Level = "caution" if frame.time_s - delays.lost_at_s < NEW_LOSS_S else "info"
         lit.append(Lamp(TIME_LOST, level, delays.text(), standing=True))

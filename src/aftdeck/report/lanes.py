@@ -29,7 +29,6 @@ class Lanes:
             "Alarms": [],
             "Limits": [],
         }
-        self._now: dict[str, tuple[str, Level]] = {}  # label and level of the last interval of each lane
         self._ticks = self.starts = 0
         self._shown: tuple[tuple[str, ...], ...] = ((), ())
 
@@ -50,10 +49,9 @@ class Lanes:
         self._ticks = frame.tick
 
     def _put(self, lane: str, label: str, level: Level) -> None:
-        now = label, level
-        if self._now.get(lane) != now:
-            self._now[lane] = now
-            self._lanes[lane].append((self._ticks, label, level))
+        stretches = self._lanes[lane]
+        if not stretches or stretches[-1][1] != label or stretches[-1][2] != level:
+            stretches.append((self._ticks, label, level))
             self.starts += 1
 
     def forget(self, before: int) -> None:

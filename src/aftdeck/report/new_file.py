@@ -5,18 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 
 from aftdeck.errors import InputError
+from aftdeck.files import check_new
 
 TABLE_ENDINGS = (".csv", ".parquet")
 """Endings of a table's name."""
 
 
-def check_new(file: Path, endings: tuple[str, ...]) -> None:
+def check_new_file(file: Path, endings: tuple[str, ...]) -> None:
     """Check that a file can be written.
 
     Raises:
-        InputError: the file exists already, or its name has another ending.
+        InputError: its name has another ending; or as for `files.check_new`.
     """
     if file.suffix not in endings:
         raise InputError(f"the name has to end with {' or '.join(endings)}, got {file}")
-    if file.exists():
-        raise InputError(f"{file} exists already")
+    check_new(file)

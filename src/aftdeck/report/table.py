@@ -12,7 +12,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.extra import needed
 from aftdeck.report.metric import Metric, Value
-from aftdeck.report.new_file import TABLE_ENDINGS, check_new
+from aftdeck.report.new_file import TABLE_ENDINGS, check_new_file
 
 Cell = bool | int | float | str | None
 Row = dict[str, Cell]
@@ -59,7 +59,7 @@ def write_table(rows: Sequence[Row], file: Path) -> None:
     Raises:
         InputError: the file exists already or cannot be written, its name has another ending, or pyarrow is missing.
     """
-    check_new(file, TABLE_ENDINGS)
+    check_new_file(file, TABLE_ENDINGS)
     names = [*RUN_COLUMNS, *(metric.column for metric in METRICS)]
     try:
         if file.suffix == ".parquet":

@@ -78,7 +78,7 @@ class Tally:
         self.ticks = 0
         self.events: list[Event] = []
         self.worst, self.least = 0.0, math.inf
-        self._digest, self._sealed = sha256(), False
+        self._digest = sha256()
 
     def take(self, state: State, seal: bytes) -> None:
         """Add the state after a step, and its digest; the digest is empty in a run without digests."""
@@ -89,9 +89,7 @@ class Tally:
         worksite = state.worksite
         if worksite.nearest >= 0:
             self.least = min(self.least, float(worksite.watch.found[worksite.nearest, CLEARANCE]))
-        if seal:
-            self._digest.update(seal)
-            self._sealed = True
+        self._digest.update(seal)
 
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
         """Return the summary of a run that ended for the reason `ended`, with `frame` as its last frame."""
@@ -112,7 +110,7 @@ class Tally:
             worst_rate_ratio=self.worst,
             min_clearance_m=self.least if math.isfinite(self.least) else None,
             events=tuple(SummaryEvent(e.time_s, e.kind, e.text) for e in self.events),
-            frames_sha256=self._digest.hexdigest() if self._sealed else "",
+            frames_sha256=self._digest.hexdigest() if frame.sha256 else "",
             true_position_error_m=None if miss is None else miss[0],
             true_rotation_error_rad=None if miss is None else miss[1],
         )

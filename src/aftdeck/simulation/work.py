@@ -146,8 +146,6 @@ def _move_prong(flight: Flight, state: State) -> None:
     free = site.prong and not state.script.attached
     drive = _DRIVES[worksite.switch] if free else 0.0
     prong, period = worksite.prong, flight.scenario.control_period
-    if drive == 0.0 and prong.velocity == 0.0:
-        return
     if drive > 0.0:
         drive *= _closing_fraction(flight, state, prong.after(flight.prong, drive, period) - prong.position)
     if drive != 0.0 and worksite.contacts.inhibit.finger:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import multiprocessing.connection
 import signal
 import time
@@ -10,7 +9,7 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 
 from aftdeck.law import compiled_before
-from aftdeck.processes import one_thread
+from aftdeck.processes import Child
 from aftdeck.study.failures import Failures, Finished
 from aftdeck.study.plan import Plan
 from aftdeck.study.worker import Done, Job, Ready, work
@@ -19,16 +18,11 @@ START_S = 900.0
 """Longest time until a worker is ready [s]; to compile all laws takes a minute."""
 
 
-class _Worker:
+class _Worker(Child):
     """A worker process and its present job."""
 
     def __init__(self, plan: Plan, job: Job) -> None:
-        context = multiprocessing.get_context("spawn")
-        self.pipe, theirs = context.Pipe()
-        self.process = context.Process(target=work, args=(theirs, plan, job.case), daemon=True)
-        with one_thread():
-            self.process.start()
-        theirs.close()
+        super().__init__(work, plan, job.case)
         self.ready = False
         self.job: Job | None = None
         self.since = time.monotonic()  # begin of the start, then of the job
@@ -40,12 +34,6 @@ class _Worker:
             self.pipe.send(job)
         except OSError:
             return
-
-    def kill(self) -> None:
-        """End the process at once."""
-        self.process.kill()
-        self.process.join()
-        self.pipe.close()
 
     def end_of_process(self) -> str:
         """Wait for the end of a process that has closed its pipe, and return the reason in words."""

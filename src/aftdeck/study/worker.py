@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from aftdeck.errors import AftdeckError
 from aftdeck.law import compiled_before
-from aftdeck.processes import obey_parent
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.study.case import Outcome, Runner
@@ -47,7 +46,6 @@ def work(pipe: Connection, plan: Plan, first: Case) -> None:
         plan: what all cases have in common.
         first: case whose scenario is used to load the laws.
     """
-    obey_parent()
     runner = Runner(plan)
     prepare(runner, first)
     with contextlib.suppress(EOFError, OSError):

@@ -7,11 +7,10 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.gym.mission.definition import OBSERVATIONS
 from aftdeck.gym.terms import Floats32, observation_space
-from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.stick_axes import StickAxes
 from aftdeck.simulation.frame import Frame
-from aftdeck.task.along_sticks import along_axes
+from aftdeck.task.along_sticks import seen_along
 from aftdeck.task.readings import clearance_share, conditions_share, effector_switch
 from aftdeck.task.remaining import Remaining
 
@@ -39,17 +38,13 @@ class Observer:
             frame: the frame.
             left: motion that is left; None if nothing tells where to move.
         """
-        axes = moving, turning = self._sticks.in_l(frame)
-        shift, turn = np.zeros(3), np.zeros(3)
-        if left is not None and left.motion is not None:
-            shift, turn = along_axes(left.motion, np.array(frame.resolution), axes)
-        twist, hand = np.array(frame.twist), frame.work.hand
+        seen = seen_along(frame, left, self._sticks.in_l(frame))
         values: Array = np.concatenate(
             [
-                shift,
-                turn,
-                product(twist[3:], moving) / self._speed,
-                product(twist[:3], turning) / self._turn,
+                seen.to_go,
+                seen.rotation_to_go,
+                seen.velocity / self._speed,
+                seen.turning / self._turn,
                 (np.array(frame.angles) - self._middle) / self._half,
                 np.array(frame.rates) / self._servo,
                 [
@@ -58,7 +53,7 @@ class Observer:
                     conditions_share(frame),
                     1.0 if frame.rate == "coarse" else -1.0,
                     effector_switch(frame),
-                    hand.opening,
+                    frame.work.hand.opening,
                 ],
             ]
         )

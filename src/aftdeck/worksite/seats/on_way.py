@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, relative
+from aftdeck.bodies.pose import POSE, compose, relative, turned
+from aftdeck.bodies.vector import Vector, dot, minus, plus, put_vector, times, vector_at
 from aftdeck.elementary import atan2
 from aftdeck.law import law
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, FOUND, INSIDE, approach
@@ -41,12 +42,12 @@ def on_way(berth: Array, place: Array, payload: Array, out: Array) -> OnWay:
     final, off = np.empty(POSE), np.empty(POSE)
     compose(berth, place, final)
     relative(final, payload, off)
-    along = off[0] * out[0] + off[1] * out[1] + off[2] * out[2]
-    x, y, z = off[0] - along * out[0], off[1] - along * out[1], off[2] - along * out[2]
-    # the axis of the rotation, with the length 2 sin(angle)
-    u, v, w = off[10] - off[8], off[5] - off[9], off[6] - off[4]
-    tilt = atan2(0.5 * sqrt(u * u + v * v + w * w), 0.5 * (off[3] + off[7] + off[11] - 1.0))
-    return OnWay(along, sqrt(x * x + y * y + z * z), tilt)
+    away, outwards = vector_at(off, 0), vector_at(out, 0)
+    along = dot(away, outwards)
+    beside = minus(away, times(along, outwards))
+    axis = Vector(off[10] - off[8], off[5] - off[9], off[6] - off[4])  # of the rotation, with the length 2 sin(angle)
+    tilt = atan2(0.5 * sqrt(dot(axis, axis)), 0.5 * (off[3] + off[7] + off[11] - 1.0))
+    return OnWay(along, sqrt(dot(beside, beside)), tilt)
 
 
 @law
@@ -81,10 +82,8 @@ def straight_before(
     approach(probe, face, payload, at, planes, found)
     if found[BEFORE] < -depth or found[DISTANCE] > near:
         return False
-    for k in range(POSE):
-        there[k] = payload[k]
-    for i in range(3):
-        a, b, c = at[3 + 3 * i], at[4 + 3 * i], at[5 + 3 * i]
-        there[i] += found[BEFORE] * (a * planes[0, 0] + b * planes[0, 1] + c * planes[0, 2])
+    inward = turned(at, vector_at(planes[0], 0))
+    there[:] = payload
+    put_vector(there, 0, plus(vector_at(payload, 0), times(found[BEFORE], inward)))
     approach(probe, face, there, at, planes, found)
     return bool(found[INSIDE] >= inside and found[DISTANCE] <= distance)
