@@ -51,10 +51,10 @@ def test_named_escape_leads_away_from_the_singularity(flight: Flight) -> None:
 
 def test_singular_lamp_filters_the_log(flight: Flight) -> None:
     flight.until_lit("SINGULAR")
-    with flight.shows("document.querySelectorAll('.distance.concerned').length === 3"):
+    outlined = "document.querySelectorAll('.distance.concerned').length === 3"
+    about = "document.querySelector('.events .about').textContent"
+    with flight.shows(f"{outlined} && {about}.startsWith('SINGULAR') && {LOGGED}.every((kind) => kind === 'singular')"):
         flight.page.locator(".lamp", has_text="SINGULAR").click()
-    flight.until("document.querySelector('.events .about').textContent.startsWith('SINGULAR')")
-    assert flight.script(LOGGED) == ["singular"] * 3
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
