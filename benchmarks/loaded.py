@@ -98,7 +98,7 @@ def record_hour(path: Path) -> None:
     for k in range(round(HOUR / PERIOD)):
         given = Inputs(translation=(0.3 * sin(0.01 * k), 0.2 * cos(0.013 * k), 0.0), rotation=(0.0, 0.0, 0.1))
         recorder.step(given, simulation.step(given))
-        recorder.wait_for_room()
+        recorder.take_turns()
     recorder.close("stopped")
     assert not recorder.failure, recorder.failure
 

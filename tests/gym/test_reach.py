@@ -20,7 +20,7 @@ STICKS = np.zeros(6, dtype=np.float32)
 
 
 def towards(observation: Floats32) -> Floats32:
-    """Return sticks in proportion to the motion that is left."""
+    """Return sticks in proportion to the remaining motion."""
     gains = np.array([2.0, 2.0, 2.0, 4.0, 4.0, 4.0], dtype=np.float32)
     sticks: Floats32 = np.clip(gains * observation[:6], -1.0, 1.0)
     return sticks

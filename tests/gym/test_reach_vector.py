@@ -26,7 +26,7 @@ def single(steps: int) -> gymnasium.Env[Any, Any]:
 
 
 def towards(observations: Floats32) -> Floats32:
-    """Return sticks in proportion to the motion that is left."""
+    """Return sticks in proportion to the remaining motion."""
     return np.clip(observations[:, :6] * np.array([2, 2, 2, 4, 4, 4], dtype=np.float32), -1.0, 1.0)
 
 

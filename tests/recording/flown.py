@@ -46,7 +46,7 @@ def record_steps(
     for inputs_now, _ in zip(given, range(steps), strict=False):
         flown.append((inputs_now, sim.step(inputs_now)))
         recorder.step(*flown[-1])
-        recorder.wait_for_room()
+        recorder.take_turns()
     recorder.close(ended)
     assert recorder.failure == ""
     return flown
@@ -65,7 +65,7 @@ def record_random_run(
     for given, _ in zip(inputs(rng, sim), range(steps), strict=False):
         flown.append((given, sim.step(given)))
         recorder.step(*flown[-1])
-        recorder.wait_for_room()
+        recorder.take_turns()
     recorder.close("stopped")
     assert recorder.failure == ""
     return flown

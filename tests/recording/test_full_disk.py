@@ -85,7 +85,7 @@ def test_run_continues_on_a_full_disk(tmp_path: Path, monkeypatch: pytest.Monkey
         while not recorder.failure:
             assert time.monotonic() < end
             recorder.step(None, sim.step(Inputs(translation=(0.5, 0.0, 0.0))))
-            recorder.wait_for_room()
+            recorder.take_turns()
             steps += 1
         for _ in range(100):
             recorder.step(None, sim.step(Inputs()))

@@ -61,7 +61,7 @@ def record_long_run(path: Path, made: aftdeck.Scenario, seconds: float, patch: p
         given, frame = flown[k % len(flown)]
         time_s = round((k + 1) * period, 9)
         recorder.step(given, msgspec.structs.replace(frame, tick=k + 1, time_s=time_s))
-        recorder.wait_for_room()
+        recorder.take_turns()
         if k % 2000 == 0:
             used[time_s] = memory()
     recorder.close("stopped")

@@ -1,4 +1,4 @@
-"""Motion that is left: it vanishes at the place, and moving by it leads there."""
+"""Remaining motion: it vanishes at the place, and moving by it leads there."""
 
 from __future__ import annotations
 

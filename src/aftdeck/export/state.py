@@ -44,7 +44,7 @@ GROUPS = (
     Shown("attitude", ("w", *_XYZ), "", "Attitude of the tip in L, as a quaternion with w not negative."),
     Shown("velocity", _XYZ, "m/s", "Velocity of the point of resolution along the sticks' axes."),
     Shown("turning", _XYZ, "rad/s", "Angular velocity about the sticks' axes."),
-    Shown("to_go", _XYZ, "m", "Distance to go along the sticks' axes; 0 if nothing tells where to move."),
+    Shown("to_go", _XYZ, "m", "Distance to go along the sticks' axes; 0 if there is no place to move to."),
     Shown("rotation_to_go", _XYZ, "rad", "Rotation to go about the sticks' axes: unit axis times angle."),
     Shown("clearance", (), "", "Minimum clearance c of the monitored pairs, as c / (c + 1 ft); 1 without a pair."),
     Shown("arm_inhibit", (), "", "1 while a contact inhibits the arm."),
@@ -78,7 +78,7 @@ class StateReader:
 
         Args:
             frame: the frame.
-            left: motion that is left; None if nothing tells where to move.
+            left: remaining motion; None if there is no place to move to.
         """
         seen = seen_along(frame, left, self._sticks.in_l(frame))
         values = [

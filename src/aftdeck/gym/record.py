@@ -87,7 +87,7 @@ class RecordEpisodes(gymnasium.Wrapper[Any, Floats32, Any, Floats32]):
         if self._recorder is not None:
             # the environment's simulation computes no digests
             self._recorder.step(sim.given, replace(sim.look(), sha256=sim.seal().hex()))
-            self._recorder.wait_for_room()
+            self._recorder.take_turns()
 
     def _finish(self) -> None:
         recorder, self._recorder = self._recorder, None

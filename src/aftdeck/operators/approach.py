@@ -20,7 +20,7 @@ HOVER_M = 0.5
 PER_ANGLE_M = 2.0
 """Distance that the operator keeps from a payload or berth for each radian of misalignment [m]."""
 CLEAR_M = 0.3
-"""Distance that is left on the way out, below which the operator also moves aside and turns [m]."""
+"""Remaining distance on the way out, below which the operator also moves aside and turns [m]."""
 BESIDE_M, CLEAR_RAD = 0.1, 0.1
 """Errors beside the way out [m] and in attitude [rad] up to which they are corrected on the way, too."""
 LINED_UP = 0.5
@@ -54,11 +54,11 @@ class Speeds(NamedTuple):
 def deflections(
     left: AlongSticks, remaining: Remaining, out: Array | None, way: tuple[int, ...], speeds: Speeds
 ) -> tuple[Array, Array]:
-    """Return the deflections of THC and RHC (3,), (3,) that reduce the motion that is left.
+    """Return the deflections of THC and RHC (3,), (3,) that reduce the remaining motion.
 
     Args:
-        left: motion that is left, along the sticks.
-        remaining: the motion that is left.
+        left: remaining motion, along the sticks.
+        remaining: the remaining motion.
         out: direction (3,) along the sticks' axes that leads away from the payload or berth; None if the place is
             neither.
         way: axes of the THC in the order in which the place is approached; empty if all are used at once.

@@ -85,7 +85,7 @@ def rerun(
             frames.update(bytes.fromhex(frame.sha256))
             if recorder is not None:
                 recorder.step(inputs, frame)
-                recorder.wait_for_room()
+                recorder.take_turns()
             if progress is not None and frame.tick % 256 == 0:
                 progress(recording.share)
             yield recording.as_recorded(frame)

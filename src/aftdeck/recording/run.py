@@ -71,7 +71,7 @@ def record(
 
     def record_step(sim: Simulation) -> None:
         recorder.step(sim.given, sim.look())
-        recorder.wait_for_room()
+        recorder.take_turns()
         if stepped is not None:
             stepped(sim)
 

@@ -1,4 +1,4 @@
-"""Motion that is left, along and about the axes in which the hand controllers act."""
+"""Remaining motion, along and about the axes in which the hand controllers act."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from aftdeck.tuples import Vec3
 
 
 class AlongSticks(NamedTuple):
-    """Motion that is left.
+    """Remaining motion.
 
     Attributes:
         translation: displacement of the point of resolution along the THC's axes [m].
@@ -30,10 +30,10 @@ class AlongSticks(NamedTuple):
 
 
 def along_sticks(remaining: Remaining, frame: Frame, axes: tuple[Array, Array]) -> AlongSticks | None:
-    """Return the motion that is left along the sticks; None if a joint has to move, or the mode has no sticks.
+    """Return the remaining motion along the sticks; None if a joint has to move, or the mode has no sticks.
 
     Args:
-        remaining: the motion that is left.
+        remaining: the remaining motion.
         frame: the frame.
         axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.
     """
@@ -44,7 +44,7 @@ def along_sticks(remaining: Remaining, frame: Frame, axes: tuple[Array, Array]) 
 
 
 class SeenAlong(NamedTuple):
-    """Motion that is left, and present motion, along the axes of the sticks; each (3,).
+    """Remaining motion, and present motion, along the axes of the sticks; each (3,).
 
     Attributes:
         to_go: displacement of the point of resolution [m]; 0 if nothing shows where to move.

@@ -79,7 +79,7 @@ class Progress:
         return next((i for i, hint in hints if self._reached(frame, self.at, hint.when)), -1)
 
     def remaining(self) -> Remaining | None:
-        """Return the motion that is left in the newest frame; None if nothing tells where to move."""
+        """Return the remaining motion in the newest frame; None if there is no place to move to."""
         return None if self._frame is None else self._left(self._frame)
 
     def closing(self) -> float | None:
@@ -90,7 +90,7 @@ class Progress:
         return None if before is None or before.to != now.to else (before.distance - now.distance) / self._period_s
 
     def _left(self, frame: Frame) -> Remaining | None:
-        """Return the motion that is left in one of the two newest frames; each is computed once."""
+        """Return the remaining motion in one of the two newest frames; each is computed once."""
         for seen, at, left in self._known:
             if seen is frame and at == self.at:
                 return left

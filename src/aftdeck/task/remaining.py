@@ -1,4 +1,4 @@
-"""Motion that is left to the place where the operator's task needs the tip or the held payload."""
+"""Remaining motion to the place where the operator's task needs the tip or the held payload."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ _AWAY_M = 0.1
 
 
 class Remaining(NamedTuple):
-    """Motion that is left.
+    """Remaining motion.
 
     Attributes:
         to: place for the operator: ``pin``, ``above bar``, ``Cargo bay``, ``target``, or a joint's name.
         pose: pose of the tip at this place, in L; None if a joint has to move.
         motion: motion of the tip to this pose, x to R x + p in L; None if a joint has to move.
         distance: distance that the tip, or the held payload, still has to move [m]; 0 for a joint.
-        angle: rotation that is left [rad]; for a joint, the signed angle.
+        angle: remaining rotation [rad]; for a joint, the signed angle.
         near: distance [m] and angle [rad] within which the tip has arrived.
     """
 
@@ -70,7 +70,7 @@ class Aims:
         self._fixture = "pin" if scenario.arm.model.equipment.prong is None else "bar"
 
     def remaining(self, frame: Frame, step: TaskStep | None) -> Remaining | None:
-        """Return the motion that is left; None if nothing tells where to move.
+        """Return the remaining motion; None if there is no place to move to.
 
         The present step of the task tells the place. Without it, an automatic mode moves to its target, an empty end
         effector to the nearest payload, and a held payload to the berth of the present objective.

@@ -185,7 +185,7 @@ class Pilot:
             self._speeds[kind] = SLOWEST if speed is None else 0.7 * speed
 
     def _settle(self, kind: Kind) -> Reading:
-        """Wait until the motion that is left does not change; return what the guide says then."""
+        """Wait until the remaining motion does not change; return what the guide says then."""
         still_s = 0.4 + self._lags.get(kind, 0.0) / 3
         before, since, end = self._look_at_guide(), time.monotonic(), time.monotonic() + MOST_LAG_S
         while time.monotonic() < min(since + still_s, end):

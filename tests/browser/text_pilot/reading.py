@@ -1,4 +1,4 @@
-"""What the pilot reads: the present step, its keys, and the motion that is left."""
+"""What the pilot reads: the present step, its keys, and the remaining motion."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _HOLD = re.compile(r"\w+ (?P<key>.+), hold (?P<seconds>[\d.]+) s$")
 
 @dataclass(frozen=True)
 class Part:
-    """A component of the motion that is left.
+    """A component of the remaining motion.
 
     Attributes:
         stick: axis and direction: `+X`, `−yaw`.
@@ -50,7 +50,7 @@ class Reading:
         count: number of the step, `2 of 6`.
         title, text: the step.
         keys: keys of the step, each with its effect.
-        to: sentence of the motion that is left.
+        to: sentence of the remaining motion.
         parts: its components.
         enter: button that enters the mode of the step; empty if this mode is entered.
         shut: whether only the line shows the step, without its keys.

@@ -1317,7 +1317,7 @@ export interface Display {
   readonly payload_id: number;
   /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
   readonly por_offset: Vec3;
-  /** Motion that is left; null if nothing tells where to move. */
+  /** Remaining motion; null if there is no place to move to. */
   readonly to_go: ToGo | null;
   /** Progress through the task; null in a replay. */
   readonly task: TaskNow | null;
@@ -1359,7 +1359,7 @@ export interface Aim {
   readonly attitude: Vec3;
 }
 
-/** Motion that is left to the place where the task needs the tip or the held payload. */
+/** Remaining motion to the place where the task needs the tip or the held payload. */
 export interface ToGo {
   /** The place: `pin`, `bar`, a berth's title, `target`, or a joint's name. */
   readonly to: string;

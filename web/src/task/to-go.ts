@@ -1,5 +1,5 @@
 /**
- * The motion that is left to the place where the task needs the end effector or the payload, in components along the
+ * The remaining motion to the place where the task needs the end effector or the payload, in components along the
  * axes of the sticks. Beside each component is the key, button or axis that reduces it; small components are green.
  */
 
@@ -84,7 +84,7 @@ function angle(size: number): string {
   return `${degrees(size, 1, false)}°`;
 }
 
-/** Element with the motion that is left: a head, and a cell for each component. */
+/** Element with the remaining motion: a head, and a cell for each component. */
 export function goElement() {
   const cells = Array.from({ length: 6 }, () => {
     const [handle, value] = [el('kbd'), el('span')];
@@ -125,7 +125,7 @@ export function goElement() {
   };
 }
 
-/** Returns the motion that is left as a sentence, with the controls for it. */
+/** Returns the remaining motion as a sentence, with the controls for it. */
 export function goSentence(go: ToGo, units: Units, names: Names): string {
   const flown = goParts(go, units, names).filter(({ handle }) => handle !== '');
   const words = flown.map(({ stick, handle, value }) => `${stick} (${handle}) ${value}`).join(', ');

@@ -121,13 +121,18 @@ OBSERVATIONS = (
     Observed(
         "distance to go",
         3,
-        "Motion left of the point that the sticks move, along the axes of the sticks: the numbers of *to go*.",
+        "Remaining motion of the point that the sticks move, along the axes of the sticks: the numbers of *to go*.",
         "m",
         "1 m",
         _FAR,
     ),
     Observed(
-        "rotation to go", 3, "Rotation left about the axes of the sticks: unit axis times angle.", "rad", "1 rad", 3.2
+        "rotation to go",
+        3,
+        "Remaining rotation about the axes of the sticks: unit axis times angle.",
+        "rad",
+        "1 rad",
+        3.2,
     ),
     Observed("velocity", 3, "Velocity of that point along these axes.", "m/s", "coarse speed limit", _OVERSHOOT),
     Observed("angular rate", 3, "Angular velocity about these axes.", "rad/s", "coarse angular rate limit", _OVERSHOOT),

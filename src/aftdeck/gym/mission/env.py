@@ -89,7 +89,7 @@ class MissionEnv(gymnasium.Env[Floats32, Floats32]):
 
     @property
     def left(self) -> Remaining | None:
-        """Motion that is left to the place of the task; None if nothing tells where to move."""
+        """Remaining motion to the place of the task; None if there is no place to move to."""
         return self._left
 
     def reset(

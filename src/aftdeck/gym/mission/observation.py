@@ -36,7 +36,7 @@ class Observer:
 
         Args:
             frame: the frame.
-            left: motion that is left; None if nothing tells where to move.
+            left: remaining motion; None if there is no place to move to.
         """
         seen = seen_along(frame, left, self._sticks.in_l(frame))
         values: Array = np.concatenate(

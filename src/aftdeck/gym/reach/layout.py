@@ -12,7 +12,7 @@ from aftdeck.steering.stick_blocks import DEMANDED, STICK_ROWS, STICK_WORK
 GOAL = STICK_ROWS
 """(12,) pose of the tip that has to be reached: position [m], then rotation row by row."""
 DISTANCE, CHORD = GOAL + 12, GOAL + 13
-"""Distance that is left [m], and rotation that is left: twice the sine of half its angle [1]."""
+"""Remaining distance [m], and remaining rotation: twice the sine of half its angle [1]."""
 STEPS = GOAL + 14
 """Number of steps of the episode."""
 EPISODE = GOAL + 15

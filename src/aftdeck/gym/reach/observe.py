@@ -1,4 +1,4 @@
-"""Compiled observation of Reach: motion that is left, and normalised numbers. `layout.py` describes the arrays."""
+"""Compiled observation of Reach: remaining motion, and normalised numbers. `layout.py` describes the arrays."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ def _to_orbiter(c: Floats, x: float, y: float, z: float) -> Vec3:
 
 @law
 def observe(c: Floats, block: Array, work: Array) -> None:
-    """Write the motion that is left of every environment into `work`, and its size into REWARD and REACHED."""
+    """Write the remaining motion of every environment into `work`, and its size into REWARD and REACHED."""
     for i in range(LANES):
         work[REWARD * LANES + i], work[REACHED * LANES + i] = observe_lane(c, block, work, i)
 
 
 @law
 def observe_lane(c: Floats, block: Array, work: Array, i: int) -> tuple[float, float]:
-    """Write the motion that is left, in the orbiter's axes, into `work`; return its distance [m] and rotation [1].
+    """Write the remaining motion, in the orbiter's axes, into `work`; return its distance [m] and rotation [1].
 
     The rotation is the unit axis times 2 sin(angle / 2). It follows from the trace 1 + 2 cos(angle) of the rotation
     matrix, and from the axis times sin(angle), which `remaining_rotation` returns.
@@ -71,7 +71,7 @@ def normalise(c: Floats, task: Floats, block: Array, work: Array) -> None:
 
 @law
 def normalise_lane(c: Floats, task: Floats, block: Array, work: Array, i: int) -> None:
-    """Normalise the observation of environment i; the motion that is left is in `work` already."""
+    """Normalise the observation of environment i; the remaining motion is in `work` already."""
     px, py, pz, ox, oy, oz = six(work, OBSERVED, i)
     a = sines_in(work, i)
     r1, r2, r3, r4, r5, r6 = six(block, JOINT_RATES, i)

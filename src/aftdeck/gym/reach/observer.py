@@ -16,7 +16,7 @@ from aftdeck.simulation.frame import Frame
 
 
 class Observation(NamedTuple):
-    """Observation with the motion that is left.
+    """Observation with the remaining motion.
 
     Attributes:
         values: (24,) the observation.

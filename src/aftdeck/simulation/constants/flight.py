@@ -50,7 +50,7 @@ class Flight:
     soft: tuple[Pair, ...]
     hard: tuple[Pair, ...]
 
-    @property
+    @cached_property
     def inhibits(self) -> bool:
         """Whether a detrimental contact inhibits motion: without contact forces, or if the scenario asks for it."""
         return self.scenario.inhibit or not self.plant.has_contact_forces

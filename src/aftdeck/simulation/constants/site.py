@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -128,12 +128,12 @@ class Site:
     bodies: tuple[Indices, ...]
     bay: Array | None
 
-    @property
+    @cached_property
     def space_row(self) -> int:
         """Row of the frame ``space``."""
         return 1 + len(self.arm.names)
 
-    @property
+    @cached_property
     def last_joint(self) -> int:
         """Row of the frame that moves with the last joint."""
         return len(self.arm.names) if not self.prong else len(self.arm.names) - 2

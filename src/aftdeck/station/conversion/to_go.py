@@ -1,4 +1,4 @@
-"""Conversion of the motion that is left to the axes of the sticks, and to the scene."""
+"""Conversion of the remaining motion to the axes of the sticks, and to the scene."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from aftdeck.task.remaining import Remaining
 def to_go(
     remaining: Remaining, frame: Frame, scene: ScenePoses, axes: tuple[Array, Array], closing: float | None = None
 ) -> ToGo:
-    """Return the message about the motion that is left in a frame.
+    """Return the message about the remaining motion in a frame.
 
     Args:
-        remaining: the motion that is left.
+        remaining: the remaining motion.
         frame: the frame.
         scene: poses in the scene.
         axes: axes of the THC and of the RHC, each (3, 3) in L, in columns.

@@ -94,7 +94,7 @@ AutopilotName = Literal["script", "policy", "synthetic operator"]
 
 
 class ToGo(msgspec.Struct, frozen=True, gc=False):
-    """Motion that is left to the place where the task needs the tip or the held payload."""
+    """Remaining motion to the place where the task needs the tip or the held payload."""
 
     to: str
     """The place: ``pin``, ``bar``, a berth's title, ``target``, or a joint's name."""
@@ -163,7 +163,7 @@ class Display(msgspec.Struct, frozen=True):
     por_offset: Vec3
     """Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
     to_go: ToGo | None
-    """Motion that is left; null if nothing tells where to move."""
+    """Remaining motion; null if there is no place to move to."""
     task: TaskNow | None
     """Progress through the task; null in a replay."""
     orbiter: Vec3
