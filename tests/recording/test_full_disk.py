@@ -130,6 +130,40 @@ def test_recording_ends_when_the_queue_is_full(tmp_path: Path, monkeypatch: pyte
     recorder.close("stopped")
 
 
+def test_run_that_takes_turns_does_not_wait_for_a_stuck_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(writer, "MAX_DISK_WAIT_S", 0.2)
+    monkeypatch.setattr(writer, "BEGIN_S", 0.0)
+    plain, freed = Sink.write, threading.Event()
+
+    def stuck(self: Sink, data: bytes) -> int:
+        assert freed.wait(WAIT_S)
+        return plain(self, data)
+
+    monkeypatch.setattr(Sink, "write", stuck)
+    made = bay()
+    sim = Simulation(made)
+    recorder = Recorder(tmp_path / "stuck.mcap", made, 0)
+    for _ in range(writer.BATCH):
+        recorder.step(None, sim.step())
+    recorder.take_turns()
+    assert "disk" in recorder.failure
+    freed.set()
+    recorder.close("stopped")
+
+
+def test_queue_is_written_in_each_turn(tmp_path: Path) -> None:
+    made = bay()
+    sim = Simulation(made)
+    path = tmp_path / "turns.mcap"
+    recorder = Recorder(path, made, 0)
+    for _ in range(3 * writer.BATCH + 1):
+        recorder.step(None, sim.step())
+        recorder.take_turns()
+        assert len(recorder._waiting) < writer.BATCH
+    recorder.close("stopped")
+    assert verify(path).frames == 3 * writer.BATCH + 1
+
+
 @pytest.mark.parametrize("below", ["file/run.mcap", "file/deeper/run.mcap"])
 def test_folder_that_cannot_be_created_is_rejected_before_the_run(tmp_path: Path, below: str) -> None:
     (tmp_path / "file").touch()

@@ -50,7 +50,7 @@ from aftdeck.simulation.summary import Summary
 FLUSH_S = 0.5
 """Time after which a chunk of the file is closed [s]."""
 POLL_S = 0.05
-"""Interval at which the thread checks its queue in real time [s]; to wake it in each step would delay the simulation."""
+"""Interval at which the thread checks its queue [s]; to wake the thread in each step would delay the simulation."""
 BATCH = 16
 """Number of entries that the thread writes at once in a run that is faster than real time. With more entries, they no
 longer fit into the processor's cache."""
