@@ -17,7 +17,8 @@ TO_THE_STOP_MS = 180_000
 CHECK_CRT = "[...document.querySelectorAll('.lamp.caution')].some((lamp) => lamp.textContent.includes('CHECK CRT'))"
 """JavaScript condition: the lamp CHECK CRT is lit. A rejected command lights it for 5 s."""
 FILTERED_AND_COMPLETE = f"""() => {{
-    const click = (name) => [...document.querySelectorAll('button')].find((b) => b.textContent.includes(name)).click();
+    const buttons = [...document.querySelectorAll('button')];
+    const click = (name) => buttons.find((b) => b.checkVisibility() && b.textContent.includes(name)).click();
     click('CHECK CRT');
     const filtered = {LOGGED};
     click('show all');

@@ -52,8 +52,9 @@ def test_named_escape_leads_away_from_the_singularity(flight: Flight) -> None:
 def test_singular_lamp_filters_the_log(flight: Flight) -> None:
     flight.until_lit("SINGULAR")
     outlined = "document.querySelectorAll('.distance.concerned').length === 3"
-    about = "document.querySelector('.events .about').textContent"
-    with flight.shows(f"{outlined} && {about}.startsWith('SINGULAR') && {LOGGED}.every((kind) => kind === 'singular')"):
+    named = "document.querySelector('.events .about').textContent.startsWith('SINGULAR')"
+    filtered = f"{LOGGED}.join() === 'singular,singular,singular'"
+    with flight.shows(f"{outlined} && {named} && {filtered}"):
         flight.page.locator(".lamp", has_text="SINGULAR").click()
 
 

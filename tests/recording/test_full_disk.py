@@ -50,6 +50,20 @@ def full_disk(room: int = ROOM) -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
+@pytest.fixture
+def freed(monkeypatch: pytest.MonkeyPatch) -> threading.Event:
+    """Return the event until which the disk does not write."""
+    monkeypatch.setattr(writer, "BEGIN_S", 0.0)
+    plain, freed = Sink.write, threading.Event()
+
+    def stuck(self: Sink, data: bytes) -> int:
+        assert freed.wait(WAIT_S)
+        return plain(self, data)
+
+    monkeypatch.setattr(Sink, "write", stuck)
+    return freed
+
+
 def check_kept(path: Path) -> None:
     """Check that the written part of a recording can be read and verified."""
     verdict = verify(path)
@@ -108,16 +122,10 @@ def test_disk_without_any_space_leaves_an_empty_recording(tmp_path: Path) -> Non
     assert caught.value.fault == "empty"
 
 
-def test_recording_ends_when_the_queue_is_full(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_recording_ends_when_the_queue_is_full(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, freed: threading.Event
+) -> None:
     monkeypatch.setattr(writer, "MAX_WAITING", 30)
-    monkeypatch.setattr(writer, "BEGIN_S", 0.0)
-    plain, freed = Sink.write, threading.Event()
-
-    def stuck(self: Sink, data: bytes) -> int:
-        assert freed.wait(WAIT_S)
-        return plain(self, data)
-
-    monkeypatch.setattr(Sink, "write", stuck)
     made = bay()
     sim = Simulation(made)
     recorder = Recorder(tmp_path / "slow.mcap", made, 0)
@@ -130,16 +138,10 @@ def test_recording_ends_when_the_queue_is_full(tmp_path: Path, monkeypatch: pyte
     recorder.close("stopped")
 
 
-def test_run_that_takes_turns_does_not_wait_for_a_stuck_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_run_that_takes_turns_does_not_wait_for_a_stuck_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, freed: threading.Event
+) -> None:
     monkeypatch.setattr(writer, "MAX_DISK_WAIT_S", 0.2)
-    monkeypatch.setattr(writer, "BEGIN_S", 0.0)
-    plain, freed = Sink.write, threading.Event()
-
-    def stuck(self: Sink, data: bytes) -> int:
-        assert freed.wait(WAIT_S)
-        return plain(self, data)
-
-    monkeypatch.setattr(Sink, "write", stuck)
     made = bay()
     sim = Simulation(made)
     recorder = Recorder(tmp_path / "stuck.mcap", made, 0)

@@ -199,10 +199,10 @@ class Recorder:
         """
         if len(self._waiting) < BATCH:
             return
+        self._empty.clear()
         self._wake.set()
         latest = time.monotonic() + MAX_DISK_WAIT_S
         while self._waiting and self.writing and not self.failure:
-            self._empty.clear()
             self._empty.wait(POLL_S)
             if time.monotonic() > latest:
                 self._fail(_SLOW_DISK)
