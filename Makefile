@@ -4,6 +4,8 @@
 .DELETE_ON_ERROR:
 MAKEFLAGS += --no-print-directory
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
+# Python keeps its bytecode, and pytest its rewritten assertions: without them each process compiles all sources again.
+export PYTHONDONTWRITEBYTECODE :=
 
 PY := .venv/bin/python
 UV := .venv/bin/uv
@@ -15,7 +17,7 @@ MODULES := web/node_modules/.package-lock.json
 # Deletes a virtual environment whose Python no longer exists; the rules below make a new one.
 $(shell test -x .venv/bin/python || rm -rf .venv)
 
-.PHONY: help fly test test-all check format generate fuzz bench requirements package clean
+.PHONY: help fly test test-page compile-laws test-all check format generate fuzz bench requirements package clean
 
 help:  ## list these commands
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -24,17 +26,22 @@ fly: .venv/.aftdeck  ## open the station and fly; ARGS="..." are passed to `aftd
 	@.venv/bin/aftdeck fly $(ARGS)
 
 test: .venv/.aftdeck .venv/.dev $(MODULES)  ## run every test not marked slow; ARGS="..." are passed to pytest
-	@cd web && npm test --silent
 ifeq ($(ARGS),)
-	@$(PY) -m pytest -m "not slow and not browser" -n auto --dist loadgroup --quiet
-	@$(PY) -m pytest -m "browser and not slow" -n 2 --quiet
+	@$(MAKE) -j 2 test-page compile-laws
+	@$(PY) -m pytest -m "not slow" -n auto --quiet
 else
 	@$(PY) -m pytest -m "not slow" $(ARGS)
 endif
 
-test-all: .venv/.aftdeck .venv/.dev $(MODULES)  ## run every test, those marked slow and long first (an hour)
-	@$(PY) -m pytest -m "slow and not browser" -n auto --dist loadgroup
-	@$(PY) -m pytest -m "slow and browser" -n 2
+test-page: $(MODULES)
+	@cd web && npm test --silent
+
+compile-laws: .venv/.aftdeck .venv/.dev
+	@$(PY) -m tests.compile_laws
+
+test-all: export AFTDECK_MANY := 1
+test-all: .venv/.aftdeck .venv/.dev $(MODULES) compile-laws  ## run every test with many random cases, long ones first (hours)
+	@$(PY) -m pytest -m slow -n auto
 	@$(MAKE) test
 
 check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and generated files

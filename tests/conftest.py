@@ -2,18 +2,24 @@
 
 Browser tests run if a Chromium is found; otherwise the summary reports how many were not run. Hypothesis tries new
 examples in every run. With ``--hypothesis-profile=ci``, as in `.ci/run`, it tries the same examples in every run.
+
+A module of tests may load no arm while the tests are collected: every process would load it, whatever it runs.
+`tests/loaded.py` has arms and scenarios.
 """
 
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import platformdirs
 import pytest
 from hypothesis import HealthCheck, settings
 
+from aftdeck.arms import load as arms
 from tests.commands import Run
+from tests.durations import Durations
+from tests.order import Order
 
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 CHROMIUM_PLACES = (
@@ -41,6 +47,25 @@ def find_chromium() -> Path | None:
     on_path = (Path(found) for name in CHROMIUM_NAMES if (found := shutil.which(name)))
     in_place = (place for place in CHROMIUM_PLACES if place.is_file())
     return next(on_path, None) or next(in_place, None)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Order the tests; measure them in the process that collects the results of all processes."""
+    config.pluginmanager.register(Order())
+    if not hasattr(config, "workerinput"):
+        config.pluginmanager.register(Durations())
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Raise an error in each module that loads an arm, which every scenario has, while the tests are collected."""
+
+    def refuse(*_: object) -> None:
+        raise AssertionError("an arm is loaded at import; load it in a test or a fixture, from tests/loaded.py")
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(arms, "model_of", refuse)
+        return (yield)
 
 
 @pytest.hookimpl(trylast=True)  # after the selection by `-m` and `-k`

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import aftdeck
+from tests.each import each
 from tests.test_imports import LAYER, LAYERS
 
 SOURCE = Path(aftdeck.__file__).parent
@@ -73,12 +74,12 @@ def sources() -> list[str]:
     return [name for name in names if not any(name == one or name.startswith(f"{one}/") for one in EXEMPT)]
 
 
-@pytest.mark.parametrize("name", sources())
+@each("name", sources)
 def test_source_has_no_inexact_operation(name: str) -> None:
     assert list(inexact((SOURCE / name).read_text(encoding="utf-8"))) == []
 
 
-@pytest.mark.parametrize("name", EXEMPT)
+@each("name", EXEMPT)
 def test_exempt_source_exists(name: str) -> None:
     assert (SOURCE / name).exists()
 

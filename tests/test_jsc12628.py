@@ -3,6 +3,7 @@
 # ruff: noqa: SIM300 (the report's symbols are capitals, which look like constants)
 from __future__ import annotations
 
+import functools
 import math
 from typing import Literal, TypedDict
 
@@ -11,17 +12,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import aftdeck
 from aftdeck import jsc12628
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError, LimitError, SingularityError, UnreachableError
+from tests import loaded
 
 FOOT = 0.3048
-ARM = aftdeck.load_arm("srms")
-BOTH = (ARM, aftdeck.load_arm("concept-1972"))
-G = ARM.model.source.geometry
-LINKS = ARM.model.links
-L1, L2, L3, L4, L5, UPPER, LOWER = (float(x) for x in LINKS[:7])
+BOTH = ("srms", "concept-1972")
 E1, E3 = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 
@@ -65,18 +62,23 @@ def T3(a: float) -> Array:
     return np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
 
 
-T_LB = ARM.model.mount.rotation.T
-R_1B = ARM.model.mount.origin - ARM.model.mount.orbiter_origin
+@functools.cache
+def links() -> tuple[float, ...]:
+    """Return the lengths L1 to L5 [m], and the slopes of both booms [rad]."""
+    return tuple(float(x) for x in loaded.arm().model.links[:7])
 
 
 def angles_of(q: Array) -> Array:
     """Return the report's angles, which are for an arm without offsets, from the operator's angles."""
+    *_, UPPER, LOWER = links()
     return np.asarray(q + np.array([0.0, UPPER, LOWER - UPPER, -LOWER, 0.0, 0.0]))
 
 
 def plain_lnkage(q: Array) -> tuple[Array, Array, Array]:
     t1, t2, t3, t4, t5, t6 = angles_of(q)
-    r = R_1B - T_LB.T @ E3 * L1
+    mount, (L1, L2, L3, L4, L5, *_) = loaded.arm().model.mount, links()
+    T_LB = mount.rotation.T
+    r = mount.origin - mount.orbiter_origin - T_LB.T @ E3 * L1
     turn = T_LB.T @ T3(t1).T @ T2(t2).T
     r = r + turn @ E1 * L2
     turn = turn @ T2(t3).T
@@ -91,6 +93,7 @@ def plain_jacobi(q: Array) -> Array:
     _, t2, t3, t4, t5, _ = angles_of(q)
     t234, t34 = t2 + t3 + t4, t3 + t4
     s, c = math.sin, math.cos
+    _, L2, L3, L4, L5, *_ = links()
     a = np.zeros((6, 6))
     a[0, 0], a[0, 5] = -s(t234), c(t5)
     a[1, 1] = a[1, 2] = a[1, 3] = 1.0
@@ -154,34 +157,36 @@ def rotation(a: list[float]) -> Array:
 def test_linkage_jacobian_and_rates_agree_with_the_report(q: Array, rates: Array, unit: jsc12628.Units) -> None:
     foot = FOOT if unit == "ft" else 1.0
     r, T_B7, T_B5 = plain_lnkage(q)
-    found = jsc12628.lnkage(ARM, q, unit)
+    found = jsc12628.lnkage(loaded.arm(), q, unit)
     np.testing.assert_allclose(found.r_6B, r / foot, atol=1e-11)
     np.testing.assert_allclose(found.T_B7, T_B7, atol=1e-12)
     np.testing.assert_allclose(found.T_B5, T_B5, atol=1e-12)
     a = plain_jacobi(q)
     a[3:] /= foot
-    np.testing.assert_allclose(jsc12628.jacobi(ARM, q, unit), a, atol=1e-11)
+    np.testing.assert_allclose(jsc12628.jacobi(loaded.arm(), q, unit), a, atol=1e-11)
     omega, v = plain_erates(q, rates)
-    moving = jsc12628.erates(ARM, q, rates, unit)
+    moving = jsc12628.erates(loaded.arm(), q, rates, unit)
     np.testing.assert_allclose(moving.omega, omega, atol=1e-12)
     np.testing.assert_allclose(moving.V, v / foot, atol=1e-11)
-    np.testing.assert_allclose(jsc12628.rmsrat(ARM, q, omega, v / foot, unit), plain_rmsrat(q, omega, v), atol=1e-9)
-    np.testing.assert_allclose(jsc12628.rmsrat(ARM, q, omega, v / foot, unit), rates, atol=1e-9)
+    solved = jsc12628.rmsrat(loaded.arm(), q, omega, v / foot, unit)
+    np.testing.assert_allclose(solved, plain_rmsrat(q, omega, v), atol=1e-9)
+    np.testing.assert_allclose(solved, rates, atol=1e-9)
 
 
 @SOME
 @given(poses, units, st.sampled_from(BOTH))
-def test_rmangs_inverts_lnkage_and_rmsist_agrees(q: Array, unit: jsc12628.Units, arm: aftdeck.Arm) -> None:
+def test_rmangs_inverts_lnkage_and_rmsist_agrees(q: Array, unit: jsc12628.Units, name: str) -> None:
+    arm = loaded.arm(name)
     r, T, _ = jsc12628.lnkage(arm, q, unit)
     try:
         theta = jsc12628.rmangs(arm, r, T, unit)
     except (SingularityError, UnreachableError):  # on the other branch of the concept arm's wrist
-        assert arm is not ARM
+        assert name != "srms"
         return
     again = jsc12628.lnkage(arm, theta, unit)
     np.testing.assert_allclose(again.r_6B, r, atol=1e-8)
     np.testing.assert_allclose(again.T_B7, T, atol=1e-9)
-    if arm is ARM:  # the report's branch: wrist yaw within 90 deg, and the elbow above the shoulder-wrist line
+    if name == "srms":  # the report's branch: wrist yaw within 90 deg, and the elbow above the shoulder-wrist line
         assert abs(theta[4]) <= math.pi / 2 and angles_of(theta)[2] <= 0.0
         np.testing.assert_allclose(theta, q - math.tau * np.round(q / math.tau), atol=1e-8)
     low, high = arm.limits.hard.T
@@ -279,7 +284,7 @@ def test_msteer_agrees_with_the_report_step_by_step(
     r, T, _ = plain_lnkage(q)
     final, Tf = r + 0.5 * E1, T @ T1(0.05).T
     phase = jsc12628.operin(
-        ARM, mode, q, **most, theta_dot_L=SERVO, DT=dt, r_6BF=final / foot, T_B7F=Tf, omega_C=aim[:3],
+        loaded.arm(), mode, q, **most, theta_dot_L=SERVO, DT=dt, r_6BF=final / foot, T_B7F=Tf, omega_C=aim[:3],
         V_C=aim[3:] / foot, T_78=T_78, units=unit,
     )  # fmt: skip
     rates = np.zeros(6)
@@ -312,7 +317,7 @@ def test_phases_of_modes_1_and_3_end_at_eta(mode: Literal[1, 3]) -> None:
     q = np.array([0.2, 1.0, -1.4, 0.3, 0.2, 0.4])
     goal = q + np.array([0.03, -0.02, 0.02, 0.03, -0.02, 0.05])
     r, T, _ = plain_lnkage(goal)
-    phase = jsc12628.operin(ARM, mode, q, **LIMITS, theta_dot_L=SERVO, DT=0.02, theta_F=goal, r_6BF=r, T_B7F=T)
+    phase = jsc12628.operin(loaded.arm(), mode, q, **LIMITS, theta_dot_L=SERVO, DT=0.02, theta_F=goal, r_6BF=r, T_B7F=T)
     eta = jsc12628.msteer(phase, q).ETA
     assert eta > 0.0
     steps = 1
@@ -324,7 +329,7 @@ def test_phases_of_modes_1_and_3_end_at_eta(mode: Literal[1, 3]) -> None:
 
 def test_mode_8_ramps_one_joint_to_its_rate() -> None:
     q = np.array([0.2, 1.0, -1.4, 0.3, 0.2, 0.4])
-    phase = jsc12628.operin(ARM, 8, q, **LIMITS, theta_dot_L=SERVO, DT=0.1, joint=3, theta_dot_C=-0.05)
+    phase = jsc12628.operin(loaded.arm(), 8, q, **LIMITS, theta_dot_L=SERVO, DT=0.1, joint=3, theta_dot_C=-0.05)
     rates = [jsc12628.msteer(phase, q).theta_dot_C for _ in range(60)]
     up = SERVO[3] * LIMITS["V_L_dot"] / LIMITS["V_L"]
     for k, rate in enumerate(rates, 1):
@@ -334,28 +339,28 @@ def test_mode_8_ramps_one_joint_to_its_rate() -> None:
 def test_invalid_argument_is_rejected_by_name() -> None:
     q = [0.2, 1.0, -1.4, 0.3, 0.2, 0.4]
     for call, name in (
-        (lambda: jsc12628.lnkage(ARM, q, "in"), "units"),  # type: ignore[arg-type]
-        (lambda: jsc12628.lnkage(ARM, q[:5]), "theta"),
-        (lambda: jsc12628.lnkage(ARM, [math.nan] * 6), "theta"),
-        (lambda: jsc12628.rmsrat(ARM, q, [0, 0], [0, 0, 0]), "omega_C"),
+        (lambda: jsc12628.lnkage(loaded.arm(), q, "in"), "units"),  # type: ignore[arg-type]
+        (lambda: jsc12628.lnkage(loaded.arm(), q[:5]), "theta"),
+        (lambda: jsc12628.lnkage(loaded.arm(), [math.nan] * 6), "theta"),
+        (lambda: jsc12628.rmsrat(loaded.arm(), q, [0, 0], [0, 0, 0]), "omega_C"),
         (lambda: jsc12628.vclose(1.0, 1.0, V_L=0.0, omega_L=1.0, V_L_dot=1.0, omega_L_dot=1.0, DT=0.02), "V_L"),
         (lambda: jsc12628.ratlmt(q, np.zeros(6)), "theta_dot_L"),
         (lambda: jsc12628.votran(8, [0, 0, 0], [0, 0, 0]), "mode"),  # type: ignore[arg-type]
-        (lambda: jsc12628.operin(ARM, 1, q, **LIMITS, theta_dot_L=SERVO, DT=0.02), "theta_F"),
-        (lambda: jsc12628.rmsist(ARM), "rmsist"),
+        (lambda: jsc12628.operin(loaded.arm(), 1, q, **LIMITS, theta_dot_L=SERVO, DT=0.02), "theta_F"),
+        (lambda: jsc12628.rmsist(loaded.arm()), "rmsist"),
     ):
         with pytest.raises(InputError, match=name):
             call()
     with pytest.raises(SingularityError):
-        jsc12628.rmsrat(ARM, [0, 1, -1, 0, math.pi / 2, 0], [1, 0, 0], [0, 0, 0])
+        jsc12628.rmsrat(loaded.arm(), [0, 1, -1, 0, math.pi / 2, 0], [1, 0, 0], [0, 0, 0])
     with pytest.raises(UnreachableError):
-        jsc12628.rmangs(ARM, [90.0, 0.0, 0.0], np.eye(3))
+        jsc12628.rmangs(loaded.arm(), [90.0, 0.0, 0.0], np.eye(3))
 
 
 def test_result_does_not_depend_on_the_number_type() -> None:
     q = np.array([0.25, 1.0, -1.5, 0.5, 0.25, 0.5])
-    one = jsc12628.lnkage(ARM, q)
+    one = jsc12628.lnkage(loaded.arm(), q)
     for other in (q.astype(np.float32), q.tolist(), tuple(np.float64(x) for x in q), np.array(q, dtype=object)):
-        np.testing.assert_array_equal(jsc12628.lnkage(ARM, other).r_6B, one.r_6B)
+        np.testing.assert_array_equal(jsc12628.lnkage(loaded.arm(), other).r_6B, one.r_6B)
     profile = jsc12628.vclose(np.float64(2.0), np.float32(0.5), **LIMITS, DT=np.float64(0.02))  # type: ignore[arg-type]
     assert profile == jsc12628.vclose(2.0, 0.5, **LIMITS, DT=0.02)

@@ -108,8 +108,6 @@ def test_unknown_field_is_reported_with_its_index_and_line(
 
 
 WORKSITE = tomllib.loads((Path(worksite_file.__file__).parents[1] / "concept-1972.toml").read_text())
-INSIDE = [float(x) for x in load_worksite("concept-1972").solids[0].vertices.mean(axis=0)]
-"""A point inside a solid of the orbiter, in scene coordinates [m]."""
 STILL = [
     i
     for i, camera in enumerate(WORKSITE["camera"])
@@ -123,11 +121,12 @@ STILL = [
 @given(st.permutations(STILL), st.integers(1, len(STILL) - 1))
 def test_index_of_a_camera_counts_all_cameras(order: list[int], broken: int) -> None:
     """Some cameras have an unknown drive, the others are in a solid: each error has the index of its camera."""
+    inside = [float(x) for x in load_worksite("concept-1972").solids[0].vertices.mean(axis=0)]
     wrong = tomlkit.parse(tomlkit.dumps(WORKSITE)).unwrap()
     for i in order[:broken]:
         wrong["camera"][i]["drive"] = "none such"
     for i in order[broken:]:
-        wrong["camera"][i]["position"] = INSIDE
+        wrong["camera"][i]["position"] = inside
     found = worksite_problems(wrong)
     names = {f"camera[{i}]": WORKSITE["camera"][i]["name"] for i in STILL}
     found_indices = {

@@ -20,8 +20,8 @@ from aftdeck.files import read
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.shapes import Cylinder, Group, Light, Material, Shape
 from aftdeck.worksite import load_worksite
+from tests import loaded
 
-FRAMES = load_model("srms").linkage.frames
 SRMS = Path(arm_shapes.__file__).with_name("srms.shapes.toml")
 LEAN = radians(19.48)
 INCH = 0.0254
@@ -125,7 +125,7 @@ def test_missing_shape_file_is_rejected_by_name(tmp_path: Path) -> None:
 
 
 def test_arm_shapes_have_seven_visible_frames_in_order(srms: ArmShapes) -> None:
-    assert tuple(srms.bodies) == FRAMES
+    assert tuple(srms.bodies) == loaded.arm().model.linkage.frames
     assert all(srms.bodies.values())
 
 

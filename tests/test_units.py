@@ -25,6 +25,7 @@ from aftdeck.units import (
     Speed,
     Time,
 )
+from tests.each import each
 
 KINDS = (Length, Angle, Speed, AngularRate, Mass, Time)
 
@@ -111,7 +112,7 @@ def test_value_that_is_not_finite_is_rejected(given: object) -> None:
         Length.read(given)
 
 
-@pytest.mark.parametrize("word", [*keyword.kwlist, "degF", "dBm", "m/degF", "m/None", "in/in", "delta", "pH"])
+@each("word", [*keyword.kwlist, "degF", "dBm", "m/degF", "m/None", "in/in", "delta", "pH"])
 def test_python_keywords_and_pint_units_are_rejected_or_read(word: str) -> None:
     try:
         assert math.isfinite(Length.read(f"5 {word}"))
@@ -137,7 +138,7 @@ def test_very_long_text_is_rejected_quickly() -> None:
     assert len(str(caught.value)) < 500
 
 
-@pytest.mark.parametrize("unit", units._USUAL)
+@each("unit", units._USUAL)
 @pytest.mark.parametrize("kind", [*KINDS, Acceleration, AngularAcceleration])
 def test_usual_units_have_exactly_the_size_from_pint(unit: str, kind: type[Quantity]) -> None:
     assert units._size(unit, kind.unit) == units.size_by_pint(unit, kind.unit)

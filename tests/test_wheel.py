@@ -21,8 +21,7 @@ ROOT = Path(__file__).parents[1]
 UV = Path(find_uv_bin())
 PAGE = "aftdeck/station/static/index.html"
 
-# One worker builds and installs once, for all tests of this module (`--dist loadgroup`).
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("wheel")]
+pytestmark = pytest.mark.slow
 
 WAIT_S = 400.0
 """Maximum time for a program, or for the station's answer [s]. Both may include the compilation of laws."""

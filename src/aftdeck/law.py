@@ -54,7 +54,7 @@ class _Here(threading.local):
 
 _here = _Here()
 
-_DECLARED = re.compile(rb"^@(elementary_)?law$", re.MULTILINE)
+_DECLARED = re.compile(rb"^@(elementary_|large_)?law$", re.MULTILINE)
 """Decorator of a law, in a source file."""
 _KEPT = 30 * 86_400.0
 """Time after which unused machine code of another version of the laws is deleted [s]."""
@@ -67,14 +67,15 @@ class _Declared:
     be called, but more slowly.
     """
 
-    def __init__(self, function: Callable[..., Any], interpreted: bool, fused: bool) -> None:
+    def __init__(self, function: Callable[..., Any], interpreted: bool, fused: bool, inlined: bool) -> None:
         functools.update_wrapper(self, function)
-        self._interpreted, self._fused = interpreted, fused
+        self._interpreted, self._fused, self._inlined = interpreted, fused, inlined
 
     @functools.cached_property
     def compiled(self) -> Callable[..., Any]:
         """Law as a function that Numba compiles at its first call."""
-        return _compiled(self.__wrapped__, fused=self._fused)  # type: ignore[attr-defined]
+        function: Callable[..., Any] = self.__wrapped__  # type: ignore[attr-defined]
+        return _compiled(function, fused=self._fused, inlined=self._inlined)
 
     def __call__(self, *given: Any) -> Any:
         """Call an interpreted law, or any law inside `interpreted`, as plain Python; else load all laws first."""
@@ -116,6 +117,15 @@ def elementary_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     return _declared(function, interpreted=True)
 
 
+def large_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Declare a law that other laws call instead of containing a copy of it.
+
+    A call takes some nanoseconds. The compilation of a large law takes seconds, and would take them again in each law
+    that contains a copy.
+    """
+    return _declared(function, inlined=False)
+
+
 @contextlib.contextmanager
 def interpreted() -> Iterator[None]:
     """Run the laws that this thread calls as plain Python, unless they are loaded already.
@@ -137,11 +147,13 @@ def fused(exact: Callable[_P, _R]) -> Callable[_P, _R]:
     return _declared(inspect.unwrap(exact), fused=True)
 
 
-def _declared(function: Callable[_P, _R], *, interpreted: bool = False, fused: bool = False) -> Callable[_P, _R]:
+def _declared(
+    function: Callable[_P, _R], *, interpreted: bool = False, fused: bool = False, inlined: bool = True
+) -> Callable[_P, _R]:
     with _loading:
         if _waiting is None:
-            return _compiled(function, fused=fused)
-        _waiting.append(_Declared(function, interpreted, fused))
+            return _compiled(function, fused=fused, inlined=inlined)
+        _waiting.append(_Declared(function, interpreted, fused, inlined))
         return cast("Callable[_P, _R]", _waiting[-1])
 
 
@@ -164,19 +176,19 @@ def load() -> None:
         _waiting = None
 
 
-def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
+def _compiled(function: Callable[_P, _R], *, fused: bool, inlined: bool) -> Callable[_P, _R]:
     import numba  # noqa: PLC0415  (takes 0.6 s; only calling a law needs it)
 
     config: Any = numba.config
     options: dict[str, Any] = {
         "error_model": "numpy",
         "fastmath": {"contract"} if fused else False,
-        "forceinline": True,
+        "forceinline": inlined,
         "nogil": True,
         "no_cfunc_wrapper": True,
     }
     before = config.CACHE_DIR
-    config.CACHE_DIR = _cache()
+    config.CACHE_DIR = cache_folder()
     compiled: Callable[_P, _R]
     try:
         # Numba's cache does not distinguish the two versions of a law
@@ -194,7 +206,7 @@ def compiled_before(package: str = "") -> bool:
     Args:
         package: name of the package whose laws count; if it is empty, all laws count.
     """
-    return any(Path(_cache()).rglob(f"{package}*/*.nbi"))
+    return any(Path(cache_folder()).rglob(f"{package}*/*.nbi"))
 
 
 @functools.cache
@@ -211,7 +223,7 @@ def state_of_the_laws() -> str:
 
 
 @functools.cache
-def _cache() -> str:
+def cache_folder() -> str:
     """Return the cache folder for this version of the laws.
 
     Also delete the folders of other versions that have been unused for more than `_KEPT`.

@@ -14,13 +14,14 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
-from aftdeck.scenario.load import built_in, load_scenario
+from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Run as Flight
 from aftdeck.simulation.run import run as fly
 from tests.commands import Run
+from tests.loaded import names_with
 
-TASKS = tuple(name for name in built_in() if load_scenario(name).steps)
+TASKS = names_with("step")
 WITH_PAYLOAD = ("tutorial", "srms-deploy", "srms-berth", "concept-1972", "free-flyer")
 QUICK = ("tutorial", "first-flight", "singular", "uncradle", "sequence", "sts-400-closed")
 

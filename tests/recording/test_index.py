@@ -22,14 +22,18 @@ from aftdeck.recording.run import record
 from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import Trial
 from aftdeck.recording.writer import Recorder
+from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.recording.flown import bay, record_steps
 
 SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "0.2 s"'
-MADE = bay(extra=SCRIPT)
 WAIT_S = 60.0
 """Longest wait for a condition [s]."""
+
+
+def made() -> Scenario:
+    return bay(extra=SCRIPT)
 
 
 @pytest.fixture
@@ -47,7 +51,7 @@ def add_entry(index: Index, path: Path, name: str = "test", ended: str = "comple
 
 def test_run_is_listed_with_its_end(index: Index, tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
-    summary = record(MADE, path, seed=4, index=index).summary
+    summary = record(made(), path, seed=4, index=index).summary
     (entry,) = index.entries()
     assert (entry.path, entry.scenario, entry.title, entry.seed) == (str(path), "test", "test", 4)
     assert (entry.ended, entry.time_s, entry.state) == ("completed", summary.time_s, "here")
@@ -61,8 +65,8 @@ def test_recording_in_progress_is_listed_and_not_deleted(
         "aftdeck.recording.index.FRESH_S", 1000.0
     )  # so that the file counts as new, even on a slow machine
     path = tmp_path / "run.mcap"
-    recorder = Recorder(path, MADE, 0, index=index)
-    recorder.step(None, Simulation(MADE).step())
+    recorder = Recorder(path, made(), 0, index=index)
+    recorder.step(None, Simulation(made()).step())
     end = time.monotonic() + WAIT_S
     while not index.entries():
         assert time.monotonic() < end, recorder.unlisted
@@ -77,7 +81,7 @@ def test_recording_in_progress_is_listed_and_not_deleted(
 
 def entry_after_kill(index: Index, path: Path, size: int) -> Entry:
     """Return the list entry of a recording whose program was killed; the file is cut to `size` bytes."""
-    record_steps(path, MADE, itertools.repeat(Inputs()), 30)
+    record_steps(path, made(), itertools.repeat(Inputs()), 30)
     path.write_bytes(path.read_bytes()[:size])
     add_entry(index, path, ended="")
     old = path.stat().st_mtime - 60.0
@@ -128,20 +132,20 @@ def test_list_of_an_earlier_version_is_read_and_extended(index: Index, tmp_path:
         )
         row = (str(tmp_path / "old.mcap"), "test", "test", 0, "0.0.1", "1969-12-31", "time", 1.0, 10)
         database.execute("insert into recordings values (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
-    record(MADE, tmp_path / "new.mcap", index=index, trial=Trial("P07", "A"))
+    record(made(), tmp_path / "new.mcap", index=index, trial=Trial("P07", "A"))
     entries = [(Path(e.path).stem, e.participant, e.condition) for e in index.entries()]
     assert entries == [("new", "P07", "A"), ("old", "", "")]
 
 
 def test_forget_keeps_the_files(index: Index, tmp_path: Path) -> None:
-    record(MADE, tmp_path / "run.mcap", index=index)
+    record(made(), tmp_path / "run.mcap", index=index)
     index.forget(index.entries())
     assert index.entries() == [] and (tmp_path / "run.mcap").exists()
 
 
 def test_delete_removes_files_and_entries(index: Index, tmp_path: Path) -> None:
-    record(MADE, tmp_path / "run.mcap", index=index)
-    record(MADE, tmp_path / "kept.mcap", index=index)
+    record(made(), tmp_path / "run.mcap", index=index)
+    record(made(), tmp_path / "kept.mcap", index=index)
     add_entry(index, tmp_path / "gone.mcap")
     index.delete([e for e in index.entries() if "kept" not in e.path])
     assert [Path(e.path).name for e in index.entries()] == ["kept.mcap"]
@@ -164,7 +168,7 @@ def test_path_recorded_again_is_one_entry(index: Index, tmp_path: Path) -> None:
 
 def test_run_with_a_file_name_that_is_not_text_is_recorded(index: Index, tmp_path: Path) -> None:
     path = tmp_path / os.fsdecode(b"\xff.mcap")
-    record(MADE, path, index=index)
+    record(made(), path, index=index)
     assert path.exists()
     assert index.entries() == []
 
@@ -186,7 +190,7 @@ for k in range(10):
 
 
 def test_several_programs_write_simultaneously(index: Index) -> None:
-    start = msgspec.json.encode(msgspec.structs.replace(opening(MADE, 0, 0), shapes_text="", worksite_text=""))
+    start = msgspec.json.encode(msgspec.structs.replace(opening(made(), 0, 0), shapes_text="", worksite_text=""))
     programs = [
         subprocess.Popen([sys.executable, "-c", TEN, str(index.path), str(n), start], stderr=subprocess.PIPE)
         for n in range(3)
@@ -221,10 +225,10 @@ def test_unusable_list_is_reported_and_the_run_is_recorded(tmp_path: Path, how: 
     with pytest.raises(RecordingError, match=r"list\.sqlite: "):
         index.entries()
     path = tmp_path / "run.mcap"
-    assert record(MADE, path, index=index).summary.ended == "completed"
+    assert record(made(), path, index=index).summary.ended == "completed"
     recorder = SessionRecorder(tmp_path / "flights", index)
-    recorder.begin(MADE, 0)
-    recorder.step(Inputs(), Simulation(MADE).step(Inputs()), None)
+    recorder.begin(made(), 0)
+    recorder.step(Inputs(), Simulation(made()).step(Inputs()), None)
     recorder.close()
     assert [f.stat().st_size > 0 for f in (tmp_path / "flights").iterdir()] == [True]
 
@@ -236,8 +240,8 @@ def test_locked_list_does_not_stop_a_recording(index: Index, tmp_path: Path, mon
     other.execute("begin exclusive")
     try:
         path = tmp_path / "run.mcap"
-        recorder = Recorder(path, MADE, 0, index=index)
-        recorder.step(Inputs(), Simulation(MADE).step(Inputs()))
+        recorder = Recorder(path, made(), 0, index=index)
+        recorder.step(Inputs(), Simulation(made()).step(Inputs()))
         recorder.close("stopped")
     finally:
         other.close()

@@ -21,6 +21,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.ways_out import by_joint, by_stick
 from aftdeck.simulation.run import Simulation
 from aftdeck.worksite.watch.alarm import level_of
+from tests.each import each
 from tests.recording.flown import rewritten
 
 FILES = [
@@ -92,7 +93,7 @@ def test_file_is_read_without_loading_its_scenario_if_possible(tmp_path: Path) -
 
 @pytest.mark.slow
 @pytest.mark.parametrize("position", ["", "ORB UNL"])
-@pytest.mark.parametrize("direction", range(12))
+@each("direction", range(12))
 def test_escape_by_stick_is_read_from_its_text(direction: int, position: str) -> None:
     sim = Simulation("first-flight")
     sim.step(Inputs(mode="ORB UNL" if position == "" else "OPR CMD"))
@@ -101,7 +102,7 @@ def test_escape_by_stick_is_read_from_its_text(direction: int, position: str) ->
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("joint", range(6))
+@each("joint", range(6))
 def test_escape_by_joint_or_telescope_is_read_from_its_text(joint: int) -> None:
     sim = Simulation("concept-1972")
     for sign in (-1, 1):

@@ -27,6 +27,7 @@ from aftdeck.recording.run import record
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
+from tests.each import each, seeds
 from tests.recording.flown import bay, messages, record_random_run, record_steps, rewritten
 from tests.scenario.missions import SCRIPTED, VERY_LONG
 
@@ -107,9 +108,9 @@ def test_run_with_random_inputs_verifies(tmp_path: Path, seed: int, extra: str) 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(20))
+@each("seed", seeds(4, 40))
 def test_long_run_with_random_inputs_verifies(tmp_path: Path, seed: int) -> None:
-    check_random_run(tmp_path / "random.mcap", seed, 2000)
+    check_random_run(tmp_path / f"{seed}.mcap", seed, 2000)
 
 
 def test_demonstration_with_change_to_manual_control_verifies(tmp_path: Path) -> None:

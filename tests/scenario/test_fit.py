@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import os
 import re
 from pathlib import Path
 
@@ -23,12 +22,13 @@ from aftdeck.simulation.survey.pairs import survey
 from aftdeck.simulation.survey.poses import bodies, placed
 from aftdeck.worksite import load_worksite
 from tests.bodies.minkowski import depth
+from tests.each import each, seeds
 
 FOOT = 0.3048
 G_IN_WRIST = r"camera G is \S+ \S+ inside wrist"
 FREE_STANDING = r"camera [ABCDHI] is \S+ (in|ft|cm|mm|m) inside .* at joint angles"
 """Pattern of the survey's reports about cameras without a housing, at the concept's worksite."""
-seeds = st.integers(0, 2**32 - 1)
+numbers = st.integers(0, 2**32 - 1)
 
 
 @functools.cache
@@ -52,7 +52,7 @@ def rejection(dimensions: dict[str, str], text: str = "") -> str:
 
 
 @settings(max_examples=60)
-@given(seeds)
+@given(numbers)
 def test_overlap_depth_agrees_with_an_independent_solver(seed: int) -> None:
     rng = np.random.default_rng(seed)
     solids = [solid.vertices for solid in load_worksite("orbiter").solids]
@@ -143,12 +143,10 @@ def edited(rng: np.random.Generator) -> dict[str, str]:
 
 OUT_OF_REACH = ("the end effector cannot reach", "the arm cannot reach")
 """Beginnings of the survey's reports of an unreachable position."""
-EDITS = int(os.environ.get("AFTDECK_EDITS", "10"))
-"""Number of random edits; set AFTDECK_EDITS=1000 and `-o faulthandler_timeout=0` for a long test."""
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(EDITS))
+@each("seed", seeds(4, 100))
 def test_edited_dimensions_are_rejected_with_depth_or_run_cleanly(seed: int) -> None:
     """If the arm can reach a position only beyond a stop, the survey reports the position, and the script fails."""
     dimensions = edited(np.random.default_rng(seed))

@@ -10,6 +10,7 @@ import pytest
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.simulation.frame import Frame
+from tests.each import each, seeds
 from tests.simulation.concept import AT_PORT, scenario
 from tests.simulation.flights import Pair, srms
 
@@ -56,7 +57,7 @@ def beside_the_port(seed: int) -> tuple[list[Frame], Pair | None]:
     return until_contact(sim, Inputs(sticks), frozenset((PROBE,)))
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each("seed", seeds(6, 40))
 def test_clearance_warns_before_probe_touches_beside_port(seed: int) -> None:
     """Previously the log did not name the two parts before their contact."""
     frames, contact_pair = beside_the_port(seed)
@@ -66,7 +67,7 @@ def test_clearance_warns_before_probe_touches_beside_port(seed: int) -> None:
     assert any(event.kind == "clearance" and "probe" in event.text for frame in frames for event in frame.events)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@each("seed", seeds(3, 20))
 def test_probe_approaching_port_raises_no_alarm(seed: int) -> None:
     rng = np.random.default_rng(seed)
     aside, angle = rng.uniform(0.0, 0.8 * DOCKING), rng.uniform(0.0, math.tau)

@@ -20,8 +20,8 @@ from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.run import Simulation
 from aftdeck.steering.batch import steer_batch
 from fuzz.inputs import Endless, Foreign, OwnNumber, OwnText, Rude, RudeFloat, inputs_of_any_kind
+from tests import loaded
 
-ARM = aftdeck.load_arm("srms")
 UNIT = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -124,30 +124,35 @@ def test_seed_is_an_integer_in_its_range() -> None:
             Simulation("free-flyer", value)  # type: ignore[arg-type]
 
 
+def steered(angles: Any, target: Any = None, **changed: Any) -> object:
+    target = loaded.arm().forward(np.zeros(6)) if target is None else target
+    return steer_batch(loaded.arm(), angles, target, **{"period": 0.02, "gain": 1.0, **changed})
+
+
 CALLS: list[Callable[[Any], object]] = [
-    ARM.forward,
-    ARM.jacobian,
-    ARM.singularities,
-    ARM.inverse,
-    ARM.rmangs,
-    ARM.panel,
-    ARM.orbiter,
-    ARM.end_effector,
-    lambda value: ARM.at(stand=value),
-    lambda value: ARM.joint_rates(value, np.zeros(6)),
-    lambda value: ARM.joint_rates(np.zeros(6), value),
-    lambda value: ARM.joint_rates(np.zeros(6), np.zeros(6), singular=value),
-    lambda value: ARM.inverse(Pose(value, np.eye(3))),
-    lambda value: ARM.inverse(Pose(np.zeros(3), value)),
-    lambda value: ARM.inverse(ARM.forward([0.1] * 6), near=value),
-    lambda value: ARM.panel(Pose(np.zeros(3), value)),
-    lambda value: ARM.from_panel(value, np.zeros(3)),
-    lambda value: ARM.from_panel(np.zeros(3), value),
-    lambda value: steer_batch(ARM, value, np.zeros(12), period=0.02, gain=1.0),
-    lambda value: steer_batch(ARM, np.zeros(6), value, period=0.02, gain=1.0),
-    lambda value: steer_batch(ARM, np.zeros(6), ARM.forward(np.zeros(6)), steps=value, period=0.02, gain=1.0),
-    lambda value: steer_batch(ARM, np.zeros(6), ARM.forward(np.zeros(6)), period=value, gain=1.0),
-    lambda value: steer_batch(ARM, np.zeros(6), ARM.forward(np.zeros(6)), period=0.02, gain=value),
+    lambda value: loaded.arm().forward(value),
+    lambda value: loaded.arm().jacobian(value),
+    lambda value: loaded.arm().singularities(value),
+    lambda value: loaded.arm().inverse(value),
+    lambda value: loaded.arm().rmangs(value),
+    lambda value: loaded.arm().panel(value),
+    lambda value: loaded.arm().orbiter(value),
+    lambda value: loaded.arm().end_effector(value),
+    lambda value: loaded.arm().at(stand=value),
+    lambda value: loaded.arm().joint_rates(value, np.zeros(6)),
+    lambda value: loaded.arm().joint_rates(np.zeros(6), value),
+    lambda value: loaded.arm().joint_rates(np.zeros(6), np.zeros(6), singular=value),
+    lambda value: loaded.arm().inverse(Pose(value, np.eye(3))),
+    lambda value: loaded.arm().inverse(Pose(np.zeros(3), value)),
+    lambda value: loaded.arm().inverse(loaded.arm().forward([0.1] * 6), near=value),
+    lambda value: loaded.arm().panel(Pose(np.zeros(3), value)),
+    lambda value: loaded.arm().from_panel(value, np.zeros(3)),
+    lambda value: loaded.arm().from_panel(np.zeros(3), value),
+    lambda value: steered(value, np.zeros(12)),
+    lambda value: steered(np.zeros(6), value),
+    lambda value: steered(np.zeros(6), steps=value),
+    lambda value: steered(np.zeros(6), period=value),
+    lambda value: steered(np.zeros(6), gain=value),
     lambda value: simulation().ahead(value),
     lambda value: simulation().ahead(5.0, value),
     lambda value: simulation().restore(value),

@@ -20,6 +20,7 @@ from aftdeck.simulation.command_check.cmd_ck import STEPS
 from aftdeck.simulation.frame import Check
 from aftdeck.simulation.operator.sequence import begin
 from aftdeck.tuples import Six
+from tests.each import each, seeds
 from tests.steering.flying import BAY, checked, disturbed, finished, fly, joint_target, scenario, speed, target
 
 OPR = 'mode = "OPR CMD"\n'
@@ -153,7 +154,7 @@ def fastest_branch_s(arm: aftdeck.Arm, start: Array, goal: aftdeck.Target) -> fl
     return min(times)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@each("seed", seeds(3, 20))
 def test_mode_1_selects_the_quickest_branch_inside_soft_stops(seed: int) -> None:
     rng, arm = np.random.default_rng(seed), aftdeck.load_arm("srms")
     start = np.array([0.0, 60.0, -80.0, 20.0, 70.0, 0.0]) + rng.uniform(-8.0, 8.0, 6)

@@ -12,6 +12,7 @@ import aftdeck
 from aftdeck.errors import InputError
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import SavedSimulation
+from tests.each import each, seeds
 from tests.scenario.missions import FLOWN, LONG, SCRIPTED
 from tests.steering.flying import BAY, fly, scenario
 from tests.steering.random_runs import equipped, inputs, start
@@ -118,7 +119,7 @@ def decoded(saved: SavedSimulation, encode: str) -> SavedSimulation:
     return saved
 
 
-@pytest.mark.parametrize("seed", range(8))
+@each("seed", seeds(6, 60))
 def test_restored_manual_run_continues_bit_for_bit(seed: int) -> None:
     rng = np.random.default_rng(seed)
     first = start(rng)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -19,8 +20,9 @@ from aftdeck.errors import InputError
 from aftdeck.files import Where
 from aftdeck.recording.run import record
 from aftdeck.scenario.load import load_scenario, parse_scenario
-from aftdeck.scenario.target import target_at
+from aftdeck.scenario.target import Target, target_at
 from aftdeck.simulation.camera_drives import CameraDrive
+from tests import loaded
 
 NUMBER_TYPES: list[Callable[[Any], Any]] = [
     np.float64,
@@ -42,12 +44,18 @@ def choice(*names: str) -> st.SearchStrategy[str | None]:
     return st.sampled_from([None, *names])
 
 
-ARM = load_scenario("concept-1972").arm
-START = target_at(ARM.forward(load_scenario("concept-1972").initial_angles))
+@functools.cache
+def start() -> Target:
+    """Return the pose at which the scenario starts."""
+    scenario = loaded.scenario("concept-1972")
+    return target_at(scenario.arm.forward(scenario.initial_angles))
+
+
 inputs = st.builds(
     Inputs, translation=threes, rotation=threes, drive=halves, mode=choice("MASTER", "SINGLE", "OPR CMD", "END EFF"),
     joint=st.one_of(st.none(), st.integers(0, 5)), rate=choice("coarse", "vernier"), law=choice("open loop"),
-    target=st.sampled_from([None, START]), rate_hold=st.booleans(), position_hold=flags, brakes=flags, safing=flags,
+    target=st.one_of(st.none(), st.builds(start)), rate_hold=st.booleans(), position_hold=flags, brakes=flags,
+    safing=flags,
     proceed=st.booleans(), stop=st.booleans(), effector=choice("stop", "close", "open"), latch=choice("latch"),
     telescope=halves, orbiter=threes, master=st.one_of(st.none(), st.tuples(*[halves] * 6)),
     camera=st.one_of(st.none(), st.builds(CameraDrive, st.sampled_from("ABF"), halves, halves, halves, st.booleans())),

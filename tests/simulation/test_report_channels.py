@@ -1,15 +1,10 @@
-"""Channels of TABLE I: a run in MASTER writes them, and a run from them has the same frames, bit for bit.
-
-For more and longer runs: ``AFTDECK_CHANNEL_FLIGHTS=20 AFTDECK_CHANNEL_STEPS=5000 pytest tests/simulation/
-test_report_channels.py -k from_written_channels``.
-"""
+"""Channels of TABLE I: a run in MASTER writes them, and a run from them has the same frames, bit for bit."""
 
 from __future__ import annotations
 
 import io
 import itertools
 import json
-import os
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -25,12 +20,12 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.frame import Frame
+from tests.each import each, seeds
 from tests.simulation import concept
 from tests.simulation.flights import random_inputs
 from tests.simulation.master_inputs import random_master_inputs
 
-FLIGHTS = int(os.environ.get("AFTDECK_CHANNEL_FLIGHTS", "1"))
-STEPS = int(os.environ.get("AFTDECK_CHANNEL_STEPS", "400"))
+STEPS = 400
 
 
 def written(scenario: Scenario, given: Iterator[Inputs]) -> tuple[list[Frame], str]:
@@ -63,7 +58,7 @@ SCENARIOS = {
 QUICK, *SLOW = SCENARIOS
 
 
-@pytest.mark.parametrize("seed", range(FLIGHTS))
+@each("seed", seeds(1, 20))
 @pytest.mark.parametrize("name", [QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)])
 def test_run_from_written_channels_is_equal(name: str, seed: int, tmp_path: Path) -> None:
     scenario = SCENARIOS[name]()
@@ -75,7 +70,7 @@ def test_run_from_written_channels_is_equal(name: str, seed: int, tmp_path: Path
     assert len({frame.angles for frame in frames}) > STEPS / 20  # contacts with the bar inhibit the arm for a long time
 
 
-@pytest.mark.parametrize("seed", range(3))
+@each("seed", seeds(3, 30))
 def test_run_from_channels_is_equal_up_to_first_unsaid_command(seed: int, tmp_path: Path) -> None:
     """`unsaid` in a line names the commands without a channel. Up to the first such line, the two runs are equal."""
     rng = np.random.default_rng(seed)

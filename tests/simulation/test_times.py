@@ -8,6 +8,7 @@ import pytest
 import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame, Times
+from tests.each import each, seeds
 from tests.steering.flying import BAY, checked, scenario, target
 
 THERE = (-25.0, 70.0, -95.0, -70.0, 10.0, -120.0)
@@ -79,7 +80,7 @@ def turned(axis: int, angle: float) -> Array:
     return matrix
 
 
-@pytest.mark.parametrize("seed", range(20))
+@each("seed", seeds(20, 200))
 def test_t_b5_equals_lnkage(seed: int) -> None:
     low, high = aftdeck.load_arm("srms").limits.soft.T
     q = np.random.default_rng([305, seed]).uniform(np.maximum(low, -3.0), np.minimum(high, 3.0))

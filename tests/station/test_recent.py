@@ -15,7 +15,7 @@ from aftdeck.station.session.session import Session
 from tests.station.pages import scenario, served
 
 LIT = Lamp("RATE LIM", "caution", "cause")
-PERIOD = scenario().control_period
+PERIOD = 0.02
 EVERY = round(recent.SPACING_S / PERIOD)
 
 

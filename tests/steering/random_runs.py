@@ -11,10 +11,11 @@ import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import LawChoice
+from tests import loaded
 from tests.reference.tables import table
 from tests.steering.flying import PAYLOAD, at_rate, joint_target, kinds, scenario, target
 
-LIMITS, ARM = table("srms-limits"), aftdeck.load_arm("srms")
+LIMITS = table("srms-limits")
 HARD, SOFT = np.radians(LIMITS["hard"]), np.radians(LIMITS["soft"])
 MODES = (
     "OPR CMD", "AUTO 1", "AUTO 2", "TEST", "ORB UNL", "ORB UNL",
@@ -116,7 +117,7 @@ def check(
     now = np.array(frame.angles)
     assert np.isfinite([*frame.angles, *frame.rates, *frame.twist, *frame.twist_commanded, frame.ratio]).all(), where
     assert np.isfinite([*frame.twist_demanded, *frame.resolution, *frame.singularity]).all(), where
-    held_by = [*frame.singular, *(name for name, zone in zip(ARM.joints, frame.zones, strict=True) if zone)]
+    held_by = [*frame.singular, *(name for name, zone in zip(loaded.arm().joints, frame.zones, strict=True) if zone)]
     causes = [way.cause for way in frame.ways_out]
     assert causes in ([], ["contact"]) if frame.work.arm_inhibit else causes == held_by, where
     assert all(abs(r) <= m for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True)), where

@@ -11,6 +11,8 @@ import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame, WayOut
 from aftdeck.simulation.motion.ways_out import by_stick
+from tests import loaded
+from tests.each import each, seeds
 from tests.kinematics.poses import STRAIGHT
 from tests.reference.tables import table
 from tests.steering.flying import PAYLOAD, fly, scenario
@@ -19,7 +21,6 @@ from tests.steering.random_runs import flight
 LIMITS = table("srms-limits")
 HARD, SOFT = np.array(LIMITS["hard"], dtype=np.float64), np.array(LIMITS["soft"], dtype=np.float64)
 REACH = SOFT + np.array([1.0, -1.0]) * LIMITS["reach_inside_soft"]
-ARM = aftdeck.load_arm("srms")
 KINDS = ("shoulder", "elbow", "wrist", "reach", "soft", "hard")
 MODES = ("ORB UNL", "END EFF", "ORB LD", "PL")
 ZERO = (0.0, 0.0, 0.0)
@@ -36,7 +37,7 @@ def near(kind: str, rng: np.random.Generator) -> Array:
     off = float(np.clip(rng.normal() * rng.choice([0.0, 0.01, 1.0, 5.0]), -8.0, 8.0))
     match kind:
         case "shoulder":
-            while abs(float(ARM.singularities(np.radians(q))[0])) > 0.1:
+            while abs(float(loaded.arm().singularities(np.radians(q))[0])) > 0.1:
                 q = anywhere(rng)
         case "elbow":
             q[2] = min(math.degrees(STRAIGHT) + off, HARD[2, 1])
@@ -65,7 +66,7 @@ def clear(cause: str, frame: Frame) -> bool:
     """Return whether a singularity is no longer near, or a joint is back inside its reach limits."""
     if cause in ("shoulder", "elbow", "wrist"):
         return abs(frame.singularity[("shoulder", "elbow", "wrist").index(cause)]) >= 0.2
-    joint = ARM.joints.index(cause)
+    joint = loaded.arm().joints.index(cause)
     return bool(REACH[joint, 0] <= math.degrees(frame.angles[joint]) <= REACH[joint, 1])
 
 
@@ -73,7 +74,7 @@ def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
     """For each singularity and limit, follow the frame's escape direction, read every 2 s, until the arm is clear."""
     made = scenario(start.tolist(), f"control_period = 0.08\nduration = 80\n{extra}")
     first = aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode))
-    causes = [*first.singular, *(ARM.joints[joint] for joint, zone in enumerate(first.zones) if zone)]
+    causes = [*first.singular, *(loaded.arm().joints[joint] for joint, zone in enumerate(first.zones) if zone)]
     assert causes, start
     assert [escape.cause for escape in first.ways_out] == (["contact"] if first.work.arm_inhibit else causes)
     for cause in causes:
@@ -107,7 +108,7 @@ def test_escape_of_the_frame_leads_out(kind: str, mode: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mode", MODES)
-@pytest.mark.parametrize("seed", range(40))
+@each("seed", seeds(4, 40))
 def test_escapes_lead_out_from_many_poses(seed: int, mode: str) -> None:
     rng = np.random.default_rng([221, seed])
     payload = PAYLOAD.format(mass="1000 lb") if mode in ("ORB LD", "PL") else ""
@@ -118,7 +119,7 @@ def test_escapes_lead_out_from_many_poses(seed: int, mode: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mode", ["ORB LD", "PL"])
-@pytest.mark.parametrize("seed", range(6))
+@each("seed", seeds(2, 6))
 def test_escapes_lead_out_with_a_heavy_payload(seed: int, mode: str) -> None:
     rng = np.random.default_rng([222, seed])
     for kind in KINDS:
@@ -146,7 +147,7 @@ def test_escape_does_not_end_at_a_stop(start: tuple[float, ...], soft_stops: str
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", range(4))
+@each("seed", seeds(2, 4))
 def test_invariants_hold_near_singularities_and_limits(kind: str, seed: int) -> None:
     flight(seed, first=near(kind, np.random.default_rng([223, KINDS.index(kind), seed])))
 
@@ -159,7 +160,7 @@ def test_strict_run_is_bounded_near_singularities_and_limits(kind: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", range(100, 140))
+@each("seed", seeds(4, 40, first=100))
 def test_invariants_hold_from_many_poses_near_singularities(kind: str, seed: int) -> None:
     flight(seed, first=near(kind, np.random.default_rng([225, KINDS.index(kind), seed])))
 
@@ -223,7 +224,7 @@ def test_escape_joint_needs_the_least_rotation(kind: str) -> None:
                     inside = (angles[:, joint] > np.radians(REACH[joint, 0])) & (
                         angles[:, joint] < np.radians(REACH[joint, 1])
                     )
-                    clear = np.flatnonzero((np.abs(ARM.singularities(angles)[which]) > 0.2) & inside)
+                    clear = np.flatnonzero((np.abs(loaded.arm().singularities(angles)[which]) > 0.2) & inside)
                     least[joint, sign] = rotations[clear[0]] if len(clear) else math.inf
             # the simulation searches in steps of half a degree
             assert least[escape.axis, escape.sign] <= min(least.values()) + math.radians(0.8), (

@@ -7,32 +7,27 @@ import math
 import pytest
 
 import aftdeck
+from tests.each import each, seeds
 from tests.steering.flying import kinds, scenario
 from tests.steering.random_runs import flight
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(40))
+@each("seed", seeds(60, 600))
 def test_random_run_keeps_invariants(seed: int) -> None:
     flight(seed)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(100, 110))
+@each("seed", seeds(6, 60, first=100))
 def test_random_as_flown_run_keeps_invariants(seed: int) -> None:
     flight(seed, 'soft_stops = "as-flown"\n', mended=False)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(200, 210))
+@each("seed", seeds(6, 60, first=200))
 def test_random_strict_run_keeps_rates_and_hard_stops(seed: int) -> None:
     flight(seed, "strict = true\n", mended=False)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(1000, 1600))
-def test_many_random_runs_keep_invariants(seed: int) -> None:
-    flight(seed)
 
 
 def test_held_stick_stops_before_a_singularity() -> None:

@@ -9,7 +9,6 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-import aftdeck
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import sines
 from aftdeck.steering.layout import (
@@ -29,8 +28,8 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.steering.limiters import BY_STOP, CAUSES, avclmt, braked, ratlmt
 from aftdeck.steering.rules import rules_of
+from tests import loaded
 
-ARM = aftdeck.load_arm("srms")
 PROVE = settings(derandomize=True, deadline=None, max_examples=400, database=None)
 
 periods = st.floats(0.001, 0.2)
@@ -67,8 +66,8 @@ def test_braked_rate_beyond_a_stop_is_zero(gap: float, deceleration: float, dt: 
 
 
 def rules_with(dt: float, strict: bool = False, as_flown: bool = False) -> np.ndarray:
-    por = ARM.model.por_limits(0.0)
-    return np.array(rules_of(ARM.model, por, dt, strict=strict, as_flown=as_flown)["ORB UNL", "coarse", 4])
+    por = loaded.arm().model.por_limits(0.0)
+    return np.array(rules_of(loaded.arm().model, por, dt, strict=strict, as_flown=as_flown)["ORB UNL", "coarse", 4])
 
 
 @PROVE

@@ -29,6 +29,7 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.steering.limiters import BY_STOP
 from aftdeck.steering.msteer import msteer
+from tests.each import each, seeds
 from tests.steering.flying import BAY, fly, kinds, scenario
 
 ROUNDING = 1e-12
@@ -78,7 +79,7 @@ class Follower:
 
 
 @ARMS
-@pytest.mark.parametrize("seed", range(8))
+@each("seed", seeds(8, 80))
 def test_joints_reach_master_angles_without_overshoot(name: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     period = float(rng.choice([0.005, 0.02, 0.08, 0.2])) if seed else 0.02
@@ -106,7 +107,7 @@ def test_joints_reach_master_angles_without_overshoot(name: str, seed: int) -> N
 
 
 @ARMS
-@pytest.mark.parametrize("seed", range(6))
+@each("seed", seeds(6, 60))
 def test_jumping_master_is_followed_within_every_limit(name: str, seed: int) -> None:
     rng = np.random.default_rng(100 + seed)
     made = master_scenario(name)

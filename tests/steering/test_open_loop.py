@@ -13,11 +13,11 @@ import aftdeck
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.steering.profiles import vtopen
 from aftdeck.steering.rules import rules_of
+from tests import loaded
 from tests.reference.tables import table
 from tests.steering.flying import BAY, QUICK, disturbed, finished, fly, log_of, scenario, speed, target, turning
 
 STS_400 = table("sts-400")
-ARM = aftdeck.load_arm("srms")
 OPEN = 'mode = "OPR CMD"\nlaw = "open loop"'
 V, W = 2.0 * 0.3048, math.radians(4.76)
 """Greatest speed [m/s] and angular rate [rad/s], each reached in 4 s."""
@@ -47,7 +47,7 @@ def final_error(frames: list[aftdeck.Frame]) -> tuple[float, float]:
 def test_vtopen_agrees_with_hand_calculation(
     distance: float, angle: float, speed_: float, turn: float, eta: float, t_v1: float | None, t_w1: float | None
 ) -> None:
-    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
+    rules = rules_of(loaded.arm().model, loaded.arm().model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
     found = vtopen(rules, distance, angle)
     assert (found.speed, found.turn, found.eta) == pytest.approx((speed_, turn, eta))
     for wanted, given in ((t_v1, found.t_v1), (t_w1, found.t_w1)):
@@ -55,7 +55,7 @@ def test_vtopen_agrees_with_hand_calculation(
 
 
 def test_vtopen_at_the_target_is_zero() -> None:
-    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
+    rules = rules_of(loaded.arm().model, loaded.arm().model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
     assert set(vtopen(rules, 0.0, 0.0)) == {0.0}
 
 

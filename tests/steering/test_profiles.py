@@ -9,19 +9,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import aftdeck
 from aftdeck.steering.profiles import vclose
 from aftdeck.steering.rules import rules_of
+from tests import loaded
 
-ARM = aftdeck.load_arm("srms")
 PROVE = settings(derandomize=True, deadline=None, max_examples=100, database=None)
 SPEED, SPEED_UP = 2 * 0.3048, 2 * 0.3048 / 4
 TURN, TURN_UP = math.radians(4.76), math.radians(4.76) / 4
 
 
 def rules(dt: float, strict: bool = False) -> np.ndarray:
-    por = ARM.model.por_limits(0.0)
-    return rules_of(ARM.model, por, dt, strict=strict)["OPR CMD", "coarse", 2]
+    por = loaded.arm().model.por_limits(0.0)
+    return rules_of(loaded.arm().model, por, dt, strict=strict)["OPR CMD", "coarse", 2]
 
 
 distances = st.one_of(st.just(0.0), st.floats(1e-300, 1e-12), st.floats(1e-9, 40.0))

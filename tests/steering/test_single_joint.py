@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import aftdeck
+from tests.each import each, seeds
 from tests.reference.tables import table
 from tests.steering.flying import BAY, disturbed, fly, kinds, scenario
 
@@ -67,7 +68,7 @@ def test_deselected_joint_returns_to_its_angle() -> None:
     assert (np.diff(rates[:, 5]) >= 0.0).all() and rates[-1, 5] == pytest.approx(math.radians(2.64))
 
 
-@pytest.mark.parametrize("seed", range(6))
+@each("seed", seeds(6, 60))
 def test_other_joints_return_to_their_angles_at_entry(seed: int) -> None:
     rng = np.random.default_rng(seed)
     sim = aftdeck.Simulation(scenario())

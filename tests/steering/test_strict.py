@@ -12,6 +12,7 @@ import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.frames import oriend
 from aftdeck.scenario.load import parse_scenario
+from tests.each import each, seeds
 from tests.reference.tables import table
 from tests.steering.flying import finished, fly, kinds, scenario, target
 
@@ -35,7 +36,7 @@ def by_rmangs(arm: aftdeck.Arm, position: Array, rotation: Array) -> Array:
     return np.array([q1, q2 - upper, q3 + upper - lower, beta - q2 - q3 + lower, q5, q6])
 
 
-@pytest.mark.parametrize("seed", range(6))
+@each("seed", seeds(6, 60))
 def test_start_given_by_pose_uses_branch_of_rmangs(seed: int) -> None:
     rng, arm = np.random.default_rng(seed), aftdeck.load_arm("srms")
     while True:

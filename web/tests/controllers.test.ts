@@ -1,11 +1,12 @@
-import { expect, test, vi } from 'vitest';
+import { beforeEach, expect, test, vi } from 'vitest';
 import { Controllers } from '../src/input/controllers';
 import { isZero } from '../src/input/deflection';
 import { NO_AXES, plugged } from './gamepads';
 
+beforeEach(() => void vi.stubGlobal('window', { addEventListener() {} }));
+
 test('the loss of a device centres all devices; acknowledging removes the lost device', () => {
   const world = plugged({ id: 'Left' }, { id: 'Right' });
-  vi.stubGlobal('window', { addEventListener() {} });
   const controllers = new Controllers(() => {}, { moved() {}, taken: () => false });
   controllers.poll(0, 0);
   world.axes(1, 0, -1, 0, 0);

@@ -31,7 +31,7 @@ from aftdeck.bodies.pair import (
 )
 from aftdeck.bodies.planes import lowest, sides
 from aftdeck.bodies.vector import ZERO, dot, minus, moved_along, opposite, plus, put_vector, times, vector_at
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 
 EDGE_BITS = (1 << ENDS).sum(axis=1, dtype=np.int64)
 FACE_BITS = (1 << CORNERS).sum(axis=1, dtype=np.int64)
@@ -74,7 +74,7 @@ def verdict(a: Array, b: Array, pair: Array) -> bool:
     return _touching(a, b, pair, near) <= CONTACT
 
 
-@law
+@large_law
 def measure(a: Array, b: Array, pair: Array) -> float:
     """Return the clearance of packed bodies a and b [m], and fill the whole pair."""
     near = nearest(a, b, ZERO, _start(a, b, pair), np.inf)

@@ -19,10 +19,8 @@ from aftdeck.plant.multibody.view import View
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
+from tests import loaded
 from tests.plant.multibody.flights import ideal, move, scenario
-
-LINK = float(load_model("srms").links[4])
-"""Distance of the tip from the wrist yaw joint [m]."""
 
 
 def test_laws_place_a_bent_arm_where_its_bodies_are() -> None:
@@ -78,7 +76,8 @@ def test_frame_s_bends_lead_to_the_true_tip() -> None:
     frame = sim.look()
     assert frame.dynamics is not None
     assert [bend.part for bend in frame.dynamics.bends] == ["base", "upper_boom", "lower_boom"]
-    tip = np.array(frame.dynamics.position) - LINK * np.array(frame.dynamics.orientation)[:, 0]
+    link = float(loaded.arm().model.links[4])  # distance of the tip from the wrist yaw joint [m]
+    tip = np.array(frame.dynamics.position) - link * np.array(frame.dynamics.orientation)[:, 0]
     assert hand_of(poses, frame) == pytest.approx(poses.point(tuple(tip.tolist())), abs=1e-9)
     straight = msgspec.structs.replace(frame, dynamics=msgspec.structs.replace(frame.dynamics, bends=()))
     assert np.linalg.norm(hand_of(poses, straight) - hand_of(poses, frame)) > 1e-3

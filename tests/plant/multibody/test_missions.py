@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from aftdeck.scenario.load import built_in, load_scenario
+from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.run import Simulation
 from benchmarks.flight_tests import TESTS
+from tests.loaded import arm_name, names_with
 
-SCRIPTED = [name for name in built_in() if load_scenario(name).phases and name not in TESTS]
+SCRIPTED = [name for name in names_with("phase") if name not in TESTS]
 """Built-in scenarios with a script, except the flight tests (`test_flight_tests`)."""
 MISSIONS = [(name, "rigid") for name in SCRIPTED] + [
-    (name, "flexible") for name in SCRIPTED if load_scenario(name).arm.name == "srms"
+    (name, "flexible") for name in SCRIPTED if arm_name(name) == "srms"
 ]
 
 

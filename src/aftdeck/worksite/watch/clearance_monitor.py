@@ -27,7 +27,7 @@ from aftdeck.bodies.planes import sides
 from aftdeck.bodies.pose import turned
 from aftdeck.bodies.repeated_test import measure
 from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
-from aftdeck.law import law
+from aftdeck.law import large_law, law
 from aftdeck.state_part import Cache
 from aftdeck.worksite.watch.found import (
     CLEARANCE,
@@ -120,7 +120,7 @@ def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
     return apart > 0.0 and apart > best
 
 
-@law
+@large_law
 def nearest_pair(layout: PackedLayout, own: Measured, g: int, limit: float, measures: Array) -> int:
     """Return the pair of solids of a group that has the least clearance; of pairs with equal clearance, the first.
 

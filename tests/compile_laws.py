@@ -1,0 +1,80 @@
+"""``python -m tests.compile_laws``: compile the laws once, before the processes of the tests need them.
+
+Without it, every process of the tests would compile the same laws at the same time. Two processes compile: one the laws
+of the simulation, the other those of pictures and of batches of arms. The machine code is stored in the cache on disk
+(`aftdeck/law.py`); a law that only a test calls is compiled by that test.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+import aftdeck
+from aftdeck.law import cache_folder
+from aftdeck.steering.batch import steer_batch
+from tests import loaded
+
+SCENARIOS = ("srms-deploy", "srms-berth", "loaded", "concept-1972-script", "free-flyer")
+"""Scenarios that use all laws of a simulation together: both arms, all kinds of capture and berth."""
+PLANTS = ("rigid", "flexible")
+
+
+def simulation() -> None:
+    """Compile the laws of runs, with and without masses."""
+    from aftdeck.simulation.warm import warm_up  # noqa: PLC0415  (imports only what this process compiles)
+
+    for name in SCENARIOS:
+        warm_up(loaded.scenario(name))
+    for plant in PLANTS:
+        warm_up(aftdeck.load_scenario("srms-deploy", {("plant",): plant}))
+
+
+def pictures_and_batches() -> None:
+    """Compile the laws of pictures, of the environment Reach, and of batches of arms."""
+    import gymnasium  # noqa: PLC0415
+
+    from aftdeck.visual.warm import warm_up  # noqa: PLC0415
+
+    warm_up()
+    for environment in (
+        gymnasium.make("aftdeck.gym:aftdeck/Reach-v0"),
+        gymnasium.make_vec("aftdeck.gym:aftdeck/Reach-v0", num_envs=64),
+    ):
+        environment.reset(seed=1)
+        environment.step(environment.action_space.sample())
+    arm = loaded.arm()
+    steer_batch(arm, np.zeros((2, 6)), arm.forward(np.zeros(6)), period=0.02, gain=1.0)
+
+
+PARTS: dict[str, Callable[[], None]] = {"simulation": simulation, "pictures": pictures_and_batches}
+
+
+def main() -> int:
+    """Compile both parts, unless this version of the laws, in this folder, was compiled before."""
+    here = hashlib.sha256(str(Path(aftdeck.__file__).parent).encode()).hexdigest()[:16]
+    done = Path(cache_folder()) / f"complete-{here}"
+    if done.exists():
+        return 0
+    print("Compiling the laws, once for this version of them (some minutes)", flush=True)
+    begun = time.monotonic()
+    processes = [subprocess.Popen([sys.executable, "-m", "tests.compile_laws", name]) for name in PARTS]
+    if failed := [process.args for process in processes if process.wait()]:
+        print(f"not compiled: {failed}", file=sys.stderr)
+        return 1
+    done.touch()
+    print(f"The laws are compiled: {time.monotonic() - begun:.0f} s", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    if sys.argv[1:]:
+        PARTS[sys.argv[1]]()
+    else:
+        sys.exit(main())
