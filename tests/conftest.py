@@ -9,7 +9,7 @@ A module of tests may load no arm while the tests are collected: every process w
 
 import os
 import shutil
-from collections.abc import Generator, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 
 import platformdirs
@@ -17,6 +17,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from aftdeck.arms import load as arms
+from aftdeck.files import Text
 from tests.commands import Run
 from tests.durations import Durations
 from tests.order import Order
@@ -59,13 +60,17 @@ def pytest_configure(config: pytest.Config) -> None:
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
     """Raise an error in each module that loads an arm, which every scenario has, while the tests are collected."""
+    model_of, collecting = arms.model_of, True
 
-    def refuse(*_: object) -> None:
-        raise AssertionError("an arm is loaded at import; load it in a test or a fixture, from tests/loaded.py")
+    def refused_at_import(source: Text, shapes: Callable[[str], Text]) -> arms.ArmModel:
+        assert not collecting, "an arm is loaded at import; load it in a test or a fixture, from tests/loaded.py"
+        return model_of(source, shapes)
 
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(arms, "model_of", refuse)
+    arms.model_of = refused_at_import  # modules that are imported meanwhile keep this function
+    try:
         return (yield)
+    finally:
+        collecting = False
 
 
 @pytest.hookimpl(trylast=True)  # after the selection by `-m` and `-k`
