@@ -82,7 +82,7 @@ package: .venv/.aftdeck .venv/.package $(MODULES)  ## build the sdist, the wheel
 COMPILE := $(UV) pip compile --quiet --universal --fork-strategy fewest --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --custom-compile-command "make requirements" $(ARGS)
 requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
-	$(COMPILE) pyproject.toml --group dev --extra gym --extra study --extra minari -o requirements/dev.txt
+	$(COMPILE) pyproject.toml --group dev --extra gym --extra study --extra ray --extra minari -o requirements/dev.txt
 	$(COMPILE) pyproject.toml --group build -c requirements/dev.txt -o requirements/fly.txt
 	$(COMPILE) --group package -c requirements/dev.txt -o requirements/package.txt
 	$(COMPILE) pyproject.toml --group bench -c requirements/dev.txt -o requirements/bench.txt
