@@ -15,6 +15,8 @@ from hypothesis import HealthCheck, settings
 
 from tests.commands import Run
 
+pytest_plugins = ["tests.skips"]
+
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 CHROMIUM_PLACES = (
     Path("/Applications/Chromium.app/Contents/MacOS/Chromium"),
