@@ -83,5 +83,5 @@ def test_skips_pass_where_not_all_tests_are_required(folder: Path) -> None:
 def test_listed_test_exists_and_gives_the_listed_reason(listed: str) -> None:
     file, _, name = listed.partition("::")
     text = (ROOT / file).read_text(encoding="utf-8")
-    assert f"def {name}(" in text
+    assert f"def {name.removesuffix('*')}" in text
     assert f'"{MAY_SKIP[listed]}"' in text

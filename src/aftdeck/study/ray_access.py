@@ -2,8 +2,8 @@
 
 Ray sends a token only if RAY_AUTH_MODE is ``token`` (Ray 2.60, ``ray/_private/authentication``). With that variable
 unset, ``ray start --head`` asks for a token if one is at hand, but a program that connects to an address sends none.
-Therefore the cluster is asked first, with one call of its own protocol (gRPC), and RAY_AUTH_MODE is set where the cluster
-needs it. Authentication is never switched off. A variable that the user has set keeps its value.
+Therefore the cluster is asked first, with one call of its own protocol (gRPC), and RAY_AUTH_MODE is set where the
+cluster needs it. Authentication is never switched off. A variable that the user has set keeps its value.
 
 With TLS (RAY_USE_TLS) nothing is asked, and Ray's own settings hold.
 """
@@ -75,8 +75,8 @@ def mode_for(address: str) -> str | None:
     token = token_at_hand()
     if token is None:
         raise InputError(
-            f"--ray {address}: this cluster asks for a token, and none is at hand; copy ~/{TOKEN_FILE} of the cluster's "
-            f"first machine to the same place here, or set {TOKEN}"
+            f"--ray {address}: this cluster asks for a token, and none is at hand; copy ~/{TOKEN_FILE} of the "
+            f"cluster's first machine to the same place here, or set {TOKEN}"
         )
     if _asks_for_a_token(address, token.value):
         raise InputError(
@@ -93,8 +93,8 @@ def _asks_for_a_token(address: str, token: str | None) -> bool:
         InputError: what answers is not Ray, or nothing answers.
     """
     grpc: Any = needed("grpc", "ray")
-    (method, argument), target = (CLIENT_CALL if address.startswith(CLIENT) else HEAD_CALL), address.removeprefix(CLIENT)
-    codes = grpc.StatusCode
+    method, argument = CLIENT_CALL if address.startswith(CLIENT) else HEAD_CALL
+    target, codes = address.removeprefix(CLIENT), grpc.StatusCode
     with grpc.insecure_channel(target, options=(("grpc.enable_http_proxy", 0),)) as channel:
         given = () if token is None else (("authorization", f"Bearer {token}"),)
         try:
@@ -108,9 +108,8 @@ def _asks_for_a_token(address: str, token: str | None) -> bool:
     if code in (codes.UNAVAILABLE, codes.DEADLINE_EXCEEDED):
         raise InputError(f"--ray {address}: no Ray cluster answers at this address")
     raise InputError(
-        f"--ray {address}: what answers at this address is not {'a server of ray://' if target != address else 'the head'}"
-        f" of a Ray cluster ({code.name}); HOST:PORT is that of `ray start --head --port=PORT`, ray://HOST:10001 that of"
-        " its client server"
+        f"--ray {address}: what answers at this address is no Ray cluster ({code.name}); HOST:PORT has the port of "
+        "`ray start --head --port=PORT`, ray://HOST:PORT that of --ray-client-server-port, 10001 by default"
     )
 
 

@@ -16,11 +16,11 @@ LOCAL, AUTO = "local", "auto"
 NEW_CLUSTER = {
     "RAY_USAGE_STATS_ENABLED": "0",
     "RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO": "0",
-    "RAY_gcs_server_port_wait_time_s": "120",
-    "RAY_raylet_start_wait_time_s": "120",
 }
-"""Variables for a new cluster. It reports its use to nobody, leaves the choice of accelerators unchanged, and waits two
-minutes for its first processes: Ray's own limits, 30 s or less, are too short for a busy machine of two cores."""
+"""Variables for a new cluster: it reports its use to nobody, and leaves the choice of accelerators unchanged."""
+STARTS = 2
+"""Number of attempts to start a new cluster: a node of Ray 2.60 gives up if its agent, a Python program, does not run
+after 15 s, which no setting changes. On a busy machine the second attempt finds the files in memory."""
 
 
 @contextmanager
@@ -81,8 +81,8 @@ def _found(ray: Any) -> str:
         return str(ray._private.services.canonicalize_bootstrap_address_or_die(AUTO))
     except ConnectionError:
         raise InputError(
-            f"--ray {AUTO}: no Ray cluster runs on this machine; start one with `ray start --head`, or give the address "
-            "of another one"
+            f"--ray {AUTO}: no Ray cluster runs on this machine; start one with `ray start --head`, or give the "
+            "address of another one"
         ) from None
 
 
@@ -90,10 +90,20 @@ def _connect(ray: Any, address: str, workers: int | None) -> None:
     options: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}
     if address == LOCAL:
         options |= {"num_cpus": workers, "include_dashboard": False}
-    try:
-        ray.init(address=address, **options)
-    except Exception as error:  # Ray raises even the base class
-        raise InputError(f"--ray {address}: {str(error).splitlines()[0]}") from None
+    for attempt in range(STARTS if address == LOCAL else 1, 0, -1):
+        try:
+            ray.init(address=address, **options)
+            return
+        except Exception as error:  # Ray raises even the base class
+            ray.shutdown()
+            if attempt == 1:
+                raise InputError(f"--ray {address}: {_cause(str(error))}") from None
+
+
+def _cause(text: str) -> str:
+    """Return the first line of an error, and the last one if the first announces it."""
+    first, *others = text.splitlines() or [""]
+    return f"{first} {others[-1].strip()}" if others and first.endswith(":") else first
 
 
 def _reload_settings(ray: Any) -> None:
