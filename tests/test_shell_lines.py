@@ -10,13 +10,14 @@ import glob
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection
 from contextlib import ExitStack
 from fnmatch import fnmatchcase
 from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+from _pytest.mark import ParameterSet
 
 from tests.commands import Run
 from tests.export.runs import by_hand, by_script_then_hand
@@ -103,17 +104,14 @@ def reason_not_to_run(line: Line) -> str:
     return ""
 
 
-def pages_with(lines: Callable[[Path], list[Line]]) -> Iterator[object]:
-    for page in PAGES:
-        if lines(page):
-            marks = [pytest.mark.slow] if lines is shell_lines and page.name in SLOW else []
-            yield pytest.param(page, id=page.name, marks=marks)
+def pages_with(lines: Callable[[Path], list[Line]], slow: Collection[str] = ()) -> list[ParameterSet]:
+    """Return the pages that have lines, as parameters."""
+    pages = [page for page in PAGES if lines(page)]
+    return [pytest.param(page, id=page.name, marks=[pytest.mark.slow] * (page.name in slow)) for page in pages]
 
 
-@pytest.mark.parametrize("page", pages_with(shell_lines))
-def test_shell_lines_of_a_page_run(
-    page: Path, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
-) -> None:
+@pytest.mark.parametrize("page", pages_with(shell_lines, SLOW))
+def test_shell_lines_of_a_page_run(page: Path, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     if page.name in PREPARED:
