@@ -57,7 +57,8 @@ class Nodes:
         self._nodes.close()
         shutil.rmtree(self._folder)
 
-    def takes(self, line: Line) -> bool:
+    @staticmethod
+    def takes(line: Line) -> bool:
         """Return whether a line is about the cluster."""
         return line.words[0] == "ray" or "--ray" in line.words
 
