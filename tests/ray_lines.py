@@ -55,7 +55,7 @@ class Nodes:
 
     def __exit__(self, *_: object) -> None:
         self._nodes.close()
-        shutil.rmtree(self._folder)
+        shutil.rmtree(self._folder, ignore_errors=True)  # the last processes of a node may still write
 
     @staticmethod
     def takes(line: Line) -> bool:

@@ -109,8 +109,14 @@ def reason_not_to_run(line: Line) -> str:
 
 def pages_with(lines: Callable[[Path], list[Line]], slow: Collection[str] = ()) -> list[ParameterSet]:
     """Return the pages that have lines, as parameters."""
-    pages = [page for page in PAGES if lines(page)]
-    return [pytest.param(page, id=page.name, marks=[pytest.mark.slow] * (page.name in slow)) for page in pages]
+    found = []
+    for page in PAGES:
+        marks = [pytest.mark.slow] if page.name in slow else []
+        if any(map(Nodes.takes, lines(page))):
+            marks.append(pytest.mark.xdist_group("ray"))
+        if lines(page):
+            found.append(pytest.param(page, id=page.name, marks=marks))
+    return found
 
 
 @pytest.mark.parametrize("page", pages_with(shell_lines, SLOW))

@@ -26,6 +26,16 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("ray")]
 
 SECRET = "5ea1" * 16
 WAIT_S = 300.0
+ONE_AFTER_THE_OTHER = """
+import sys
+from aftdeck.study.ray_connection import connected
+
+for address in sys.argv[1:]:
+    with connected(address, 1) as ray:
+        print(sum(node["Alive"] for node in ray.nodes()), end=" ")
+        assert ray.get(ray.remote(lambda: 7).remote()) == 7
+"""
+"""Program that connects to clusters one after the other, counts their nodes, and runs a task on each."""
 
 
 class Cluster(NamedTuple):
@@ -40,7 +50,8 @@ def cluster(count: int, variables: dict[str, str]) -> Iterator[Cluster]:
     """Start a cluster on free ports."""
     head, client = free_port(), free_port()
     variables = variables | LEAN
-    with TemporaryDirectory(prefix="ray") as folder, nodes(count, head, Path(folder), client, variables) as address:
+    made = TemporaryDirectory(prefix="ray", ignore_cleanup_errors=True)  # the last processes of a node may still write
+    with made as folder, nodes(count, head, Path(folder), client, variables) as address:
         yield Cluster(address, f"ray://127.0.0.1:{client}")
 
 
@@ -69,9 +80,15 @@ class Home:
 
     def study(self, *options: str, **variables: str) -> subprocess.CompletedProcess[str]:
         """Run the study in this home folder."""
+        return self.python(
+            "-m", "aftdeck", "study", str(self.file), "-o", str(self.folder / "out"), *options, **variables
+        )
+
+    def python(self, *arguments: str, **variables: str) -> subprocess.CompletedProcess[str]:
+        """Run Python in this home folder."""
         ray = {name: value for name, value in os.environ.items() if not name.startswith("RAY_")}
         own = LEAN | {"HOME": str(self.folder), "XDG_CACHE_HOME": str(platformdirs.user_cache_path())}
-        command = [sys.executable, "-m", "aftdeck", "study", str(self.file), "-o", str(self.folder / "out"), *options]
+        command = [sys.executable, *arguments]
         return subprocess.run(
             command, env=ray | own | variables, capture_output=True, text=True, timeout=WAIT_S, check=False
         )
@@ -123,6 +140,12 @@ def test_cluster_without_authentication_works_with_a_token(without_token: Cluste
 def test_new_local_cluster_gives_the_same_table(home: Home, table: bytes) -> None:
     home.token(SECRET)
     assert home.table("--ray", "local", "--jobs", "1") == table
+
+
+def test_one_process_uses_clusters_of_both_kinds(with_token: Cluster, without_token: Cluster, home: Home) -> None:
+    home.token(SECRET)
+    done = home.python("-c", ONE_AFTER_THE_OTHER, with_token.head, without_token.head, with_token.head)
+    assert (done.returncode, done.stdout) == (0, "2 1 2 "), done.stderr
 
 
 @pytest.mark.parametrize("kind", ["head", "client"])
