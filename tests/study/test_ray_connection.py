@@ -12,12 +12,17 @@ import pytest
 from aftdeck.errors import InputError
 from aftdeck.study import ray_connection
 from aftdeck.study.ray_access import MODE, TOKEN, TOKEN_PATH, token_at_hand
-from aftdeck.study.ray_connection import LOCAL, connected
+from aftdeck.study.ray_connection import AUTO, LOCAL, connected
 
 
 class FakeRay:
     """Ray whose first starts fail."""
 
+    @staticmethod
+    def _none(_: str) -> str:
+        raise ConnectionError("Could not find any running Ray instance.")
+
+    _private = SimpleNamespace(services=SimpleNamespace(canonicalize_bootstrap_address_or_die=_none))
     _raylet = SimpleNamespace(Config=SimpleNamespace(initialize=lambda _: None))
 
     def __init__(self, failures: int) -> None:
@@ -51,6 +56,20 @@ def test_local_cluster_that_never_starts_is_one_sentence(ray: FakeRay) -> None:
     with pytest.raises(InputError, match=r"^--ray local: it timed out during startup: the cause$"), connected(LOCAL, 1):
         pass
     assert ray.calls == 2
+
+
+@pytest.mark.usefixtures("ray")
+@pytest.mark.parametrize("address", ["garbage", "127.0.0.1", "ray://head", "http://127.0.0.1:8265", "ray://:10001/"])
+def test_what_is_no_address_is_rejected(address: str) -> None:
+    with pytest.raises(InputError, match=rf"got '{address}', expected auto, local, HOST:PORT or ray"):
+        connected(address, 1).__enter__()
+
+
+@pytest.mark.usefixtures("ray")
+def test_machine_without_a_cluster_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("RAY_ADDRESS", raising=False)
+    with pytest.raises(InputError, match=r"--ray auto: no Ray cluster runs on this machine"):
+        connected(AUTO, 1).__enter__()
 
 
 @pytest.mark.usefixtures("ray")

@@ -11,6 +11,7 @@ With TLS (RAY_USE_TLS) nothing is asked, and Ray's own settings hold.
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -22,6 +23,7 @@ TOKEN_FILE = Path(".ray", "auth_token")
 """File of a user's token, in the home folder."""
 CLIENT = "ray://"
 """Beginning of the address of a cluster to which this machine does not belong."""
+ADDRESS = re.compile(r"(ray://)?[^/]+:\d+")
 WAIT_S = 15.0
 """Longest time until a cluster has answered [s]."""
 HEAD_CALL = ("/ray.rpc.NodeInfoGcsService/CheckAlive", b"")
@@ -61,8 +63,10 @@ def mode_for(address: str) -> str | None:
         address: ``HOST:PORT`` of the head, or ``ray://HOST:PORT``.
 
     Raises:
-        InputError: nothing answers at the address, or the cluster asks for a token that is not at hand.
+        InputError: the address is none, nothing answers at it, or the cluster asks for a token that is not at hand.
     """
+    if not ADDRESS.fullmatch(address):
+        raise InputError(f"--ray: got {address!r}, expected auto, local, HOST:PORT or {CLIENT}HOST:PORT")
     if os.environ.get("RAY_USE_TLS", "0").lower() in ("1", "true"):
         return None
     mode = os.environ.get(MODE)

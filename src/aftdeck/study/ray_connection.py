@@ -45,7 +45,7 @@ def connected(address: str, workers: int | None) -> Iterator[Any]:
     try:
         if address != LOCAL:
             address = _found(ray) if address == AUTO else address
-            if mode := _mode(address):
+            if mode := mode_for(address):
                 os.environ[MODE] = mode
         _reload_settings(ray)
         _connect(ray, address, workers)
@@ -61,12 +61,6 @@ def connected(address: str, workers: int | None) -> Iterator[Any]:
 def _variables() -> dict[str, str]:
     """Return Ray's variables."""
     return {name: value for name, value in os.environ.items() if name.startswith("RAY_")}
-
-
-def _mode(address: str) -> str | None:
-    """Return the value that RAY_AUTH_MODE needs; addresses of other kinds than the two of Ray itself ask nothing."""
-    scheme, separator, _ = address.rpartition("://")
-    return mode_for(address) if not separator or scheme == "ray" else None
 
 
 def _found(ray: Any) -> str:
