@@ -89,7 +89,7 @@ package: .venv/.aftdeck .venv/.package $(MODULES)  ## build the sdist, the wheel
 COMPILE := $(UV) pip compile --quiet --universal --fork-strategy fewest --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --custom-compile-command "make requirements" $(ARGS)
 requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
-	$(COMPILE) pyproject.toml --group dev --extra gym --extra study --extra minari -o requirements/dev.txt
+	$(COMPILE) pyproject.toml --group dev --extra gym --extra study --extra ray --extra minari -o requirements/dev.txt
 	$(COMPILE) pyproject.toml --group build -c requirements/dev.txt -o requirements/fly.txt
 	$(COMPILE) --group package -c requirements/dev.txt -o requirements/package.txt
 	$(COMPILE) pyproject.toml --group bench -c requirements/dev.txt -o requirements/bench.txt
@@ -97,7 +97,7 @@ requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
 	echo uv | $(COMPILE) - -c requirements/dev.txt -o requirements/uv.txt
 
 clean:  ## remove all files that these commands have made
-	rm -rf .venv dist web/node_modules src/aftdeck/station/static .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv .venv-lerobot dist web/node_modules src/aftdeck/station/static .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Set-up, in the order of the dependencies. Each .venv/.* file records the time of its step.

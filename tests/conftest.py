@@ -22,6 +22,8 @@ from tests.commands import Run
 from tests.durations import Durations
 from tests.order import Order
 
+pytest_plugins = ["tests.skips"]
+
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 CHROMIUM_PLACES = (
     Path("/Applications/Chromium.app/Contents/MacOS/Chromium"),

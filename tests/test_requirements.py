@@ -1,6 +1,7 @@
 """Versions pinned in ``requirements/``: pyproject.toml allows them, and each has a hash.
 
-No file of ``requirements/`` contains a download address.
+No file of ``requirements/`` contains a download address. Every extra is installed for its tests, by
+``requirements/dev.txt`` or by a script. A version has an upper bound only with a reason.
 """
 
 import re
@@ -14,6 +15,10 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[1]
 PINNED = sorted((ROOT / "requirements").glob("*.txt"))
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+EXTRAS: dict[str, list[str]] = PROJECT["project"]["optional-dependencies"]
+SCRIPTS = {"lerobot": "test-lerobot"}
+"""Scripts that install an extra and run its tests, for those that are too large for ``requirements/dev.txt``."""
 
 
 def pins(path: Path) -> Iterator[Requirement]:
@@ -25,8 +30,7 @@ def pins(path: Path) -> Iterator[Requirement]:
 
 def required(groups: tuple[str, ...]) -> Iterator[Requirement]:
     """Yield the requirements of the package and of these dependency groups in pyproject.toml."""
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    lists = [project["project"]["dependencies"], *(project["dependency-groups"][name] for name in groups)]
+    lists = [PROJECT["project"]["dependencies"], *(PROJECT["dependency-groups"][name] for name in groups)]
     for entry in (entry for entries in lists for entry in entries):
         if isinstance(entry, str):
             yield Requirement(entry)
@@ -56,3 +60,25 @@ def test_pins_contain_no_address(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert "://" not in text
     assert "index-url" not in text
+
+
+@pytest.mark.parametrize("extra", EXTRAS)
+def test_every_extra_is_installed_for_its_tests(extra: str) -> None:
+    if extra in SCRIPTS:
+        script = (ROOT / "scripts" / SCRIPTS[extra]).read_text(encoding="utf-8")
+        assert re.search(rf"uv pip install .*--extra {extra}\b", script)
+        assert re.search(r"-m pytest .*tests/", script)
+    else:
+        pinned = {canonicalize_name(pin.name) for pin in pins(ROOT / "requirements" / "dev.txt")}
+        assert {canonicalize_name(Requirement(each).name) for each in EXTRAS[extra]} <= pinned
+
+
+def test_every_upper_bound_has_its_reason_in_the_line_above() -> None:
+    lines = [line.strip() for line in (ROOT / "pyproject.toml").read_text(encoding="utf-8").splitlines()]
+    lists = [PROJECT["project"]["dependencies"], *EXTRAS.values(), *PROJECT["dependency-groups"].values()]
+    entries = {entry for entries in lists for entry in entries if isinstance(entry, str)}
+    bounded = [
+        each for each in entries if any(part.operator not in {">=", ">"} for part in Requirement(each).specifier)
+    ]
+    assert bounded
+    assert [each for each in bounded if not lines[lines.index(f'"{each}",') - 1].startswith("# ")] == []

@@ -1,7 +1,7 @@
-"""LeRobotDatasets: written through LeRobot, loaded by LeRobot alone in a second fresh environment.
+"""LeRobotDatasets: written through LeRobot, loaded by LeRobot alone in a process without Aftdeck.
 
-LeRobot's own evaluation also runs in Aftdeck's environment. LeRobot and torch are several gigabytes. This test is
-therefore a long one; it makes both environments itself.
+LeRobot's own evaluation also runs in Aftdeck's environment. LeRobot and torch are several gigabytes:
+`scripts/test-lerobot` installs them in an environment of their own, and runs this test in it.
 """
 
 from __future__ import annotations
@@ -10,12 +10,11 @@ import json
 import os
 import subprocess
 import sys
-import tomllib
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 import pytest
-from uv import find_uv_bin
 
 from aftdeck.export.flight import Flight, read_flight
 from aftdeck.export.lerobot import FOLDER
@@ -28,7 +27,11 @@ from aftdeck.scenario.load import load_scenario
 from tests.export.runs import STEPS, busy
 from tests.recording.flown import record_steps
 
-pytestmark = [pytest.mark.slow, pytest.mark.long]
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.long,
+    pytest.mark.skipif(find_spec("lerobot") is None, reason="LeRobot is not installed; scripts/test-lerobot runs this"),
+]
 
 ROOT = Path(__file__).parents[2]
 WAIT_S = 1800.0
@@ -76,39 +79,26 @@ close_envs(envs)
 """
 
 
-def fresh(folder: Path, *requirements: str) -> Path:
-    """Return the Python of a new virtual environment with these packages."""
-    uv = find_uv_bin()
-    subprocess.run([uv, "venv", "--quiet", "--python", sys.executable, folder], check=True, timeout=WAIT_S)
-    install: list[str | Path] = [uv, "pip", "install", "--quiet", "--python", folder, *requirements]
-    subprocess.run(install, check=True, timeout=WAIT_S)
-    return folder / "bin" / "python"
-
-
-def called(python: Path, *arguments: str, home: Path, path: str = "") -> str:
+def called(*arguments: str, home: Path, path: str = "") -> str:
     """Return what a program prints; nothing is asked of Hugging Face's servers."""
     here = os.environ | {"PYTHONPATH": path, "HF_HUB_OFFLINE": "1", "HF_HOME": str(home)}
-    done = subprocess.run([python, *arguments], env=here, cwd=home, capture_output=True, timeout=WAIT_S, check=False)
+    command = [sys.executable, *arguments]
+    done = subprocess.run(command, env=here, cwd=home, capture_output=True, timeout=WAIT_S, check=False)
     assert done.returncode == 0, done.stderr.decode()[-2000:]
     return done.stdout.decode()
 
 
 def test_dataset_loads_by_lerobot_alone_and_its_inputs_give_the_recorded_flights(tmp_path: Path) -> None:
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    extra = project["optional-dependencies"]["lerobot"]
-    writer = fresh(tmp_path / "writer", *extra, *project["dependencies"])
-    reader = fresh(tmp_path / "reader", *extra)
-
     hand, script, folder = tmp_path / "hand.mcap", tmp_path / "script.mcap", tmp_path / "set"
     record_steps(hand, load_scenario("first-flight"), busy(), STEPS)
     record_steps(script, load_scenario("first-flight"), iter([None] * STEPS), STEPS)
     options = [word for camera in CAMERAS for word in ("--camera", camera)]
     export = ["-m", "aftdeck", "export", str(hand), str(script), "--lerobot", str(folder), *options, "--size", "64x48"]
     source = str(ROOT / "src")
-    printed = json.loads(called(writer, *export, "--json", home=tmp_path, path=source))
+    printed = json.loads(called(*export, "--json", home=tmp_path, path=source))
     assert [episode["inputs_equal"] for episode in printed["episodes"]] == [True, True]
 
-    found = json.loads(called(reader, "-c", LOAD, str(folder), str(tmp_path / "loaded.npz"), home=tmp_path))
+    found = json.loads(called("-c", LOAD, str(folder), str(tmp_path / "loaded.npz"), home=tmp_path))
     assert found["format"] == found["version"] == "v3.0"
     assert (found["fps"], found["episodes"], found["names"]) == (10, 2, printed["plan"]["action"])
     flights = [read_flight(hand), read_flight(script)]
@@ -119,7 +109,7 @@ def test_dataset_loads_by_lerobot_alone_and_its_inputs_give_the_recorded_flights
             compare({name: loaded[name][own] for name in loaded.files}, flight, flights)
             assert replays(folder / FOLDER, number, loaded["inputs"][own])
 
-    seen = json.loads(called(writer, "-c", CONTRACT, home=tmp_path, path=source))
+    seen = json.loads(called("-c", CONTRACT, home=tmp_path, path=source))
     assert seen["observation.images.wr"] == [[2, 6, 3, 240, 320], "torch.float32"]
     assert seen["observation.state"] == [[2, 6, len(plan(flights).state)], "torch.float32"]
 

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
-import subprocess
-import sys
 from collections.abc import Callable
-from contextlib import ExitStack
+from contextlib import nullcontext
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from types import SimpleNamespace
 from typing import Any
 
@@ -23,8 +19,7 @@ from aftdeck.study.failures import PoolError
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of
 from aftdeck.study.worker import Job
-from benchmarks.ray_nodes import nodes
-from tests.study.studies import loaded, written
+from tests.study.studies import loaded
 
 
 class FakeError(Exception):
@@ -39,12 +34,6 @@ class FakeRay:
     def __init__(self, broken: Callable[[str, Any], str]) -> None:
         self._broken = broken
         self.killed, self.now = 0, 0.0
-
-    def init(self, **_: Any) -> None:
-        pass
-
-    def shutdown(self) -> None:
-        pass
 
     def cluster_resources(self) -> dict[str, float]:
         return {"CPU": 2.0}
@@ -83,7 +72,7 @@ class _Call:
 
 
 def rows_with(study: Study, ray: FakeRay, monkeypatch: pytest.MonkeyPatch) -> list[Row]:
-    monkeypatch.setattr(cluster, "needed", lambda *_: ray)
+    monkeypatch.setattr(cluster, "connected", lambda *_: nullcontext(ray))
     monkeypatch.setattr(cluster, "time", SimpleNamespace(monotonic=lambda: ray.now))
     with Cluster(plan_of(study), "auto", 60.0, None) as workers:
         rows = [done.outcome.row for done in workers.run([Job(case) for case in cases(study)]) if done.outcome]
@@ -119,23 +108,3 @@ def test_worker_of_another_version_is_refused(study: Study, monkeypatch: pytest.
 def test_workers_that_cannot_start_end_the_study(study: Study, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(PoolError, match="before they were ready"):
         rows_with(study, FakeRay(lambda name, _: "dies" if name == "version" else ""), monkeypatch)
-
-
-@pytest.mark.slow
-@pytest.mark.long
-@pytest.mark.skipif(importlib.util.find_spec("ray") is None, reason="Ray is not installed")
-@pytest.mark.parametrize("address", ["local", "two nodes"])
-def test_real_cluster_writes_the_table_of_one_process(tmp_path: Path, address: str) -> None:
-    file = written(tmp_path)
-
-    def table(name: str, *options: str) -> bytes:
-        command = [sys.executable, "-m", "aftdeck", "study", str(file), "-o", str(tmp_path / name), *options]
-        subprocess.run(command, check=True, timeout=600.0, stdout=subprocess.DEVNULL)
-        return (tmp_path / name / "results.parquet").read_bytes()
-
-    one = table("one", "--jobs", "1")
-    with ExitStack() as stack:
-        if address == "two nodes":
-            folder = stack.enter_context(TemporaryDirectory(prefix="ray"))  # short, for the sockets in it
-            address = stack.enter_context(nodes(2, 6392, Path(folder)))
-        assert table("ray", "--ray", address, "--jobs", "2") == one

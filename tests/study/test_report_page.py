@@ -15,6 +15,7 @@ from aftdeck.report.intervals import mean_interval, wilson
 from aftdeck.report.table import Row
 from aftdeck.study.case import Runner
 from aftdeck.study.design import cases
+from aftdeck.study.figures import response_chart
 from aftdeck.study.plan import plan_of
 from aftdeck.study.report import page
 from aftdeck.study.statistics import effect, groups
@@ -100,6 +101,14 @@ def test_page_shows_every_part_and_requests_nothing(tmp_path: Path) -> None:
     outside = re.findall(r"""(?:src|href|url\()\s*=?\s*["']?(https?:|//)[^"'>]*""", made)
     assert not outside
     assert "<script" not in made and "@import" not in made
+
+
+def test_chart_leaves_out_a_level_without_a_case(tmp_path: Path) -> None:
+    factor = loaded(tmp_path, FOUR).factors[0]
+    assert [level.cell for level in factor.levels] == [1.0, 2.0]
+    rows: list[Row] = [{"speed_ft_s": 2.0, "tip_path_m": x, "success": True} for x in (3.0, 4.0)]
+    labels = re.findall(r">([^<>]*)</text>", response_chart(factor, rows, "tip_path_m"))
+    assert "2" in labels and "1" not in labels
 
 
 def test_page_of_a_study_without_factors_or_results_is_written(tmp_path: Path) -> None:

@@ -6,23 +6,19 @@ import os
 import time
 from collections import deque
 from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
 from typing import Any, NamedTuple
 
-from aftdeck.errors import InputError
 from aftdeck.law import state_of_the_laws
 from aftdeck.processes import ONE_THREAD
-from aftdeck.report.extra import needed
 from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.design import Case
 from aftdeck.study.failures import Failures, Finished, PoolError
 from aftdeck.study.plan import Plan
+from aftdeck.study.ray_connection import connected
 from aftdeck.study.worker import Job, prepare
 from aftdeck.version import __version__
 
-LOCAL = "local"
-"""Address that starts a new cluster on this machine, which ends with the study."""
-QUIET = {"RAY_USAGE_STATS_ENABLED": "0", "RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO": "0"}
-"""Variables for a new cluster: it reports its use to nobody, and leaves the choice of accelerators unchanged."""
 POLL_S = 1.0
 """Longest wait for a result, before the runs that take too long are looked for [s]."""
 
@@ -66,19 +62,11 @@ class Cluster:
             workers: number of workers; None: one for each core of the cluster.
 
         Raises:
-            InputError: Ray is not installed, or the cluster does not answer.
+            InputError: Ray is not installed, the cluster does not answer, or it does not accept the token.
         """
-        for name, value in QUIET.items():
-            os.environ.setdefault(name, value)
-        self._ray: Any = needed("ray", "ray")
         self._plan, self._limit_s = plan, limit_s
-        try:
-            if address == LOCAL:
-                self._ray.init(num_cpus=workers, include_dashboard=False, log_to_driver=False)
-            else:
-                self._ray.init(address=address, log_to_driver=False)
-        except Exception as error:  # Ray raises even the base class
-            raise InputError(f"--ray {address}: {str(error).splitlines()[0]}") from None
+        self._connection = ExitStack()
+        self._ray: Any = self._connection.enter_context(connected(address, workers))
         self._count = workers or max(1, int(self._ray.cluster_resources().get("CPU", 1)))
         self._stored = self._ray.put(plan)
         self._busy: dict[Any, _Worker] = {}
@@ -89,7 +77,7 @@ class Cluster:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._ray.shutdown()
+        self._connection.close()
 
     def run(self, jobs: Sequence[Job]) -> Iterator[Finished]:
         """Run jobs and yield them as they finish; jobs with a recording are refused, because the files are elsewhere.

@@ -44,7 +44,8 @@ def response_chart(factor: Factor, rows: Sequence[Row], column: str, by: Factor 
     lines = [("", rows)] if by is None else [(group.label, group.rows) for group in groups(by, rows)][:_MOST_LINES]
 
     def draw(axes: Any) -> None:
-        order = [group.label for group in groups(factor, rows)]
+        present = groups(factor, rows)
+        order = [group.label for group in present]
         for number, (label, own) in enumerate(lines):
             colour = COLOURS[number % len(COLOURS)]
             if factor.span is not None:
@@ -66,7 +67,7 @@ def response_chart(factor: Factor, rows: Sequence[Row], column: str, by: Factor 
         axes.set_ylabel(title_of(column))
         axes.ticklabel_format(axis="y", useOffset=False)
         _not_flat(axes)
-        _finish(axes, factor, order, legend=by.name if by is not None else "")
+        _finish(axes, factor, present, legend=by.name if by is not None else "")
 
     what = f"{title_of(column)} against {factor.name}" + (f" by {by.name}" if by is not None else "")
     return chart(draw, what)
@@ -82,7 +83,7 @@ def success_chart(factor: Factor, rows: Sequence[Row]) -> str:
         axes.set_ylim(-0.04, 1.04)
         axes.set_yticks([0.0, 0.25, 0.5, 0.75, 1.0], ["0 %", "25 %", "50 %", "75 %", "100 %"])
         axes.set_ylabel("Success rate")
-        _finish(axes, factor, order)
+        _finish(axes, factor, [group for group, _ in found])
 
     return chart(draw, f"Success rate against {factor.name}")
 
@@ -107,18 +108,19 @@ def _bars(
     )
 
 
-def _finish(axes: Any, factor: Factor, order: Sequence[str], legend: str = "") -> None:
+def _finish(axes: Any, factor: Factor, present: Sequence[Group], legend: str = "") -> None:
+    """Label the factor's axis: the levels that have a case, or the usual ticks."""
     unit = factor.span.unit if factor.span is not None else ""
     axes.set_xlabel(f"{factor.column}" + (f" [{unit}]" if unit and unit not in factor.column else ""))
     if factor.span is not None and factor.span.log:
         axes.set_xscale("log")
-    cells = [level.cell for level in factor.levels]
-    if factor.levels and not all(isinstance(cell, int | float) and not isinstance(cell, bool) for cell in cells):
+    order, at = [group.label for group in present], [group.at for group in present]
+    if factor.levels and None in at:
         slope = max(map(len, order)) > _LONG or len(order) > _MOST_LINES
         axes.set_xticks(range(len(order)), order, rotation=30 if slope else 0, ha="right" if slope else "center")
         axes.set_xlim(-0.5, len(order) - 0.5)
     elif factor.levels and len(order) <= _MOST_TICKS:
-        axes.set_xticks(cells, order)
+        axes.set_xticks(at, order)
     if legend:
         axes.legend(title=legend, fontsize=8, title_fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1.0))
 

@@ -1,0 +1,27 @@
+"""`aftdeck fly` and `aftdeck replay --open` in a process: asked once, and ended."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from urllib.request import urlopen
+
+WAIT_S = 300.0
+"""Longest time until a server answers, and until it ends [s]; the first start compiles the laws."""
+
+
+def ask_and_end(*arguments: str) -> None:
+    """Start a server on a free port without a browser, ask for its page, and end it."""
+    command = [sys.executable, "-m", "aftdeck", *arguments, "--no-browser", "--port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None and process.stderr is not None
+            first = process.stdout.readline()
+            assert "http://127.0.0.1:" in first, first + process.stderr.read()
+            address = "http://127.0.0.1:" + first.partition("http://127.0.0.1:")[2].split()[0]
+            with urlopen(address, timeout=WAIT_S) as answer:
+                assert answer.status == 200 and b"<html" in answer.read()
+        finally:
+            process.terminate()
+        assert process.stderr.read() == ""
+        process.wait(WAIT_S)
