@@ -41,6 +41,7 @@ compile-laws: .venv/.aftdeck .venv/.dev
 
 test-all: export AFTDECK_MANY := 1
 test-all: .venv/.aftdeck .venv/.dev $(MODULES) compile-laws  ## run every test with many random cases, long ones first (hours)
+	@scripts/test-lerobot
 	@$(PY) -m pytest -m slow -n auto
 	@$(MAKE) test
 

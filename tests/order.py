@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections import Counter
+from fnmatch import fnmatchcase
 
 import pytest
 from xdist.scheduler import LoadScopeScheduling
 
 from tests.durations import function_of, kept
 
+GROUPS = {
+    "tests/browser/*": "browser",  # the tests share a browser, and only one page draws at a time
+    "tests/study/test_ray.py::*": "ray",  # only one cluster runs at a time
+    "tests/test_shell_lines.py::*[[]studies.md]": "ray",
+}
+"""Groups of tests, by patterns of their ids. Any other module is a group, so that its fixtures are made once."""
+
 
 def group_of(nodeid: str) -> str:
-    """Return the name of a test's group.
-
-    A module is a group, so that its fixtures are made once. All browser tests are one group: they share a browser, and
-    only one page draws at a time.
-    """
+    """Return the name of a test's group."""
     module = nodeid.partition("::")[0]
-    return "browser" if module.startswith("tests/browser/") else module
+    return next((group for pattern, group in GROUPS.items() if fnmatchcase(nodeid, pattern)), module)
 
 
 class Groups(LoadScopeScheduling):  # type: ignore[misc]  # xdist has no types

@@ -112,8 +112,6 @@ def pages_with(lines: Callable[[Path], list[Line]], slow: Collection[str] = ()) 
     found = []
     for page in PAGES:
         marks = [pytest.mark.slow] if page.name in slow else []
-        if any(map(Nodes.takes, lines(page))):
-            marks.append(pytest.mark.xdist_group("ray"))
         if lines(page):
             found.append(pytest.param(page, id=page.name, marks=marks))
     return found

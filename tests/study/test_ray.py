@@ -22,7 +22,7 @@ from benchmarks.ray_nodes import nodes
 from tests.ray_lines import LEAN, free_port
 from tests.study.studies import written
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("ray")]
+pytestmark = pytest.mark.slow
 
 SECRET = "5ea1" * 16
 WAIT_S = 300.0
