@@ -15,11 +15,11 @@ from fuzz.bounded import TooLongError, outcome
 SHARDS = 8
 """Number of tests that share the seeds of an attack, so that several processes can run them."""
 QUICK = 2
-"""Number of these tests that are not slow."""
+"""Number of these tests that are not long."""
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("shard", [pytest.param(n, marks=pytest.mark.slow) if n >= QUICK else n for n in range(SHARDS)])
+@pytest.mark.parametrize("shard", [pytest.param(n, marks=pytest.mark.long) if n >= QUICK else n for n in range(SHARDS)])
 @pytest.mark.parametrize("name", ATTACKS)
 def test_attack_finds_nothing(name: str, shard: int) -> None:
     found: Counter[str] = Counter()

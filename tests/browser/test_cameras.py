@@ -13,7 +13,7 @@ from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import FLIES, OBSERVES, WAIT_MS, Flight, shows
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 SCENARIO = "concept-1972"
 CAMERAS = [*"ABCDEFGHI", "P1", "P2", "CAE2", "W", "AFT", "ENG"]

@@ -8,7 +8,7 @@ from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import FLIES, TITLE, Flight
 from tests.browser.layout_checks import assert_readable
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 LEAVING = "document.querySelector('.leaving').checkVisibility()"
 GUIDED = "document.querySelector('.task')?.checkVisibility() === true"

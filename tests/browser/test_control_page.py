@@ -10,7 +10,7 @@ from playwright.sync_api import Locator, expect
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import OBSERVES, WAIT_MS, Flight
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 expect.set_options(timeout=WAIT_MS)
 
 SCENARIO = str(Path(__file__).parent / "own-thresholds.toml")

@@ -14,7 +14,7 @@ from tests.browser.conftest import SIZES, OpenPage, running_station
 from tests.browser.flight import FLIES, WAIT_MS, Flight
 from tests.browser.layout_checks import assert_readable
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 expect.set_options(timeout=WAIT_MS)
 
 STICKS_AT_ZERO = "[...frame.translation, ...frame.rotation, frame.drive].every((value) => value === 0)"

@@ -10,7 +10,7 @@ from tests.browser.conftest import SIZES, OpenPage, running_station
 from tests.browser.flight import Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 WIDEST = (
     "Math.max(...[...document.querySelectorAll('.joints .torque .actual')].map((bar) => bar.getAttribute('width')))"

@@ -6,7 +6,7 @@ import pytest
 
 from tests.browser.flight import Flight
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 SCENARIO = "loaded"
 ABOUT = "document.querySelector('.resolution .about').textContent"

@@ -8,7 +8,7 @@ from tests.browser.conftest import OpenPage
 from tests.browser.flight import ENTERED, LOGGED, TURNED, Flight
 from tests.browser.layout_checks import assert_tidy
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 HIDDEN = "document.querySelector('{}').checkVisibility() === false"
 SHOWN = "document.querySelector('{}').checkVisibility()"

@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import NAMING, TYPING, WHO, Flight
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 STICK_NAMES = "['thc', 'rhc'].map((hand) => document.querySelector(`.${hand} h2 .about`).textContent).join()"
 

@@ -10,7 +10,7 @@ from tests.browser.conftest import NARROW, OpenPage, running_station
 from tests.browser.flight import FLIES, OBSERVES, Flight, shows
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 SCENARIO = "srms-deploy"
 ENDS = [(1279, 800), (720, 1024)]

@@ -11,7 +11,7 @@ from aftdeck.scenario.load import built_in, load_scenario
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import FLIES, Flight, shows
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 SCENARIO = "concept-1972"
 

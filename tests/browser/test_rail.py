@@ -11,7 +11,7 @@ import aftdeck
 from tests.browser.conftest import NARROW, SIZES, OpenPage, running_station
 from tests.browser.flight import WHO, Flight
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 FLIGHTS = {
     "recorded": ("concept-1972", "--record"),

@@ -14,7 +14,7 @@ from tests.browser.layout_checks import assert_readable, assert_tidy
 from tests.browser.test_windows import open_window, tag, who
 from tests.station.recordings import playing, record_run
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 STEPS = 600
 FOLLOWS = who("Keys act here too")

@@ -10,7 +10,7 @@ from aftdeck.scenario.load import built_in
 from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import shows
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 
 EMPTY = {"space"}

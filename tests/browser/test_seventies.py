@@ -14,7 +14,7 @@ from tests.browser.conftest import COMPILED_S, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.test_windows import open_window, own_window
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 SCENARIO = "concept-1972"
 

@@ -8,7 +8,7 @@ from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import LOGGED, Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 SCENARIO = "singular"
 KEYS = {

@@ -7,7 +7,7 @@ import pytest
 from tests.browser.conftest import OpenPage
 from tests.browser.layout_checks import assert_tidy, collisions
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 SCENARIO = "tutorial"
 SIZES = [(1024, 768), (1180, 820), (1440, 900), (1920, 1080), (2560, 1440)]

@@ -166,6 +166,7 @@ def test_tutorial_names_another_mode_and_returns_from_it(open_page: OpenPage) ->
     flight.until("frame.mode === 'END EFF' && !document.querySelector('.task .elsewhere').checkVisibility()")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("width", "height"), [*SIZES, *NARROW])
 @pytest.mark.parametrize("pad", [False, True])
 def test_tutorial_card_covers_no_needed_group_and_is_readable(

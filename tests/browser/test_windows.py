@@ -11,7 +11,7 @@ from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import FLIES, OBSERVES, WAIT_MS, Flight, shows
 from tests.browser.layout_checks import assert_readable, assert_tidy
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.long]
 
 FORWARD = "frame.translation[0] > 0.9"
 AT_ZERO = "frame.translation.every((value) => value === 0)"

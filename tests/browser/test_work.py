@@ -236,6 +236,7 @@ def test_plane_button_shows_the_separating_plane(open_worksite: OpenWorksite) ->
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("mode", ["ORB UNL", "OPR CMD", "SINGLE", "MASTER"])
 def test_page_with_contacts_and_conditions_is_tidy_and_readable(open_worksite: OpenWorksite, mode: str) -> None:
     site = Worksite(info("prong", stand=True), GRASPING)

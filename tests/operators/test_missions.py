@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from _pytest.mark import ParameterSet
 
 from aftdeck.errors import InputError
 from aftdeck.operators.pilot import Pilot, pilot
@@ -23,6 +24,8 @@ from tests.loaded import names_with
 
 TASKS = names_with("step")
 WITH_PAYLOAD = ("tutorial", "srms-deploy", "srms-berth", "concept-1972", "free-flyer")
+IN_CI = ("srms-deploy", "concept-1972")
+"""Tasks with both arms that CI flies; the others are long."""
 QUICK = ("tutorial", "first-flight", "singular", "uncradle", "sequence", "sts-400-closed")
 
 
@@ -52,16 +55,21 @@ def test_the_perfect_operator_completes_short_tasks(name: str) -> None:
     completes(name, "perfect")
 
 
+def those_of_ci(names: tuple[str, ...]) -> list[ParameterSet]:
+    """Return scenarios as parameters; all but those of `IN_CI` are marked long."""
+    return [pytest.param(name, marks=() if name in IN_CI else pytest.mark.long) for name in names]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["perfect", "human"])
-@pytest.mark.parametrize("name", TASKS)
+@pytest.mark.parametrize("name", those_of_ci(TASKS))
 def test_both_operators_complete_every_task(name: str, kind: Kind) -> None:
     completes(name, kind)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["perfect", "human"])
-@pytest.mark.parametrize("name", WITH_PAYLOAD)
+@pytest.mark.parametrize("name", those_of_ci(WITH_PAYLOAD))
 def test_both_operators_complete_every_mission_with_rigid_bodies(name: str, kind: Kind) -> None:
     completes(name, kind, "rigid")
 

@@ -14,10 +14,15 @@ SCRIPTED = [name for name in names_with("phase") if name not in TESTS]
 MISSIONS = [(name, "rigid") for name in SCRIPTED] + [
     (name, "flexible") for name in SCRIPTED if arm_name(name) == "srms"
 ]
+SHORTER = {("srms-deploy", "rigid"), ("srms-deploy", "flexible"), ("concept-1972-script", "rigid")}
+"""Missions that CI flies: a capture, a release and a docking."""
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "plant"), MISSIONS)
+@pytest.mark.parametrize(
+    ("name", "plant"),
+    [pytest.param(*one, marks=() if one in SHORTER else pytest.mark.long) for one in MISSIONS],
+)
 def test_mission_reaches_the_end_of_its_script(name: str, plant: str) -> None:
     sim, lines = Simulation(load_scenario(name, {("plant",): plant})), []
     while not sim.ended:

@@ -183,6 +183,7 @@ def test_saved_run_continues_to_the_last_bit_during_a_stop() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("pounds", LOADS)
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
 def test_loaded_arm_stops_within_two_feet_for_every_mass(plant: str, pounds: float) -> None:
