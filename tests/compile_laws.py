@@ -57,8 +57,8 @@ PARTS: dict[str, Callable[[], None]] = {"simulation": simulation, "pictures": pi
 
 
 def main() -> int:
-    """Compile both parts, unless this version of the laws, in this folder, was compiled before."""
-    here = hashlib.sha256(str(Path(aftdeck.__file__).parent).encode()).hexdigest()[:16]
+    """Compile both parts, unless this version of the laws was compiled before, in this folder and for this Python."""
+    here = hashlib.sha256(f"{Path(aftdeck.__file__).parent} {sys.version}".encode()).hexdigest()[:16]
     done = Path(cache_folder()) / f"complete-{here}"
     if done.exists():
         return 0
