@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
@@ -193,10 +194,17 @@ def model_of(source: Text, shapes: Callable[[str], Text]) -> ArmModel:
     Raises:
         ScenarioError: the text has errors; the message lists all of them. `shapes` may raise other errors.
     """
+    file = _checked(source)
+    return _model(source, shapes(file.shapes) if file.shapes else None)
+
+
+@functools.lru_cache(maxsize=8)
+def _checked(source: Text) -> ArmFile:
+    """Return the contents of an arm file, which are immutable and can therefore be cached."""
     file = parse(cast("type[ArmFile]", ArmFile), source)  # the type checker does not accept a union as a `type`
     if problems := arm_problems(file):
         raise ScenarioError(sentences(problems, *source))
-    return _model(file, source.text, shapes(file.shapes) if file.shapes else None)
+    return file
 
 
 def _log(ratio: float) -> float:
@@ -204,7 +212,10 @@ def _log(ratio: float) -> float:
     return float(Context(prec=30).ln(Decimal(ratio)))
 
 
-def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
+@functools.lru_cache(maxsize=8)
+def _model(source: Text, shapes: Text | None) -> ArmModel:
+    """Return the arm of an arm file and its shape file. An arm is immutable and can therefore be cached."""
+    file = _checked(source)
     mount = Mount(
         _panel(file.mount.origin.value),
         frozen(product(np.diag([-1.0, -1.0, 1.0]), rotation_x(file.mount.lean.value))),
@@ -228,7 +239,7 @@ def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
         slides=slides_of(file),
         flexibility=flexibility_of(file),
         source=file,
-        text=text,
+        text=source.text,
         shapes=shapes,
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -13,7 +14,7 @@ from aftdeck.arms.model import HeadingArmFile
 from aftdeck.bodies.camera_file import CameraFile, DriveFile, cameras_of
 from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import ScenarioError
-from aftdeck.files import Problem, parse, sentences
+from aftdeck.files import Problem, Text, parse, sentences
 from aftdeck.shapes import Box, Shape
 
 
@@ -51,7 +52,7 @@ def shapes_of(model: ArmModel) -> ArmShapes:
             names the place in the file.
     """
     if model.shapes is not None:
-        file = parse(ShapesFile, model.shapes)
+        file = _file(model.shapes)
         cameras, problems = cameras_of(file.camera, file.drive)
         problems += _problems(file, model.frames)
         if problems:
@@ -61,6 +62,12 @@ def shapes_of(model: ArmModel) -> ArmShapes:
     return ArmShapes(
         {frame: tuple(_box(block) for block in blocks if block.frame == frame) for frame in model.frames}, ()
     )
+
+
+@functools.lru_cache(maxsize=8)
+def _file(source: Text) -> ShapesFile:
+    """Return the contents of a shape file, which are immutable and can therefore be cached."""
+    return parse(ShapesFile, source)
 
 
 def _box(block: Block) -> Box:
