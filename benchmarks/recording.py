@@ -8,6 +8,7 @@ import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 from aftdeck.recording.replay import verify
 from aftdeck.recording.writer import Recorder
@@ -15,42 +16,70 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from benchmarks.measure import Figure, percentile
+from benchmarks.measure import Figure, against, percentile
 
-FLOWN_S = 30.0
-"""Real time for which a run is recorded [s]."""
+QUEUED, MORE, VERIFIED = 0.6, 0.6, 2.0
+"""Promises: mean time to queue a step, and extra time of a recorded step, as shares of the median step without a
+recording; verification, as a share of a simulation of the same inputs with frames."""
+
+
+class Size(NamedTuple):
+    """Real time for which a run is recorded [s], and time of the run before that compiles the laws [s]."""
+
+    flown_s: float
+    warm_s: float
+
+
+FULL, TINY = Size(30.0, 2.0), Size(0.5, 0.1)
 SMOOTH = 0.1
 """Fraction of a stick's distance to its next deflection that the stick covers in each step."""
 
 
-def recording() -> list[Figure]:
+def recording(size: Size) -> list[Figure]:
     """Measure a run with random sticks in real time, without and with a recording, and verify the recording."""
     scenario = load_scenario("first-flight")
-    _flown(scenario, None, 2.0)  # compiles
-    bare, _ = _flown(scenario, None, FLOWN_S)
+    _flown(scenario, None, size.warm_s)  # compiles
+    without, _ = _flown(scenario, None, size.flown_s)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "flight.mcap"
         recorder = Recorder(file, scenario, 0)
-        steps, appends = _flown(scenario, recorder, FLOWN_S)
+        steps, appends = _flown(scenario, recorder, size.flown_s)
         recorder.close("stopped")
         if recorder.failure:
             raise RuntimeError(recorder.failure)
-        size = file.stat().st_size / 1e6 / (FLOWN_S / 60.0)
+        megabytes = file.stat().st_size / 1e6 / (size.flown_s / 60.0)
         begin = time.perf_counter()
         verdict = verify(file)
-        speed = verdict.time_s / (time.perf_counter() - begin)
+        second = (time.perf_counter() - begin) / verdict.time_s
         if not verdict.equal:
             raise RuntimeError(f"the re-simulation differs from the recording: {verdict.first}")
-    more = statistics.median(steps) - statistics.median(bare)
-    count = f"{len(appends)} steps in {FLOWN_S:g} s"
+    more = statistics.median(steps) - statistics.median(without)
+    count = f"{len(appends)} steps in {size.flown_s:g} s"
+    bare = Figure("step without a recording, median", statistics.median(without), "us", None, "in real time")
+    again = Figure(
+        "simulation of one second", 1e3 * _again(scenario, size.flown_s), "ms", None, "the same, with frames"
+    )
+    mean = statistics.mean(appends)
+    checked = f"{1.0 / second:.0f} times real time"
     return [
+        bare,
         Figure("queueing a step, median", statistics.median(appends), "us", None, count),
-        Figure("queueing a step, mean", statistics.mean(appends), "us", 30.0, "on the simulation's thread"),
+        against(bare, QUEUED, "queueing a step, mean", mean, "us", "on the simulation's thread"),
         Figure("queueing a step, 99 %", percentile(appends, 99.0), "us", None, "while the writer's thread runs"),
-        Figure("recorded step, extra time", more, "us", 30.0, "median, compared with the run without a recording"),
-        Figure("file size of one minute", size, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
-        Figure("verification of one second", 1000.0 / speed, "ms", 30.0, f"{speed:.0f} times real time"),
+        against(bare, MORE, "recorded step, extra time", more, "us", "difference of the medians"),
+        Figure("file size of one minute", megabytes, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
+        again,
+        against(again, VERIFIED, "verification of one second", 1e3 * second, "ms", checked),
     ]
+
+
+def _again(scenario: Scenario, span: float) -> float:
+    """Return the time to simulate the inputs of a run, with frames, for one second of the run [s]."""
+    sim = Simulation(scenario)
+    begin = time.perf_counter()
+    for inputs in _random_inputs(round(span / scenario.control_period)):
+        sim.step(inputs)
+    return (time.perf_counter() - begin) / span
 
 
 def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[list[float], list[float]]:
