@@ -72,14 +72,16 @@ def pictures(size: Size) -> list[Figure]:
             simulation.advance()
         frame, scene = simulation.look(), VisualScene(scenario)
         cameras = list(scene.cameras)[: size.cameras]
-        order, vector, raster = ({}, {}, {})  # type: tuple[dict[str, float], dict[str, float], dict[str, float]]
+        order: dict[str, float] = {}
+        vector: dict[str, float] = {}
+        raster: dict[str, float] = {}
         for camera in cameras:
             given: dict[str, object] = {"run": orders, "arguments": arguments(scene, frame, camera)}
             order[camera] = microseconds("run(arguments)", given, size.timing) / REPEATS
             names: dict[str, object] = {"make": partial(picture, scene, frame, camera), "svg": svg, "png": png}
             vector[camera] = microseconds("svg(make())", names, size.timing) / 1e3
             raster[camera] = microseconds("png(make())", names, size.png) / 1e3
-        plain = comparisons(len(scene.clusters.clusters), size.timing)
+        plain = comparisons(f"{name}, plain loop", len(scene.clusters.clusters), size.timing)
         written = _written(picture(scene, frame, _slowest(vector)), name, size)
         saved = _saved(picture(scene, frame, _slowest(raster)), name, size)
         note = f"{len(cameras)} cameras, {SIZE[0]} x {SIZE[1]}"

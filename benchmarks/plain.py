@@ -79,15 +79,13 @@ def projections(timing: Timing) -> Figure:
     return Figure("plain loop, 16 corners on a normal", time, "us", None, "compiled by Numba, for a pair")
 
 
-def comparisons(count: int, timing: Timing) -> Figure:
+def comparisons(name: str, count: int, timing: Timing) -> Figure:
     """Measure a compiled loop that compares each of `count` rectangles with each other one."""
     rng = np.random.default_rng(1)
     rectangles = rng.uniform(0.0, 1.0, (count, 2, 2))
-    time = microseconds(
-        "f(rectangles)", {"f": numba.njit(_overlapping), "rectangles": np.sort(rectangles, axis=1)}, timing
-    )
-    note = "compiled by Numba: whether each pair overlaps"
-    return Figure(f"plain loop, pairs of {count} rectangles", time, "us", None, note)
+    names = {"f": numba.njit(_overlapping), "rectangles": np.sort(rectangles, axis=1)}
+    time = microseconds("f(rectangles)", names, timing)
+    return Figure(name, time, "us", None, f"compiled by Numba: whether each pair of {count} rectangles overlaps")
 
 
 def _overlapping(rectangles: Array) -> int:

@@ -13,7 +13,7 @@ import pytest
 
 from benchmarks import __main__ as command
 from benchmarks.compare import Failed, Paired, Side, check, compare, pair_line, paired
-from benchmarks.document import page
+from benchmarks.document import PAGE, QUOTATION, QUOTING, page, quoted
 from benchmarks.measure import Figure, absent, against
 from benchmarks.names import NAMES, Benchmark
 from benchmarks.results import Head, Machine, Outcome, read
@@ -187,10 +187,13 @@ def test_benchmark_works_on_a_tiny_load(name: str) -> None:
 def test_page_of_figures_has_tables_by_subject() -> None:
     figures = Figure("speed", 3.28513, "us", 2.0, "note"), absent("peer", "ms", "install it")
     failed = Outcome("help", 1.0, error="OSError: gone")
-    text = page(HEAD, [Outcome("rate-law", 1.0, "Measure.", figures), failed])
+    rest = [Outcome(name, 1.0) for name, one in NAMES.items() if one.by_default and name not in ("rate-law", "help")]
+    text = page(HEAD, [failed, *rest, Outcome("rate-law", 1.0, "Measure.", figures)])
     assert "| speed | 3.29 µs | **Missed:** ≤ 2 | note |" in text
     assert "| peer | – | | not measured: install it |" in text
-    assert "## Compiled laws" in text and "## Station" in text and "## Simulation" not in text
+    assert (
+        text.index("## Compiled laws") < text.index("| speed") < text.index("## Station") and "## Physics" not in text
+    )
     assert "Failed: OSError: gone" in text
     assert all(part in text for part in ("a processor, 2 cores", "2026-01-01", "| commit | abc |"))
 
@@ -200,8 +203,38 @@ def test_tiny_results_make_no_page() -> None:
         page(Head(HEAD.machine, HEAD.date, HEAD.commit, "TINY", None), [])
 
 
+def test_page_of_figures_needs_every_benchmark_that_runs_by_default() -> None:
+    with pytest.raises(ValueError, match="has no rate-law, steering"):
+        page(HEAD, [Outcome("help", 1.0)])
+
+
+def test_quotation_gets_the_value_of_its_figure() -> None:
+    outcomes = [Outcome("start", 1.0, figures=(Figure("first frame", 3.28513, "s"),))]
+    text = 'after [9 s](docs/figures.md#start "first frame") or [so](figures.md#start)'
+    assert quoted(text, outcomes) == text.replace("9 s", "3.29 s")
+
+
+def test_quotation_of_an_unknown_figure_is_rejected() -> None:
+    with pytest.raises(ValueError, match="no figure 'last' of the benchmark 'start'; available: first"):
+        quoted('[1 s](figures.md#start "last")', [Outcome("start", 1.0, figures=(Figure("first", 1.0, "s"),))])
+
+
+def test_quotations_agree_with_the_page_of_figures() -> None:
+    sections = PAGE.read_text(encoding="utf-8").split("\n### ")[1:]
+    quotations = [found for file in QUOTING for found in QUOTATION.finditer(file.read_text(encoding="utf-8"))]
+    wrong = [
+        found[0]
+        for found in quotations
+        if not any(
+            section.startswith(f"`{found['name']}`") and f"\n| {found['figure']} | {found['value']} |" in section
+            for section in sections
+        )
+    ]
+    assert quotations and not wrong
+
+
 def test_page_of_figures_has_every_benchmark_that_runs_by_default() -> None:
-    text = (ROOT / "docs" / "figures.md").read_text(encoding="utf-8")
+    text = PAGE.read_text(encoding="utf-8")
     assert [name for name, one in NAMES.items() if one.by_default and f"### `{name}`\n" not in text] == []
 
 
