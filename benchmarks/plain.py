@@ -38,7 +38,7 @@ def _arithmetic(numbers: Array, out: Array, turns: int, products: int) -> None:
 
 @cache
 def _compiled() -> Callable[..., Any]:
-    return numba.njit(_arithmetic)  # type: ignore[no-any-return]
+    return numba.njit(_arithmetic)
 
 
 def compiled_loop(turns: int, products: int, timing: Timing) -> Figure:

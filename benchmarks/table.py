@@ -15,11 +15,13 @@ FAMILIAR = {"us": "µs", "1": "", "ratio": ""}
 def number(value: float) -> str:
     """Return a number with three digits, as a person would write it: no exponent, and groups of thousands.
 
-    >>> [number(value) for value in (0, 0.014, 3.28513, 28.53, 99.96, 1204.4, 0.00012345)]
-    ['0', '0.0140', '3.29', '28.5', '100', '1,204', '0.000123']
+    A whole number has no decimals and all its digits.
+
+    >>> [number(value) for value in (5, 0.014, 3.28513, 28.53, 99.96, 1204.4, 0.00012345)]
+    ['5', '0.0140', '3.29', '28.5', '100', '1,204', '0.000123']
     """
-    if value == 0.0:
-        return "0"
+    if value == math.floor(value):
+        return f"{value:,.0f}"
     rounded = float(f"{value:.3g}")  # 99.96 becomes 100, which has no decimals
     decimals = 2 - math.floor(math.log10(abs(rounded)))
     return f"{value:,.{max(0, decimals)}f}"

@@ -37,6 +37,8 @@ def sample(function: str, limit_s: float = 60.0) -> Benchmark:
     ("value", "text"),
     [
         (0.0, "0"),
+        (5.0, "5"),
+        (5655.0, "5,655"),
         (0.00012345, "0.000123"),
         (0.9996, "1.00"),
         (3.28513, "3.29"),
@@ -287,7 +289,7 @@ def test_comparison_pairs_the_figures_of_both_sides(
     output = capsys.readouterr().out
     assert "only now has: new" in output and "only HEAD has: old" in output
     row = output.split("spread of the paired ratios\n")[1].splitlines()[0]
-    assert row.split() == ["time", "2.00", "3.00", "s", "1.50", "1.50", "to", "1.50"]
+    assert row.split() == ["time", "2", "3", "s", "1.50", "1.50", "to", "1.50"]
     stored = json.loads(file.read_text(encoding="utf-8").splitlines()[1])
     assert (stored["base"], stored["now"]) == ([2.0, 2.0], [3.0, 3.0])
     assert not list((tmp_path / "temp").iterdir())
@@ -314,7 +316,7 @@ def test_side_that_imports_another_source_is_rejected(tmp_path: Path) -> None:
 
 def test_spread_is_that_of_the_paired_ratios() -> None:
     pair = Paired("b", "time", "s", (1.0, 2.0, 4.0), (1.1, 2.0, 8.0))
-    assert pair_line(pair).split()[1:] == ["2.00", "2.00", "s", "1.00", "1.00", "to", "2.00"]
+    assert pair_line(pair).split()[1:] == ["2", "2", "s", "1.00", "1.00", "to", "2.00"]
 
 
 def test_figures_without_a_partner_are_not_paired() -> None:
