@@ -20,8 +20,8 @@ from benchmarks.measure import Figure, against
 
 NAME = "loaded"
 """Scenario: 32,000 lb over the bay; the orbiter is free."""
-BAY, AT_LATCHES = "srms-berth", 150.0
-"""Scenario whose payload is between the guides of the bay's latches at this time [s]."""
+BAY = "srms-berth"
+"""Scenario that lowers a payload into the guides of the bay's latches."""
 STICKS = Inputs(translation=(0.3, 0.2, -0.4), rotation=(0.1, 0.0, 0.2))
 PLANTS = ("rigid", "flexible")
 FRAMED, RECORDED = 1.9, 1.3
@@ -40,15 +40,17 @@ class Size(NamedTuple):
         warm: number of steps before.
         repeats: number of runs; the shortest mean counts.
         berthing: greatest number of steps of the berthing.
+        at_latches: time at which the payload is between the guides [s].
     """
 
     steps: int
     warm: int
     repeats: int
     berthing: int
+    at_latches: float
 
 
-FULL, TINY = Size(1500, 100, 5, 1_000_000), Size(10, 2, 1, 20)
+FULL, TINY = Size(1500, 100, 5, 1_000_000, 150.0), Size(10, 2, 1, 20, 0.1)
 
 
 def dynamics(size: Size) -> list[Figure]:
@@ -111,7 +113,7 @@ def _at_latches(plant: str, size: Size) -> tuple[float, float, int]:
     The second value is the time of MuJoCo's steps alone [us], the third the number of pairs of solids near each other.
     """
     sim = Simulation(load_scenario(BAY, {("plant",): plant}))
-    while sim.look().time_s < AT_LATCHES:
+    while sim.look().time_s < size.at_latches:
         sim.advance()
     down = Inputs(mode="ORB LD", translation=(0.2, 0.1, 1.0))
     for _ in range(size.steps):

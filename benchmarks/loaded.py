@@ -57,7 +57,7 @@ class Size(NamedTuple):
 
 
 FULL = Size()
-TINY = Size(quiet=0.5, seconds=1.0, settle=0.2, hour=20.0, first=0.5, minutes=0.02)
+TINY = Size(quiet=0.5, seconds=1.0, settle=0.2, hour=5.0, first=0.5, minutes=0.02)
 _FRAME, _TICK = b'{"type":"frame"', re.compile(rb'"tick":(\d+)')
 _STICKS = {"type": "sticks", "translation": [0.1, 0, 0], "rotation": [0, 0, 0], "drive": 0}
 

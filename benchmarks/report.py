@@ -24,26 +24,33 @@ PROMISED_S = 5.0
 
 
 class Size(NamedTuple):
-    """Duration of the run [s], and number of commands of which the shortest counts."""
+    """Extent of the measurement.
+
+    Attributes:
+        long_s: duration of the run [s].
+        rounds: number of commands of which the shortest counts.
+        many: number of runs on a page with several runs.
+    """
 
     long_s: float
     rounds: int
+    many: int
 
 
-FULL, TINY = Size(600.0, 3), Size(20.0, 1)
+FULL, TINY = Size(600.0, 3, 4), Size(10.0, 1, 2)
 
 
 def report(size: Size) -> list[Figure]:
-    """Measure the page of one run, and of four runs."""
+    """Measure the page of one run, and of several runs."""
     with tempfile.TemporaryDirectory() as name:
-        files = [Path(name) / f"{k}.mcap" for k in range(4)]
+        files = [Path(name) / f"{k}.mcap" for k in range(size.many)]
         _record(files[0], size.long_s)
         for file in files[1:]:
             shutil.copyfile(files[0], file)
         note = f"{SCENARIO}, {size.long_s:g} s of flight"
         return [
             Figure("page of one run", _command(files[:1], size.rounds), "s", PROMISED_S, note),
-            Figure("page of four runs", _command(files, size.rounds), "s", None, note),
+            Figure(f"page of {size.many} runs", _command(files, size.rounds), "s", None, note),
         ]
 
 

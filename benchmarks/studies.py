@@ -39,22 +39,27 @@ class Size(NamedTuple):
         cases: number of cases of a throughput measurement; the first case of each worker does not count.
         rigid: scenario that is run with rigid bodies, half as many times.
         rounds: number of runs; the shortest counts.
+        duration: duration of a run; empty for that of the scenario.
     """
 
     kinematic: str
     cases: int
     rigid: str
     rounds: int
+    duration: str
 
 
-FULL, TINY = Size("concept-1972-script", 60, "sts-400-closed", 5), Size("sts-400-position", 6, "sts-400-position", 1)
+FULL = Size("concept-1972-script", 60, "sts-400-closed", 5, "")
+TINY = Size("sts-400-position", 6, "sts-400-position", 1, "1 s")
+RIGID = '[[factor]]\nkey = "plant"\nlevels = ["rigid"]\n'
+"""Part of a study file: the plant of all runs."""
 
 
 def studies(size: Size) -> list[Figure]:
     """Measure a case of the whole problem of 1972 and its parts, and the throughput of one and two processes."""
-    scenario = aftdeck.load_scenario(size.kinematic)
+    scenario = aftdeck.load_scenario(size.kinematic, {("duration",): size.duration} if size.duration else None)
     motion, flown = _alone(scenario, size, frames=False), _alone(scenario, size, frames=True)
-    study = _study(size.kinematic, size.cases)
+    study = _study(size.kinematic, size.cases, size)
     whole = _case(study, size)
     frames = Figure("a case, with its frames", flown * 1e3, "ms")
     return [
@@ -62,10 +67,7 @@ def studies(size: Size) -> list[Figure]:
         frames,
         against(frames, METRICS, "a case, with its metrics", whole * 1e3, "ms", "what a worker does"),
         *_throughput("1,000 cases", study),
-        *_throughput(
-            "1,000 cases with rigid bodies",
-            _study(size.rigid, size.cases // 2, '[[factor]]\nkey = "plant"\nlevels = ["rigid"]\n'),
-        ),
+        *_throughput("1,000 cases with rigid bodies", _study(size.rigid, size.cases // 2, size, RIGID)),
     ]
 
 
@@ -84,7 +86,7 @@ def on_ray(size: Size) -> list[Figure]:
     """Measure the throughput of one and two nodes of a Ray cluster, beside the pool."""
     if importlib.util.find_spec("ray") is None:
         return [absent("two nodes of Ray", "ratio", "install ray (extra `aftdeck[ray]`)")]
-    study = _study(size.kinematic, size.cases)
+    study = _study(size.kinematic, size.cases, size)
     found: list[Figure] = []
     with tempfile.TemporaryDirectory(prefix="ray") as folder, nodes(2, 6391, Path(folder)) as address:
         seconds = []
@@ -103,8 +105,10 @@ def _efficiency(one: float, two: float) -> str:
     return f"one takes {one * 1e3:.0f} ms a case, two {two * 1e3:.0f} ms: efficiency {one / two / 2:.0%}"
 
 
-def _study(scenario: str, repeats: int, more: str = "") -> Study:
+def _study(scenario: str, repeats: int, size: Size, more: str = "") -> Study:
     """Return a study that runs a scenario a number of times."""
+    if size.duration:
+        more += f'[[factor]]\nkey = "duration"\nlevels = ["{size.duration}"]\n'
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "study.toml"
         path.write_text(f'title = "Benchmark"\nscenario = "{scenario}"\nrepeats = {repeats}\n{more}', encoding="utf-8")

@@ -65,7 +65,7 @@ def test_columns_of_the_table_are_aligned() -> None:
 
 
 def test_long_name_does_not_touch_its_value() -> None:
-    assert "n  123,456 " in line(Figure("n" * 80, 123456.0, "us"))
+    assert "n    123,456 " in line(Figure("n" * 80, 123456.0, "us"))
 
 
 def test_missed_target_is_not_marked_in_a_tiny_run() -> None:
@@ -246,8 +246,8 @@ def test_page_of_figures_has_every_benchmark_that_runs_by_default() -> None:
 FAKE = """
 import json, sys
 NAMES = {names}
-figures = [dict(name="time", value={value}, unit="s", target=None, note="", kept=True)]
 if __name__ == "__main__":
+    figures = [dict(name="time", value={value}, unit="s", target=None, note="", kept=True)]
     print(json.dumps(dict(machine=dict(), figures=figures)))
 """
 
