@@ -80,7 +80,7 @@ def hexahedra(size: Timing) -> list[Figure]:
         names = {"a": first, "b": near, "pairs": pairs}
         near_by = "clearances of 1 mm to 0.1 m"
         time = microseconds("f(a, b, pairs)", {"f": reverify, **names}, size) / COUNT
-        figures.append(against(plain, 1.5, f"last plane verified, {kind}", time, "us", near_by))
+        figures.append(against(plain, 1.8, f"last plane verified, {kind}", time, "us", near_by))
         drift, spin = rng.normal(size=(2, COUNT, 3)) / math.sqrt(3.0)
         frames = np.empty((FRAMES, COUNT, BODY))
         for frame in range(FRAMES):
@@ -90,9 +90,9 @@ def hexahedra(size: Timing) -> list[Figure]:
             frames[frame] = _placed(local, middles + away * DRIFT * frame, spun)
         time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs}, size)
         moving = f"moving {DRIFT * 1e3:g} mm and {SPIN * 1e3:g} mrad a frame"
-        figures.append(against(distance, 0.3, f"clearance, warm, {kind}", time / (2 * FRAMES * COUNT), "us", moving))
+        figures.append(against(distance, 0.13, f"clearance, warm, {kind}", time / (2 * FRAMES * COUNT), "us", moving))
         time = microseconds("f(a, b, pairs)", {"f": judge, **names}, size) / COUNT
-        figures.append(against(collide, 0.3, f"verdict, cold, {kind}", time, "us", near_by))
+        figures.append(against(collide, 0.22, f"verdict, cold, {kind}", time, "us", near_by))
         inside = _placed(local, middles - 0.11 * pairs[:, NORMAL : NORMAL + 3], turns)
         measured = np.array([measure(first[k], inside[k], np.zeros(PAIR)) for k in range(COUNT)])
         deep = {"f": judge, "a": first, "b": inside, "pairs": pairs.copy()}

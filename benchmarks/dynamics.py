@@ -23,6 +23,8 @@ NAME = "loaded"
 BAY = "srms-berth"
 """Scenario that lowers a payload into the guides of the bay's latches."""
 STICKS = Inputs(translation=(0.3, 0.2, -0.4), rotation=(0.1, 0.0, 0.2))
+PERIOD = 20_000.0
+"""Control period of both scenarios [us]."""
 PLANTS = ("rigid", "flexible")
 FRAMED, RECORDED = 1.9, 1.3
 """Promised step with its frame, and recorded step, as shares of the sum of MuJoCo's bare steps and the same step of the
@@ -53,9 +55,26 @@ class Size(NamedTuple):
 FULL, TINY = Size(1500, 100, 5, 1_000_000, 150.0), Size(10, 2, 1, 20, 0.1)
 
 
+class Means(NamedTuple):
+    """Mean times in free space [us].
+
+    Attributes:
+        framed: step with its frame.
+        recorded: step with its record in the file.
+        bare: MuJoCo's steps of one control period; 0 on the kinematic plant.
+    """
+
+    framed: float
+    recorded: float
+    bare: float
+
+
 def dynamics(size: Size) -> list[Figure]:
     """Measure the mean control step on each plant, on one core."""
-    framed, recorded, _ = _flown("kinematic", size)
+    plants = ("kinematic", *PLANTS)
+    rounds = [[_means(plant, size) for plant in plants] for _ in range(size.repeats)]  # all plants in turn
+    best = {plant: Means(*map(min, zip(*made, strict=True))) for plant, *made in zip(plants, *rounds, strict=True)}
+    framed, recorded, _ = best["kinematic"]
     berthing = _berthing("kinematic", size)
     figures = [
         Figure("kinematic, step with frame", framed, "us", None, NAME),
@@ -63,37 +82,35 @@ def dynamics(size: Size) -> list[Figure]:
         Figure("kinematic, step with frame of a berthing", berthing, "us", None, BAY),
     ]
     for plant in PLANTS:
-        step, whole, sim = _flown(plant, size)
-        bare = _bare(sim, cast(MultibodyPlant, sim._flight.plant)._apart[sim._state.script.attached].view, size)
-        period = sim.scenario.control_period * 1e6
-        sums = {
-            "step": Figure(f"{plant}, MuJoCo + kinematic step", bare + framed, "us"),
-            "record": Figure(f"{plant}, MuJoCo + kinematic recorded step", bare + recorded, "us"),
-            "berthing": Figure(f"{plant}, MuJoCo + kinematic step of a berthing", bare + berthing, "us"),
-        }
+        step, whole, bare = best[plant]
         docked = _berthing(plant, size)
+        sums = (
+            Figure(f"{plant}, MuJoCo + kinematic step", bare + framed, "us"),
+            Figure(f"{plant}, MuJoCo + kinematic recorded step", bare + recorded, "us"),
+            Figure(f"{plant}, MuJoCo + kinematic step of a berthing", bare + berthing, "us"),
+        )
         figures += [
             Figure(f"{plant}, bare MuJoCo", bare, "us", None, "mj_step of the same model for one control period"),
-            *sums.values(),
-            against(sums["step"], FRAMED, f"{plant}, step with frame", step, "us", _times_real(period, step)),
-            against(sums["record"], RECORDED, f"{plant}, recorded step", whole, "us", _times_real(period, whole)),
+            *sums,
+            against(sums[0], FRAMED, f"{plant}, step with frame", step, "us", _times_real(step)),
+            against(sums[1], RECORDED, f"{plant}, recorded step", whole, "us", _times_real(whole)),
             against(
-                sums["berthing"],
+                sums[2],
                 BERTHING,
                 f"{plant}, step with frame of a berthing",
                 docked,
                 "us",
-                f"{_times_real(period, docked)}: {BAY}, from its start to its end",
+                f"{_times_real(docked)}: {BAY}, from its start to its end",
             ),
         ]
         step, bare, pairs = _at_latches(plant, size)
-        note = f"{_times_real(period, step)}; bare MuJoCo takes {bare:.0f} µs; {pairs} pairs of solids near"
+        note = f"{_times_real(step)}; bare MuJoCo takes {bare:.0f} µs; {pairs} pairs of solids near"
         figures.append(Figure(f"{plant}, step with frame pressed into the guides", step, "us", None, note))
     return figures
 
 
-def _times_real(period: float, step: float) -> str:
-    return f"{period / step:.0f} times real time"
+def _times_real(step: float) -> str:
+    return f"{PERIOD / step:.0f} times real time"
 
 
 def _berthing(plant: str, size: Size) -> float:
@@ -123,45 +140,44 @@ def _at_latches(plant: str, size: Size) -> tuple[float, float, int]:
         sim.step(down)
     mean = (time.perf_counter() - start) / size.steps * 1e6
     model = cast(MultibodyPlant, sim._flight.plant)._near[0]
-    return mean, _bare(sim, model.view, size._replace(repeats=1)), len(surroundings(sim._flight, sim._state, down).near)
+    return mean, _bare(sim, model.view, size), len(surroundings(sim._flight, sim._state, down).near)
 
 
-def _flown(plant: str, size: Size) -> tuple[float, float, Simulation]:
-    """Return the mean time of a step with its frame, and recorded [us], each best of all repeats, and a simulation.
-
-    The time of recorded steps ends when all are in the file.
-    """
-    framed = recorded = float("inf")
-    for _ in range(size.repeats):
-        sim = Simulation(load_scenario(NAME, {("plant",): plant}))
-        for _ in range(size.warm):
-            sim.step(STICKS)
+def _means(plant: str, size: Size) -> Means:
+    """Measure the steps of a plant once. The time of recorded steps ends when all are in the file."""
+    sim = _warm(plant, size)
+    start = time.perf_counter()
+    for _ in range(size.steps):
+        sim.step(STICKS)
+    framed = (time.perf_counter() - start) / size.steps * 1e6
+    moved = cast(MultibodyPlant, sim._flight.plant)
+    bare = 0.0 if plant == "kinematic" else _bare(sim, moved._apart[sim._state.script.attached].view, size)
+    sim = _warm(plant, size)
+    with tempfile.TemporaryDirectory() as folder:
+        recorder = Recorder(Path(folder) / "flight.mcap", sim.scenario, 0)
         start = time.perf_counter()
         for _ in range(size.steps):
-            sim.step(STICKS)
-        framed = min(framed, (time.perf_counter() - start) / size.steps * 1e6)
-        sim = Simulation(load_scenario(NAME, {("plant",): plant}))
-        for _ in range(size.warm):
-            sim.step(STICKS)
-        with tempfile.TemporaryDirectory() as folder:
-            recorder = Recorder(Path(folder) / "flight.mcap", sim.scenario, 0)
-            start = time.perf_counter()
-            for _ in range(size.steps):
-                recorder.step(STICKS, sim.step(STICKS))
-                recorder.take_turns()
-            recorder.close("stopped")
-            recorded = min(recorded, (time.perf_counter() - start) / size.steps * 1e6)
-    return framed, recorded, sim
+            recorder.step(STICKS, sim.step(STICKS))
+            recorder.take_turns()
+        recorder.close("stopped")
+        recorded = (time.perf_counter() - start) / size.steps * 1e6
+    return Means(framed, recorded, bare)
+
+
+def _warm(plant: str, size: Size) -> Simulation:
+    """Return a simulation after its first steps."""
+    sim = Simulation(load_scenario(NAME, {("plant",): plant}))
+    for _ in range(size.warm):
+        sim.step(STICKS)
+    return sim
 
 
 def _bare(sim: Simulation, view: View, size: Size) -> float:
-    """Return the time of MuJoCo's steps of one control period [us], best of all repeats."""
-    plant, state, best = cast(MultibodyPlant, sim._flight.plant), sim._state, float("inf")
+    """Return the mean time of MuJoCo's steps of one control period [us]."""
+    plant, state = cast(MultibodyPlant, sim._flight.plant), sim._state
     assert state.plant.bodies is not None
-    for _ in range(size.repeats):
-        mujoco.mj_setState(view.model, view.data, state.plant.bodies.physics, mujoco.mjtState.mjSTATE_INTEGRATION)
-        start = time.perf_counter()
-        for _ in range(size.steps):
-            mujoco.mj_step(view.model, view.data, nstep=plant._steps)
-        best = min(best, (time.perf_counter() - start) / size.steps * 1e6)
-    return best
+    mujoco.mj_setState(view.model, view.data, state.plant.bodies.physics, mujoco.mjtState.mjSTATE_INTEGRATION)
+    start = time.perf_counter()
+    for _ in range(size.steps):
+        mujoco.mj_step(view.model, view.data, nstep=plant._steps)
+    return (time.perf_counter() - start) / size.steps * 1e6

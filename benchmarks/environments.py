@@ -16,7 +16,7 @@ from benchmarks.measure import Figure, against
 
 COUNT = 1024
 """Number of environments in a batch."""
-SHARE = 5.0
+SHARE = 2.2
 """Promised time of an environment step of Reach, as a share of that of CartPole."""
 ACTIONS = 16
 """Number of different random actions of a batch, used in turn."""

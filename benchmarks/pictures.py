@@ -29,7 +29,7 @@ SIZE = (800, 600)
 """Size of the pictures [pixels]."""
 REPEATS = 50
 """Number of orders in one call of `orders`."""
-ORDERED, WRITTEN, PAINTED = 20.0, 10.0, 10.0
+ORDERED, WRITTEN, PAINTED = 100.0, 5.0, 4.0
 """Promises for the slowest camera: order, as a share of a comparison of all pairs of clusters; SVG, as a share of the
 writing of its numbers by plain Python; PNG, as a share of Pillow's writing of the finished pixels."""
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+import time
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -114,8 +115,16 @@ def _python_work() -> bytes:
     return hashlib.sha256(data + repr(lengths).encode()).digest()
 
 
-def python_loop(timing: Timing) -> Figure:
-    """Measure plain Python and NumPy that do the kinds of work of a control step."""
-    time = microseconds("f()", {"f": _python_work}, timing)
-    note = "200 sums, 10 products of a matrix and a vector by NumPy, SHA-256 of 2 kB"
-    return Figure("plain Python and NumPy", time, "us", None, note)
+WORK = "200 sums, 10 products of a matrix and a vector by NumPy, SHA-256 of 2 kB"
+"""Description of the work of `plain_python`."""
+
+
+def plain_python(calls: int = 5) -> float:
+    """Return the mean time of some calls of plain Python and NumPy that do the kinds of work of a control step [s].
+
+    Call it in turn with control steps: then other work of the machine delays both.
+    """
+    begin = time.perf_counter()
+    for _ in range(calls):
+        _python_work()
+    return (time.perf_counter() - begin) / calls

@@ -58,9 +58,13 @@ RIGID = '[[factor]]\nkey = "plant"\nlevels = ["rigid"]\n'
 def studies(size: Size) -> list[Figure]:
     """Measure a case of the whole problem of 1972 and its parts, and the throughput of one and two processes."""
     scenario = aftdeck.load_scenario(size.kinematic, {("duration",): size.duration} if size.duration else None)
-    motion, flown = _alone(scenario, size, frames=False), _alone(scenario, size, frames=True)
     study = _study(size.kinematic, size.cases, size)
-    whole = _case(study, size)
+    runner, (first, *_) = Runner(plan_of(study)), cases(study)
+    rounds = [
+        (_alone(scenario, frames=False), _alone(scenario, frames=True), runner.run(first).wall_s)
+        for _ in range(size.rounds)
+    ]
+    motion, flown, whole = map(min, zip(*rounds, strict=True))
     frames = Figure("a case, with its frames", flown * 1e3, "ms")
     return [
         Figure("a case, simulation alone", motion * 1e3, "ms", None, f"{size.kinematic}, without digests"),
@@ -115,24 +119,15 @@ def _study(scenario: str, repeats: int, size: Size, more: str = "") -> Study:
         return load_study(path)
 
 
-def _alone(scenario: Scenario, size: Size, *, frames: bool) -> float:
-    """Return the shortest time of a run in this process [s]."""
-    times = []
-    for _ in range(size.rounds):
-        begin = time.perf_counter()
-        sim = Simulation(scenario, digests=False)
-        while not sim.ended:
-            sim.advance()
-            if frames:
-                sim.look()
-        times.append(time.perf_counter() - begin)
-    return min(times)
-
-
-def _case(study: Study, size: Size) -> float:
-    """Return the shortest time of a case in this process [s]."""
-    runner, (first, *_) = Runner(plan_of(study)), cases(study)
-    return min(runner.run(first).wall_s for _ in range(size.rounds))
+def _alone(scenario: Scenario, *, frames: bool) -> float:
+    """Return the time of a run in this process [s]."""
+    begin = time.perf_counter()
+    sim = Simulation(scenario, digests=False)
+    while not sim.ended:
+        sim.advance()
+        if frames:
+            sim.look()
+    return time.perf_counter() - begin
 
 
 def _each_by_pool(study: Study, workers: int) -> float:
