@@ -119,12 +119,12 @@ WORK = "200 sums, 10 products of a matrix and a vector by NumPy, SHA-256 of 2 kB
 """Description of the work of `plain_python`."""
 
 
-def plain_python(calls: int = 5) -> float:
+def plain_python(calls: int = 5, clock: Callable[[], float] = time.perf_counter) -> float:
     """Return the mean time of some calls of plain Python and NumPy that do the kinds of work of a control step [s].
 
     Call it in turn with control steps: then other work of the machine delays both.
     """
-    begin = time.perf_counter()
+    begin = clock()
     for _ in range(calls):
         _python_work()
-    return (time.perf_counter() - begin) / calls
+    return (clock() - begin) / calls
