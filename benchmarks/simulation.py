@@ -20,7 +20,7 @@ from benchmarks.plain import WORK, plain_python
 
 PIECE = 50
 """Number of steps that are timed together."""
-HEADLESS, BARE, FRAMED, MASSES = 3.0, 2.0, 4.0, 8.0
+HEADLESS, BARE, FRAMED, MASSES = 4.5, 3.0, 5.0, 8.0
 """Promised times of a step with its digest, without, and with its frame, and with its frame on a plant with masses, as
 shares of the time of `plain.plain_python`: plain Python and NumPy that do the kinds of work of a control step."""
 PLAIN = "plain Python in turn"
