@@ -100,6 +100,19 @@ def microseconds(statement: str, names: dict[str, object], timing: Timing) -> fl
     return min(timer.repeat(timing.repeat, number)) / number * 1e6
 
 
+Call = tuple[str, dict[str, object]]
+"""Statement, and the values of its names."""
+
+
+def in_turn(first: Call, second: Call, timing: Timing, rounds: int = 5) -> tuple[float, float]:
+    """Return the times of one execution of two statements [us], timed in turn.
+
+    Then other work of the machine delays both, and their ratio is hardly affected.
+    """
+    times = [[microseconds(*one, timing) for one in (first, second)] for _ in range(rounds)]
+    return min(one for one, _ in times), min(other for _, other in times)
+
+
 def percentile(values: list[float], percent: float) -> float:
     """Return the smallest value that at least `percent` % of the values do not exceed."""
     ordered = sorted(values)

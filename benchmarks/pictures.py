@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import statistics
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import NamedTuple
 
@@ -22,16 +23,16 @@ from aftdeck.visual.picture import picture_of
 from aftdeck.visual.png import pixels, png
 from aftdeck.visual.scene import Arguments, VisualScene
 from aftdeck.visual.svg import svg
-from benchmarks.measure import Figure, Timing, absent, against, microseconds
+from benchmarks.measure import Call, Figure, Timing, absent, against, in_turn, microseconds
 from benchmarks.plain import comparisons
 
 SIZE = (800, 600)
 """Size of the pictures [pixels]."""
 REPEATS = 50
 """Number of orders in one call of `orders`."""
-ORDERED, WRITTEN, PAINTED = 100.0, 5.0, 4.0
-"""Promises for the slowest camera: order, as a share of a comparison of all pairs of clusters; SVG, as a share of the
-writing of its numbers by plain Python; PNG, as a share of Pillow's writing of the finished pixels."""
+ORDERED, WRITTEN, PAINTED = 160.0, 12.0, 4.0
+"""Promises for the slowest camera: order, as a share of a plain loop over all pairs of clusters; SVG, as a share of the
+writing of its coordinates by plain Python; PNG, as a share of Pillow's writing of the finished pixels."""
 
 
 class Size(NamedTuple):
@@ -40,18 +41,16 @@ class Size(NamedTuple):
     Attributes:
         times: time of the pictures in each scenario's script [s].
         cameras: greatest number of cameras of a scenario.
-        timing: extent of the timing of an order and of an SVG.
-        png: extent of the timing of a PNG.
+        timing: extent of the timing of a call.
     """
 
     times: dict[str, float]
     cameras: int
     timing: Timing
-    png: Timing
 
 
-FULL = Size({"concept-1972-script": 29.0, "srms-berth": 85.0}, 100, Timing(10), Timing(5))
-TINY = Size({"concept-1972-script": 0.5}, 1, Timing(1, 0.0), Timing(1, 0.0))
+FULL = Size({"concept-1972-script": 29.0, "srms-berth": 85.0}, 100, Timing(5))
+TINY = Size({"concept-1972-script": 0.5}, 1, Timing(1, 0.0))
 
 
 @law
@@ -63,65 +62,101 @@ def orders(given: Arguments) -> int:
     return count
 
 
+class Kind(NamedTuple):
+    """Result that is made of each camera's picture.
+
+    Attributes:
+        name: its name.
+        unit: unit of its figures.
+        ours: call that makes it for a camera.
+        scale: number by which the time of this call in us is divided.
+        peer: call with which the slowest camera is compared.
+        about: description of that call.
+        share: promised time, as a share of that call's.
+    """
+
+    name: str
+    unit: str
+    ours: Callable[[str], Call]
+    scale: float
+    peer: Callable[[str], Call]
+    about: str
+    share: float
+
+
 def pictures(size: Size) -> list[Figure]:
     """Measure the order, an SVG and a PNG of each camera in both worksites."""
-    figures: list[Figure] = []
-    for name, time in size.times.items():
-        scenario = load_scenario(name)
-        simulation = Simulation(scenario)
-        for _ in range(round(time / scenario.control_period)):
-            simulation.advance()
-        frame, scene = simulation.look(), VisualScene(scenario)
-        cameras = list(scene.cameras)[: size.cameras]
-        order: dict[str, float] = {}
-        vector: dict[str, float] = {}
-        raster: dict[str, float] = {}
-        for camera in cameras:
-            given: dict[str, object] = {"run": orders, "arguments": arguments(scene, frame, camera)}
-            order[camera] = microseconds("run(arguments)", given, size.timing) / REPEATS
-            names: dict[str, object] = {"make": partial(picture, scene, frame, camera), "svg": svg, "png": png}
-            vector[camera] = microseconds("svg(make())", names, size.timing) / 1e3
-            raster[camera] = microseconds("png(make())", names, size.png) / 1e3
-        plain = comparisons(f"{name}, plain loop", len(scene.clusters.clusters), size.timing)
-        written = _written(picture(scene, frame, _slowest(vector)), name, size)
-        saved = _saved(picture(scene, frame, _slowest(raster)), name, size)
-        note = f"{len(cameras)} cameras, {SIZE[0]} x {SIZE[1]}"
-        figures += [
-            plain,
-            against(plain, ORDERED, f"{name}, order, slowest camera", max(order.values()), "us", note),
-            Figure(f"{name}, order, median", statistics.median(order.values()), "us", None, note),
-            written,
-            against(written, WRITTEN, f"{name}, SVG, slowest camera", max(vector.values()), "ms", note),
-            saved,
-            against(saved, PAINTED, f"{name}, PNG, slowest camera", max(raster.values()), "ms", note),
-        ]
+    figures = [figure for name, time in size.times.items() for figure in _worksite(name, time, size)]
     return [*figures, mujoco_picture(size)]
 
 
-def _slowest(times: dict[str, float]) -> str:
-    return max(times, key=times.__getitem__)
+def _worksite(name: str, time: float, size: Size) -> Iterator[Figure]:
+    """Measure the pictures of a scenario at a time of its script [s]."""
+    scenario = load_scenario(name)
+    simulation = Simulation(scenario)
+    for _ in range(round(time / scenario.control_period)):
+        simulation.advance()
+    frame, scene = simulation.look(), VisualScene(scenario)
+    made, count = partial(picture, scene, frame), len(scene.clusters.clusters)
+    kinds = (
+        Kind(
+            "order",
+            "us",
+            lambda camera: ("run(given)", {"run": orders, "given": arguments(scene, frame, camera)}),
+            REPEATS,
+            lambda camera: comparisons(count),
+            f"compiled by Numba: whether each pair of {count} rectangles overlaps",
+            ORDERED,
+        ),
+        Kind(
+            "SVG",
+            "ms",
+            lambda camera: ("svg(make())", {"svg": svg, "make": partial(made, camera)}),
+            1e3,
+            lambda camera: ("write(corners)", {"write": _write, "corners": made(camera).cells[0][2].points.tolist()}),
+            "coordinates of all corners, written by plain Python",
+            WRITTEN,
+        ),
+        Kind(
+            "PNG",
+            "ms",
+            lambda camera: ("png(make())", {"png": png, "make": partial(made, camera)}),
+            1e3,
+            lambda camera: ("save(image)", {"save": _save, "image": Image.fromarray(pixels(made(camera).cells[0][2]))}),
+            "finished pixels, written by Pillow",
+            PAINTED,
+        ),
+    )
+    for kind in kinds:
+        yield from _measured(name, kind, list(scene.cameras)[: size.cameras], size)
 
 
-def _written(page: Page, name: str, size: Size) -> Figure:
-    """Measure the writing of the corners of all polygons of a page, by plain Python."""
-    corners = [cell.points.tolist() for _, _, cell in page.cells]
+def _measured(name: str, kind: Kind, cameras: list[str], size: Size) -> Iterator[Figure]:
+    """Measure a result of all cameras, and then its slowest camera in turn with the peer."""
+    times = {camera: microseconds(*kind.ours(camera), size.timing) for camera in cameras}
+    slowest = max(times, key=times.__getitem__)
+    ours, other = in_turn(kind.ours(slowest), kind.peer(slowest), size.timing)
+    peer = Figure(f"{name}, plain work beside {kind.name}", _in(kind.unit, other), kind.unit, None, kind.about)
+    note = f"{len(cameras)} cameras, {SIZE[0]} x {SIZE[1]}"
+    yield peer
+    yield against(peer, kind.share, f"{name}, {kind.name}, slowest camera", ours / kind.scale, kind.unit, note)
+    middle = statistics.median(times.values()) / kind.scale
+    yield Figure(f"{name}, {kind.name}, median", middle, kind.unit, None, note)
 
-    def write() -> str:
-        return " ".join(f"{x:.1f} {y:.1f}" for points in corners for x, y in points)
 
-    time = microseconds("f()", {"f": write}, size.timing) / 1e3
-    return Figure(f"{name}, numbers of its SVG", time, "ms", None, "written by plain Python")
+def _in(unit: str, microseconds: float) -> float:
+    """Return a time in us in another unit."""
+    return microseconds if unit == "us" else microseconds / 1e3
 
 
-def _saved(page: Page, name: str, size: Size) -> Figure:
-    """Measure Pillow's writing of a page's finished pixels."""
-    image = Image.fromarray(pixels(page.cells[0][2]))
+def _write(corners: list[list[float]]) -> str:
+    """Write the coordinates of a picture's corners by plain Python."""
+    return " ".join(f"{x:.1f} {y:.1f}" for x, y in corners)
 
-    def save() -> None:
-        image.save(io.BytesIO(), "PNG", compress_level=3)
 
-    time = microseconds("f()", {"f": save}, size.png) / 1e3
-    return Figure(f"{name}, pixels of its PNG", time, "ms", None, "written by Pillow")
+def _save(image: Image.Image) -> None:
+    """Write a picture's finished pixels by Pillow."""
+    image.save(io.BytesIO(), "PNG", compress_level=3)
 
 
 def arguments(scene: VisualScene, frame: Frame, camera: str) -> Arguments:
@@ -153,5 +188,5 @@ def mujoco_picture(size: Size) -> Figure:
         return absent(name, "ms", f"install a GL library for EGL ({type(error).__name__}: {error})")
     renderer.update_scene(data)
     names: dict[str, object] = {"renderer": renderer, "data": data}
-    time = microseconds("renderer.update_scene(data); renderer.render()", names, size.png)
+    time = microseconds("renderer.update_scene(data); renderer.render()", names, size.timing)
     return Figure(name, time / 1e3, "ms", None, "27 boxes, EGL")

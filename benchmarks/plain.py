@@ -16,7 +16,7 @@ import numba
 import numpy as np
 
 from aftdeck.arrays import Array
-from benchmarks.measure import Figure, Timing, microseconds
+from benchmarks.measure import Call, Figure, Timing, microseconds
 
 NUMBERS = np.linspace(0.1, 1.2, 12)
 """Numbers in of the compiled loop."""
@@ -80,13 +80,10 @@ def projections(timing: Timing) -> Figure:
     return Figure("plain loop, 16 corners on a normal", time, "us", None, "compiled by Numba, for a pair")
 
 
-def comparisons(name: str, count: int, timing: Timing) -> Figure:
-    """Measure a compiled loop that compares each of `count` rectangles with each other one."""
-    rng = np.random.default_rng(1)
-    rectangles = rng.uniform(0.0, 1.0, (count, 2, 2))
-    names = {"f": numba.njit(_overlapping), "rectangles": np.sort(rectangles, axis=1)}
-    time = microseconds("f(rectangles)", names, timing)
-    return Figure(name, time, "us", None, f"compiled by Numba: whether each pair of {count} rectangles overlaps")
+def comparisons(count: int) -> Call:
+    """Return the call of a compiled loop that compares each of `count` rectangles with each other one."""
+    rectangles = np.sort(np.random.default_rng(1).uniform(0.0, 1.0, (count, 2, 2)), axis=1)
+    return "f(rectangles)", {"f": numba.njit(_overlapping), "rectangles": rectangles}
 
 
 def _overlapping(rectangles: Array) -> int:
