@@ -20,10 +20,11 @@ from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 from aftdeck.steering.modes import open_loop
 from aftdeck.steering.modes import position as position_mode
 from aftdeck.steering.msteer import msteer
-from benchmarks.measure import SHORT, Figure, Timing, absent, against, microseconds
-from benchmarks.plain import compiled_loop
+from benchmarks.measure import SHORT, Call, Figure, Timing, absent, beside, microseconds
+from benchmarks.plain import arithmetic
 
 FULL, TINY = Timing(), SHORT
+EAIK = "inverse by EAIK"
 
 TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
 """Twist of the tip in L [rad/s, m/s]. A joint would exceed its rate limit at this twist."""
@@ -38,8 +39,8 @@ def rate_law(size: Timing) -> list[Figure]:
     rules = steering_setup(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
     limits = np.array(rules[RATE : RATE + 6])
-    names = {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out}
-    ours = microseconds("f(rules, numbers, out)", names, size)
+    ours: Call = "f(rules, numbers, out)", {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out}
+    microseconds(*ours, SHORT)  # writes `out`
     figures = []
     peers = {
         "NumPy": ("chain of matrices, numpy.linalg.solve", _numpy_jacobian(scenario)),
@@ -54,18 +55,19 @@ def rate_law(size: Timing) -> list[Figure]:
 
         rates = peer(numbers[:6], numbers[6:])
         assert np.allclose(rates, out, atol=1e-9), f"{name} gives {rates}, the law {out}"
-        time = microseconds("f(angles, twist)", {"f": peer, "angles": numbers[:6], "twist": numbers[6:]}, size)
-        figures.append(Figure(f"the same by {name}", time, "us", None, how))
+        call: Call = "f(angles, twist)", {"f": peer, "angles": numbers[:6], "twist": numbers[6:]}
+        figures.append(Figure(f"the same by {name}", microseconds(*call, size), "us", None, how))
     note = "one call from Python, 12 numbers in, 6 out"
-    return [against(figures[-1], 0.1, "RMSRAT with RATLMT", ours, "us", note), *figures]
+    return [beside(figures[-1].name, call, 0.1, "RMSRAT with RATLMT", ours, size, note), *figures]
 
 
 def steering(size: Timing) -> list[Figure]:
     """Measure one steering step of each mode: MSTEER, with its state."""
     scenario = load_scenario("loaded")
     rules_by_mode = steering_setup(scenario, scenario.payload).rules
-    plain = compiled_loop(turns=24, products=100, timing=size)
-    figures = [plain]
+    plain, name = arithmetic(turns=24, products=100), "plain compiled loop"
+    note = "compiled by Numba: 24 sines and cosines, 600 products and sums, one call from Python"
+    figures = [Figure(name, microseconds(*plain, size), "us", None, note)]
     for position, mode in MODES.items():
         if position.startswith("AUTO"):
             continue  # same laws as OPR CMD
@@ -82,9 +84,9 @@ def steering(size: Timing) -> list[Figure]:
             if law == AUTOMATIC_LAWS["open loop"]:
                 open_loop.plan(rules, command, state)
             names = {"f": msteer, "rules": rules, "command": command, "state": state, "report": report}
-            time = microseconds("f(rules, command, state, report)", names, size)
+            step: Call = "f(rules, command, state, report)", names
             share = 3.2 if law == AUTOMATIC_LAWS["closed loop"] else 1.8
-            figures.append(against(plain, share, f"control step, {position}, law {law}", time, "us"))
+            figures.append(beside(name, plain, share, f"control step, {position}, law {law}", step, size))
     return figures
 
 
@@ -99,18 +101,17 @@ def inverse(size: Timing) -> list[Figure]:
         "angles": np.empty((BRANCHES, 6)),
         "excess": np.empty(BRANCHES),
     }
-    time = microseconds("f(arm, pose, angles, excess)", names, size)
-    peer = _eaik(pose, size)
-    return [against(peer, 0.26, "all eight inverse branches", time, "us", "one call from Python, packed arrays"), peer]
+    ours, peer, note = ("f(arm, pose, angles, excess)", names), _eaik(pose), "one call from Python, packed arrays"
+    return [beside(EAIK, peer, 0.26, "all eight inverse branches", ours, size, note), _by_eaik(peer, size)]
 
 
 def calls(size: Timing) -> list[Figure]:
     """Measure the public calls of an arm, with their checks, beside EAIK's inverse."""
     arm, angles, twist = load_scenario("first-flight").arm, np.array(POSE), np.array(TWIST)
     pose = arm.forward(angles)
-    peer = _eaik(pose, size)
+    peer = _eaik(pose)
     names = {"arm": arm, "q": angles, "t": twist, "pose": pose}
-    figures = [peer]
+    figures = [_by_eaik(peer, size)]
     for call, share in (
         ("arm.forward(q)", 0.9),
         ("arm.jacobian(q)", 0.7),
@@ -119,25 +120,30 @@ def calls(size: Timing) -> list[Figure]:
         ("arm.inverse(pose)", 1.6),
         ("arm.inverse(pose, near=q)", 1.7),
     ):
-        figures.append(against(peer, share, call, microseconds(call, names, size), "us"))
+        figures.append(beside(EAIK, peer, share, call, (call, names), size))
     return figures
 
 
-def _eaik(pose: Pose, size: Timing) -> Figure:
-    """Measure EAIK's inverse, and check its first branch."""
-    name = "inverse by EAIK"
+def _by_eaik(call: Call | None, size: Timing) -> Figure:
+    """Measure EAIK's inverse."""
+    if call is None:
+        return absent(EAIK, "us", "install eaik (dependency group `bench`)")
+    return Figure(EAIK, microseconds(*call, size), "us", None, "HPRobot.IK, one call from Python")
+
+
+def _eaik(pose: Pose) -> Call | None:
+    """Return the call of EAIK's inverse, after a check of its first branch; None if EAIK is not installed."""
     try:
         from eaik.IK_HP import HPRobot  # noqa: PLC0415  (only `make bench` installs it)
     except ImportError:
-        return absent(name, "us", "install eaik (dependency group `bench`)")
+        return None
     centres, axes = _chain(load_scenario("first-flight"))
     peer = HPRobot(axes, np.vstack([centres[0], np.diff(centres, axis=0)]))
     target = np.eye(4)
     target[:3, :3], target[:3, 3] = pose.rotation, pose.position
     tip = peer.fwdKin(peer.IK(target).Q[0])[:3, 3]
     assert np.allclose(tip, pose.position, atol=1e-6), f"EAIK's first branch gives the position {tip}"
-    time = microseconds("f(pose)", {"f": peer.IK, "pose": target}, size)
-    return Figure(name, time, "us", None, "HPRobot.IK, one call from Python")
+    return "f(pose)", {"f": peer.IK, "pose": target}
 
 
 class _Jacobian:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import time
 import timeit
+from collections.abc import Callable
 from typing import NamedTuple
 
 import msgspec
@@ -91,9 +93,15 @@ SHORT = Timing(2, 1e-4)
 """Timing that only shows that the call works."""
 
 
-def microseconds(statement: str, names: dict[str, object], timing: Timing) -> float:
-    """Return the time of one execution of `statement` [us]: that of the shortest loop."""
-    timer = timeit.Timer(statement, globals=names)
+def microseconds(
+    statement: str, names: dict[str, object], timing: Timing, clock: Callable[[], float] = time.process_time
+) -> float:
+    """Return the time of one execution of `statement` [us]: that of the shortest loop.
+
+    It is the time of the processor, so that other work of the machine does not count. A statement that lets several
+    threads work needs another clock.
+    """
+    timer = timeit.Timer(statement, globals=names, timer=clock)
     timer.timeit(1)  # compiles
     once = max(timer.timeit(3) / 3, 1e-8)
     number = max(1, round(timing.span / once))
@@ -104,13 +112,28 @@ Call = tuple[str, dict[str, object]]
 """Statement, and the values of its names."""
 
 
-def in_turn(first: Call, second: Call, timing: Timing, rounds: int = 5) -> tuple[float, float]:
+ROUNDS = 5
+"""Number of turns of two statements that are compared."""
+
+
+def in_turn(first: Call, second: Call, timing: Timing) -> tuple[float, float]:
     """Return the times of one execution of two statements [us], timed in turn.
 
     Then other work of the machine delays both, and their ratio is hardly affected.
     """
-    times = [[microseconds(*one, timing) for one in (first, second)] for _ in range(rounds)]
+    times = [[microseconds(*one, timing) for one in (first, second)] for _ in range(ROUNDS)]
     return min(one for one, _ in times), min(other for _, other in times)
+
+
+def beside(peer: str, its: Call | None, share: float, name: str, call: Call, timing: Timing, note: str = "") -> Figure:
+    """Time a call in turn with a peer's call; return a figure that promises at most a share of the peer's time.
+
+    The figure has no target if the peer is absent: `its` is None.
+    """
+    if its is None:
+        return Figure(name, microseconds(*call, timing), "us", None, note)
+    ours, other = in_turn(call, its, timing._replace(repeat=max(1, timing.repeat // ROUNDS)))
+    return against(Figure(peer, other, "us"), share, name, ours, "us", note)
 
 
 def percentile(values: list[float], percent: float) -> float:

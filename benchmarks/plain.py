@@ -9,8 +9,6 @@ import hashlib
 import math
 import time
 from collections.abc import Callable
-from functools import cache
-from typing import Any
 
 import numba
 import numpy as np
@@ -37,23 +35,15 @@ def _arithmetic(numbers: Array, out: Array, turns: int, products: int) -> None:
     out[0], out[1], out[2], out[3], out[4], out[5] = a, b, c, d, e, f
 
 
-@cache
-def _compiled() -> Callable[..., Any]:
-    return numba.njit(_arithmetic)
-
-
-def compiled_loop(turns: int, products: int, timing: Timing) -> Figure:
-    """Measure a compiled loop of plain arithmetic, called from Python with arrays.
+def arithmetic(turns: int, products: int) -> Call:
+    """Return the call of a compiled loop of plain arithmetic, with arrays as a law has them.
 
     Args:
         turns: number of sines and cosines.
         products: number of products and sums for each of six results.
-        timing: extent of the measurement.
     """
-    names = {"f": _compiled(), "numbers": NUMBERS, "out": np.empty(6), "turns": turns, "products": products}
-    time = microseconds("f(numbers, out, turns, products)", names, timing)
-    note = f"compiled by Numba: {turns} sines and cosines, {6 * products} products and sums, one call from Python"
-    return Figure("plain compiled loop", time, "us", None, note)
+    names: dict[str, object] = {"f": numba.njit(_arithmetic), "numbers": NUMBERS, "out": np.empty(6)}
+    return f"f(numbers, out, {turns}, {products})", names
 
 
 def _projected(first: Array, second: Array, normals: Array) -> int:
