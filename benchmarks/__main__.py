@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import signal
 import sys
 from pathlib import Path
 
@@ -105,4 +106,5 @@ def _as_json(head: Head, outcomes: list[Outcome]) -> dict[str, object]:
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # ends the benchmark too, and deletes temporary folders
     sys.exit(main())
