@@ -78,8 +78,8 @@ generate: .venv/.dev  ## generate the call of Frame, web/src/link/protocol.ts an
 fuzz: .venv/.aftdeck .venv/.dev  ## attack with generated files, inputs, recordings and messages; ARGS="--minutes 60"
 	@$(PY) -m fuzz $(ARGS)
 
-bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## run the benchmarks, as JSON
-	@$(PY) -m benchmarks --json $(ARGS)
+bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## run the benchmarks; ARGS="collision reach" selects, BASE=COMMIT compares
+	@$(PY) -m benchmarks $(if $(BASE),--base $(BASE)) $(ARGS)
 
 package: .venv/.aftdeck .venv/.package $(MODULES)  ## build the sdist, the wheel and their lists of packages (SBOM) into dist/
 	$(PY) -m hatchling build

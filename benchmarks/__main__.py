@@ -1,100 +1,110 @@
-"""``python -m benchmarks [--json] [NAME...]``: measure and print. The exit code is 1 if a target is missed."""
+"""``python -m benchmarks [NAME...]``: run benchmarks and print their figures as they come.
+
+Each benchmark has a process of its own. Each result is also appended to a file. The exit code is 1 if a benchmark fails
+or misses a target.
+"""
 
 from __future__ import annotations
 
 import argparse
 import json
-import os
-import platform
+import signal
 import sys
-from importlib import import_module
 from pathlib import Path
-from typing import cast
 
 import msgspec
 
-from benchmarks.measure import Benchmark, Figure
-
-NAMES = {
-    "rate-law": "laws.rate_law",
-    "steering": "laws.steering",
-    "inverse": "laws.inverse",
-    "calls": "laws.calls",
-    "batch": "batch.arm_steps",
-    "collision": "collision.hexahedra",
-    "headless": "simulation.headless",
-    "worksites": "simulation.worksites",
-    "frame": "simulation.frame",
-    "with-frame": "simulation.with_frame",
-    "help": "station.help_page",
-    "first-use": "station.first_use",
-    "start": "station.start",
-    "latency": "station.latency",
-    "loaded": "loaded.loaded",
-    "page": "page.page",
-    "recording": "recording.recording",
-    "dynamics": "dynamics.dynamics",
-    "pictures": "pictures.pictures",
-    "reach": "environments.reach",
-    "studies": "studies.studies",
-    "ray": "studies.on_ray",
-    "report": "report.report",
-}
-"""Module and function of each benchmark."""
-
-
-def machine() -> dict[str, str | int]:
-    """Return a description of this machine."""
-    return {
-        "processor": _processor(),
-        "cores": os.cpu_count() or 1,
-        "system": platform.platform(),
-        "python": platform.python_version(),
-    }
-
-
-def _processor() -> str:
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
-    found = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return found[0] if found else platform.processor() or platform.machine()
-
-
-def measure(name: str) -> list[Figure]:
-    """Run one benchmark and return its figures. The libraries of the benchmark are imported only here."""
-    os.environ.setdefault("MUJOCO_GL", "egl")  # MuJoCo reads it when it is imported: draw without a display
-    module, _, function = NAMES[name].partition(".")
-    return cast("Benchmark", getattr(import_module(f"benchmarks.{module}"), function))()
+from benchmarks import results
+from benchmarks.compare import compare
+from benchmarks.names import NAMES
+from benchmarks.results import Head, Outcome
+from benchmarks.runner import run_all
+from benchmarks.table import line
 
 
 def main() -> int:
-    """Run the benchmarks that the arguments name, or all benchmarks."""
+    """Run the benchmarks that the arguments name."""
+    given = _arguments()
+    file = given.out or results.new_file()
+    if given.base:
+        return compare(given.base, given.names, file, given.rounds)
+    size = "TINY" if given.tiny else "FULL"
+    names = given.names or [name for name, one in NAMES.items() if given.tiny or one.by_default]
+    head = results.here(size)
+    results.begin(file, head)
+    if not given.json:
+        print(_title(head), flush=True)
+    outcomes = []
+    for outcome in run_all([(name, NAMES[name]) for name in names], size):
+        results.append(file, outcome)
+        outcomes.append(outcome)
+        if not given.json:
+            print(report(outcome, judged=not given.tiny), flush=True)
+    missed = [figure for outcome in outcomes for figure in outcome.figures if not figure.kept and not given.tiny]
+    failed = [outcome.benchmark for outcome in outcomes if outcome.error]
+    if given.json:
+        print(json.dumps(_as_json(head, outcomes), indent=2))
+    else:
+        print(f"\n{len(failed)} failed{_listed(failed)}, {len(missed)} missed their targets. Results: {file}")
+    return 1 if failed or missed else 0
+
+
+def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"one of {', '.join(NAMES)}; default: all")
-    parser.add_argument("--json", action="store_true", help="print JSON, for scripts")
+    asked = ", ".join(name for name, one in NAMES.items() if not one.by_default)
+    names = f"one of {', '.join(NAMES)}; default: all but {asked}"
+    parser.add_argument("names", nargs="*", metavar="NAME", help=names)
+    parser.add_argument("--json", action="store_true", help="print JSON at the end, for scripts")
+    parser.add_argument("--tiny", action="store_true", help="only show that all work, in a minute; judge no target")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="file of results; default: a new one in build/bench/")
+    parser.add_argument("--base", metavar="COMMIT", help="run the same benchmarks of a commit, in turn, and compare")
+    parser.add_argument("--rounds", type=int, default=3, help="number of runs of each side with --base (default 3)")
     given = parser.parse_args()
     if unknown := [name for name in given.names if name not in NAMES]:
         parser.error(f"unknown benchmark {unknown[0]!r}; available: {', '.join(NAMES)}")
-    here = machine()
-    if not given.json:
-        print(", ".join(str(value) for value in here.values()))
-    figures: list[Figure] = []
-    for name in given.names or NAMES:
-        measured = measure(name)
-        figures += measured
-        if not given.json:
-            for figure in measured:
-                print(_line(figure), flush=True)
-    if given.json:
-        rows = [{**msgspec.to_builtins(figure), "kept": figure.kept} for figure in figures]
-        print(json.dumps({"machine": here, "figures": rows}, indent=2))
-    return 0 if all(figure.kept for figure in figures) else 1
+    if given.base and (given.tiny or given.json):
+        parser.error("--base goes with neither --tiny nor --json")
+    if given.rounds < 1:
+        parser.error(f"--rounds: got {given.rounds}, expected at least 1")
+    return given
 
 
-def _line(figure: Figure) -> str:
-    promise = "" if figure.target is None else f"{'<=' if figure.kept else 'MISSED'} {figure.target:g}"
-    return f"{figure.name:<30}{figure.value:>10.4g} {figure.unit:<6}{promise:<11}{figure.note}".rstrip()
+def _title(head: Head) -> str:
+    machine = head.machine
+    busy = "" if head.busy is None else f", load average {head.busy:g}"
+    return (
+        f"{machine.processor}, {machine.cores} cores, {machine.system}, Python {machine.python}{busy}\n"
+        f"commit {head.commit or 'unknown'}, {head.date}"
+    )
+
+
+def report(outcome: Outcome, *, judged: bool) -> str:
+    """Return the lines that are printed about a benchmark.
+
+    Args:
+        outcome: what it gave.
+        judged: True if missed targets are marked.
+    """
+    if outcome.error:
+        return f"\n{outcome.benchmark}  FAILED after {outcome.seconds:.1f} s: {outcome.error}"
+    lines = [line(figure, judged=judged) for figure in outcome.figures]
+    return "\n".join([f"\n{outcome.benchmark}  ({outcome.seconds:.1f} s)", *lines, *outcome.lines])
+
+
+def _listed(names: list[str]) -> str:
+    return f" ({', '.join(names)})" if names else ""
+
+
+def _as_json(head: Head, outcomes: list[Outcome]) -> dict[str, object]:
+    """Return the document of ``--json``. Earlier versions read `machine` and `figures` of it."""
+    figures = [figure for outcome in outcomes for figure in outcome.figures]
+    return {
+        **msgspec.to_builtins(head),
+        "figures": [{**msgspec.to_builtins(figure), "kept": figure.kept} for figure in figures],
+        "failed": {outcome.benchmark: outcome.error for outcome in outcomes if outcome.error},
+    }
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # ends the benchmark too, and deletes temporary folders
     sys.exit(main())

@@ -9,7 +9,7 @@ import importlib.util
 import time
 from collections.abc import Callable
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,7 +17,7 @@ import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.steering.batch import steer_batch
 from aftdeck.steering.msteer import NEAR_FLOOR
-from benchmarks.measure import Figure
+from benchmarks.measure import Figure, absent, against
 
 Fields = tuple[Any, ...]
 Peer = Callable[[Array, Array, int], Array]
@@ -27,50 +27,97 @@ START = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
 """Joint angles [rad] of a pose above the payload bay, far from all limits."""
 PERIOD, GAIN = 0.02, 0.5
 """Control period [s], and rate of the tip for each unit of remaining distance or rotation [1/s]."""
-PROMISED = 120e6
-"""Promised number of arm-steps per second, on two cores."""
-SPAN = 5.0
-"""Time for which each program is repeated [s]; the shortest of its runs is reported."""
+FAST, EXACT = 0.08, 0.1
+"""Promised processor times of an arm-step, summed over the cores, as shares of NumPy's."""
 
 
-def arm_steps() -> list[Figure]:
+class Size(NamedTuple):
+    """Extent of the measurement.
+
+    Attributes:
+        span: time for which each program is repeated [s]; the shortest of its runs is reported.
+        arms: number of arms that Aftdeck steers.
+        steps: number of their steps in a run.
+        numpy: number of arms with which NumPy is fastest.
+        jax: number of arms with which JAX is fastest.
+    """
+
+    span: float
+    arms: int
+    steps: int
+    numpy: int
+    jax: int
+
+
+FULL, TINY = Size(5.0, 8192, 2000, 2048, 131_072), Size(0.0, 80, 10, 64, 64)
+
+
+def arm_steps(size: Size) -> list[Figure]:
     """Measure the time of an arm-step on all cores, including the packing and the checks of the arrays."""
     arm = aftdeck.load_arm("srms")
 
-    def ours(start: Array, targets: Array, steps: int) -> Array:
+    def exact(start: Array, targets: Array, steps: int) -> Array:
         return steer_batch(arm, start, targets, steps=steps, period=PERIOD, gain=GAIN).angles
 
     def fast(start: Array, targets: Array, steps: int) -> Array:
         return steer_batch(arm, start, targets, steps=steps, period=PERIOD, gain=GAIN, fast=True).angles
 
-    figures = [
-        _figure("closed loop, an arm-step, fast", fast, _random_arms(arm, 8192), 2000, 1e9 / PROMISED),
-        _figure("closed loop, an arm-step, exact", ours, _random_arms(arm, 8192), 2000, None),
-    ]
-    # the number of arms with which each library is fastest
-    peers: list[tuple[str, int, Peer]] = [("NumPy", 2048, lambda q, t, n: _by_numpy(arm, q, t, n))]
+    def by_numpy(start: Array, targets: Array, steps: int) -> Array:
+        return _by_numpy(arm, start, targets, steps)
+
+    ours = _random_arms(arm, size.arms)
+    quick, right = (_measured(peer, ours, size.steps, size.span) for peer in (fast, exact))
+    single, other = _beside("NumPy", by_numpy, exact, _random_arms(arm, size.numpy), size)
+    cores = Figure("the same by NumPy, processor time", other, "ns")
     if importlib.util.find_spec("jax"):
-        peers.append(("JAX", 131_072, _by_jax(arm)))
-    for name, count, peer in peers:
-        start, targets = _random_arms(arm, count)
-        off = np.abs(peer(start, targets, 3) - ours(start, targets, 3)).max()
-        assert off < 1e-9, f"{name} differs by {off:g} rad"
-        figures.append(_figure(f"the same by {name}", peer, (start, targets), 20, None))
-    return figures
+        jax, _ = _beside("JAX", _by_jax(arm), exact, _random_arms(arm, size.jax), size)
+    else:
+        jax = absent("the same by JAX", "ns", "install jax (dependency group `bench`)")
+    name, of = "closed loop, an arm-step", "processor time"
+    return [
+        Figure(f"{name}, fast", quick.wall, "ns", None, _note(quick.wall, size.arms)),
+        Figure(f"{name}, exact", right.wall, "ns", None, _note(right.wall, size.arms)),
+        single,
+        jax,
+        cores,
+        against(cores, FAST, f"{name}, fast, {of}", quick.processor, "ns", "summed over the cores"),
+        against(cores, EXACT, f"{name}, exact, {of}", right.processor, "ns", "summed over the cores"),
+    ]
 
 
-def _figure(name: str, peer: Peer, arms: tuple[Array, Array], steps: int, target: float | None) -> Figure:
-    """Measure the shortest wall time of an arm-step [ns]."""
+class Times(NamedTuple):
+    """Shortest times of an arm-step: by the wall clock, and of the processor, summed over the cores [ns]."""
+
+    wall: float
+    processor: float
+
+
+def _beside(name: str, peer: Peer, ours: Peer, arms: tuple[Array, Array], size: Size) -> tuple[Figure, float]:
+    """Check that a library computes the same as Aftdeck; measure its time, and its processor time [ns]."""
+    off = np.abs(peer(*arms, 3) - ours(*arms, 3)).max()
+    assert off < 1e-9, f"{name} differs by {off:g} rad"
+    times = _measured(peer, arms, 20, size.span)
+    return Figure(f"the same by {name}", times.wall, "ns", None, _note(times.wall, len(arms[0]))), times.processor
+
+
+def _note(nanoseconds: float, arms: int) -> str:
+    return f"{1e3 / nanoseconds:.1f} million arm-steps/s, {arms} arms"
+
+
+def _measured(peer: Peer, arms: tuple[Array, Array], steps: int, span: float) -> Times:
+    """Return the shortest times of an arm-step."""
     start, targets = arms
     peer(start, targets, steps)  # compiles
-    times: list[float] = []
-    end = time.perf_counter() + SPAN
-    while time.perf_counter() < end or len(times) < 3:
-        begin = time.perf_counter()
+    walls: list[float] = []
+    processors: list[float] = []
+    end = time.perf_counter() + span
+    while time.perf_counter() < end or len(walls) < 3:
+        begin, used = time.perf_counter(), time.process_time()
         peer(start, targets, steps)
-        times.append(time.perf_counter() - begin)
-    each = min(times) / (steps * len(start))
-    return Figure(name, each * 1e9, "ns", target, f"{1e-6 / each:.1f} million arm-steps/s, {len(start)} arms")
+        processors.append(time.process_time() - used)
+        walls.append(time.perf_counter() - begin)
+    count = steps * len(start)
+    return Times(min(walls) / count * 1e9, min(processors) / count * 1e9)
 
 
 def _random_arms(arm: aftdeck.Arm, count: int) -> tuple[Array, Array]:

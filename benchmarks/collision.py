@@ -14,7 +14,10 @@ from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, NORMAL, PAIR
 from aftdeck.bodies.repeated_test import measure, verdict, verified
 from aftdeck.law import law
-from benchmarks.measure import Figure, microseconds
+from benchmarks.measure import SHORT, Figure, Timing, against, microseconds
+from benchmarks.plain import projections
+
+FULL, TINY = Timing(), SHORT
 
 COUNT, FRAMES = 128, 40
 """`COUNT`: number of pairs. `FRAMES`: number of frames in which the bodies move."""
@@ -59,10 +62,11 @@ def judge(first: Array, second: Array, pairs: Array) -> int:
     return count
 
 
-def hexahedra() -> list[Figure]:
-    """Measure the three promised times, and the times of other libraries for the same pairs."""
+def hexahedra(size: Timing) -> list[Figure]:
+    """Measure the times of a pair in compiled loops, and the times of other libraries for the same pairs."""
     rng = np.random.default_rng(1972)
-    figures = []
+    plain = projections(size)
+    figures = [plain]
     for kind, bodies in {"boxes": _boxes(rng), "skewed": _skewed(rng)}.items():
         first = np.array([hexahedron(body) for body in bodies[:COUNT]])
         local = np.array([hexahedron(body) for body in bodies[COUNT:]])
@@ -72,9 +76,11 @@ def hexahedra() -> list[Figure]:
         for k in range(COUNT):
             measure(first[k], near[k], pairs[k])
         assert reverify(first, near, pairs) == COUNT
+        collide, distance = _by_coal(kind, bodies, middles, turns, size)
         names = {"a": first, "b": near, "pairs": pairs}
-        time = microseconds("f(a, b, pairs)", {"f": reverify, **names}) / COUNT
-        figures.append(Figure(f"last plane verified, {kind}", time, "us", 0.03, "clearances of 1 mm to 0.1 m"))
+        near_by = "clearances of 1 mm to 0.1 m"
+        time = microseconds("f(a, b, pairs)", {"f": reverify, **names}, size) / COUNT
+        figures.append(against(plain, 1.8, f"last plane verified, {kind}", time, "us", near_by))
         drift, spin = rng.normal(size=(2, COUNT, 3)) / math.sqrt(3.0)
         frames = np.empty((FRAMES, COUNT, BODY))
         for frame in range(FRAMES):
@@ -82,25 +88,27 @@ def hexahedra() -> list[Figure]:
             # The centres of a pair only move apart, so that few pairs overlap. Overlapping pairs are measured below.
             away = drift * np.sign((drift * pairs[:, NORMAL : NORMAL + 3]).sum(axis=1))[:, None]
             frames[frame] = _placed(local, middles + away * DRIFT * frame, spun)
-        time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs})
+        time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs}, size)
         moving = f"moving {DRIFT * 1e3:g} mm and {SPIN * 1e3:g} mrad a frame"
-        figures.append(Figure(f"clearance, warm, {kind}", time / (2 * FRAMES * COUNT), "us", 0.36, moving))
-        time = microseconds("f(a, b, pairs)", {"f": judge, **names}) / COUNT
-        figures.append(Figure(f"verdict, cold, {kind}", time, "us", 1.2, "clearances of 1 mm to 0.1 m"))
+        figures.append(against(distance, 0.13, f"clearance, warm, {kind}", time / (2 * FRAMES * COUNT), "us", moving))
+        time = microseconds("f(a, b, pairs)", {"f": judge, **names}, size) / COUNT
+        figures.append(against(collide, 0.22, f"verdict, cold, {kind}", time, "us", near_by))
         inside = _placed(local, middles - 0.11 * pairs[:, NORMAL : NORMAL + 3], turns)
         measured = np.array([measure(first[k], inside[k], np.zeros(PAIR)) for k in range(COUNT)])
-        time = microseconds("f(a, b, pairs)", {"f": judge, "a": first, "b": inside, "pairs": pairs.copy()}) / COUNT
+        deep = {"f": judge, "a": first, "b": inside, "pairs": pairs.copy()}
+        time = microseconds("f(a, b, pairs)", deep, size) / COUNT
         share = f"{100 * np.mean(measured <= CONTACT):.0f} % collide"
-        figures.append(Figure(f"verdict, cold, deep, {kind}", time, "us", 1.2, share))
+        figures.append(against(collide, 0.6, f"verdict, cold, deep, {kind}", time, "us", share))
         deep = {"f": follow, "a": first, "frames": inside[None], "pairs": np.zeros((COUNT, PAIR))}
-        time = microseconds("f(a, frames, pairs)", deep) / (2 * COUNT)
+        time = microseconds("f(a, frames, pairs)", deep, size) / (2 * COUNT)
         figures.append(Figure(f"depth, {kind}", time, "us", None, f"clearance and closest pair, {share}"))
+        figures += [collide, distance]
         if kind == "boxes":
             judge(first, near, pairs)
             alone = {"f": verdict, "a": first[0], "b": near[0], "pair": np.zeros(PAIR), "zero": 0.0}
-            time = microseconds("pair[:] = zero; f(a, b, pair)", alone)
+            time = microseconds("pair[:] = zero; f(a, b, pair)", alone, size)
             figures.append(Figure("verdict from Python, boxes", time, "us", None, "one call, cold"))
-            figures += _peers(bodies, first, near, middles, turns)
+            figures.append(_by_mujoco(bodies, first, near, middles, turns, size))
     return figures
 
 
@@ -145,22 +153,43 @@ def _nearby_centres(first: Array, local: Array, turns: Array, rng: np.random.Gen
     return np.asarray(middles)
 
 
-def _peers(bodies: Array, first: Array, near: Array, middles: Array, turns: Array) -> list[Figure]:
-    """Measure coal and MuJoCo, with one call from Python for each pair."""
+def _by_coal(kind: str, bodies: Array, middles: Array, turns: Array, size: Timing) -> tuple[Figure, Figure]:
+    """Measure coal's verdict and coal's distance, with one call from Python for each pair."""
     hulls = [_hull(body) for body in bodies]
     identity = coal.Transform3s.Identity()
     placements = [coal.Transform3s(turn, middle) for turn, middle in zip(turns, middles, strict=True)]
     request, result = coal.CollisionRequest(), coal.CollisionResult()
     request.gjk_tolerance = request.epa_tolerance = 1e-12
     request.enable_contact = False
+    asked, answer = coal.DistanceRequest(), coal.DistanceResult()
+    asked.gjk_tolerance = asked.epa_tolerance = 1e-12
 
-    def by_coal() -> int:
+    def collide() -> int:
         count = 0
         for k in range(COUNT):
             result.clear()
             count += coal.collide(hulls[k], identity, hulls[COUNT + k], placements[k], request, result) > 0
         return count
 
+    def distance() -> float:
+        least = math.inf
+        for k in range(COUNT):
+            answer.clear()
+            least = min(least, coal.distance(hulls[k], identity, hulls[COUNT + k], placements[k], asked, answer))
+        return least
+
+    assert collide() == 0
+    assert 0.0 < distance() < 0.1
+    how = "one call a pair from Python"
+    verdicts, distances = (microseconds("f()", {"f": peer}, size) / COUNT for peer in (collide, distance))
+    return (
+        Figure(f"coal, collide, {kind}", verdicts, "us", None, how),
+        Figure(f"coal, distance, {kind}", distances, "us", None, how),
+    )
+
+
+def _by_mujoco(bodies: Array, first: Array, near: Array, middles: Array, turns: Array, size: Timing) -> Figure:
+    """Measure MuJoCo's distance, with one call from Python for each pair; check the least distance."""
     spec = mujoco.MjSpec()
     for body, turn, middle in zip(
         bodies, [np.eye(3)] * COUNT + list(turns), [np.zeros(3)] * COUNT + list(middles), strict=True
@@ -174,18 +203,14 @@ def _peers(bodies: Array, first: Array, near: Array, middles: Array, turns: Arra
     data, ends = mujoco.MjData(model), np.empty(6)
     mujoco.mj_forward(model, data)
 
-    def by_mujoco() -> float:
+    def distance() -> float:
         return min(float(mujoco.mj_geomDistance(model, data, k, COUNT + k, 1.0, ends)) for k in range(COUNT))
 
-    assert by_coal() == 0
     pairs = np.zeros((COUNT, PAIR))
     ours = min(measure(first[k], near[k], pairs[k]) for k in range(COUNT))
-    assert abs(by_mujoco() - ours) < 1e-5, f"MuJoCo's least distance is {by_mujoco()}, ours {ours}"
-    figures = []
-    for name, how, peer in (("coal", "collide", by_coal), ("MuJoCo", "mj_geomDistance", by_mujoco)):
-        time = microseconds("f()", {"f": peer}) / COUNT
-        figures.append(Figure(f"the same by {name}", time, "us", None, f"{how}, one call a pair from Python"))
-    return figures
+    assert abs(distance() - ours) < 1e-5, f"MuJoCo's least distance is {distance()}, ours {ours}"
+    time = microseconds("f()", {"f": distance}, size) / COUNT
+    return Figure("MuJoCo, mj_geomDistance, boxes", time, "us", None, "one call a pair from Python")
 
 
 def _hull(body: Array) -> object:

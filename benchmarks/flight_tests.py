@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -12,6 +13,9 @@ from aftdeck.simulation.run import Simulation
 
 TESTS = {"flight-test": "none", "flight-test-loaded": "32,000 lb"}
 """Scenarios, and their payloads."""
+FULL = tuple((name, plant) for name in TESTS for plant in ("rigid", "flexible"))
+TINY = (("flight-test", "rigid"),)
+"""Flight tests of the table: scenario and plant."""
 CAUSES = {"brakes": "BRAKES", "command": "the command", "safing": "SAFING"}
 """Words of the log about the cause of a stop, by the last word of a step's name."""
 LINE = re.compile(
@@ -72,18 +76,17 @@ def stops(name: str, plant: str) -> list[tuple[str, Measured]]:
     return found
 
 
-def main() -> None:
-    """Print the table."""
-    print("| payload | plant | step, stopped by | at, mm/s | moved, mm | farther, mm | swung, mm | end |")
-    print("|---|---|---|---|---|---|---|---|")
-    for name, payload in TESTS.items():
-        for plant in ("rigid", "flexible"):
-            for step, stop in stops(name, plant):
-                sizes = (stop.speed, stop.moved, stop.farther, stop.swung)
-                numbers = " | ".join(_millimetres(size) for size in sizes)
-                how = "at rest" if stop.left is None else f"swings by {_millimetres(stop.left)} mm"
-                title = step.replace(", stopped by", ",")
-                print(f"| {payload} | {plant} | {title} | {numbers} | {how} after {stop.seconds:.1f} s |")
+def table(flights: tuple[tuple[str, str], ...]) -> Iterator[str]:
+    """Yield the lines of the table."""
+    yield "| payload | plant | step, stopped by | at, mm/s | moved, mm | farther, mm | swung, mm | end |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for name, plant in flights:
+        for step, stop in stops(name, plant):
+            sizes = (stop.speed, stop.moved, stop.farther, stop.swung)
+            numbers = " | ".join(_millimetres(size) for size in sizes)
+            how = "at rest" if stop.left is None else f"swings by {_millimetres(stop.left)} mm"
+            title = step.replace(", stopped by", ",")
+            yield f"| {TESTS[name]} | {plant} | {title} | {numbers} | {how} after {stop.seconds:.1f} s |"
 
 
 def _millimetres(size: float) -> str:
@@ -92,4 +95,5 @@ def _millimetres(size: float) -> str:
 
 
 if __name__ == "__main__":
-    main()
+    for line in table(FULL):
+        print(line, flush=True)

@@ -20,7 +20,11 @@ from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 from aftdeck.steering.modes import open_loop
 from aftdeck.steering.modes import position as position_mode
 from aftdeck.steering.msteer import msteer
-from benchmarks.measure import Figure, microseconds
+from benchmarks.measure import SHORT, Call, Figure, Timing, absent, beside, microseconds
+from benchmarks.plain import arithmetic
+
+FULL, TINY = Timing(), SHORT
+EAIK = "inverse by EAIK"
 
 TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
 """Twist of the tip in L [rad/s, m/s]. A joint would exceed its rate limit at this twist."""
@@ -29,14 +33,15 @@ POSE = (-0.5, 1.3, -1.8, -1.2, 0.3, -2.0)
 """Joint angles of an arm above the bay, far from every singularity [rad]."""
 
 
-def rate_law() -> list[Figure]:
+def rate_law(size: Timing) -> list[Figure]:
     """Measure RMSRAT with RATLMT (twelve numbers in, six out), and the same computation with other libraries."""
     scenario = load_scenario("first-flight")
     rules = steering_setup(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
     limits = np.array(rules[RATE : RATE + 6])
-    ours = microseconds("f(rules, numbers, out)", {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out})
-    figures = [Figure("RMSRAT with RATLMT", ours, "us", 0.7, "one call from Python, 12 numbers in, 6 out")]
+    ours: Call = "f(rules, numbers, out)", {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out}
+    microseconds(*ours, SHORT)  # writes `out`
+    figures = []
     peers = {
         "NumPy": ("chain of matrices, numpy.linalg.solve", _numpy_jacobian(scenario)),
         "Pinocchio": ("computeFrameJacobian, numpy.linalg.solve", _pinocchio_jacobian(scenario)),
@@ -50,16 +55,19 @@ def rate_law() -> list[Figure]:
 
         rates = peer(numbers[:6], numbers[6:])
         assert np.allclose(rates, out, atol=1e-9), f"{name} gives {rates}, the law {out}"
-        time = microseconds("f(angles, twist)", {"f": peer, "angles": numbers[:6], "twist": numbers[6:]})
-        figures.append(Figure(f"the same by {name}", time, "us", None, how))
-    return figures
+        call: Call = "f(angles, twist)", {"f": peer, "angles": numbers[:6], "twist": numbers[6:]}
+        figures.append(Figure(f"the same by {name}", microseconds(*call, size), "us", None, how))
+    note = "one call from Python, 12 numbers in, 6 out"
+    return [beside(figures[-1].name, call, 0.1, "RMSRAT with RATLMT", ours, size, note), *figures]
 
 
-def steering() -> list[Figure]:
+def steering(size: Timing) -> list[Figure]:
     """Measure one steering step of each mode: MSTEER, with its state."""
     scenario = load_scenario("loaded")
     rules_by_mode = steering_setup(scenario, scenario.payload).rules
-    figures = []
+    plain, name = arithmetic(turns=24, products=100), "plain compiled loop"
+    note = "compiled by Numba: 24 sines and cosines, 600 products and sums, one call from Python"
+    figures = [Figure(name, microseconds(*plain, size), "us", None, note)]
     for position, mode in MODES.items():
         if position.startswith("AUTO"):
             continue  # same laws as OPR CMD
@@ -76,12 +84,13 @@ def steering() -> list[Figure]:
             if law == AUTOMATIC_LAWS["open loop"]:
                 open_loop.plan(rules, command, state)
             names = {"f": msteer, "rules": rules, "command": command, "state": state, "report": report}
-            time = microseconds("f(rules, command, state, report)", names, repeat=60)
-            figures.append(Figure(f"control step, {position}", time, "us", 4.0, f"law {law}"))
+            step: Call = "f(rules, command, state, report)", names
+            share = 3.2 if law == AUTOMATIC_LAWS["closed loop"] else 1.8
+            figures.append(beside(name, plain, share, f"control step, {position}, law {law}", step, size))
     return figures
 
 
-def inverse() -> list[Figure]:
+def inverse(size: Timing) -> list[Figure]:
     """Measure all eight branches of the closed-form inverse: RMANGS, one call from Python."""
     arm = load_scenario("first-flight").arm
     pose = arm.forward(POSE)
@@ -92,34 +101,38 @@ def inverse() -> list[Figure]:
         "angles": np.empty((BRANCHES, 6)),
         "excess": np.empty(BRANCHES),
     }
-    time = microseconds("f(arm, pose, angles, excess)", names)
-    figures = [Figure("all eight inverse branches", time, "us", 3.0, "one call from Python, packed arrays")]
-    peer = _eaik(pose)
-    return figures if peer is None else [*figures, Figure("the same by EAIK", peer, "us", None, "HPRobot.IK")]
+    ours, peer, note = ("f(arm, pose, angles, excess)", names), _eaik(pose), "one call from Python, packed arrays"
+    return [beside(EAIK, peer, 0.26, "all eight inverse branches", ours, size, note), _by_eaik(peer, size)]
 
 
-def calls() -> list[Figure]:
-    """Measure the public calls of an arm, with their checks. Targets are multiples of the time of EAIK's inverse."""
+def calls(size: Timing) -> list[Figure]:
+    """Measure the public calls of an arm, with their checks, beside EAIK's inverse."""
     arm, angles, twist = load_scenario("first-flight").arm, np.array(POSE), np.array(TWIST)
     pose = arm.forward(angles)
     peer = _eaik(pose)
     names = {"arm": arm, "q": angles, "t": twist, "pose": pose}
-    figures = [] if peer is None else [Figure("EAIK's inverse", peer, "us", None, "HPRobot.IK")]
+    figures = [_by_eaik(peer, size)]
     for call, share in (
-        ("arm.forward(q)", 0.6),
-        ("arm.jacobian(q)", 0.6),
-        ("arm.singularities(q)", 0.8),
-        ("arm.joint_rates(q, t)", 1.2),
-        ("arm.inverse(pose)", 3.0),
-        ("arm.inverse(pose, near=q)", 3.0),
+        ("arm.forward(q)", 0.9),
+        ("arm.jacobian(q)", 0.7),
+        ("arm.singularities(q)", 0.9),
+        ("arm.joint_rates(q, t)", 1.5),
+        ("arm.inverse(pose)", 1.6),
+        ("arm.inverse(pose, near=q)", 1.7),
     ):
-        target = None if peer is None else share * peer
-        figures.append(Figure(call, microseconds(call, names), "us", target, f"target: {share:g} of EAIK's inverse"))
+        figures.append(beside(EAIK, peer, share, call, (call, names), size))
     return figures
 
 
-def _eaik(pose: Pose) -> float | None:
-    """Return the time of EAIK's inverse [us], or None if EAIK is not installed. Check its first branch."""
+def _by_eaik(call: Call | None, size: Timing) -> Figure:
+    """Measure EAIK's inverse."""
+    if call is None:
+        return absent(EAIK, "us", "install eaik (dependency group `bench`)")
+    return Figure(EAIK, microseconds(*call, size), "us", None, "HPRobot.IK, one call from Python")
+
+
+def _eaik(pose: Pose) -> Call | None:
+    """Return the call of EAIK's inverse, after a check of its first branch; None if EAIK is not installed."""
     try:
         from eaik.IK_HP import HPRobot  # noqa: PLC0415  (only `make bench` installs it)
     except ImportError:
@@ -130,7 +143,7 @@ def _eaik(pose: Pose) -> float | None:
     target[:3, :3], target[:3, 3] = pose.rotation, pose.position
     tip = peer.fwdKin(peer.IK(target).Q[0])[:3, 3]
     assert np.allclose(tip, pose.position, atol=1e-6), f"EAIK's first branch gives the position {tip}"
-    return microseconds("f(pose)", {"f": peer.IK, "pose": target})
+    return "f(pose)", {"f": peer.IK, "pose": target}
 
 
 class _Jacobian:

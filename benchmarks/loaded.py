@@ -25,15 +25,39 @@ from aftdeck.simulation.inputs import Inputs
 from benchmarks.load import Wire, text
 from benchmarks.measure import Figure, percentile
 from benchmarks.station import AFTDECK
+from benchmarks.table import line
 
 SCENARIO = "first-flight"
 PERIOD = 0.02
 """Control period [s]."""
-SECONDS = 60.0
-"""Time for which the loaded station is measured [s]."""
-SETTLE = 5.0
-"""Time after the start of the load that is not measured [s]."""
-HOUR = 3600.0
+P99_MS, WORST_MS = 30.0, 60.0
+"""Promised intervals between the operator's frames under load [ms]."""
+
+
+class Size(NamedTuple):
+    """Extent of the measurement.
+
+    Attributes:
+        quiet: time for which the station without load is measured [s].
+        seconds: time for which the loaded station is measured [s].
+        settle: time after the start of the load that is not measured [s].
+        hour: simulated time of the recording that is opened [s].
+        first: first part of the soak [s], after which the memory is read.
+        minutes: duration of the soak [min].
+        recording: existing recording to open; None makes one, in about two minutes.
+    """
+
+    quiet: float = 10.0
+    seconds: float = 60.0
+    settle: float = 5.0
+    hour: float = 3600.0
+    first: float = 60.0
+    minutes: float = 60.0
+    recording: Path | None = None
+
+
+FULL = Size()
+TINY = Size(quiet=0.5, seconds=1.0, settle=0.2, hour=5.0, first=0.5, minutes=0.02)
 _FRAME, _TICK = b'{"type":"frame"', re.compile(rb'"tick":(\d+)')
 _STICKS = {"type": "sticks", "translation": [0.1, 0, 0], "rotation": [0, 0, 0], "drive": 0}
 
@@ -50,52 +74,47 @@ class Seen(NamedTuple):
     seconds: float
 
 
-def loaded(recording: Path | None = None, seconds: float = SECONDS) -> list[Figure]:
-    """Measure the operator's frames while pages watch, one page floods, and an hour's replay is opened.
-
-    Args:
-        recording: recording of an hour; None makes one, in about two minutes.
-        seconds: time to measure [s].
-    """
+def loaded(size: Size) -> list[Figure]:
+    """Measure the operator's frames while pages watch, one page floods, and an hour's replay is opened."""
     with tempfile.TemporaryDirectory() as folder:
         hour = Path(folder) / "hour.mcap"
-        if recording is None:
-            record_hour(hour)
+        if size.recording is None:
+            record_hour(hour, size.hour)
         else:
-            hour.symlink_to(recording.resolve())
+            hour.symlink_to(size.recording.resolve())
         with _flying(folder) as (address, _), _operator(address) as operator, ExitStack() as load:
-            quiet = _figures(_operate(operator, 10.0), "no load", promised=False)
+            quiet = _figures(_operate(operator, size.quiet, size.settle), "no load", "", promised=False)
             load.enter_context(_loading("watch", address))
             load.enter_context(_loading("flood", address))
             load.enter_context(_loading("replay", address, f"/replay/{hour.name}/"))
-            seen = _operate(operator, seconds)
+            seen = _operate(operator, size.seconds, size.settle)
         delays = _delays(folder)
-    return [*quiet, *_figures(seen, "8 watchers, a flood, a replay", promised=True), *delays]
+    return [*quiet, *_figures(seen, "loaded", "8 watchers, a flood, a replay", promised=True), *delays]
 
 
-def soak(minutes: float) -> list[Figure]:
+def soak(size: Size) -> list[Figure]:
     """Measure a flight of some minutes with eight watchers: frames, lost time and memory."""
     with tempfile.TemporaryDirectory() as folder:
         with _flying(folder) as (address, process), _operator(address) as operator, _loading("watch", address):
-            first = _operate(operator, 60.0)
+            first = _operate(operator, size.first, size.settle)
             early = _memory(process)
-            rest = _operate(operator, max(60.0 * (minutes - 1.0), 1.0))
+            rest = _operate(operator, max(60.0 * size.minutes - size.first, 1.0), size.settle)
             late = _memory(process)
         delays = _delays(folder)
     seen = Seen(first.intervals + rest.intervals, first.seconds + rest.seconds)
     return [
-        *_figures(seen, f"8 watchers, {minutes:g} minutes", promised=True),
+        *_figures(seen, "soak", f"8 watchers, {size.minutes:g} minutes", promised=True),
         *delays,
-        Figure("memory after minute one", early, "MB"),
+        Figure("memory early", early, "MB", None, f"after {size.first:g} s"),
         Figure("memory at the end", late, "MB"),
     ]
 
 
-def record_hour(path: Path) -> None:
-    """Record an hour of manual inputs."""
+def record_hour(path: Path, seconds: float) -> None:
+    """Record an hour, or another time [s], of manual inputs."""
     simulation = aftdeck.Simulation(SCENARIO)
     recorder = Recorder(path, simulation.scenario, simulation.seed)
-    for k in range(round(HOUR / PERIOD)):
+    for k in range(round(seconds / PERIOD)):
         given = Inputs(translation=(0.3 * sin(0.01 * k), 0.2 * cos(0.013 * k), 0.0), rotation=(0.0, 0.0, 0.1))
         recorder.step(given, simulation.step(given))
         recorder.take_turns()
@@ -113,19 +132,19 @@ def _operator(address: str) -> Iterator[Wire]:
         yield wire
 
 
-def _operate(wire: Wire, seconds: float) -> Seen:
-    """Send sticks with every frame; return what the page has received."""
+def _operate(wire: Wire, seconds: float, settle: float) -> Seen:
+    """Send sticks with every frame; return what the page has received in `seconds` after `settle` [s]."""
     intervals: list[float] = []
     before = begun = 0.0
     start = time.perf_counter()
-    while time.perf_counter() - start < seconds + SETTLE:
+    while time.perf_counter() - start < seconds + settle:
         for message in wire.messages():
             if not message.startswith(_FRAME):
                 continue
             now = time.perf_counter()
             found = _TICK.search(message)
             assert found is not None
-            if now - start < SETTLE:
+            if now - start < settle:
                 begun = now
             else:
                 intervals.append(1e3 * (now - before))
@@ -134,13 +153,19 @@ def _operate(wire: Wire, seconds: float) -> Seen:
     return Seen(intervals, before - begun)
 
 
-def _figures(seen: Seen, load: str, *, promised: bool) -> list[Figure]:
-    p99, worst = (30.0, 60.0) if promised else (None, None)
-    rate = len(seen.intervals) / seen.seconds
+def _figures(seen: Seen, load: str, note: str, *, promised: bool) -> list[Figure]:
+    p99, worst = (P99_MS, WORST_MS) if promised else (None, None)
+    rate = f"{len(seen.intervals) / seen.seconds:.1f} frames/s"
     return [
-        Figure("frame interval, p50", percentile(seen.intervals, 50), "ms", None, f"{load}; {rate:.1f} frames/s"),
-        Figure("frame interval, p99", percentile(seen.intervals, 99), "ms", p99, load),
-        Figure("frame interval, worst", max(seen.intervals), "ms", worst, load),
+        Figure(
+            f"frame interval, {load}, p50",
+            percentile(seen.intervals, 50),
+            "ms",
+            None,
+            "; ".join(filter(None, (note, rate))),
+        ),
+        Figure(f"frame interval, {load}, p99", percentile(seen.intervals, 99), "ms", p99, note),
+        Figure(f"frame interval, {load}, worst", max(seen.intervals), "ms", worst, note),
     ]
 
 
@@ -194,12 +219,13 @@ def main() -> None:
     """Run the benchmark or the soak, and print the figures."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.loaded", description=__doc__)
     parser.add_argument("--hour", type=Path, metavar="FILE", help="recording of an hour; default: make one")
-    parser.add_argument("--seconds", type=float, default=SECONDS, help="time to measure")
+    parser.add_argument("--seconds", type=float, default=FULL.seconds, help="time to measure")
     parser.add_argument("--soak", type=float, metavar="MINUTES", help="fly this long with eight watchers alone")
     given = parser.parse_args()
     print(f"load average {os.getloadavg()[0]:.2f}", flush=True)
-    for figure in soak(given.soak) if given.soak else loaded(given.hour, given.seconds):
-        print(f"{figure.name:<24}{figure.value:>9.2f} {figure.unit:<4}{'' if figure.kept else 'MISSED'} {figure.note}")
+    size = FULL._replace(seconds=given.seconds, recording=given.hour)
+    for figure in soak(size._replace(minutes=given.soak)) if given.soak else loaded(size):
+        print(line(figure))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ at the tip; the orbiter is fixed. *Off the line* is the greatest distance of the
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +27,17 @@ LAWS: dict[int, LawChoice] = {1: "position", 2: "closed loop", 3: "open loop"}
 LOADS = (0, 15_000, 32_000, 65_000)
 """Masses of the payload [lb]."""
 PLANTS = ("kinematic", "rigid", "flexible")
+
+
+class Size(NamedTuple):
+    """Motions of the table: modes, masses of the payload [lb], and plants."""
+
+    modes: tuple[int, ...]
+    loads: tuple[int, ...]
+    plants: tuple[str, ...]
+
+
+FULL, TINY = Size((1, 2, 3), LOADS, PLANTS), Size((1,), (0,), ("rigid",))
 
 
 class Row(NamedTuple):
@@ -78,20 +90,19 @@ def _off(tips: Array, start: Array) -> float:
     return float(np.linalg.norm(away - np.outer(away @ along, along), axis=1).max())
 
 
-def main() -> None:
-    """Print the table."""
-    print("| mode | payload, lb | plant | time, s | off the line, mm | miss, mm | miss, deg | within 10 mm after, s |")
-    print("|---|---|---|---|---|---|---|---|")
-    for mode, law in LAWS.items():
-        for pounds in LOADS:
-            for plant in PLANTS:
-                row = flight(law, pounds, plant)
+def table(size: Size) -> Iterator[str]:
+    """Yield the lines of the table."""
+    yield "| mode | payload, lb | plant | time, s | off the line, mm | miss, mm | miss, deg | within 10 mm after, s |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for mode in size.modes:
+        for pounds in size.loads:
+            for plant in size.plants:
+                row = flight(LAWS[mode], pounds, plant)
                 off = "–" if mode == 1 else _pair(row.off, 1e3, 1)
                 turn = _pair(row.turn, math.degrees(1.0), 3)
-                print(
+                yield (
                     f"| {mode} | {pounds:,} | {plant} | {row.time:.1f} | {off} | {_pair(row.miss, 1e3, 1)} "
-                    f"| {turn} | {row.late:.0f} |",
-                    flush=True,
+                    f"| {turn} | {row.late:.0f} |"
                 )
 
 
@@ -102,4 +113,5 @@ def _pair(values: tuple[float, float], scale: float, digits: int) -> str:
 
 
 if __name__ == "__main__":
-    main()
+    for line in table(FULL):
+        print(line, flush=True)

@@ -8,6 +8,7 @@ import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 from aftdeck.recording.replay import verify
 from aftdeck.recording.writer import Recorder
@@ -15,61 +16,121 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from benchmarks.measure import Figure, percentile
+from benchmarks.measure import Figure, against, percentile
 
-FLOWN_S = 30.0
-"""Real time for which a run is recorded [s]."""
+QUEUED, MORE, VERIFIED = 0.1, 0.4, 8.0
+"""Promises: mean time to queue a step, and extra time of a recorded step, as shares of the median step without a
+recording; verification, as a share of a simulation of the same inputs with frames."""
+
+
+class Size(NamedTuple):
+    """Real time for which a run is recorded [s], and time of the run before that compiles the laws [s]."""
+
+    flown_s: float
+    warm_s: float
+
+
+FULL, TINY = Size(30.0, 2.0), Size(0.5, 0.1)
 SMOOTH = 0.1
 """Fraction of a stick's distance to its next deflection that the stick covers in each step."""
 
 
-def recording() -> list[Figure]:
+def recording(size: Size) -> list[Figure]:
     """Measure a run with random sticks in real time, without and with a recording, and verify the recording."""
     scenario = load_scenario("first-flight")
-    _flown(scenario, None, 2.0)  # compiles
-    bare, _ = _flown(scenario, None, FLOWN_S)
+    _again(scenario, size.warm_s)  # compiles
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "flight.mcap"
         recorder = Recorder(file, scenario, 0)
-        steps, appends = _flown(scenario, recorder, FLOWN_S)
+        without, steps, appends = _flown(scenario, recorder, size.flown_s)
         recorder.close("stopped")
         if recorder.failure:
             raise RuntimeError(recorder.failure)
-        size = file.stat().st_size / 1e6 / (FLOWN_S / 60.0)
-        begin = time.perf_counter()
-        verdict = verify(file)
-        speed = verdict.time_s / (time.perf_counter() - begin)
-        if not verdict.equal:
-            raise RuntimeError(f"the re-simulation differs from the recording: {verdict.first}")
-    more = statistics.median(steps) - statistics.median(bare)
-    count = f"{len(appends)} steps in {FLOWN_S:g} s"
+        megabytes = file.stat().st_size / 1e6
+        empty = _empty(Path(folder) / "empty.mcap", scenario)
+        before = _again(scenario, size.flown_s)
+        first = _verified(file)
+        alone = min(before, _again(scenario, size.flown_s))
+        second = min(first, _verified(file))
+    more = statistics.median(steps) - statistics.median(without)
+    count = f"{len(appends)} steps in {size.flown_s:g} s"
+    bare = Figure("step without a recording, median", statistics.median(without), "us", None, "in real time")
+    again = Figure("simulation of one second", 1e3 * alone, "ms", None, "processor time, with frames")
+    minute = empty + (megabytes - empty) * 60.0 / size.flown_s
+    mean = statistics.mean(appends)
+    checked = f"processor time, {1.0 / second:.0f} times real time"
     return [
+        bare,
         Figure("queueing a step, median", statistics.median(appends), "us", None, count),
-        Figure("queueing a step, mean", statistics.mean(appends), "us", 30.0, "on the simulation's thread"),
+        against(bare, QUEUED, "queueing a step, mean", mean, "us", "on the simulation's thread"),
         Figure("queueing a step, 99 %", percentile(appends, 99.0), "us", None, "while the writer's thread runs"),
-        Figure("recorded step, extra time", more, "us", 30.0, "median, compared with the run without a recording"),
-        Figure("file size of one minute", size, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
-        Figure("verification of one second", 1000.0 / speed, "ms", 30.0, f"{speed:.0f} times real time"),
+        against(bare, MORE, "recorded step, extra time", more, "us", "difference of the medians"),
+        Figure(
+            "file size of one minute", minute, "MB", 1.8, f"random sticks in two modes; {empty:.2f} MB without a step"
+        ),
+        again,
+        against(again, VERIFIED, "verification of one second", 1e3 * second, "ms", checked),
     ]
 
 
-def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[list[float], list[float]]:
-    """Run in real time; return the time of each step, and how long it takes to queue the step for the file [us]."""
+def _empty(file: Path, scenario: Scenario) -> float:
+    """Return the size of a recording without a step [MB]."""
+    Recorder(file, scenario, 0).close("stopped")
+    return file.stat().st_size / 1e6
+
+
+def _verified(file: Path) -> float:
+    """Return the processor time to verify a recording, for one second of the run [s]."""
+    begin = time.process_time()
+    verdict = verify(file)
+    used = time.process_time() - begin
+    if not verdict.equal:
+        raise RuntimeError(f"the re-simulation differs from the recording: {verdict.first}")
+    return used / verdict.time_s
+
+
+def _again(scenario: Scenario, span: float) -> float:
+    """Return the processor time to simulate the inputs of a run, with frames, for one second of the run [s]."""
     sim = Simulation(scenario)
-    steps, appends = [], []
+    begin = time.process_time()
+    for inputs in _random_inputs(round(span / scenario.control_period)):
+        sim.step(inputs)
+    return (time.process_time() - begin) / span
+
+
+def _flown(scenario: Scenario, recorder: Recorder, span: float) -> tuple[list[float], list[float], list[float]]:
+    """Run two simulations of the same inputs in real time; they step in turn, and one of them is recorded.
+
+    Each waits a control period before its next step, as in a station.
+
+    Returns:
+        Times of the steps without and with a recording, and times to queue a step for the file [us].
+    """
+    bare, recorded = Simulation(scenario), Simulation(scenario)
+    without: list[float] = []
+    steps: list[float] = []
+    appends: list[float] = []
     due = time.perf_counter()
     for inputs in _random_inputs(round(span / scenario.control_period)):
         begin = time.perf_counter()
-        frame = sim.step(inputs)
+        bare.step(inputs)
+        without.append((time.perf_counter() - begin) * 1e6)
+        due = _wait(due + scenario.control_period / 2.0)
+        begin = time.perf_counter()
+        frame = recorded.step(inputs)
         stepped = time.perf_counter()
-        if recorder is not None:
-            recorder.step(inputs, frame, 40.0)
+        recorder.step(inputs, frame, 40.0)
         end = time.perf_counter()
         steps.append((end - begin) * 1e6)
         appends.append((end - stepped) * 1e6)
-        due += scenario.control_period
-        time.sleep(max(0.0, due - time.perf_counter()))
-    return steps, appends
+        due = _wait(due + scenario.control_period / 2.0)
+    return without, steps, appends
+
+
+def _wait(due: float) -> float:
+    """Wait until a time of the performance counter [s]; return it."""
+    time.sleep(max(0.0, due - time.perf_counter()))
+    return due
 
 
 def _random_inputs(count: int) -> Iterator[Inputs]:

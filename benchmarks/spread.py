@@ -22,10 +22,6 @@ from aftdeck.steering.mode import LawChoice
 from benchmarks.empty_space import in_space, move_to
 from benchmarks.plants import LAWS
 
-MOTIONS = 10
-"""Number of random motions for each mass."""
-LOADS = (0, 5_000, 32_000, 65_000)
-"""Masses of the payload [lb]."""
 TURN, TURN_LOADED = math.radians(40.0), math.radians(8.0)
 """Greatest change of a joint angle without and with a payload [rad]."""
 BUILT_IN: dict[LawChoice, tuple[str, ...]] = {
@@ -34,9 +30,30 @@ BUILT_IN: dict[LawChoice, tuple[str, ...]] = {
     "open loop": ("sts-400-open",),
 }
 """Scenarios whose first motion is measured, too."""
-PLANTS: tuple[Literal["rigid", "flexible"], ...] = ("rigid", "flexible")
 SETTLING = 3.0
 """Time by which a motion with masses may end later, however short it is [s]."""
+
+
+class Size(NamedTuple):
+    """Extent of the table.
+
+    Attributes:
+        loads: masses of the payload [lb].
+        motions: number of random motions for each mass.
+        laws: steering laws.
+        plants: plants with masses.
+        built_in: True if built-in scenarios are measured too.
+    """
+
+    loads: tuple[int, ...]
+    motions: int
+    laws: tuple[LawChoice, ...]
+    plants: tuple[Literal["rigid", "flexible"], ...]
+    built_in: bool
+
+
+FULL = Size((0, 5_000, 32_000, 65_000), 10, tuple(LAWS.values()), ("rigid", "flexible"), True)
+TINY = Size((0,), 1, ("position",), ("rigid",), False)
 _MIDDLE = np.radians([-30.0, 70.0, -80.0, -40.0, 10.0, -60.0])
 
 
@@ -61,7 +78,7 @@ class Result(NamedTuple):
     miss: float
 
 
-def motions(loads: tuple[int, ...] = LOADS, count: int = MOTIONS) -> Iterator[Motion]:
+def motions(loads: tuple[int, ...], count: int) -> Iterator[Motion]:
     """Yield the motions, in every call the same."""
     for pounds in loads:
         rng = np.random.default_rng(pounds)
@@ -95,21 +112,22 @@ def flown(given: Scenario) -> Result | None:
     return None
 
 
-def flights(law: LawChoice, plant: str, *, loaded: bool) -> list[Result | None]:
+def flights(law: LawChoice, plant: str, size: Size, *, loaded: bool) -> list[Result | None]:
     """Fly all motions and, without a payload, the built-in scenarios of a steering law."""
-    found = [flown(scenario(motion, law, plant)) for motion in motions() if bool(motion.pounds) == loaded]
-    if not loaded:
+    moves = motions(size.loads, size.motions)
+    found = [flown(scenario(motion, law, plant)) for motion in moves if bool(motion.pounds) == loaded]
+    if not loaded and size.built_in:
         found += [flown(load_scenario(name, {("plant",): plant})) for name in BUILT_IN[law]]
     return found
 
 
-def main() -> None:
-    """Print the table of `plant.spread`."""
-    for law in LAWS.values():
-        for loaded in (False, True):
-            rehearsed = flights(law, "kinematic", loaded=loaded)
-            for plant in PLANTS:
-                both = zip(rehearsed, flights(law, plant, loaded=loaded), strict=True)
+def table(size: Size) -> Iterator[str]:
+    """Yield the lines of the table of `plant.spread`."""
+    for law in size.laws:
+        for loaded in sorted({pounds > 0 for pounds in size.loads}):
+            rehearsed = flights(law, "kinematic", size, loaded=loaded)
+            for plant in size.plants:
+                both = zip(rehearsed, flights(law, plant, size, loaded=loaded), strict=True)
                 pairs = [(before, after) for before, after in both if before is not None and after is not None]
                 latest = max(after.seconds - before.seconds for before, after in pairs)
                 later = SETTLING if latest > 0.1 else 0.0
@@ -117,8 +135,9 @@ def main() -> None:
                 miss = max(after.miss for _, after in pairs)
                 share = math.ceil(100.0 * longer) / 100.0 if longer > 0.01 else 0.0  # a control step counts as nothing
                 values = f"{share}, {later}, {math.ceil(1000.0 * miss) / 1000.0}"
-                print(f'    ("{plant}", "{law}", {loaded}): Spread({values}),  # {len(pairs)} motions', flush=True)
+                yield f'    ("{plant}", "{law}", {loaded}): Spread({values}),  # {len(pairs)} motions'
 
 
 if __name__ == "__main__":
-    main()
+    for line in table(FULL):
+        print(line, flush=True)

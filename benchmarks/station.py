@@ -9,6 +9,7 @@ import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import NamedTuple
 
 import msgspec
 from websockets.sync.client import ClientConnection, connect
@@ -22,13 +23,32 @@ AFTDECK = (sys.executable, "-m", "aftdeck")
 WAIT = 60.0
 """Longest wait [s]."""
 
+
+class Size(NamedTuple):
+    """Extent of the measurement.
+
+    Attributes:
+        helps: number of times that the help is printed.
+        processes: number of processes that import the package; the first one fills the caches.
+        starts: number of times that the station is started; the first one fills the caches.
+        messages: number of messages whose latency is measured.
+    """
+
+    helps: int
+    processes: int
+    starts: int
+    messages: int
+
+
+FULL, TINY = Size(8, 6, 4, 500), Size(1, 1, 1, 5)
+
 _messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
 
 
-def help_page() -> list[Figure]:
+def help_page(size: Size) -> list[Figure]:
     """Measure ``aftdeck --help``, from its start to its end."""
     took = []
-    for _ in range(8):
+    for _ in range(size.helps):
         start = time.perf_counter()
         subprocess.run([*AFTDECK, "--help"], check=True, capture_output=True, timeout=WAIT)
         took.append(time.perf_counter() - start)
@@ -38,35 +58,31 @@ def help_page() -> list[Figure]:
     ]
 
 
-def first_use() -> list[Figure]:
+def first_use(size: Size) -> list[Figure]:
     """Measure loading an arm and the first step of a simulation, each in a new process with its imports."""
+    arm, step = (_new(one, size.processes) for one in ("load_arm('srms')", "Simulation('first-flight').step()"))
+    best = f"best of {max(1, size.processes - 1)} processes"
     return [
-        Figure("load_arm", _new("aftdeck.load_arm('srms')"), "s", 0.3, "with its imports, best of 5 processes"),
-        Figure(
-            "first step of a simulation",
-            _new("aftdeck.Simulation('first-flight').step()"),
-            "s",
-            2.0,
-            "with its imports, warm cache, best of 5 processes",
-        ),
+        Figure("load_arm", arm, "s", 0.3, f"with its imports, {best}"),
+        Figure("first step of a simulation", step, "s", 2.0, f"with its imports, warm cache, {best}"),
     ]
 
 
-def _new(statement: str) -> float:
-    """Return the shortest time in which a new process imports the package and executes a statement [s]."""
-    code = f"import time; t = time.perf_counter(); import aftdeck; {statement}; print(time.perf_counter() - t)"
+def _new(call: str, processes: int) -> float:
+    """Return the shortest time in which a new process imports the package and calls one of its functions [s]."""
+    code = f"import time; t = time.perf_counter(); import aftdeck; aftdeck.{call}; print(time.perf_counter() - t)"
     command = [sys.executable, "-c", code]
     took = [
         float(subprocess.run(command, check=True, capture_output=True, text=True, timeout=WAIT).stdout)
-        for _ in range(6)
+        for _ in range(processes)
     ]
-    return min(took[1:])  # the first process fills the caches
+    return min(took[1:] or took)  # the first process fills the caches
 
 
-def start() -> list[Figure]:
+def start(size: Size) -> list[Figure]:
     """Measure the time from the start of ``aftdeck fly --no-browser`` to the page, and to the page's first frame."""
     pages, frames = [], []
-    for number in range(4):
+    for _ in range(size.starts):
         begun = time.perf_counter()
         with flying() as address:
             with urllib.request.urlopen(f"http://{address}/", timeout=WAIT) as answer:
@@ -75,20 +91,21 @@ def start() -> list[Figure]:
                 _next(socket)
                 page = time.perf_counter() - begun
                 _frame(socket)
-            if number:  # the first run fills the caches
-                pages.append(page)
-                frames.append(time.perf_counter() - begun)
+            pages.append(page)
+            frames.append(time.perf_counter() - begun)
+    pages, frames = pages[1:] or pages, frames[1:] or frames  # the first run fills the caches
+    best = f"warm cache, best of {len(pages)}"
     return [
-        Figure("aftdeck fly to a page", min(pages), "s", 1.5, "to a line of progress, warm cache, best of 3"),
-        Figure("aftdeck fly to a first frame", min(frames), "s", 4.0, "over the WebSocket, warm cache, best of 3"),
+        Figure("aftdeck fly to a page", min(pages), "s", 1.5, f"to a line of progress, {best}"),
+        Figure("aftdeck fly to a first frame", min(frames), "s", 4.0, f"over the WebSocket, {best}"),
     ]
 
 
-def latency() -> list[Figure]:
+def latency(size: Size) -> list[Figure]:
     """Measure the time from the sending of a `Sticks` message to the arrival of the first frame that used it."""
     took, pause = [], random.Random(1)
     with flying() as address, _page(address) as socket:
-        for seq in range(500):
+        for seq in range(size.messages):
             time.sleep(pause.uniform(0.0, 0.02))  # messages arrive at random times within a control period
             sent = time.perf_counter()
             socket.send(

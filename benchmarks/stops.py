@@ -7,6 +7,8 @@ is at the tip, or 2.3 m ahead of it.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,6 +27,17 @@ AHEAD = (0.0, 2.3)
 """Distances of the payload's centre from the tip, along the end effector's axis [m]."""
 
 
+class Size(NamedTuple):
+    """Stops of the table: masses of the payload [lb]; plants, poses and distances of the columns."""
+
+    loads: tuple[int, ...]
+    columns: tuple[tuple[str, str, float], ...]
+
+
+FULL = Size(LOADS, tuple((plant, pose, ahead) for plant in ("rigid", "flexible") for pose in POSES for ahead in AHEAD))
+TINY = Size((250,), (("rigid", "stretched", 0.0),))
+
+
 def stop(plant: str, pounds: float, pose: str, ahead: float) -> float:
     """Return the greatest distance of the true tip from its place when the sticks are released [m]."""
     sim = Simulation(in_space(plant, np.radians(POSES[pose]).tolist(), pounds=pounds, ahead=ahead))
@@ -41,15 +54,16 @@ def stop(plant: str, pounds: float, pose: str, ahead: float) -> float:
     return farthest
 
 
-def main() -> None:
-    """Print the table."""
-    columns = [(plant, pose, ahead) for plant in ("rigid", "flexible") for pose in POSES for ahead in AHEAD]
-    heads = [f"{plant}, {pose}, {ahead:g} m ahead" for plant, pose, ahead in columns]
-    print(f"| payload, lb | {' | '.join(heads)} |\n|---{'|---' * len(heads)}|")
-    for pounds in LOADS:
-        found = [stop(plant, pounds, pose, ahead) / FOOT for plant, pose, ahead in columns]
-        print(f"| {pounds:,} | {' | '.join(f'{feet:.2f}' for feet in found)} |", flush=True)
+def table(size: Size) -> Iterator[str]:
+    """Yield the lines of the table."""
+    heads = [f"{plant}, {pose}, {ahead:g} m ahead" for plant, pose, ahead in size.columns]
+    yield f"| payload, lb | {' | '.join(heads)} |"
+    yield f"|---{'|---' * len(heads)}|"
+    for pounds in size.loads:
+        found = [stop(plant, pounds, pose, ahead) / FOOT for plant, pose, ahead in size.columns]
+        yield f"| {pounds:,} | {' | '.join(f'{feet:.2f}' for feet in found)} |"
 
 
 if __name__ == "__main__":
-    main()
+    for line in table(FULL):
+        print(line, flush=True)

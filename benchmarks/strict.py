@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -11,6 +12,9 @@ from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.run import Run, run
 
 MOVES = {"1": "sts-400-position", "2": "sts-400-closed", "3": "sts-400-open"}
+FULL = tuple((mode, period, strict) for mode in MOVES for period in (0.02, 0.08) for strict in (True, False))
+TINY = (("1", 0.08, True),)
+"""Rows of the table: mode, control period [s], and whether the laws run as published."""
 
 
 def flown(name: str, strict: bool, period: float) -> Run:
@@ -42,25 +46,24 @@ def arrivals(flight: Run) -> tuple[float, float]:
     return tip, turn
 
 
-def main() -> None:
-    """Print the table of docs/steering.md."""
-    print("| mode | control period | | off the line | final error | tip, rotation on target | ends |")
-    print("|---|---|---|---|---|---|---|")
-    for mode, name in MOVES.items():
-        for period in (0.02, 0.08):
-            for strict in (True, False):
-                flight = flown(name, strict, period)
-                s = flight.summary
-                assert s.position_error_m is not None and s.rotation_error_rad is not None
-                tip, turn = arrivals(flight)
-                times = f"{tip:.2f}, {turn:.2f} s" if max(tip, turn) < s.time_s - period else "never"
-                line = "—" if mode == "1" else f"{off_the_line(flight) * 1e3:.3f} mm"
-                print(
-                    f"| {mode} | {period} s | {'as published' if strict else 'corrected'} | {line} | "
-                    f"{s.position_error_m * 1e3:.3f} mm, {math.degrees(s.rotation_error_rad):.4f}° | {times} | "
-                    f"{s.ended}, {s.time_s:.2f} s |"
-                )
+def table(rows: tuple[tuple[str, float, bool], ...]) -> Iterator[str]:
+    """Yield the lines of the table of docs/steering.md."""
+    yield "| mode | control period | | off the line | final error | tip, rotation on target | ends |"
+    yield "|---|---|---|---|---|---|---|"
+    for mode, period, strict in rows:
+        flight = flown(MOVES[mode], strict, period)
+        s = flight.summary
+        assert s.position_error_m is not None and s.rotation_error_rad is not None
+        tip, turn = arrivals(flight)
+        times = f"{tip:.2f}, {turn:.2f} s" if max(tip, turn) < s.time_s - period else "never"
+        line = "—" if mode == "1" else f"{off_the_line(flight) * 1e3:.3f} mm"
+        yield (
+            f"| {mode} | {period} s | {'as published' if strict else 'corrected'} | {line} | "
+            f"{s.position_error_m * 1e3:.3f} mm, {math.degrees(s.rotation_error_rad):.4f}° | {times} | "
+            f"{s.ended}, {s.time_s:.2f} s |"
+        )
 
 
 if __name__ == "__main__":
-    main()
+    for row in table(FULL):
+        print(row, flush=True)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import tempfile
 import time
 from collections.abc import Iterable
 from pathlib import Path
+from typing import NamedTuple
 
 import aftdeck
 from aftdeck.scenario.model import Scenario
@@ -19,49 +21,76 @@ from aftdeck.study.file import Study, load_study
 from aftdeck.study.plan import plan_of
 from aftdeck.study.pool import Pool
 from aftdeck.study.worker import Job
-from benchmarks.measure import Figure
+from benchmarks.measure import Figure, absent, against
 from benchmarks.ray_nodes import nodes
 
-KINEMATIC, RIGID = "concept-1972-script", "sts-400-closed"
-CASES = 60
-"""Number of cases of a throughput measurement; the first case of each worker does not count."""
 LIMIT_S = 600.0
-PROMISED_MIN = 4.0
-"""Promised time of 1,000 cases of the script, with two processes [min]."""
 EFFICIENT = 0.8
-"""Promised efficiency of two processes with masses: half the ratio of their throughput to that of one."""
-ROUNDS = 5
+"""Promised efficiency of two processes: half the ratio of their throughput to that of one."""
+METRICS = 1.9
+"""Promised time of a case, as a share of the time of its simulation with frames."""
 
 
-def studies() -> list[Figure]:
+class Size(NamedTuple):
+    """Extent of the measurement.
+
+    Attributes:
+        kinematic: scenario without masses: the whole problem of 1972.
+        cases: number of cases of a throughput measurement; the first case of each worker does not count.
+        rigid: scenario that is run with rigid bodies, half as many times.
+        rounds: number of runs; the shortest counts.
+        duration: duration of a run; empty for that of the scenario.
+    """
+
+    kinematic: str
+    cases: int
+    rigid: str
+    rounds: int
+    duration: str
+
+
+FULL = Size("concept-1972-script", 60, "sts-400-closed", 5, "")
+TINY = Size("sts-400-position", 6, "sts-400-position", 1, "1 s")
+RIGID = '[[factor]]\nkey = "plant"\nlevels = ["rigid"]\n'
+"""Part of a study file: the plant of all runs."""
+
+
+def studies(size: Size) -> list[Figure]:
     """Measure a case of the whole problem of 1972 and its parts, and the throughput of one and two processes."""
-    scenario = aftdeck.load_scenario(KINEMATIC)
-    motion, frames = _alone(scenario, frames=False), _alone(scenario, frames=True)
-    study = _study(KINEMATIC, CASES)
-    whole = _case(study)
-    one, two = (_each_by_pool(study, workers) for workers in (1, 2))
-    rigid = _study(RIGID, CASES // 2, '[[factor]]\nkey = "plant"\nlevels = ["rigid"]\n')
-    slow, fast = (_each_by_pool(rigid, workers) for workers in (1, 2))
+    scenario = aftdeck.load_scenario(size.kinematic, {("duration",): size.duration} if size.duration else None)
+    study = _study(size.kinematic, size.cases, size)
+    runner, (first, *_) = Runner(plan_of(study)), cases(study)
+    rounds = [
+        (_alone(scenario, frames=False), _alone(scenario, frames=True), runner.run(first).wall_s)
+        for _ in range(size.rounds)
+    ]
+    motion, flown, whole = map(min, zip(*rounds, strict=True))
+    frames = Figure("a case, with its frames", flown * 1e3, "ms")
     return [
-        Figure("a case, simulation alone", motion * 1e3, "ms", None, f"{KINEMATIC}, without digests"),
-        Figure("a case, with its frames", frames * 1e3, "ms"),
-        Figure("a case, with its metrics", whole * 1e3, "ms", None, "what a worker does"),
-        Figure("1,000 cases, two processes", two * 1000 / 60, "min", PROMISED_MIN, _efficiency(one, two)),
-        Figure(
-            "a case with masses, twice",
-            2.0 * fast / slow,
-            "ratio",
-            1.0 / EFFICIENT,
-            f"{RIGID}, {_efficiency(slow, fast)}",
-        ),
+        Figure("a case, simulation alone", motion * 1e3, "ms", None, f"{size.kinematic}, without digests"),
+        frames,
+        against(frames, METRICS, "a case, with its metrics", whole * 1e3, "ms", "what a worker does"),
+        *_throughput("1,000 cases", study),
+        *_throughput("1,000 cases with rigid bodies", _study(size.rigid, size.cases // 2, size, RIGID)),
     ]
 
 
-def on_ray() -> list[Figure]:
-    """Measure the throughput of one and two nodes of a Ray cluster, beside the pool; nothing without Ray."""
+def _throughput(name: str, study: Study) -> list[Figure]:
+    """Measure the throughput of one and of two processes."""
+    one, two = (_each_by_pool(study, workers) for workers in (1, 2))
+    alone = Figure(f"{name}, one process", one * 1000 / 60, "min")
+    share = 1.0 / EFFICIENT / min(2, os.cpu_count() or 1)
+    return [
+        alone,
+        against(alone, share, f"{name}, two processes", two * 1000 / 60, "min", _efficiency(one, two)),
+    ]
+
+
+def on_ray(size: Size) -> list[Figure]:
+    """Measure the throughput of one and two nodes of a Ray cluster, beside the pool."""
     if importlib.util.find_spec("ray") is None:
-        return []
-    study = _study(KINEMATIC, CASES)
+        return [absent("two nodes of Ray", "ratio", "install ray (extra `aftdeck[ray]`)")]
+    study = _study(size.kinematic, size.cases, size)
     found: list[Figure] = []
     with tempfile.TemporaryDirectory(prefix="ray") as folder, nodes(2, 6391, Path(folder)) as address:
         seconds = []
@@ -80,8 +109,10 @@ def _efficiency(one: float, two: float) -> str:
     return f"one takes {one * 1e3:.0f} ms a case, two {two * 1e3:.0f} ms: efficiency {one / two / 2:.0%}"
 
 
-def _study(scenario: str, repeats: int, more: str = "") -> Study:
+def _study(scenario: str, repeats: int, size: Size, more: str = "") -> Study:
     """Return a study that runs a scenario a number of times."""
+    if size.duration:
+        more += f'[[factor]]\nkey = "duration"\nlevels = ["{size.duration}"]\n'
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "study.toml"
         path.write_text(f'title = "Benchmark"\nscenario = "{scenario}"\nrepeats = {repeats}\n{more}', encoding="utf-8")
@@ -89,23 +120,14 @@ def _study(scenario: str, repeats: int, more: str = "") -> Study:
 
 
 def _alone(scenario: Scenario, *, frames: bool) -> float:
-    """Return the shortest time of a run in this process [s]."""
-    times = []
-    for _ in range(ROUNDS):
-        begin = time.perf_counter()
-        sim = Simulation(scenario, digests=False)
-        while not sim.ended:
-            sim.advance()
-            if frames:
-                sim.look()
-        times.append(time.perf_counter() - begin)
-    return min(times)
-
-
-def _case(study: Study) -> float:
-    """Return the shortest time of a case in this process [s]."""
-    runner, (first, *_) = Runner(plan_of(study)), cases(study)
-    return min(runner.run(first).wall_s for _ in range(ROUNDS))
+    """Return the time of a run in this process [s]."""
+    begin = time.perf_counter()
+    sim = Simulation(scenario, digests=False)
+    while not sim.ended:
+        sim.advance()
+        if frames:
+            sim.look()
+    return time.perf_counter() - begin
 
 
 def _each_by_pool(study: Study, workers: int) -> float:
