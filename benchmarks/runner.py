@@ -17,8 +17,8 @@ import msgspec
 from benchmarks.names import Benchmark
 from benchmarks.results import ROOT, Outcome
 
-TINY_LIMIT_S = 180.0
-"""Time after which a tiny run of a benchmark is ended [s]. The first one may have to compile the laws."""
+TINY_LIMIT_S = 600.0
+"""Time after which a tiny run of a benchmark is ended [s]. On a new machine it has to compile the laws."""
 LAST_OUTPUT = 8000
 """Number of characters of a failed benchmark's output that are kept."""
 
