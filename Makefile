@@ -98,7 +98,7 @@ requirements: .venv/.uv  ## pin the packages of pyproject.toml in requirements/
 	echo uv | $(COMPILE) - -c requirements/dev.txt -o requirements/uv.txt
 
 clean:  ## remove all files that these commands have made
-	rm -rf .venv .venv-lerobot .venv-newest dist web/node_modules src/aftdeck/station/static .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv .venv-lerobot .venv-newest build dist web/node_modules src/aftdeck/station/static .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Set-up, in the order of the dependencies. Each .venv/.* file records the time of its step.
