@@ -12,7 +12,7 @@ from packaging.requirements import InvalidRequirement, Requirement
 from typer.main import get_command
 
 from aftdeck.cli import app
-from benchmarks.__main__ import NAMES
+from benchmarks.names import NAMES
 from tests.pages import ROOT, Line
 
 
