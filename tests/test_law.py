@@ -100,6 +100,19 @@ assert arm.forward([0.0, 0.5, -1.0, 0.1, 0.2, 0.3]).position.tobytes() == pose.p
 """)
 
 
+def test_interpreted_that_ends_inside_another_leaves_the_other_in_force() -> None:
+    runs("""
+import sys, aftdeck
+from aftdeck import law
+arm = aftdeck.load_arm("srms")
+with law.interpreted():
+    with law.interpreted():
+        pass
+    arm.forward([0.0, 0.5, -1.0, 0.1, 0.2, 0.3])
+    assert "numba" not in sys.modules
+""")
+
+
 def test_station_and_command_line_import_no_numba() -> None:
     runs("import sys, aftdeck.cli, aftdeck.station.server.serve; assert 'numba' not in sys.modules")
 

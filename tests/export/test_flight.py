@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, repeat
 from pathlib import Path
 
 import numpy as np
@@ -147,6 +147,15 @@ def test_completed_script_is_a_success_once(tmp_path: Path) -> None:
     found = list(samples(read_flight(tmp_path / "run.mcap"), 5, None))
     assert [sample.success for sample in found] == [False, False, False, True]
     assert [sample.reward for sample in found] == [0.0, 0.0, 0.0, 1.0]
+
+
+def test_task_that_is_complete_before_the_end_is_rewarded_once(tmp_path: Path) -> None:
+    made = bay('[[step]]\ntitle = "Move"\ntext = "Move."\ndone = { moved = "0.02 m" }\n')
+    record_steps(tmp_path / "run.mcap", made, repeat(Inputs(translation=(1.0, 0.0, 0.0))), 60)
+    found = list(samples(read_flight(tmp_path / "run.mcap"), 5, None))
+    success, rewards = [sample.success for sample in found], [sample.reward for sample in found]
+    assert success == sorted(success) and 1 < sum(success) < len(found) == 12
+    assert rewards == [float(k == success.index(True)) for k in range(12)]
 
 
 def test_pictures_are_drawn_from_the_frames(tmp_path: Path) -> None:

@@ -87,6 +87,15 @@ def test_rewards_of_an_episode_add_up_to_the_motion_made_and_the_time() -> None:
     assert sum(rewards) == pytest.approx(motion - 0.05 * 0.1 * len(rewards) + 10.0, abs=1e-9)
 
 
+def test_change_of_the_place_is_neither_rewarded_nor_punished() -> None:
+    env = DockEnv()
+    env.reset(seed=2)
+    assert env._left is not None
+    env._left = env._left._replace(to="elsewhere", distance=100.0, angle=3.0)
+    _, reward, *_ = env.step(np.zeros(len(env.mission.controls), dtype=np.float32))
+    assert reward == pytest.approx(-0.05 * 0.1)
+
+
 def test_episode_repeats_bit_for_bit_with_its_seed_and_differs_with_another() -> None:
     env, other = DockEnv(), DockEnv()
     one, again, different = flown(env, 3, 40), flown(other, 3, 40), flown(env, 4, 40)

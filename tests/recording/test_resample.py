@@ -110,6 +110,14 @@ def test_later_of_stop_and_proceed_in_a_step_wins(first: str, second: str, proce
     assert step.stop and step.proceed == proceeds
 
 
+@pytest.mark.parametrize("name", ["proceed", "stop"])
+@pytest.mark.parametrize("pressed", [1, 2, 3, 4])
+def test_press_in_any_old_step_acts_in_the_new_step(name: str, pressed: int) -> None:
+    presses = [msgspec.structs.replace(Input(tick=tick), **{name: tick == pressed}) for tick in (1, 2, 3, 4)]
+    made = resample_to(presses, 0.08)
+    assert [(step.proceed, step.stop) for step in made] == [(name == "proceed", name == "stop")]
+
+
 def test_target_is_not_mixed_from_two_targets() -> None:
     turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     by_joints = Input(tick=1, target=Target((1.0, 2.0, 3.0), turn, (0.0,) * 6))

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 import aftdeck
 from aftdeck.bodies.overlap import overlap
 from aftdeck.errors import ScenarioError
+from aftdeck.scenario.fit import misfits
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import scene_in_l
@@ -181,6 +182,14 @@ def test_payload_that_starts_inside_the_cabin_is_rejected() -> None:
 def test_payloads_that_start_inside_each_other_are_rejected() -> None:
     flyer = '[[cargo]]\nname = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-5 ft"] }\n'
     assert re.search(r"free flyer .*[\d.]+ ft .*payload", rejection({}, CONCEPT + flyer))
+
+
+def test_payload_that_is_held_does_not_excuse_two_others_that_overlap() -> None:
+    flyer = '[[cargo]]\nname = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-40 ft"] }\n'
+    made = resized({}, CONCEPT + flyer)
+    payload, other = made.cargo
+    found = misfits(made.arm.model, made.worksite, (payload, other, other), frozenset(), frozenset({0}))
+    assert {one.senseless for one in found if "free flyer and free flyer start where" in one.problem.what} == {True}
 
 
 def test_berth_below_the_floor_is_rejected() -> None:

@@ -142,6 +142,14 @@ def test_singular_lamp_and_log_follow_the_wrist_through_90_deg() -> None:
     assert (events[0].level, events[-1].level) == ("caution", "info")
 
 
+def test_only_the_singularity_that_ends_is_logged_as_left_behind() -> None:
+    sim = aftdeck.Simulation(scenario((0, 60, -8, 0, 83, 0)))
+    frames = fly(sim, 8.0, aftdeck.Inputs(mode="SINGLE", joint=4, drive=-1.0))
+    assert set(frames[0].singular) == {"elbow", "wrist"} and frames[-1].singular == ("elbow",)
+    ended = [e.text for f in frames for e in f.events if e.kind == "singular" and e.level == "info"]
+    assert ended == ["wrist singularity left behind"]
+
+
 def test_target_with_contradicting_angles_is_rejected_without_effect() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     sim.step(aftdeck.Inputs())

@@ -50,6 +50,13 @@ def test_occupied_bay_accepts_no_second_payload() -> None:
         assert not frames[-1].work.cargo[0].held and seated(frames[-1]) == kept
 
 
+def test_berth_that_a_captured_payload_comes_from_is_no_objective() -> None:
+    frames = flown(scenario(ON_BAR), [Inputs(effector="close"), *[Inputs()] * 200])
+    captured = [frame for frame in frames if frame.work.cargo[0].held]
+    assert captured and seated(frames[0]) == "bay" and seated(captured[0]) == ""
+    assert {frame.work.objective for frame in captured} == {None}
+
+
 def test_scenario_with_two_payloads_in_one_berth_is_rejected() -> None:
     with pytest.raises(ScenarioError, match=r"'bay'.* 2 "):
         scenario(cargo='name = "payload"\n[[cargo]]\nname = "free flyer"\nstart = { seat = "bay" }')

@@ -7,8 +7,11 @@ import pytest
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.operator.sequence import finish
+from aftdeck.steering.layout import RATIO
+from aftdeck.steering.rehearsal import MAX_STOPPED_TIME
 from tests.simulation.flights import srms
-from tests.steering.flying import checked, joint_target
+from tests.steering.flying import BAY, checked, joint_target, scenario
 
 UP = Inputs(translation=(0.0, 0.0, -1.0))
 
@@ -57,6 +60,26 @@ def test_contact_limit_is_active_if_motion_would_deepen_it() -> None:
     assert held and all(frame.work.arm_inhibit and len(frame.limits) == 1 for frame in held)
     assert all(max(abs(rate) for rate in frame.rates) == 0.0 for frame in held)
     assert limits(sim.step(UP)) != limits(held[-1])
+
+
+def test_only_one_long_standstill_abandons_a_motion_not_many_short_ones() -> None:
+    sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
+    checked(sim, Inputs(target=joint_target(sim.scenario.arm, (20.0, *BAY[1:]))))
+    sim.step(Inputs(proceed=True))
+    flight, state = sim._flight, sim._state
+    longest = round(MAX_STOPPED_TIME / sim.scenario.control_period)
+
+    def stand_still(steps: int) -> str:
+        for _ in range(steps):
+            state.report[RATIO] = 0.0
+            finish(flight, state)
+        return state.panel.sequence
+
+    for _ in range(3):
+        assert stand_still(longest - 1) == "in progress"
+        state.report[RATIO] = 1.0
+        finish(flight, state)
+    assert stand_still(longest) == "ready" and state.panel.ending == "given up"
 
 
 @pytest.mark.parametrize(

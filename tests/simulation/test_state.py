@@ -123,6 +123,39 @@ def test_restored_state_equals_the_saved_one(name: str) -> None:
         assert encoded(resume(sim._flight, data)) == data
 
 
+def mutable(value: Any, where: str = "") -> Iterator[tuple[str, object]]:
+    """Yield the path of each part, array, list and dictionary in a state, and this object; caches are left out."""
+    match value:
+        case StatePart():
+            yield where, value
+            for name in value.__struct_fields__:
+                yield from mutable(getattr(value, name), f"{where}.{name}")
+        case list():
+            yield where, value
+            for k, item in enumerate(value):
+                yield from mutable(item, f"{where}[{k}]")
+        case np.ndarray() | dict():
+            yield where, value
+
+
+@pytest.mark.parametrize("name", FLOWN)
+def test_copy_of_a_state_shares_no_object_that_a_step_changes(name: str) -> None:
+    state = flight(name)[0]._state
+    own, other = dict(mutable(state)), dict(mutable(copied(state)))
+    assert own.keys() == other.keys() >= {".panel", ".panel.advice", ".steering", ".events"}
+    assert [where for where, value in own.items() if value is other[where]] == []
+
+
+def test_frame_after_restoring_is_that_of_the_restored_state() -> None:
+    sim = aftdeck.Simulation("tutorial")
+    ahead = aftdeck.Inputs(translation=(0.4, 0.0, 0.1))
+    frames = [sim.step(ahead) for _ in range(20)]
+    saved = sim.save()
+    later = [sim.step(ahead) for _ in range(20)][-1]
+    sim.restore(saved)
+    assert sim.look() == frames[-1] != later
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FLOWN)
 def test_run_without_caches_is_bit_for_bit_equal(name: str) -> None:

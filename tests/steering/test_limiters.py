@@ -26,9 +26,10 @@ from aftdeck.steering.layout import (
     TURN,
     TURN_UP,
 )
-from aftdeck.steering.limiters import BY_STOP, CAUSES, avclmt, braked, ratlmt
+from aftdeck.steering.limiters import BY_STOP, CAUSES, NEAREST, avclmt, braked, ratlmt
 from aftdeck.steering.rules import rules_of
 from tests import loaded
+from tests.kinematics.poses import STRAIGHT
 
 PROVE = settings(derandomize=True, deadline=None, max_examples=400, database=None)
 
@@ -68,6 +69,19 @@ def test_braked_rate_beyond_a_stop_is_zero(gap: float, deceleration: float, dt: 
 def rules_with(dt: float, strict: bool = False, as_flown: bool = False) -> np.ndarray:
     por = loaded.arm().model.por_limits(0.0)
     return np.array(rules_of(loaded.arm().model, por, dt, strict=strict, as_flown=as_flown)["ORB UNL", "coarse", 4])
+
+
+@pytest.mark.parametrize("degrees", [0.2, 1.0])
+def test_approach_ends_at_a_distance_from_a_singularity(degrees: float) -> None:
+    rules, q = rules_with(0.02), np.array([0.0, 1.0, STRAIGHT - math.radians(degrees), 0.0, 0.5, 0.0])
+    state = np.zeros(STATE)
+    state[ANGLES : ANGLES + 6] = q
+    assert 0.0 < abs(float(loaded.arm().singularities(q).elbow)) < NEAREST
+    towards, away = (
+        ratlmt(rules, state, sines(rules, *q.tolist()), Rates(0.0, 0.0, rate, 0.0, 0.0, 0.0)) for rate in (1e-4, -1e-4)
+    )
+    assert (towards.ratio, CAUSES[towards.cause]) == (0.0, "singularity")
+    assert away.ratio == 1.0
 
 
 @PROVE

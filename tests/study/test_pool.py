@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 import threading
+import time
 from pathlib import Path
 
 import pytest
 
 from aftdeck.report.table import Row
-from aftdeck.study.case import Runner
+from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.design import cases
 from aftdeck.study.file import Study
-from aftdeck.study.plan import plan_of
+from aftdeck.study.plan import Plan, plan_of
 from aftdeck.study.pool import Pool
-from aftdeck.study.worker import Job
+from aftdeck.study.worker import Done, Job, Ready
 from tests.study.studies import FOUR, loaded
 
 ENDLESS = """
@@ -65,6 +67,40 @@ def test_pool_gives_the_results_of_one_process_although_a_worker_is_killed(study
             if len(rows) == 3:
                 os.kill(pool.pids[0], signal.SIGKILL)
     assert sorted(rows, key=lambda row: int(str(row["index"]))) == in_this_process(study)
+
+
+def test_job_of_a_worker_that_dies_runs_next(study: Study, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The workers are no processes: the first one closes its pipe in its second job, the next one runs all jobs."""
+    given: list[int] = []
+
+    class Worker:
+        def __init__(self, plan: Plan, job: Job) -> None:
+            self.pipe, self._far = multiprocessing.Pipe()
+            self._far.send(Ready())
+            self.ready, self.since = False, time.monotonic()
+            self.job: Job | None = None
+
+        def give(self, job: Job) -> None:
+            self.job = job
+            given.append(job.case.index)
+            if len(given) == 2:
+                self._far.close()
+            else:
+                self._far.send(Done(Outcome({"index": job.case.index}, 0.0)))
+
+        def end_of_process(self) -> str:
+            return "exit code 1"
+
+        def kill(self) -> None:
+            self.pipe.close()
+            self._far.close()
+
+    monkeypatch.setattr("aftdeck.study.pool._Worker", Worker)
+    jobs = [Job(case) for case in cases(study)]
+    with Pool(plan_of(study), 1, 60.0) as pool:
+        finished = [done.job for done in pool.run(jobs)]
+    assert finished == jobs
+    assert given == [0, 1, *range(1, len(jobs))]
 
 
 @pytest.mark.slow

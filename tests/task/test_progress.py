@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tomllib
 from itertools import pairwise
 from pathlib import Path
 
@@ -150,6 +151,16 @@ def test_milestone_completes_the_open_steps_before_it() -> None:
         assert frame.tick < 4000
     assert done == (0, 1, 2, 3, 4)
     assert progress.at == 5
+
+
+def test_milestone_right_after_the_present_step_completes_both() -> None:
+    steps = tomllib.loads(load_scenario("tutorial").text)["step"]
+    sim = Simulation(load_scenario("tutorial", {("step",): [steps[0], steps[4]]}))
+    progress = Progress(sim.scenario)
+    assert not progress.steps[0].is_milestone and progress.steps[1].is_milestone
+    while progress.places.held(frame := sim.step()) is None:
+        assert progress.see(frame) == () and frame.tick < 4000
+    assert progress.see(frame) == (0, 1)
 
 
 def test_milestone_that_held_from_the_beginning_completes_nothing() -> None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import io
 import json
 import xml.etree.ElementTree as ET
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from aftdeck.cli.moments import every, source
 from aftdeck.recording.run import record
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.load import load_scenario
@@ -124,6 +126,14 @@ def test_render_writes_a_sheet_and_sequences(run: Run, tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.glob("view*")) == [f"view-0{k}.svg" for k in range(1, 6)]
     assert run(*given, "F", "-o", str(tmp_path / "moving.svg"))[0] == 0
     assert len(list(ET.parse(tmp_path / "moving.svg").iter(f"{SVG}animate"))) == 5
+
+
+@pytest.mark.parametrize("step_s", [0.05, 0.07, 0.1])
+def test_frames_of_a_sequence_do_not_drift_from_their_times(step_s: float) -> None:
+    run = source("concept-1972-script")
+    period = run.scenario.control_period
+    times = [frame.time_s for frame in islice(every(run, step_s, None), 30)]
+    assert [0.0 <= time - k * step_s + 1e-6 < period for k, time in enumerate(times)] == [True] * 30
 
 
 @pytest.mark.parametrize(

@@ -133,4 +133,6 @@ test('a lost connection discards the pending inputs', () => {
   latency.forget();
   latency.drawn(1, 50);
   expect(latency.percentile95(50)).toBeNull();
+  latency.answered(1, 50);
+  expect(latency.answer(50)).toBeNull();
 });

@@ -14,6 +14,7 @@ import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.errors import ScenarioError
 from aftdeck.frames import oriend
+from aftdeck.plant.multibody.jets import _pulse, _switch
 from aftdeck.plant.multibody.plant import MultibodyPlant
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -71,6 +72,21 @@ def test_limit_cycle_of_the_attitude_needs_little_firing() -> None:
         greatest = max(greatest, attitude(sim))
     assert greatest < 1.02 * DEADBAND
     assert bodies_of(sim).fired[:3].sum() < 20.0
+
+
+@pytest.mark.parametrize("start", [0.1, -0.25, 0.9, -3.0])
+def test_axis_that_drifts_stays_in_its_deadband(start: float) -> None:
+    """A rigid body about one axis: a least pulse changes its rate by a fifth of the rate's deadband."""
+    least, period, acceleration = 0.08, 0.02, 0.2 * RATE / 0.08
+    angle, rate, greatest = 0.0, start * RATE, 0.0
+    pulses, fired = np.zeros(6), np.zeros(6)
+    for _ in range(100_000):
+        wanted = _switch(angle, rate, DEADBAND, RATE, float(pulses[0]))
+        rate += acceleration * period * _pulse(wanted, 0, least, period, pulses, fired)
+        angle += rate * period
+        greatest = max(greatest, abs(angle))
+    assert 0.9 * DEADBAND < greatest < 1.01 * DEADBAND
+    assert fired[0] > 0.0 and not fired[1:].any()
 
 
 def test_jets_change_the_angular_momentum_by_their_impulse() -> None:
