@@ -15,10 +15,11 @@ from aftdeck.arrays import Array
 from aftdeck.simulation.constants.site import all_solids
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.payloads.alignment import ASIDE, STEP, TILTED, alarm_pairs, clearances_on_way
-from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.run import SavedSimulation, Simulation
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
+from tests.loaded import scenario
 
 PAST_THE_WALL = {"aside", "over the bay"}
 """Phases of the concept's mission in which the payload passes over the wall of the bay, nearer than the caution."""
@@ -146,13 +147,21 @@ def test_clearances_on_the_way_are_those_of_the_solids(step: int) -> None:
         assert min(aftdeck.separation(a, b).clearance for a, b in placed) == pytest.approx(found[group], abs=1e-9)
 
 
+@lru_cache
+def state_after(steps: int) -> SavedSimulation:
+    """Return the state of `srms-berth` after a number of steps of its script."""
+    sim = Simulation(scenario("srms-berth"))
+    for _ in range(steps):
+        sim.advance()
+    return sim.save()
+
+
 @pytest.mark.parametrize("steps", [4500, pytest.param(6000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("way", [(0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (1.0, 0.0, 0.0)])
 def test_a_payload_that_leaves_the_way_sideways_is_warned_before_it_touches(steps: int, way: Vec3) -> None:
     """Steps of a run measure few pairs; the alarm is compared with the clearances of all pairs."""
-    sim = Simulation("srms-berth")
-    for _ in range(steps):
-        sim.advance()
+    sim = Simulation(scenario("srms-berth"))
+    sim.restore(state_after(steps))
     flight, state = sim._flight, sim._state
     site = flight.site
     closest, level = math.inf, ""
