@@ -42,7 +42,8 @@ compile-laws: .venv/.aftdeck .venv/.dev
 test-all: export AFTDECK_MANY := 1
 test-all: .venv/.aftdeck .venv/.dev $(MODULES) compile-laws  ## run every test with many random cases, long ones first (hours)
 	@scripts/test-lerobot
-	@$(PY) -m pytest -m slow -n auto
+	@scripts/test-newest-python
+	@$(PY) -m pytest -m slow -n auto -o faulthandler_timeout=7200
 	@$(MAKE) test
 
 check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and generated files

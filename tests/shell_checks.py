@@ -31,10 +31,12 @@ def problem(line: Line) -> str:
 
 
 def _of_aftdeck(words: list[str]) -> str:
-    command = getattr(get_command(app), "commands").get(words[0])  # noqa: B009  (only a group has this attribute)
+    group = get_command(app)
+    given = words[0].startswith("-")  # an option of the program itself
+    command = group if given else getattr(group, "commands").get(words[0])  # noqa: B009  (only a group has it)
     if command is None:
         return f"no command {words[0]!r}"
-    known = set(_options(command))
+    known = {"--help", *_options(command)}
     unknown = [word for word in words if word.startswith("-") and not _is_number(word) and word not in known]
     return f"no option {unknown[0]!r}" if unknown else ""
 

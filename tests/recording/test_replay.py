@@ -80,6 +80,7 @@ def test_scripted_run_verifies(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", [name for name in SCRIPTED if name not in (*QUICK, VERY_LONG)])
 def test_each_of_the_slow_scripted_runs_verifies(name: str, tmp_path: Path) -> None:
     check_equal(name, tmp_path / "run.mcap")
