@@ -6,6 +6,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from functools import cache
+from typing import Any
 
 import click
 from packaging.requirements import InvalidRequirement, Requirement
@@ -31,9 +32,9 @@ def problem(line: Line) -> str:
 
 
 def _of_aftdeck(words: list[str]) -> str:
-    group = get_command(app)
+    group: Any = get_command(app)
     given = words[0].startswith("-")  # an option of the program itself
-    command = group if given else getattr(group, "commands").get(words[0])  # noqa: B009  (only a group has it)
+    command = group if given else group.commands.get(words[0])
     if command is None:
         return f"no command {words[0]!r}"
     known = {"--help", *_options(command)}
