@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -25,14 +26,14 @@ class FakeRay:
     _private = SimpleNamespace(services=SimpleNamespace(canonicalize_bootstrap_address_or_die=_none))
     _raylet = SimpleNamespace(Config=SimpleNamespace(initialize=lambda _: None))
 
-    def __init__(self, failures: int) -> None:
-        self.failures, self.calls = failures, 0
+    def __init__(self, failures: int, text: str = "it timed out during startup:\n\nTraceback\n  the cause") -> None:
+        self.failures, self.text, self.calls = failures, text, 0
 
     def init(self, **_: Any) -> None:
         self.calls += 1
         os.environ["RAY_OWN"] = "set by Ray"
         if self.calls <= self.failures:
-            raise Exception("it timed out during startup:\n\nTraceback\n  the cause")
+            raise Exception(self.text)
 
     def shutdown(self) -> None:
         pass
@@ -59,6 +60,20 @@ def test_local_cluster_that_never_starts_is_one_sentence(ray: FakeRay) -> None:
 
 
 @pytest.mark.usefixtures("ray")
+@pytest.mark.parametrize(
+    ("text", "calls"), [("Initialization failure from server: a process ended", 2), ("the cluster has gone", 1)]
+)
+def test_client_connects_once_more_if_the_head_could_not_serve_it(
+    text: str, calls: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ray = FakeRay(1, text)
+    monkeypatch.setattr(ray_connection, "needed", lambda *_: ray)
+    monkeypatch.setattr(ray_connection, "mode_for", lambda _: None)
+    with nullcontext() if calls > 1 else pytest.raises(InputError, match=text), connected("ray://head:10001", 2):
+        pass
+    assert ray.calls == calls
+
+
 @pytest.mark.parametrize("address", ["garbage", "127.0.0.1", "ray://head", "http://127.0.0.1:8265", "ray://:10001/"])
 def test_what_is_no_address_is_rejected(address: str) -> None:
     with pytest.raises(InputError, match=rf"got '{address}', expected auto, local, HOST:PORT or ray"):

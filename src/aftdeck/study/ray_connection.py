@@ -58,6 +58,11 @@ def connected(address: str, workers: int | None) -> Iterator[Any]:
         _reload_settings(ray)
 
 
+_PASSING = "Initialization failure from server"
+"""Error of an address `ray://`: the head could not start the process that serves this client, for example because
+another process ended while the head listed all processes."""
+
+
 def _variables() -> dict[str, str]:
     """Return Ray's variables."""
     return {name: value for name, value in os.environ.items() if name.startswith("RAY_")}
@@ -84,13 +89,13 @@ def _connect(ray: Any, address: str, workers: int | None) -> None:
     options: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}
     if address == LOCAL:
         options |= {"num_cpus": workers, "include_dashboard": False}
-    for attempt in range(STARTS if address == LOCAL else 1, 0, -1):
+    for attempt in range(STARTS, 0, -1):
         try:
             ray.init(address=address, **options)
             return
         except Exception as error:  # Ray raises even the base class
             ray.shutdown()
-            if attempt == 1:
+            if attempt == 1 or not (address == LOCAL or _PASSING in str(error)):
                 raise InputError(f"--ray {address}: {_cause(str(error))}") from None
 
 
