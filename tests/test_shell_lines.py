@@ -96,6 +96,8 @@ PREPARED: dict[str, Callable[[Path, Run], None]] = {
 """Files that a page takes for granted."""
 SLOW = {"dynamics.md", "metrics.md", "operators.md", "studies.md", "visual-scene.md", "worksite.md", "recording.md"}
 """Pages whose lines take more than a few seconds."""
+LONG = {"studies.md"}
+"""Pages whose lines take minutes: a cluster of two nodes, and five studies."""
 
 
 def reason_not_to_run(line: Line) -> str:
@@ -112,6 +114,7 @@ def pages_with(lines: Callable[[Path], list[Line]], slow: Collection[str] = ()) 
     found = []
     for page in PAGES:
         marks = [pytest.mark.slow] if page.name in slow else []
+        marks += [pytest.mark.long] if marks and page.name in LONG else []
         if lines(page):
             found.append(pytest.param(page, id=page.name, marks=marks))
     return found
