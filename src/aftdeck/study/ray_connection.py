@@ -59,8 +59,7 @@ def connected(address: str, workers: int | None) -> Iterator[Any]:
 
 
 _PASSING = "Initialization failure from server"
-"""Error of an address `ray://`: the head could not start the process that serves this client, for example because
-another process ended while the head listed all processes."""
+"""Error of an address `ray://`: the head could not start the process that serves this client."""
 
 
 def _variables() -> dict[str, str]:
