@@ -13,7 +13,8 @@ from aftdeck.station.playback.one_file import write_html
 from aftdeck.station.session.session import Session
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import FLIES, WAIT_MS
-from tests.station.pages import scenario, served
+from tests.loaded import scenario
+from tests.station.pages import served
 from tests.station.recordings import playing, record_run
 from tests.station.test_access import FLY, KEYED, WATCH
 

@@ -14,7 +14,7 @@ from aftdeck.simulation.frame import AT_HARD, FREE, Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.session.task_run import TaskRun
-from tests.station.pages import scenario
+from tests.loaded import scenario
 from tests.task.test_progress import two
 
 

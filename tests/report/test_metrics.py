@@ -38,7 +38,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation, run
 from aftdeck.task.progress import Progress
 from aftdeck.worksite.report import Cargo, Near
-from tests.station.pages import scenario
+from tests.loaded import scenario
 
 PERIOD = 0.02
 """Control period [s]."""

@@ -15,7 +15,7 @@ from aftdeck.report.metrics import clearance, moments, path, times
 from aftdeck.report.of_recording import metrics_of
 from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.simulation.run import Simulation
-from tests.station.pages import scenario
+from tests.loaded import scenario
 
 ROUNDED = 1e-5
 """Greatest effect of the rounding of recorded frames, relative and in SI units."""

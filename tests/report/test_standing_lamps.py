@@ -8,7 +8,7 @@ import pytest
 from aftdeck.report.lamps import Lamp, StandingLamps
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.session import Session
-from tests.station.pages import scenario
+from tests.loaded import scenario
 
 NEAR, FAR = Lamp("CLEARANCE", "caution", "a to b"), Lamp("CLEARANCE", "warning", "a to b")
 SOFT = Lamp("SOFT STOP", "caution", "elbow")

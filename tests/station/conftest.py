@@ -10,7 +10,8 @@ import pytest
 from aftdeck.station.server import guard, page
 from aftdeck.station.session import page_inputs
 from aftdeck.station.session.session import Session
-from tests.station.pages import Station, scenario, served
+from tests.loaded import scenario
+from tests.station.pages import Station, served
 
 
 @pytest.fixture(autouse=True)

@@ -15,7 +15,8 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.autopilot import Autopilots
 from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
-from tests.station.pages import scenario, until
+from tests.loaded import scenario
+from tests.station.pages import until
 
 MAX_STEPS = 5000
 """Maximum number of steps to wait for a condition: a hundred seconds of a run."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -17,8 +16,6 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
-from aftdeck.scenario.load import load_scenario
-from aftdeck.scenario.model import Scenario
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
@@ -28,6 +25,7 @@ from aftdeck.station.server.serve import listen, make_server
 from aftdeck.station.session.preparation import ready
 from aftdeck.station.session.session import Session
 from aftdeck.tuples import Vec3
+from tests.loaded import scenario
 
 WAIT_S = 60.0
 """Longest wait for a condition [s]; even on a busy machine, a longer wait means a fault."""
@@ -37,12 +35,6 @@ STILL = (0.0, 0.0, 0.0)
 
 _messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
 _M = TypeVar("_M", bound=msgspec.Struct)
-
-
-@functools.cache
-def scenario(name: str = "first-flight") -> Scenario:
-    """Return a built-in scenario, loaded once."""
-    return load_scenario(name)
 
 
 def text_of(message: msgspec.Struct) -> str:

@@ -19,8 +19,9 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.playback_server import replay_app
 from aftdeck.station.server.serve import listen, make_server
+from tests.loaded import scenario
 from tests.simulation.flights import srms
-from tests.station.pages import WAIT_S, scenario, until
+from tests.station.pages import WAIT_S, until
 
 CONTROLLERS = (
     ControllerRecord("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ()),

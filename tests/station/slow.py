@@ -7,7 +7,8 @@ from threading import Event
 
 from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, scenario
+from tests.loaded import scenario
+from tests.station.pages import WAIT_S
 
 Report = Callable[[str], None]
 

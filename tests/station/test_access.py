@@ -19,7 +19,8 @@ from aftdeck.station.server.page import NOT_IN_CONTROL
 from aftdeck.station.server.policy import HEADERS
 from aftdeck.station.server.serve import addresses_of, listen
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, Page, Station, scenario, served
+from tests.loaded import scenario
+from tests.station.pages import WAIT_S, Page, Station, served
 
 FLY, WATCH = "key-of-the-operator", "key-of-an-observer"
 KEYED = Access(LOCAL.names, keys=(("fly", FLY), ("watch", WATCH)))

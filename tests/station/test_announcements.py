@@ -9,8 +9,9 @@ from aftdeck.report.metrics.announcements import ANNOUNCED, COUNT
 from aftdeck.report.of_recording import metrics_of
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.session.session import Session
+from tests.loaded import scenario
 from tests.station.flying import flying, steps
-from tests.station.pages import scenario, served
+from tests.station.pages import served
 from tests.station.test_access import FLY, KEYED, WATCH, page_with
 
 

@@ -14,7 +14,8 @@ from websockets.exceptions import InvalidStatus
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server import app as station_app
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, Station, closing, scenario, served
+from tests.loaded import scenario
+from tests.station.pages import WAIT_S, Station, closing, served
 
 FOREIGN = {
     "another site": {"Origin": "http://evil.example"},

@@ -14,8 +14,8 @@ from aftdeck.recording.replay import verify
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.autopilot import Autopilot, Autopilots, Pilot
+from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
-from tests.station.pages import scenario
 
 STILL = (0.0, 0.0, 0.0)
 FORWARD = Inputs(translation=(0.5, 0.0, 0.0))

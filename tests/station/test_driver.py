@@ -17,8 +17,9 @@ from aftdeck.station.session.driver import Driver, Phase
 from aftdeck.station.session.pace import MAX_CATCH_UP
 from aftdeck.station.session.page_inputs import MAX_WAITING
 from aftdeck.station.session.session import Session
+from tests.loaded import scenario
 from tests.station.flying import driven, shown
-from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
+from tests.station.pages import STILL, WAIT_S, in_time, until
 
 
 def test_driver_goes_from_ready_to_flying_to_closed() -> None:

@@ -15,8 +15,9 @@ from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.station.messages import from_page
 from aftdeck.station.playback.store import PlaybackStore
+from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
-from tests.station.pages import scenario, text_of
+from tests.station.pages import text_of
 
 NIGHT = Lighting("night", ("end effector",), (LockedExposure("B", 1.25),))
 

@@ -23,7 +23,8 @@ from aftdeck.station.server import page as station_page
 from aftdeck.station.server.allowance import Allowance
 from aftdeck.station.server.terse_log import TerseHandler
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, Page, Station, closing, scenario, served, until
+from tests.loaded import scenario
+from tests.station.pages import WAIT_S, Page, Station, closing, served, until
 from tests.station.recordings import record_run
 
 KEY = base64.b64encode(bytes(16)).decode()

@@ -23,8 +23,9 @@ from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.pace import MAX_CATCH_UP, Delay, Pace
 from aftdeck.station.session.session import LOSS_LOGGED_EVERY, Session
 from tests.commands import Run
+from tests.loaded import scenario
 from tests.station.flying import flying, shown, steps
-from tests.station.pages import scenario, until
+from tests.station.pages import until
 
 PERIOD = 0.02
 

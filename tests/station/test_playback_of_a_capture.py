@@ -18,7 +18,7 @@ from aftdeck.station.messages.playback import PlaybackIndex
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.worksite.watch.alarm import CLEAR, level_of
-from tests.station.pages import scenario
+from tests.loaded import scenario
 from tests.station.recordings import record_capture
 
 PERIOD = 0.02

@@ -21,7 +21,7 @@ from aftdeck.station.messages.playback import BLOCK, PlaybackIndex
 from aftdeck.station.playback import store as playback_store
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
-from tests.station.pages import scenario
+from tests.loaded import scenario
 from tests.station.recordings import NOTE, record_run
 
 RecordedRun = tuple[Path, list[Frame]]

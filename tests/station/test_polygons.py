@@ -24,7 +24,8 @@ from aftdeck.station.session.painter import AT_ONCE, PREPARING, Painter
 from aftdeck.station.session.session import Session
 from aftdeck.visual.picture import picture_of
 from aftdeck.visual.scene import VisualScene
-from tests.station.pages import Page, Station, scenario, served, text_of, until
+from tests.loaded import scenario
+from tests.station.pages import Page, Station, served, text_of, until
 
 NAME = "concept-1972-script"
 SIZE = (600, 400)

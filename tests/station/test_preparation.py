@@ -19,7 +19,8 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.server.app import make_app
 from aftdeck.station.server.page import MAX_PAGES, TOO_MANY_PAGES
-from tests.station.pages import WAIT_S, Page, Server, scenario, serving, until
+from tests.loaded import scenario
+from tests.station.pages import WAIT_S, Page, Server, serving, until
 from tests.station.slow import Slow
 
 HELLO = from_page.Hello(kinds.PROTOCOL)

@@ -12,7 +12,8 @@ from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.session import recent
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.session import Session
-from tests.station.pages import scenario, served
+from tests.loaded import scenario
+from tests.station.pages import served
 
 LIT = Lamp("RATE LIM", "caution", "cause")
 PERIOD = 0.02

@@ -13,7 +13,8 @@ from aftdeck.station.messages.playback import Block, PlaybackIndex, Recorded
 from aftdeck.station.server import app as station_app
 from aftdeck.station.server import player as station_player
 from aftdeck.station.session.session import Session
-from tests.station.pages import Station, scenario, served, until
+from tests.loaded import scenario
+from tests.station.pages import Station, served, until
 from tests.station.recordings import record_run
 
 PAGE = "<html><head><title>Aftdeck</title></head><body></body></html>"

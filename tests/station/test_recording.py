@@ -20,8 +20,9 @@ from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
+from tests.loaded import scenario
 from tests.station.flying import Flown, flying, shown, step_until, steps
-from tests.station.pages import STILL, WAIT_S, scenario, until
+from tests.station.pages import STILL, WAIT_S, until
 from tests.station.recordings import ended, files
 
 ROOM = 90_000

@@ -23,7 +23,8 @@ from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.server.page import NOT_IN_CONTROL
 from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, Page, Station, scenario, served
+from tests.loaded import scenario
+from tests.station.pages import WAIT_S, Page, Station, served
 from tests.station.recordings import ended, files
 
 OTHER = "singular"

@@ -21,7 +21,8 @@ from aftdeck.station.server.app import make_app
 from aftdeck.station.server.serve import listen, make_server, serve
 from aftdeck.station.session.preparation import ready
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, Page, scenario, served
+from tests.loaded import scenario
+from tests.station.pages import WAIT_S, Page, served
 
 START_S = 300.0
 """Longest time until `aftdeck fly` answers, or ends [s]; the first start compiles the laws."""

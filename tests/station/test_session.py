@@ -15,8 +15,9 @@ from aftdeck.station.session import page_inputs
 from aftdeck.station.session.page_inputs import LOST, MAX_WAITING, SILENCE
 from aftdeck.station.session.session import Session
 from aftdeck.station.session.unattended import CAUSES
+from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
-from tests.station.pages import STILL, scenario
+from tests.station.pages import STILL
 
 
 def unattended_causes(session: Session) -> list[str]:

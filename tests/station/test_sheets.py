@@ -14,7 +14,8 @@ from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.station.session.painter import PREPARING
 from aftdeck.station.session.session import Session
 from aftdeck.station.session.sheets import Sheets
-from tests.station.pages import Station, scenario, served, until
+from tests.loaded import scenario
+from tests.station.pages import Station, served, until
 
 NAME = "concept-1972-script"
 

@@ -14,7 +14,7 @@ from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.commands import inputs_of
 from aftdeck.station.session.page_inputs import CENTRED
-from tests.station.pages import scenario
+from tests.loaded import scenario
 from tests.steering.flying import BAY, PAYLOAD
 from tests.steering.flying import scenario as scenario_of_text
 

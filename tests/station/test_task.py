@@ -9,8 +9,8 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import TaskNow
 from aftdeck.station.session.session import Session
+from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
-from tests.station.pages import scenario
 
 ONE = """
 title = "One step"

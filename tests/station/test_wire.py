@@ -23,7 +23,7 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.commands import inputs_of
 from aftdeck.station.session.page_inputs import CENTRED
 from aftdeck.tuples import Vec3
-from tests.station.pages import scenario
+from tests.loaded import scenario
 from tests.steering.flying import BAY, PAYLOAD
 from tests.steering.flying import scenario as scenario_of_text
 

@@ -16,7 +16,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.task.progress import Progress
 from aftdeck.worksite.report import Motion
-from tests.station.pages import scenario
+from tests.loaded import scenario
 
 UP, STILL = Inputs(translation=(0.0, 0.0, -1.0)), Inputs()
 TWO = """

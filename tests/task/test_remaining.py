@@ -22,7 +22,7 @@ from aftdeck.task.along_sticks import along_sticks
 from aftdeck.task.places import Places
 from aftdeck.task.remaining import Aims
 from aftdeck.worksite.conditions import all_ready
-from tests.station.pages import scenario
+from tests.loaded import scenario
 
 STILL = Inputs()
 
