@@ -14,6 +14,11 @@ MANY = "AFTDECK_MANY"
 Test = Callable[..., None]
 
 
+def number(few: int, many: int) -> int:
+    """Return how many random cases or steps a test tries: `few` in CI, `many` in ``make test-all``."""
+    return many if os.environ.get(MANY) == "1" else few
+
+
 def seeds(few: int, many: int, first: int = 0) -> range:
     """Return the seeds of a property's random cases.
 
@@ -22,7 +27,7 @@ def seeds(few: int, many: int, first: int = 0) -> range:
         many: their number in ``make test-all``.
         first: the first seed.
     """
-    return range(first, first + (many if os.environ.get(MANY) == "1" else few))
+    return range(first, first + number(few, many))
 
 
 def each(name: str, cases: Iterable[Any] | Callable[[], Iterable[Any]]) -> Callable[[Test], Test]:

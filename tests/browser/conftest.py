@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
@@ -57,11 +57,33 @@ NARROW = [(960, 900), (1024, 768), (768, 1024)]
 OpenPage = Callable[..., Flight]
 
 
-@pytest.fixture(scope="module")
-def station(request: pytest.FixtureRequest) -> Iterator[str]:
-    """Address of a running `aftdeck fly`; a test module names its scenario in SCENARIO."""
-    with running_station(getattr(request.module, "SCENARIO", "first-flight")) as address:
+@pytest.fixture(scope="session")
+def station_of() -> Iterator[Callable[[str], str]]:
+    """Function that returns the address of a running `aftdeck fly` with a scenario.
+
+    The station runs until another scenario is wanted: modules in a row with one scenario share its station.
+    """
+    with ExitStack() as stack:
+        last: dict[str, str] = {}
+
+        def address(scenario: str) -> str:
+            if scenario not in last:
+                last.clear()
+                stack.close()
+                last[scenario] = stack.enter_context(running_station(scenario))
+            return last[scenario]
+
         yield address
+
+
+@pytest.fixture(scope="module")
+def station(request: pytest.FixtureRequest, station_of: Callable[[str], str]) -> str:
+    """Address of a running `aftdeck fly`; a test module names its scenario in SCENARIO.
+
+    The station may have flown the tests of other modules: a test begins with a restart. A module that loads other
+    scenarios has a station of its own.
+    """
+    return station_of(getattr(request.module, "SCENARIO", "first-flight"))
 
 
 @contextmanager

@@ -23,10 +23,12 @@ def station() -> Iterator[str]:
 
 def test_policy_flies_until_a_key_moves_a_stick(open_page: OpenPage) -> None:
     flight = open_page()
-    flight.until(f"{FLIES} && frame.display.autopilot === 'policy'")
+    start = flight.until(f"{FLIES} && frame.display.autopilot === 'policy'").display
+    assert start.to_go is not None and start.task is not None
     flight.until("frame.translation.some((deflection) => Math.abs(deflection) > 0.1)")
     flight.until("document.querySelector('.desk').textContent.includes('policy flies')")
-    flight.until("frame.display.task.at >= 1")
+    nearer = f"frame.display.to_go.distance < {start.to_go.distance - 0.3}"
+    flight.until(f"{nearer} || frame.display.task.at > {start.task.at}")
     flight.hold("s")
     flight.until("frame.display.autopilot === null && frame.translation[0] < -0.9")
     flight.until("!document.querySelector('.desk').textContent.includes('policy flies')")

@@ -5,12 +5,11 @@ from __future__ import annotations
 import pytest
 
 from tests.browser.conftest import OpenPage
-from tests.browser.flight import Flight
+from tests.browser.flight import TURNED, Flight
 from tests.browser.layout_checks import assert_tidy
 
 pytestmark = pytest.mark.browser
 
-SCENARIO = "first-flight"
 CALM = True
 MOST = 40
 """Greatest number of controls and read-outs at the first flight."""
@@ -61,7 +60,7 @@ def test_full_panel_is_kept_and_can_be_left(open_page: OpenPage) -> None:
     flight.until(f"!{JOINTS}")
 
 
-def test_key_of_a_function_and_a_lamp_show_their_parts(open_page: OpenPage) -> None:
+def test_key_of_a_function_and_a_mode_show_their_parts(open_page: OpenPage) -> None:
     flight = open_page().from_the_start()
     assert not flight.script(f"{BRAKES}.checkVisibility()")
     flight.press("b")
@@ -69,11 +68,11 @@ def test_key_of_a_function_and_a_lamp_show_their_parts(open_page: OpenPage) -> N
     flight.hold("b")
     flight.until("!frame.brakes")
     flight.release("b")
-    # An elbow at its limit lights a lamp, and the joints appear.
-    flight.enter("ORB UNL")
-    flight.hold("q")
-    flight.until(JOINTS)
-    flight.release("q")
+    # The joints appear when the rotary is turned to SINGLE.
+    flight.press("]", "]", "]", "]")
+    flight.until(f"{TURNED} === 'SINGLE' && {JOINTS}")
+    flight.press("[", "[", "[", "[")
+    flight.until(f"!{TURNED}")
     flight.from_the_start()
     flight.until(f"!{JOINTS} && !{BRAKES}.checkVisibility()")
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 
-from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.conftest import SIZES, OpenPage, running_station
 from tests.browser.flight import FLIES, TITLE, Flight
 from tests.browser.layout_checks import assert_readable
 
@@ -16,6 +18,13 @@ FITS = """() => {
     const { left, right, top, bottom } = document.querySelector('.choices.scenarios').getBoundingClientRect();
     return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
 }"""
+
+
+@pytest.fixture(scope="module")
+def station() -> Iterator[str]:
+    """Address of a station of this module alone, because the tests load other scenarios."""
+    with running_station("first-flight") as address:
+        yield address
 
 
 def choose(flight: Flight, title: str) -> None:

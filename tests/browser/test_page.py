@@ -1,4 +1,4 @@
-"""The page: layout, keys, Tab order, units, pictures, and handing over control."""
+"""The page: layout, units, key map, Tab order, pictures, and handing over control."""
 
 from __future__ import annotations
 
@@ -11,18 +11,24 @@ from tests.browser.layout_checks import assert_readable, assert_tidy
 pytestmark = pytest.mark.browser
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
-def test_nothing_scrolls_overlaps_or_is_cut_off(open_page: OpenPage, width: int, height: int) -> None:
-    flight = open_page(width, height).from_the_start()
+def test_nothing_scrolls_overlaps_or_is_cut_off_in_either_unit(flight: Flight) -> None:
+    for width, height in SIZES:
+        flight.resize(width, height)
+        assert_tidy(flight)
+    unit = "document.querySelector('.resolution tbody th i').textContent"
+    before = flight.script(unit)
+    flight.page.get_by_title("Change the units of the read-outs").click()
+    flight.until(f"{unit} !== '{before}'")
     assert_tidy(flight)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("mode", ["ORB UNL", "SINGLE", "OPR CMD", "TEST"])
-def test_every_mode_is_tidy_and_readable(flight: Flight, mode: str) -> None:
-    flight.enter(mode)
-    assert_tidy(flight)
-    assert_readable(flight)
+def test_every_mode_is_tidy_and_readable(flight: Flight) -> None:
+    for mode in ("ORB UNL", "SINGLE", "OPR CMD", "TEST"):
+        flight.enter(mode)
+        flight.polled()
+        assert_tidy(flight)
+        assert_readable(flight)
 
 
 def test_question_mark_opens_the_key_map_and_escape_closes_it(flight: Flight) -> None:
@@ -36,48 +42,15 @@ def test_question_mark_opens_the_key_map_and_escape_closes_it(flight: Flight) ->
     key_map.wait_for(state="hidden")
 
 
-def test_camera_keys_act_on_the_selected_monitor(flight: Flight) -> None:
-    names = "[...document.querySelectorAll('.picture .name b')].map((name) => name.textContent)"
-    first, second = flight.script(names)
-    flight.press(".")
-    flight.until(f"{names}[0] !== '{first}'")
-    changed, kept = flight.script(names)
-    assert kept == second
-    flight.press("x", "1")
-    flight.until(f"document.querySelector('.cameras').textContent.startsWith({names}[1])")
-    assert flight.script(names)[0] == changed
-
-
 def test_tab_order_is_monitors_then_spine_then_desk(flight: Flight) -> None:
-    visited: list[str] = []
-    place = (
-        "document.activeElement.closest('.monitor, .spine, .group, .rail')?.classList[1] ?? "
-        "document.activeElement.closest('.monitor, .spine, .standing, .rail')?.classList[0] ?? ''"
-    )
-    for _ in range(90):
-        flight.press("Tab")
-        where = flight.script(place)
-        if where and where not in visited:
-            visited.append(where)
-    order = ("spine", "thc", "mode", "clearance", "standing", "effector")
-    assert [where for where in visited if where in order] == list(order)
-
-
-def test_second_page_observes(flight: Flight, open_page: OpenPage) -> None:
-    observer = open_page()
-    observer.until(OBSERVES)
-    observer.hold("w")
-    tick = observer.frame().tick
-    observer.until(f"frame.tick > {tick + 25}")
-    assert observer.frame().translation == (0, 0, 0)
-    flight.until("document.querySelector('.who').textContent.includes('1 observes')")
-
-
-def test_units_button_changes_the_units(flight: Flight) -> None:
-    unit = "document.querySelector('.resolution tbody th i').textContent"
-    before = flight.script(unit)
-    flight.page.get_by_title("Change the units of the read-outs").click()
-    flight.until(f"{unit} !== '{before}'")
+    flight.script("""window.visited = new Set(); document.addEventListener('focusin', ({ target }) => {
+        const place = target.closest('.monitor, .spine, .group, .rail')?.classList[1]
+            ?? target.closest('.monitor, .spine, .standing, .rail')?.classList[0];
+        if (place) window.visited.add(place); // a set keeps the order of its first additions
+    })""")
+    flight.press(*["Tab"] * 90)
+    order = ["spine", "thc", "mode", "clearance", "standing", "effector"]
+    assert [place for place in flight.script("[...window.visited]") if place in order] == order
 
 
 def test_page_measures_the_stick_to_picture_time(flight: Flight) -> None:
@@ -88,7 +61,7 @@ def test_page_measures_the_stick_to_picture_time(flight: Flight) -> None:
     measured = "window.__aftdeck.latency95"
     # the measured time is shorter than the time since the key was pressed
     flight.until(f"{measured} > 0 && {measured} < performance.now() - {before}")
-    assert "llvmpipe" in flight.script("window.__aftdeck.renderer") or flight.script("window.__aftdeck.renderer")
+    assert len(flight.script("window.__aftdeck.renderer")) > 0
     flight.until("window.__aftdeck.fps > 0")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.conftest import SIZES
 from tests.browser.flight import Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy, collisions
 
@@ -53,14 +53,13 @@ def assert_all_in_reach(flight: Flight) -> None:
     assert flight.script(UNREACHED) == []
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
-def test_loaded_desk_is_tidy_and_readable_in_every_mode(flight: Flight, width: int, height: int) -> None:
-    resized(flight, width, height)
+def test_loaded_desk_is_tidy_and_readable_in_every_mode_and_size(flight: Flight) -> None:
     for mode in ("ORB LD", "SINGLE", "OPR CMD", "TEST"):
         flight.enter(mode)
-        until_redrawn(flight)
-        assert_tidy(flight)
-        assert_readable(flight)
+        for width, height in SIZES:
+            resized(flight, width, height)
+            assert_tidy(flight)
+            assert_readable(flight)
 
 
 def test_every_sheet_fits_and_is_readable_at_every_size(flight: Flight) -> None:
@@ -102,22 +101,23 @@ def test_tab_reaches_every_control_of_the_sheets(flight: Flight) -> None:
     assert_all_in_reach(flight)
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
-def test_rejection_and_task_are_not_cut_off_in_the_log(open_page: OpenPage, width: int, height: int) -> None:
+def test_rejection_and_task_are_not_cut_off_in_the_log(flight: Flight) -> None:
     cut_off = """[...document.querySelectorAll('LINES')]
         .filter((line) => line.scrollWidth > line.clientWidth + 1 || line.scrollHeight > line.clientHeight + 1)
         .map((line) => line.textContent)"""
-    flight = open_page(width, height).from_the_start()
-    flight.hold("g")
-    flight.until("document.querySelector('.log li.whole').dataset.kind === 'refused'")
-    flight.release("g")
-    assert flight.script(cut_off.replace("LINES", ".events > .log li.whole")) == []
-    flight.press_key("more")
-    flight.until("document.querySelector('.log.wrapped .hint')")
-    assert flight.script(cut_off.replace("LINES", ".log.wrapped span")) == []
-    pressed = flight.script("""[...document.querySelectorAll('.desk button:not(:disabled)')].filter((key) => {
+    covered = """[...document.querySelectorAll('.desk button:not(:disabled)')].filter((key) => {
         const { left, right, top, bottom } = key.getBoundingClientRect();
         const at = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
         return right > left && !key.contains(at);
-    }).map((key) => key.textContent)""")
-    assert pressed == []  # no element covers a button
+    }).map((key) => key.textContent)"""
+    flight.hold("g")
+    flight.until("document.querySelector('.log li.whole').dataset.kind === 'refused'")
+    flight.release("g")
+    for width, height in SIZES:
+        resized(flight, width, height)
+        assert flight.script(cut_off.replace("LINES", ".events > .log li.whole")) == []
+        flight.press_key("more")
+        flight.until("document.querySelector('.log.wrapped .hint')")
+        assert flight.script(cut_off.replace("LINES", ".log.wrapped span")) == []
+        assert flight.script(covered) == []
+        flight.press_key("less")

@@ -12,11 +12,11 @@ from aftdeck.recording.trial import Trial
 from aftdeck.station.playback.one_file import write_html
 from aftdeck.station.session.session import Session
 from tests.browser.conftest import OpenPage
-from tests.browser.flight import FLIES, WAIT_MS
+from tests.browser.flight import WAIT_MS
 from tests.loaded import scenario
 from tests.station.pages import served
 from tests.station.recordings import playing, record_run
-from tests.station.test_access import FLY, KEYED, WATCH
+from tests.station.test_access import KEYED, WATCH
 
 pytestmark = pytest.mark.browser
 
@@ -75,18 +75,14 @@ def test_one_file_runs_only_its_own_script_and_reaches_no_server(one_file: Page,
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("key", "flies"), [(FLY, True), (WATCH, False)])
-def test_address_for_observing_offers_no_control(browser: Browser, key: str, flies: bool) -> None:
+def test_address_for_observing_offers_no_control(browser: Browser) -> None:
     with served(Session(scenario()), access=KEYED) as keyed:
         page = browser.new_page()
         try:
             page.set_default_timeout(WAIT_MS)
-            page.goto(f"http://{keyed.address}/{key}/?quality=low")
+            page.goto(f"http://{keyed.address}/{WATCH}/?quality=low")
             page.wait_for_function("() => window.__aftdeck?.lastFrame")
-            if flies:
-                page.wait_for_function(f"() => {FLIES}")
-            else:
-                expect(page.get_by_text("Observing · unattended")).to_be_visible(timeout=WAIT_MS)
+            expect(page.get_by_text("Observing · unattended")).to_be_visible(timeout=WAIT_MS)
             expect(page.get_by_role("button", name="Ask for the sticks")).to_be_hidden()
             page.reload()
             page.wait_for_function("() => window.__aftdeck?.lastFrame")

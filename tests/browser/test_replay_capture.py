@@ -71,6 +71,9 @@ def test_key_and_button_restore_the_cameras_as_flown(replay: Flight) -> None:
         replay.until(f"{NAMES} === 'C,WR'")
     replay.press("End")
     replay.until(f"{NAMES} === 'A,WR'")
+    replay.press("c")
+    replay.page.locator(".tile .words").filter(has_text="tip").first.wait_for()
+    replay.press("c")
 
 
 def test_time_axis_zooms_about_the_playhead_and_follows_it(replay: Flight) -> None:

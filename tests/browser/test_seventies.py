@@ -127,7 +127,7 @@ def test_the_planes_of_a_monitor_have_a_window_that_follows_its_camera(flight: F
     hold = window.page.get_by_role("button", name="Hold")
     hold.click()
     held = window.script(SHEET_TITLE)
-    window.page.wait_for_timeout(2500)
+    window.until(f"frame.time_s > {window.frame().time_s + 2.5}")
     assert window.script(SHEET_TITLE) == held
     with window.page.expect_download() as download:
         window.page.get_by_role("button", name="Save").click()

@@ -102,6 +102,6 @@ def test_pilot_does_what_the_text_says() -> None:
 @pytest.mark.long
 @pytest.mark.browser
 def test_scenario_is_completed_by_text_and_keys_alone(open_page: OpenPage) -> None:
-    page = open_page(1440, 900).page
+    page = open_page(1440, 900).from_the_start().page
     report = Pilot(page).fly(LIMIT_S)
     assert (report.complete, report.lost) == (True, [])

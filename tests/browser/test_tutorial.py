@@ -27,6 +27,8 @@ PIN_X = -903.7323 * INCH
 """X of the grapple pin in the panel frame [m]; its Y is 0."""
 LATCHES_MS = 120_000
 """Longest wait for the latches [ms], which take 30 s."""
+FAR = 20 * INCH
+"""Depth of the pin above which the test closes in fast [m]."""
 MOST_TRIES = 20
 MIDDLE = 1.5 * INCH
 """The test ends the alignment when the pin is off axis by less than this distance [m]; the tutorial allows 2 inches."""
@@ -80,7 +82,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
     flight.until(f"{STEP} === '3 of 6'")
     flight.pad_axes(0.0, 0.0, 0.0, 0.0)
 
-    _slow(flight)
+    _toggle_rate(flight, "vernier")
     _align(flight)
     flight.until(r"/ \([LR].\) /.test(document.querySelector('.task .to-go').title)")
     _close_in(flight)
@@ -99,9 +101,7 @@ def test_pad_completes_all_tutorial_steps(open_page: OpenPage) -> None:
         flight.pad_buttons(MENU, SOUTH)
     flight.pad_buttons()
     flight.until(f"frame.work.cargo[0].seat === '' && {WORDS}.startsWith('The payload is free.')", LATCHES_MS)
-    flight.pad_buttons(SOUTH)
-    flight.until("frame.rate === 'coarse'")
-    flight.pad_buttons()
+    _toggle_rate(flight, "coarse")
     assert flight.script(STEP) == "6 of 6"
     low = _height(flight)
     flight.pad_axes(0.0, 1.0, 0.0, 0.0)
@@ -191,39 +191,42 @@ def test_tutorial_card_covers_no_needed_group_and_is_readable(
     flight.until(f"{STEP} === '6 of 6'")
 
 
-def _slow(flight: Flight) -> None:
+def _toggle_rate(flight: Flight, to: str) -> None:
     flight.pad_buttons(SOUTH)
-    flight.until("frame.rate === 'vernier'")
+    flight.until(f"frame.rate === '{to}'")
     flight.pad_buttons()
 
 
 def _align(flight: Flight) -> None:
     """Align the end effector with the pin. The step ends only with centred sticks."""
-    flown = -2
+    flown, step = -2, "3 of 6"
     for _ in range(MOST_TRIES):
         frame = flight.until(f"frame.display.stick_seq > {flown} && {AT_REST}")
         (aside,) = [each.value for each in frame.work.conditions if each.name == "pin off axis"]
-        if _failed_conditions(frame) <= {"pin depth"} and aside < MIDDLE:
-            break
+        if _failed_conditions(frame) <= {"pin depth"}:
+            step = "4 of 6"  # the sticks are centred
+            flight.until(f"{STEP} === '{step}'")
+            if aside < MIDDLE:
+                break
         flown = frame.display.stick_seq
         aft, starboard = frame.display.actual.position[0] - PIN_X, frame.display.actual.position[1]
         if abs(starboard) > 0.025:
             side = 1 if starboard > 0.0 else -1
             flight.pad_axes(-side, 0.0, 0.0, 0.0)
             flight.until(f"frame.display.actual.position[1] * {side} < 0.02")
-            assert flight.script(STEP) == "3 of 6"
+            assert flight.script(STEP) == step
             flight.pad_axes(0.0, 0.0, 0.0, 0.0)
         else:
             flight.pad_buttons(L_TRIGGER if aft < 0.0 else R_TRIGGER)
             side = 1 if aft > 0.0 else -1
             flight.until(f"(frame.display.actual.position[0] - {PIN_X}) * {side} < 0.02")
-            assert flight.script(STEP) == "3 of 6"
+            assert flight.script(STEP) == step
             flight.pad_buttons()
     flight.until(f"{STEP} === '4 of 6'")
 
 
 def _close_in(flight: Flight) -> None:
-    """Move towards the pin until all conditions hold and the arm is at rest."""
+    """Move towards the pin, at first fast, until all conditions hold and the arm is at rest."""
     flown = -2
     for _ in range(MOST_TRIES):
         frame = flight.until(f"frame.display.stick_seq > {flown} && {AT_REST}")
@@ -232,7 +235,13 @@ def _close_in(flight: Flight) -> None:
         flown = frame.display.stick_seq
         (depth,) = [each.value for each in frame.work.conditions if each.name == "pin depth"]
         assert depth < 0.1 or flight.script(STEP) == "4 of 6"
-        away, there = (-1.0, f"{DEPTH} < {3 * INCH}") if depth > 0.0 else (1.0, f"{DEPTH} > {0.5 * INCH}")
+        if depth > FAR:
+            away, there = -1.0, f"{DEPTH} < {FAR}"
+            _toggle_rate(flight, "coarse")
+        else:
+            away, there = (-1.0, f"{DEPTH} < {3 * INCH}") if depth > 0.0 else (1.0, f"{DEPTH} > {0.5 * INCH}")
+            if frame.rate != "vernier":
+                _toggle_rate(flight, "vernier")
         flight.pad_axes(0.0, away, 0.0, 0.0)
         flight.until(f"{there} || frame.work.arm_inhibit", LATCHES_MS)
         flight.pad_axes(0.0, 0.0, 0.0, 0.0)

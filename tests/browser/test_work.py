@@ -11,14 +11,11 @@ import pytest
 from aftdeck.simulation.frame import WayOut
 from aftdeck.worksite.report import Objective
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import FLIES, Flight
+from tests.browser.flight import Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy
 from tests.browser.worksite import PRONG, SNARES, Worksite, condition, info, near, work
 
 pytestmark = pytest.mark.browser
-
-NORTH, MENU = 3, 9
-"""Buttons of the standard mapping."""
 
 OpenWorksite = Callable[..., tuple[Flight, Worksite]]
 
@@ -54,12 +51,8 @@ GRASPING = work(
 def open_worksite(open_page: OpenPage) -> OpenWorksite:
     """Function that opens a page of a station with the worksite of the test."""
 
-    def open_one(
-        worksite: Worksite, width: int = 1280, height: int = 720, pad: bool = False
-    ) -> tuple[Flight, Worksite]:
-        flight = open_page(width, height, pad, worksite.intercept)
-        flight.until(FLIES)
-        return flight, worksite
+    def open_one(worksite: Worksite) -> tuple[Flight, Worksite]:
+        return open_page(prepare=worksite.intercept).from_the_start(), worksite
 
     return open_one
 
@@ -74,31 +67,6 @@ def test_pair_of_minimum_clearance_is_named_lit_and_drawn(open_worksite: OpenWor
     flight.page.locator(".lamp.caution", has_text="CLEARANCE").wait_for()
     flight.until("document.querySelector('.gap-label').textContent === 'clearance 15 in'")
     flight.until("document.querySelector('.gap').getAttribute('visibility') === 'visible'")
-
-
-@pytest.mark.slow
-def test_acknowledged_caution_alarms_again_as_a_warning(open_worksite: OpenWorksite) -> None:
-    flight, site = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
-    master = flight.page.locator(".master")
-    flight.page.locator(".master.caution").wait_for()
-    master.click()
-    flight.until("!document.querySelector('.master').matches('.caution, .warning')")
-    site.work = work(nearest=near("lower boom", "bay wall port", 0.12))
-    flight.page.locator(".master.warning").wait_for()
-    assert "press" in master.inner_text()
-    site.work = work(nearest=near("lower boom", "bay wall port", 0.38))
-    flight.page.locator(".master.caution").wait_for()  # not acknowledged yet
-    site.work = work()
-    flight.until("!document.querySelector('.master').matches('.caution, .warning')")
-
-
-@pytest.mark.slow
-def test_large_increasing_clearance_lights_no_lamp(open_worksite: OpenWorksite) -> None:
-    flight, _ = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 4.1, -0.021))))
-    flight.until("/opening/.test(document.querySelector('.clearance').textContent)")
-    assert "contact in" not in flight.page.locator(".clearance").inner_text()
-    assert flight.page.locator(".lamp.caution", has_text="CLEARANCE").count() == 0
-    assert flight.script("document.querySelector('.gap').getAttribute('visibility')") == "hidden"
 
 
 def test_contact_is_marked_and_shows_its_escape(open_worksite: OpenWorksite) -> None:
@@ -117,30 +85,6 @@ def test_contact_is_marked_and_shows_its_escape(open_worksite: OpenWorksite) -> 
     flight.until(f"{marks}.length === 0 && !document.querySelector('.inhibits .lit')")
 
 
-@pytest.mark.slow
-def test_conditions_keep_their_order_and_show_when_all_hold(open_worksite: OpenWorksite) -> None:
-    flight, site = open_worksite(
-        Worksite(info(), work(objective=Objective("capture", "capture payload"), conditions=BEFORE_CAPTURE))
-    )
-    names = "[...document.querySelectorAll('.cells li:not([hidden]) .name')].map((name) => name.textContent).join()"
-    flight.until(f"{names} === 'off axis,distance,tilt,roll'")
-    title = "document.querySelector('.conditions h2').textContent"
-    flight.until(f"{title} === 'capture payload4.9 in off the axis, at most 4 in allowed'")
-    flight.until("document.querySelectorAll('.cells .holds').length === 2")
-    met = tuple(condition(each.name, 0.3 * each.limit, each.limit, "", each.unit) for each in BEFORE_CAPTURE)
-    site.work = work(objective=Objective("capture", "capture payload"), conditions=met)
-    flight.until(f"{title} === 'capture payloadall met: capture, hold G'")
-    assert flight.script(names) == "off axis,distance,tilt,roll"
-
-
-@pytest.mark.slow
-def test_payloads_are_listed_without_an_objective(open_worksite: OpenWorksite) -> None:
-    flight, _ = open_worksite(Worksite(info(), work()))
-    flight.until("document.querySelector('.cargo tr').textContent === 'payloadCargo bay'")
-    assert flight.script("document.querySelectorAll('.cargo tr')[1].textContent") == "free flyerfree0.5 in/s"
-    assert not flight.page.locator(".conditions").is_visible()
-
-
 def test_capture_and_release_act_only_when_held(open_worksite: OpenWorksite) -> None:
     flight, site = open_worksite(Worksite(info(), work()))
     full = "document.querySelectorAll('.grips .fill')[{}].style.transform === 'scaleX(1)'"
@@ -155,39 +99,6 @@ def test_capture_and_release_act_only_when_held(open_worksite: OpenWorksite) -> 
     flight.until(full.format(1))
     flight.release("Enter")
     assert [m["switch"] for m in site.sent if m["type"] == "effector"] == ["close", "open"]
-
-
-@pytest.mark.slow
-def test_key_press_stops_the_moving_prong(open_worksite: OpenWorksite) -> None:
-    flight, site = open_worksite(Worksite(info("prong", stand=True), work(hand=PRONG, stand=3.6)))
-    flight.until("document.querySelector('.effector [aria-pressed=true]').textContent.startsWith('Close')")
-    flight.press("g")
-    site.until_sent(flight, "effector", switch="stop")
-
-
-@pytest.mark.slow
-def test_north_of_a_pad_captures_and_menu_north_releases(open_worksite: OpenWorksite) -> None:
-    flight, site = open_worksite(Worksite(info(), work()), pad=True)
-    flight.pad_buttons(NORTH)
-    site.until_sent(flight, "effector", switch="close")
-    flight.pad_buttons(MENU, NORTH)
-    site.until_sent(flight, "effector", switch="open")
-
-
-@pytest.mark.slow
-def test_thc_switched_to_the_orbiter_moves_only_the_orbiter(open_worksite: OpenWorksite) -> None:
-    flight, site = open_worksite(Worksite(info(), work(orbiter=(1.2, 0.0, -0.1), orbiter_velocity=(0.06, 0.0, 0.0))))
-    flight.press("`")
-    flight.until("document.querySelector('.thc .about').textContent === 'moves the orbiter'")
-    flight.until("document.querySelector('.orbiter').textContent.includes('+3.9')")
-    flight.hold("w")
-    flight.until("document.querySelector('.thc .value').textContent === '+1.00'")
-    flight.release("w")
-    flown = [m for m in site.sent if m["type"] == "sticks"]
-    assert max(m["orbiter"][0] for m in flown) == 1
-    assert all(m["translation"] == [0, 0, 0] for m in flown)
-    flight.press("`")
-    flight.until("document.querySelector('.thc .about').textContent === 'left hand'")
 
 
 @pytest.mark.slow
@@ -214,25 +125,6 @@ def test_master_slider_sends_one_changed_angle(open_worksite: OpenWorksite) -> N
     assert [*angles[:2], *angles[3:]] == pytest.approx([*joints[:2], *joints[3:]], abs=1e-3)
     flight.press("Space")
     site.until_sent(flight, "stop")
-
-
-@pytest.mark.slow
-def test_task_phase_is_initialised_from_the_rail(open_worksite: OpenWorksite) -> None:
-    flight, site = open_worksite(Worksite(info("prong", stand=True), work(task=2)))
-    flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
-    flight.press_key("Initialise")
-    flight.press_key("extraction")
-    site.until_sent(flight, "initialise", part="extraction")
-    assert not flight.page.get_by_role("button", name="extraction").is_visible()
-
-
-def test_plane_button_shows_the_separating_plane(open_worksite: OpenWorksite) -> None:
-    flight, _ = open_worksite(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
-    key = flight.page.get_by_role("button", name="Plane")
-    flight.press("f")
-    flight.page.get_by_role("button", name="Plane", pressed=True).wait_for()
-    key.click()
-    flight.page.get_by_role("button", name="Plane", pressed=False).wait_for()
 
 
 @pytest.mark.slow

@@ -1,7 +1,7 @@
 """Penetration depths under random inputs stay within the two-frame rule; an independent program measures them.
 
-`python -m tests.simulation.test_depths 1000000` runs a million steps of every built-in scenario. The normal tests run
-`STEPS` steps of each scenario.
+`python -m tests.simulation.test_depths 1000000` runs a million steps of every built-in scenario. The tests run `STEPS`
+steps of each scenario.
 """
 
 from __future__ import annotations
@@ -16,10 +16,11 @@ import aftdeck
 from aftdeck import Inputs
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.run import SavedSimulation
+from tests.each import number
 from tests.simulation.flights import random_inputs
 from tests.simulation.sat import DepthMeter
 
-STEPS = 20_000
+STEPS = number(4_000, 40_000)
 SEGMENT = 500
 """Number of random steps after each start."""
 STARTS = 12

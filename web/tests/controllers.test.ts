@@ -48,3 +48,20 @@ test('all devices are centred when one is lost while another takes the place of 
   expect(controllers.keyboard.held.size).toBe(0);
   expect(controllers.lost.map(({ name }) => name)).toEqual(['Left']);
 });
+
+test('the desk names a lost device, and asks to centre a device that is plugged in again off centre', () => {
+  const world = plugged({ id: 'Left' });
+  const controllers = new Controllers(() => {}, { moved() {}, taken: () => false });
+  const words = (now: number) => {
+    controllers.poll(now, 0.01);
+    return controllers.shown.words;
+  };
+  expect(words(0)).toBe('Left and keyboard in use');
+  world.axes(0, 0, -1, 0, 0);
+  world.unplug(0);
+  expect(words(20)).toBe('Left lost; use the keys');
+  world.plug(0);
+  expect(words(40)).toBe('Centre: Left');
+  world.axes(0, ...NO_AXES);
+  expect(words(60)).toBe('Left and keyboard in use');
+});

@@ -17,3 +17,16 @@ test('no default key belongs to the browser', () => {
     if (!isFixed('keyboard', use)) expect(keyRefusal({ code, ...alone })).toBeNull();
   }
 });
+
+test.each([
+  ['KeyW', '+X'],
+  ['KeyI', '+pitch'],
+  ['KeyV', 'rate'],
+  ['Equal', 'joint +'],
+  ['KeyF', 'plane'],
+  ['Period', 'cameraStep +'],
+  ['KeyX', 'otherMonitor'],
+  ['Digit1', 'camera 1'],
+])('the key %s has the function %s', (code, use) => {
+  expect(DEFAULTS.keyboard.bindings[code]).toBe(use);
+});

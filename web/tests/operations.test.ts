@@ -33,8 +33,12 @@ function station(flying = true, payloads = 1) {
     log: { say: vi.fn(), keepTo: vi.fn() },
     operator: { flying, sticks, controllers: { acknowledge: vi.fn() } },
     spine: { element: {}, acknowledge: vi.fn() },
-    groups: { meetMaster: vi.fn(), setPlane: vi.fn() },
-    pictures: { togglePlane: vi.fn(() => true), matrix: { open: vi.fn(), close: vi.fn() } },
+    groups: { meetMaster: vi.fn(), setPlane: vi.fn(), mode: { turnJoint: vi.fn() } },
+    pictures: {
+      togglePlane: vi.fn(() => true),
+      matrix: { open: vi.fn(), close: vi.fn() },
+      monitors: { step: vi.fn(), takeOther: vi.fn(), chooseDigit: vi.fn() },
+    },
     windows: { update: vi.fn() },
     units: { toggle: vi.fn() },
     calm: { use: vi.fn() },
@@ -104,6 +108,24 @@ test.each<[Rate, Rate]>([
   frame.rate = from;
   operations.act({ name: 'rate' });
   expect(sent).toEqual([{ type: 'select_rate', rate: to }]);
+});
+
+test('the keys of the joints select the next and the previous joint', () => {
+  const { operations, parts } = station();
+  operations.act({ name: 'turn joint', by: 1 });
+  operations.act({ name: 'turn joint', by: -1 });
+  expect(parts.groups.mode.turnJoint.mock.calls).toEqual([[1], [-1]]);
+});
+
+test('the keys of the cameras act on the monitors', () => {
+  const { operations, parts } = station();
+  const { monitors } = parts.pictures;
+  operations.act({ name: 'cameraStep', by: 1 });
+  operations.act({ name: 'otherMonitor' });
+  operations.act({ name: 'camera', number: 1 });
+  expect(monitors.step.mock.calls).toEqual([[1]]);
+  expect(monitors.takeOther).toHaveBeenCalledTimes(1);
+  expect(monitors.chooseDigit.mock.calls.map(([index]) => index)).toEqual([0]);
 });
 
 describe('the THC', () => {

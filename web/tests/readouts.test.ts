@@ -49,7 +49,7 @@ function desk() {
     report: { update: report },
     pictures: { monitors: { shown: [['A'], ['B']] } },
     groups: { mode: { inView: () => undefined } },
-    calm: { values() {} },
+    calm: { values: vi.fn() },
   };
   const readouts = new Readouts(parts as unknown as Parts);
   const show = (frame: Frame, now = 10_000) => readouts.values(readouts.viewOf(frame), MEASURED, now);
@@ -99,6 +99,15 @@ test('the spine shows the lamps of the frame, then the lamps of the page', () =>
   parts.log.refusedAt = 9000;
   show(frameOf('ORB UNL', [SINGULAR, CLEARANCE]));
   expect(shown[0]?.lamps.map(({ name }) => name)).toEqual(['SINGULAR', 'CLEARANCE', 'CHECK CRT']);
+});
+
+test('a caution of the arm or the page shows the parts that it needs; an information does not', () => {
+  const { parts, show } = desk();
+  const info: Lamp = { name: 'RATE LIM', level: 'info', text: 'elbow', standing: false };
+  parts.log.refusedAt = 9000;
+  show(frameOf('ORB UNL', [SINGULAR, info]));
+  const [, shown] = parts.calm.values.mock.calls[0] ?? [];
+  expect(shown).toMatchObject({ lamps: ['SINGULAR', 'CHECK CRT'] });
 });
 
 test('a page too narrow for the controls has no lamp for its controllers', () => {

@@ -18,6 +18,7 @@ export class SmallElement {
   readonly offsetTop = 0;
   readonly offsetHeight = 0;
   hidden = false;
+  value = '';
   children: (SmallElement | SmallText)[] = [];
   parent: SmallElement | null = null;
   private readonly listeners = new Map<string, ((event: object) => void)[]>();
@@ -31,6 +32,10 @@ export class SmallElement {
 
   getAttribute(name: string): string | null {
     return this.attributes.get(name) ?? null;
+  }
+
+  removeAttribute(name: string): void {
+    this.attributes.delete(name);
   }
 
   get classes(): readonly string[] {
@@ -85,6 +90,10 @@ export class SmallElement {
     this.parent = null;
   }
 
+  contains(other: unknown): boolean {
+    return this.all.some((each) => each === other);
+  }
+
   /** All elements within this one, in their order on the page. */
   get all(): readonly SmallElement[] {
     return this.children.flatMap((child) => (child instanceof SmallElement ? [child, ...child.all] : []));
@@ -108,9 +117,19 @@ export class SmallElement {
     this.listeners.set(type, [...(this.listeners.get(type) ?? []), listener]);
   }
 
+  /** Calls the listeners of `type`. */
+  dispatch(type: string, event: object): void {
+    for (const listener of this.listeners.get(type) ?? []) listener(event);
+  }
+
   /** Calls the click listeners, as a click by keyboard does: `detail` is 0. */
   click(): void {
-    for (const listener of this.listeners.get('click') ?? []) listener({ detail: 0 });
+    this.dispatch('click', { detail: 0 });
+  }
+
+  /** The first button with this text. */
+  button(text: string): SmallElement | undefined {
+    return this.all.find((each) => each.tag === 'button' && each.textContent === text);
   }
 }
 

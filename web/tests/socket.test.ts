@@ -110,15 +110,24 @@ test('a rejected command leaves the link open', () => {
   expect(kinds()).toEqual(['connecting', 'open']);
 });
 
-test.each<[string, (link: ReturnType<typeof linked>) => void]>([
-  ['the station rejects the page', ({ receive }) => receive({ type: 'refused', seq: -1, text: 'No.' })],
-  ['the station has another protocol', ({ welcome }) => welcome(PROTOCOL + 1)],
-  ['a message is not text', ({ socket }) => socket().onmessage({ data: new ArrayBuffer(1) })],
-  ['a message has an unknown type', ({ receive }) => receive({ type: 'rumour' })],
-])('a link ends for good when %s', (_, act) => {
+test.each<[string, RegExp, (link: ReturnType<typeof linked>) => void]>([
+  [
+    'the station rejects the page',
+    /^No\.$/,
+    ({ receive }) => receive({ type: 'refused', seq: -1, text: 'No.' }),
+  ],
+  [
+    'the station has another protocol',
+    new RegExp(`\\b${PROTOCOL}\\b.*\\b${PROTOCOL + 1}\\b`),
+    ({ welcome }) => welcome(PROTOCOL + 1),
+  ],
+  ['a message is not text', /not text/, ({ socket }) => socket().onmessage({ data: new ArrayBuffer(1) })],
+  ['a message has an unknown type', /rumour/, ({ receive }) => receive({ type: 'rumour' })],
+])('a link ends for good when %s; its state has the reason', (_, reason, act) => {
   const link = linked();
   act(link);
   expect(link.kinds()).toEqual(['connecting', 'refused']);
+  expect(link.states.at(-1)).toMatchObject({ sentence: expect.stringMatching(reason) });
   expect(link.socket().closed).toBe(true);
   link.welcome();
   link.lose();

@@ -61,15 +61,13 @@ def _outside(a: Polyhedron, b: Polyhedron) -> Array:
 
 def _within(bound: Polyhedron, planes: Array) -> Polyhedron | None:
     """Return the part of a polyhedron inside all planes (n, 4); None if the planes do not bound it on all sides."""
+    store, k = store_of([bound], _ROOM), 0
     for plane in planes:
-        store = store_of([bound], _ROOM)
-        if position_of(store, 0, plane) == BELOW:
-            continue
-        k = part_of(store, 0, plane, 1.0)
-        if k == FULL:
-            return None
-        bound = polyhedron(store, k)
-    return bound
+        if position_of(store, k, plane) != BELOW:
+            k = part_of(store, k, plane, 1.0)
+            if k == FULL:
+                return None
+    return polyhedron(store, k)
 
 
 def moved(body: Polyhedron, pose: Pose) -> Polyhedron:

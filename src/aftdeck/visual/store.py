@@ -6,6 +6,8 @@ A polyhedron has at most MOST_CORNERS corners in a face.
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -113,16 +115,21 @@ def box(low: Vec3, high: Vec3) -> Polyhedron:
 
 def volume(body: Polyhedron) -> float:
     """Return the volume of a polyhedron [m^3], by the divergence theorem."""
-    middle, total = body.points.mean(axis=0), 0.0
-    for plane, loop in zip(body.planes, body.loops, strict=True):
-        total += area(body.points[list(loop)]) * float(plane[3] - plane[:3] @ middle)
-    return total / 3.0
+    points, middle = body.points.tolist(), body.points.mean(axis=0)
+    heights = (body.planes[:, 3] - body.planes[:, :3] @ middle).tolist()
+    return sum(area([points[i] for i in loop]) * height for loop, height in zip(body.loops, heights, strict=True)) / 3.0
 
 
-def area(polygon: Array) -> float:
-    """Return the area of a flat polygon (n, 3) [m^2]."""
-    away = polygon[1:] - polygon[0]
-    return 0.5 * float(np.linalg.norm(np.cross(away[:-1], away[1:]).sum(axis=0)))
+def area(polygon: Sequence[Sequence[float]]) -> float:
+    """Return the area of a flat polygon of n corners (x, y, z) [m^2]."""
+    (ox, oy, oz), *others = polygon
+    away = [(x - ox, y - oy, z - oz) for x, y, z in others]
+    normal = [0.0, 0.0, 0.0]
+    for (ax, ay, az), (bx, by, bz) in itertools.pairwise(away):
+        normal[0] += ay * bz - az * by
+        normal[1] += az * bx - ax * bz
+        normal[2] += ax * by - ay * bx
+    return 0.5 * math.hypot(*normal)
 
 
 def _filled(shape: tuple[int, int], start: Array) -> Array:

@@ -25,7 +25,9 @@ _PLAIN = ("#dde5eb", "#c8d3dc")
 """Colours of stretches by their level; those without an alarm have two in turn."""
 _LABEL_PART = 0.006
 """Part of the timeline's width that a character of a label needs."""
-_TIMELINE_MARGINS, _STRIP_MARGINS = (0.75, 0.45, 0.1, 0.05), (0.5, 0.28, 0.1, 0.25)
+_TIMELINE_MARGINS = (0.75, 0.45, 0.1, 0.05)
+_STRIP_MARGINS = (0.5, 0.28, 0.1, 0.25)
+_VIEW_MARGINS = (0.6, 0.45, 0.1, 0.1)
 """Space for texts at the left, bottom, right and top [in]."""
 _FIXED, _MOVING = "#eef1f3", "#d3dce3"
 """Colours of bodies that are fixed to the orbiter or to space, and of others."""
@@ -99,14 +101,13 @@ def _strip(strip: Strip, end: float) -> str:
 
 def views(run: Gathered) -> Iterator[str]:
     """Yield the path of the tip and of the held payload from above and from the side, over the bodies at the end."""
-    outlines, kind = list(_faces(run.scenario, run.moments[-1].frame)), needed("matplotlib.collections").PolyCollection
+    faces, colours = zip(*_faces(run.scenario, run.moments[-1].frame), strict=True)
+    kind = needed("matplotlib.collections").PolyCollection
     for name, down, title in (("from above", 1, "y, to starboard [m]"), ("from the side", 2, "z, up [m]")):
 
         def draw(axes: Any, down: int = down, title: str = title) -> None:
-            for faces, moves in outlines:
-                flat = [corners[:, [0, down]] for corners in faces]
-                colour = _MOVING if moves else _FIXED
-                axes.add_collection(kind(flat, facecolors=colour, edgecolors="#b6c0c8", linewidths=0.3))
+            flat = [corners[:, [0, down]] for corners in faces]
+            axes.add_collection(kind(flat, facecolors=colours, edgecolors="#b6c0c8", linewidths=0.3))
             axes.plot(run.tip[:, 0], run.tip[:, down], color=COLOURS[0], linewidth=1.1, label="tip")
             if not np.isnan(run.held).all():
                 axes.plot(run.held[:, 0], run.held[:, down], color=COLOURS[1], linewidth=1.1, label="held payload")
@@ -122,16 +123,18 @@ def views(run: Gathered) -> Iterator[str]:
             axes.legend(fontsize=8, loc="upper right")
 
         yield figure(
-            chart(draw, f"Path {name}", (5.4, 4.2)), f"Path {name}; circle: start, square: end. Bodies at the end."
+            chart(draw, f"Path {name}", (5.4, 4.2), _VIEW_MARGINS),
+            f"Path {name}; circle: start, square: end. Bodies at the end.",
         )
 
 
-def _faces(scenario: Scenario, frame: Frame) -> Iterator[tuple[list[Array], bool]]:
-    """Yield the faces of each body in the scene, and whether it moves; those that do come last."""
+def _faces(scenario: Scenario, frame: Frame) -> Iterator[tuple[Array, str]]:
+    """Yield the corners of each face in the scene, and its colour; faces of bodies that move come last."""
     scene = VisualScene(scenario)
     poses, absent = scene.frames_at(frame), scene.absent(frame)
     bodies = [one for one in zip(scene.clusters.clusters, scene.clusters.frame.tolist(), strict=True)]
     for cluster, number in sorted(bodies, key=lambda one: one[0].frame not in _STILL):
         if cluster.part not in absent:
             corners = cluster.body.points @ poses[number, 3:].reshape(3, 3).T + poses[number, :3]
-            yield [corners[list(loop)] for loop in cluster.body.loops], cluster.frame not in _STILL
+            colour = _FIXED if cluster.frame in _STILL else _MOVING
+            yield from ((corners[list(loop)], colour) for loop in cluster.body.loops)
