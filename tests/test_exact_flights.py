@@ -42,6 +42,7 @@ def sums(environment: dict[str, str]) -> str:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_every_flight_is_equal_to_the_last_bit_on_a_generic_processor() -> None:
     if sums({}) == sums(generic()):
         pytest.skip("this processor computes like the generic one, so that nothing would be compared")

@@ -11,6 +11,7 @@ from aftdeck.operators.hand import Hand
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.units import Time
+from tests.each import number
 
 PERIOD_S = 0.02
 
@@ -56,7 +57,7 @@ def test_a_deflection_in_the_deadband_moves_nothing() -> None:
 @pytest.mark.parametrize("noise", [0.05, 0.2])
 def test_noise_is_a_share_of_the_deflection(noise: float) -> None:
     for deflection in (0.1, 0.5):
-        values = np.array(pushed(hand(noise=noise), deflection, 30_000))
+        values = np.array(pushed(hand(noise=noise), deflection, number(8_000, 100_000)))
         assert values.mean() == pytest.approx(deflection, rel=0.02)
         assert values.std() == pytest.approx(noise * deflection, rel=0.06)
     assert set(pushed(hand(noise=noise), 0.0, 100)) == {0.0}

@@ -159,18 +159,20 @@ def state_after(steps: int) -> SavedSimulation:
 @pytest.mark.parametrize("steps", [4500, pytest.param(6000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("way", [(0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (1.0, 0.0, 0.0)])
 def test_a_payload_that_leaves_the_way_sideways_is_warned_before_it_touches(steps: int, way: Vec3) -> None:
-    """Steps of a run measure few pairs; the alarm is compared with the clearances of all pairs."""
+    """Steps of a run measure few pairs; every fifth alarm is compared with the clearances of all pairs."""
     sim = Simulation(scenario("srms-berth"))
     sim.restore(state_after(steps))
     flight, state = sim._flight, sim._state
     site = flight.site
     closest, level = math.inf, ""
-    for _ in range(600):
+    for step in range(600):
         frame = sim.step(Inputs(mode="ORB LD", translation=way))
         if any(not contact.essential for contact in frame.work.contacts):
             assert level != "info"
             break
         level = frame.work.clearance_level
+        if step % 5:
+            continue
         watch = ClearanceMonitor(site.layout)
         watch.active = state.worksite.watch.active.copy()
         watch.update(state.worksite.frames, state.worksite.frames, 1.0)

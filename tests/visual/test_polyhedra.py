@@ -27,7 +27,7 @@ def assert_closed(body: Polyhedron) -> None:
     edges = [edge for loop in body.loops for edge in zip(loop, (*loop[1:], loop[0]), strict=True)]
     assert len(set(edges)) == len(edges)
     assert {(q, p) for p, q in edges} == set(edges)
-    areas = [area(body.points[list(loop)]) for loop in body.loops]
+    areas = [area(body.points[list(loop)].tolist()) for loop in body.loops]
     assert np.abs(np.array(areas) @ body.planes[:, :3]).max() < 1e-9 * sum(areas)
     for plane, loop in zip(body.planes, body.loops, strict=True):
         assert np.abs(body.points[list(loop)] @ plane[:3] - plane[3]).max() < 1e-8

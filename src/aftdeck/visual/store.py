@@ -116,7 +116,7 @@ def box(low: Vec3, high: Vec3) -> Polyhedron:
 def volume(body: Polyhedron) -> float:
     """Return the volume of a polyhedron [m^3], by the divergence theorem."""
     points, middle = body.points.tolist(), body.points.mean(axis=0)
-    heights = (body.planes[:, 3] - body.planes[:, :3] @ middle).tolist()
+    heights: list[float] = (body.planes[:, 3] - body.planes[:, :3] @ middle).tolist()
     return sum(area([points[i] for i in loop]) * height for loop, height in zip(body.loops, heights, strict=True)) / 3.0
 
 
