@@ -52,6 +52,11 @@ def find_chromium() -> Path | None:
     return next(on_path, None) or next(in_place, None)
 
 
+def pytest_xdist_auto_num_workers() -> int:
+    """Return the number of processes: one more than processors, since the tests of the page mostly wait."""
+    return (os.cpu_count() or 1) + 1
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Order the tests; measure them in the process that collects the results of all processes."""
     config.pluginmanager.register(Order())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from fnmatch import fnmatchcase
 
@@ -46,11 +45,6 @@ class Order:
             group = group_of(item.nodeid)
             seconds[group] = seconds.get(group, 0.0) + times.get(name, 0.0) / counts[name]
         items.sort(key=lambda item: -seconds[group_of(item.nodeid)])
-
-    @pytest.hookimpl(optionalhook=True)
-    def pytest_xdist_auto_num_workers(self) -> int:
-        """Return the number of processes: one more than processors, since the tests of the page mostly wait."""
-        return (os.cpu_count() or 1) + 1
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_xdist_make_scheduler(self, config: pytest.Config, log: object) -> Groups:

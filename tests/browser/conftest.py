@@ -57,7 +57,7 @@ NARROW = [(960, 900), (1024, 768), (768, 1024)]
 OpenPage = Callable[..., Flight]
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def station_of() -> Iterator[Callable[[str], str]]:
     """Function that returns the address of a running `aftdeck fly` with a scenario.
 
@@ -116,9 +116,12 @@ def _address(process: subprocess.Popen[str]) -> str:
     return first.removeprefix("Aftdeck station: ").strip()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def browser(chromium: Path) -> Iterator[Browser]:
-    """A Chromium that draws in software."""
+    """A Chromium that draws in software.
+
+    It ends after the tests of this folder: Playwright's loop would prevent `asyncio.run` in other tests.
+    """
     with sync_playwright() as playwright:
         running = playwright.chromium.launch(executable_path=chromium, args=FLAGS, timeout=START_S * 1000.0)
         yield running
