@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import re
 from typing import cast
 
@@ -20,7 +19,7 @@ from aftdeck.simulation.command_check.cmd_ck import STEPS
 from aftdeck.simulation.frame import Check
 from aftdeck.simulation.operator.sequence import begin
 from aftdeck.tuples import Six
-from tests.each import each, seeds
+from tests.each import each, number, seeds
 from tests.steering.flying import BAY, checked, disturbed, finished, fly, joint_target, scenario, speed, target
 
 OPR = 'mode = "OPR CMD"\n'
@@ -228,9 +227,8 @@ def test_verdict_time_and_cause_equal_those_of_the_motion(law: str) -> None:
 @pytest.mark.slow
 @laws
 def test_many_verdicts_times_and_causes_equal_those_of_the_motion(law: str) -> None:
-    """24 targets for each law; 1,000 with `AFTDECK_MOVES=1000` and pytest's option `-o faulthandler_timeout=0`."""
     rng, arm = np.random.default_rng(7), aftdeck.load_arm("srms")
-    for k in range(int(os.environ.get("AFTDECK_MOVES", "24"))):
+    for k in range(number(10, 1000)):
         start, goal = random_target(rng, arm)
         check_predicts_motion(start, goal, law, 'worksite = "orbiter"\n' if k % 2 else "")
 

@@ -6,7 +6,6 @@ According to Pinocchio, the lines of these moves stay inside the soft stops and 
 from __future__ import annotations
 
 import math
-import os
 from functools import lru_cache
 
 import numpy as np
@@ -25,6 +24,7 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.steering.rehearsal import rehearse
 from aftdeck.steering.rules import rules_of
+from tests.each import number
 from tests.kinematics.engines import in_pinocchio
 from tests.steering.lines import Move, chain_of, clear_moves
 
@@ -84,8 +84,8 @@ def test_modes_1_and_3_reach_every_free_target(name: str) -> None:
 @pytest.mark.slow
 @ARMS
 def test_modes_1_and_3_reach_each_of_many_free_targets(name: str) -> None:
-    """200 moves, or `AFTDECK_MOVES`. The test prints the number of moves that miss their target, for each law."""
-    count = int(os.environ.get("AFTDECK_MOVES", "200"))
+    """The test prints the number of moves that miss their target, for each law."""
+    count = number(60, 1000)
     found = missed_moves(name, 2, count)
     print(f"{name}: of {count} moves not reached: { ({law: len(moves) for law, moves in found.items()}) }")
     assert found[3] == [] and found[1] == []
