@@ -24,8 +24,9 @@ from tests.loaded import names_with
 
 TASKS = names_with("step")
 WITH_PAYLOAD = ("tutorial", "srms-deploy", "srms-berth", "concept-1972", "free-flyer")
-IN_CI = ("srms-deploy", "concept-1972")
-"""Tasks with both arms that CI flies; the others are long."""
+IN_CI = {"srms-deploy": "human", "concept-1972": "perfect"}
+"""Tasks with both arms that CI flies, each with one kind of operator; the others are long."""
+KINDS: tuple[Kind, ...] = ("perfect", "human")
 QUICK = ("tutorial", "first-flight", "singular", "uncradle", "sequence", "sts-400-closed")
 
 
@@ -56,20 +57,22 @@ def test_the_perfect_operator_completes_short_tasks(name: str) -> None:
 
 
 def those_of_ci(names: tuple[str, ...]) -> list[ParameterSet]:
-    """Return scenarios as parameters; all but those of `IN_CI` are marked long."""
-    return [pytest.param(name, marks=() if name in IN_CI else pytest.mark.long) for name in names]
+    """Return scenarios and kinds of operators as parameters; all but those of `IN_CI` are marked long."""
+    return [
+        pytest.param(name, kind, marks=() if IN_CI.get(name) == kind else pytest.mark.long)
+        for name in names
+        for kind in KINDS
+    ]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["perfect", "human"])
-@pytest.mark.parametrize("name", those_of_ci(TASKS))
+@pytest.mark.parametrize(("name", "kind"), those_of_ci(TASKS))
 def test_both_operators_complete_every_task(name: str, kind: Kind) -> None:
     completes(name, kind)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["perfect", "human"])
-@pytest.mark.parametrize("name", those_of_ci(WITH_PAYLOAD))
+@pytest.mark.parametrize(("name", "kind"), those_of_ci(WITH_PAYLOAD))
 def test_both_operators_complete_every_mission_with_rigid_bodies(name: str, kind: Kind) -> None:
     completes(name, kind, "rigid")
 

@@ -22,6 +22,7 @@ from aftdeck.recording.replay import verify
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event
 from aftdeck.simulation.run import Simulation
+from tests.each import number
 from tests.recording.flown import bay, chunks, messages, read_until_error, rewritten
 
 STEPS = 40
@@ -149,7 +150,7 @@ def test_every_bit_of_a_record_start_is_checked_or_has_no_effect(
     path: Path = request.getfixturevalue(source)
     data = path.read_bytes()
     starts = [at for at, kind, _ in chunks(data) if kind in (1, 6, 7, 15)]
-    chosen = [starts[0], starts[1], *starts[-4:]]
+    chosen = [starts[0], starts[1], *starts[-number(1, 4) :]]
     bits = [8 * (at + d) + b for at in chosen for d in range(49) for b in range(8) if at + d < len(data)]
     check_flips(path, tmp_path / "flipped.mcap", bits)
 

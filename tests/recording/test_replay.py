@@ -109,7 +109,7 @@ def test_run_with_random_inputs_verifies(tmp_path: Path, seed: int, extra: str) 
 
 
 @pytest.mark.slow
-@each("seed", seeds(4, 40))
+@each("seed", seeds(2, 40))
 def test_long_run_with_random_inputs_verifies(tmp_path: Path, seed: int) -> None:
     check_random_run(tmp_path / f"{seed}.mcap", seed, 2000)
 
