@@ -32,7 +32,7 @@ class Run:
 
     def json(self, *arguments: str) -> dict[str, Any]:
         code, out, err = self(*arguments, "--json")
-        assert (code, err) == (0, "")
+        assert (code, err) == (0, ""), f"exit code {code}: {err}"
         found = json.loads(out)
         assert isinstance(found, dict)
         return found

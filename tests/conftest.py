@@ -9,6 +9,7 @@ A module of tests may load no arm while the tests are collected: every process w
 
 import os
 import shutil
+import threading
 from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 
@@ -30,6 +31,11 @@ CHROMIUM_PLACES = (
     Path("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"),
 )
 HOW_TO_GET_ONE = "install chromium, or name one in AFTDECK_CHROMIUM"
+
+SESSION_THREADS = ("simulation", "recording", "painter", "scenario change", "preparation", "verification")
+"""Names of the threads that a session of the station starts."""
+LEFT_S = 20.0
+"""Longest time until such a thread has ended after the tests of a module [s]."""
 
 not_run = pytest.StashKey[int]()
 
@@ -98,6 +104,16 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     if count := config.stash.get(not_run, 0):
         terminalreporter.section("no Chromium found", yellow=True)
         terminalreporter.line(f"{count} browser tests were not run: {HOW_TO_GET_ONE}.")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def no_thread_is_left() -> Iterator[None]:
+    """Fail if a module leaves a thread of a session: it may print a line during another test."""
+    yield
+    left = [thread for thread in threading.enumerate() if thread.name in SESSION_THREADS]
+    for thread in left:
+        thread.join(LEFT_S)
+    assert [thread.name for thread in left if thread.is_alive()] == []
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -14,6 +14,7 @@ GROUPS = {
     "tests/browser/*": "browser",  # the tests share a browser, and only one page draws at a time
     "tests/study/test_ray.py::*": "ray",  # only one cluster runs at a time
     "tests/test_shell_lines.py::*[[]studies.md]": "ray",
+    "tests/test_benchmarks.py::*[[]ray]": "ray",
 }
 """Groups of tests, by patterns of their ids. Any other module is a group, so that its fixtures are made once."""
 

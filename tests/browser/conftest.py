@@ -54,6 +54,15 @@ SIZES = [(1280, 720), (1440, 900), (1920, 1080)]
 NARROW = [(960, 900), (1024, 768), (768, 1024)]
 """Narrow window sizes in which the arm can be flown: half a laptop screen, an old screen, an upright tablet [px]."""
 
+STATE = """() => ({
+    body: document.body.className,
+    alerts: [...document.querySelectorAll('[role=alert]')].map((each) => each.textContent),
+    inert: [...document.querySelectorAll('[inert]')].map((each) => each.className),
+    rail: [...document.querySelectorAll('.rail :is(.scenario > button, .who)')].map((each) => each.textContent),
+    time: window.__aftdeck?.lastFrame?.time_s,
+})"""
+"""What a page displays about its state."""
+
 OpenPage = Callable[..., Flight]
 
 
@@ -160,7 +169,9 @@ def open_page(station: str, browser: Browser, request: pytest.FixtureRequest) ->
 
     yield open_one
     for page in pages:
-        page.close()
+        if not page.is_closed():
+            print("the page at the end of the test:", page.evaluate(STATE))  # is shown if the test has failed
+            page.close()
     assert errors == []
 
 

@@ -11,6 +11,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, SPEED, WHICH
+from tests.each import number
 from tests.worksite.scenes import clearances, moved, placed, poses, scene
 
 PERIOD = 0.02
@@ -24,8 +25,7 @@ def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
     return twists
 
 
-@pytest.mark.slow
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=number(4, 40), deadline=None)
 @given(seeds)
 def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
     rng = np.random.default_rng(seed)
@@ -49,6 +49,9 @@ def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
             assert (b @ normal).min() - (a @ normal).max() == pytest.approx(expected[g], abs=1e-9)
             if expected[g] > CONTACT:
                 assert (a @ normal).max() < row[DISTANCE] < (b @ normal).min()
+            else:
+                halfway = 0.5 * ((a @ normal).max() + (b @ normal).min())
+                assert row[DISTANCE] == pytest.approx(halfway, abs=1e-9)
         before = now
 
 
