@@ -50,15 +50,18 @@ class Flight:
 
     def __init__(self, page: Page) -> None:
         self.page = page
-        self.until("window.__aftdeck?.lastFrame")
+        task = self.until("window.__aftdeck?.lastFrame").display.task
+        self._guided = task is not None and task.debrief is not None
+        """Whether the page has opened the guide, because another test had completed the task."""
 
     def from_the_start(self) -> Flight:
         """Wait until this page has control, then restart the scenario."""
-        task = self.until(f"{FLIES} && frame.time_s > 1").display.task
+        self.until(f"{FLIES} && frame.time_s > 1")
         before = self.script("window.__aftdeck.restarts")
         self.page.get_by_role("button", name="Restart").click()
         self.until(f"window.__aftdeck.restarts > {before}")
-        if task and task.debrief:  # another test had completed the task, so that the page opened the guide
+        if self._guided:
+            self._guided = False
             self.page.reload()
             self.until(f"{FLIES} && window.__aftdeck.frames > 2")
         return self
