@@ -9,9 +9,12 @@ A module of tests may load no arm while the tests are collected: every process w
 
 import os
 import shutil
+import sys
 import threading
 from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
+from traceback import walk_stack
+from types import FrameType
 
 import platformdirs
 import pytest
@@ -32,10 +35,8 @@ CHROMIUM_PLACES = (
 )
 HOW_TO_GET_ONE = "install chromium, or name one in AFTDECK_CHROMIUM"
 
-SESSION_THREADS = ("simulation", "recording", "painter", "scenario change", "preparation", "verification")
-"""Names of the threads that a session of the station starts."""
 LEFT_S = 20.0
-"""Longest time until such a thread has ended after the tests of a module [s]."""
+"""Longest time until a thread of Aftdeck has ended after the tests of a module [s]."""
 
 not_run = pytest.StashKey[int]()
 
@@ -106,11 +107,21 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
         terminalreporter.line(f"{count} browser tests were not run: {HOW_TO_GET_ONE}.")
 
 
+def _of_aftdeck(frame: FrameType) -> bool:
+    return str(frame.f_globals.get("__name__")).startswith("aftdeck.")
+
+
 @pytest.fixture(scope="module", autouse=True)
 def no_thread_is_left() -> Iterator[None]:
-    """Fail if a module leaves a thread of a session: it may print a line during another test."""
+    """Fail if a module leaves a thread that runs code of Aftdeck: it may print a line during another test."""
     yield
-    left = [thread for thread in threading.enumerate() if thread.name in SESSION_THREADS]
+    frames, present = sys._current_frames(), threading.current_thread()
+    left = [
+        thread
+        for thread in threading.enumerate()
+        if thread is not present and thread.ident in frames
+        if any(_of_aftdeck(frame) for frame, _ in walk_stack(frames[thread.ident]))
+    ]
     for thread in left:
         thread.join(LEFT_S)
     assert [thread.name for thread in left if thread.is_alive()] == []

@@ -75,15 +75,16 @@ class Durations:
 
 
 def write(times: dict[str, float], run: Iterable[str]) -> None:
-    """Write the times into the file, without the short tests of `run`, and without modules that do not exist."""
+    """Write the times into the file, without the short tests of `run`, and without tests that do not exist."""
     short = {name for name in run if times[name] < SHORTEST_S}
-    root = FILE.parents[1]
-    rows = {
-        name: round(seconds, 2)
-        for name, seconds in sorted(times.items())
-        if name not in short and (root / name.partition("::")[0]).is_file()
-    }
+    rows = {name: round(seconds, 2) for name, seconds in sorted(times.items()) if name not in short and _exists(name)}
     FILE.write_text(json.dumps(rows, indent=0) + "\n", encoding="utf-8")
+
+
+def _exists(name: str) -> bool:
+    module, _, function = name.partition("::")
+    path = FILE.parents[1] / module
+    return path.is_file() and f"def {function.rpartition('::')[2]}(" in path.read_text(encoding="utf-8")
 
 
 def summary(now: dict[str, float], before: dict[str, float]) -> list[str]:

@@ -28,8 +28,7 @@ UNREACHED = """() => {
 
 def resized(flight: Flight, width: int, height: int) -> None:
     """Set the size of the page and wait until it is drawn."""
-    flight.page.set_viewport_size({"width": width, "height": height})
-    flight.until(f"innerWidth === {width} && innerHeight === {height}")
+    flight.resize(width, height)
     until_redrawn(flight)
 
 

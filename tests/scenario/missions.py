@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 import pytest
+from _pytest.mark import ParameterSet
 
 import aftdeck
 from aftdeck.scenario.load import built_in
@@ -21,6 +23,13 @@ SCRIPTED = tuple(name for name in built_in() if name != "concept-1972")
 """Built-in scenarios with a script."""
 VERY_LONG = "flight-test-loaded"
 """A flight of 40 minutes; `tests.plant.multibody.test_flight_tests` flies it, and few other tests do."""
+
+
+def but_very_long(names: Iterable[str]) -> list[str | ParameterSet]:
+    """Return scenarios as test parameters; `VERY_LONG` is marked long."""
+    return [pytest.param(name, marks=pytest.mark.long) if name == VERY_LONG else name for name in names]
+
+
 LONG = {*MISSIONS, "flight-test", VERY_LONG}
 FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SCRIPTED if name != VERY_LONG]
 """The scripted scenarios as test parameters; missions and the flight test are marked slow."""

@@ -17,7 +17,7 @@ from aftdeck import Inputs
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.run import SavedSimulation
 from tests.each import number
-from tests.scenario.missions import VERY_LONG
+from tests.scenario.missions import but_very_long
 from tests.simulation.flights import random_inputs
 from tests.simulation.sat import DepthMeter
 
@@ -70,9 +70,7 @@ def deepest(name: str, steps: int, seed: int = 1) -> DepthMeter:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.long) if name == VERY_LONG else name for name in built_in()]
-)
+@pytest.mark.parametrize("name", but_very_long(built_in()))
 def test_penetration_stays_within_two_steps_travel(name: str) -> None:
     meter = deepest(name, STEPS)
     over = {pair: depth for pair, depth in meter.worst.items() if depth > SLIGHTLY}

@@ -14,7 +14,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.units import FOOT
 from benchmarks.flight_tests import TESTS, stops
 from tests.plant.multibody.flights import flown, scenario
-from tests.scenario.missions import VERY_LONG
+from tests.scenario.missions import but_very_long
 
 STEP = "[[phase]]\nmode = 'ORB UNL'\ntranslation = [0.5, 0.0, -0.5]\nduration = '3 s'\n"
 WAIT = "[[phase]]\nmode = 'ORB UNL'\nuntil = 'at rest'\nduration = '100 s'\n"
@@ -64,9 +64,7 @@ def test_waiting_for_rest_is_rejected_in_a_mode_without_sticks() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.long) if name == VERY_LONG else name for name in TESTS]
-)
+@pytest.mark.parametrize("name", but_very_long(TESTS))
 def test_flight_test_measures_each_stop_once_from_comparable_speeds(name: str, plant: str) -> None:
     found, steps = stops(name, plant), 2 if "loaded" in name else 1
     assert len({step for step, _ in found}) == len(found) == 9 * steps
