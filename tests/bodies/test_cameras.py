@@ -37,6 +37,15 @@ def test_start_setting_gives_the_start_view(boresight: Vec3, up: Vec3, zero: Vec
     assert seen.boresight == pytest.approx(np.array(boresight) / math.hypot(*boresight), abs=1e-9)
 
 
+@given(wide=st.floats(-4.0, 4.0) | st.sampled_from([0.0, math.pi, math.nan, math.inf]))
+def test_a_field_of_view_is_between_0_and_180_degrees(wide: float) -> None:
+    if 0.0 < wide < math.pi:
+        assert Camera("T", "Test", "orbiter", (0, 0, 0), (1, 0, 0), (0, 0, 1), wide).field_of_view == wide
+    else:
+        with pytest.raises(ValueError, match="field_of_view"):
+            Camera("T", "Test", "orbiter", (0, 0, 0), (1, 0, 0), (0, 0, 1), wide)
+
+
 @given(pan=st.floats(-3.1, 3.1), tilt=st.floats(-1.5, 1.5), up=directions, zero=directions)
 def test_setting_is_recovered_from_its_view(pan: float, tilt: float, up: Vec3, zero: Vec3) -> None:
     assume(apart(zero, up) > 1e-3)

@@ -19,8 +19,9 @@ import zstandard
 
 import aftdeck
 from aftdeck.recording.bundle import opening
-from aftdeck.recording.chunks import MAGIC, MAX_RATIO, MAX_UNPACKED, SMALL
+from aftdeck.recording.chunks import MAGIC, MAX_DECLARED, MAX_RATIO, MAX_UNPACKED, SMALL, records
 from aftdeck.recording.codec import encode
+from aftdeck.recording.damage import DamageError
 from aftdeck.recording.reader import MAX_MESSAGE, MAX_TEXTS, Recording
 from aftdeck.recording.records import Opening
 from aftdeck.recording.run import record as record_run
@@ -181,6 +182,23 @@ def test_bombs_are_rejected_quickly_and_in_little_memory(tmp_path: Path) -> None
     for name, found in zip(BOMBS, read(paths), strict=True):
         assert found.error and len(found.error) < 100_000, name
         assert found.seconds < SECONDS and found.megabytes < MEGABYTES, name
+
+
+@pytest.mark.parametrize("beyond", [0, 1])
+def test_a_file_may_have_as_many_schemas_and_channels_as_the_limit_says(tmp_path: Path, beyond: int) -> None:
+    path = tmp_path / "declared.mcap"
+    more = b"".join(declared(f"/t{number}", number) for number in range(1, MAX_DECLARED // 2)) + declared("/t", 60_000)
+    schema = record(3, struct.pack("<H", 60_001) + prefixed(b"s") + prefixed(b"jsonschema") + prefixed(b"{}"))
+    path.write_bytes(file(*(chunk(data, len(data), 0, b"") for data in (more, schema * beyond))))
+    with path.open("rb") as opened:
+        found: list[object] = []
+        try:
+            found.extend(records(opened))
+        except DamageError:
+            assert beyond
+        else:
+            assert not beyond
+        assert len(found) == 1 + MAX_DECLARED  # the file's header first
 
 
 def test_limits_leave_room_for_a_run_of_a_resting_arm(tmp_path: Path) -> None:
