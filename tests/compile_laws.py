@@ -12,7 +12,6 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
@@ -57,10 +56,10 @@ PARTS: dict[str, Callable[[], None]] = {"simulation": simulation, "pictures": pi
 
 
 def main() -> int:
-    """Compile both parts, unless this version of the laws was compiled before, in this folder and for this Python."""
-    here = hashlib.sha256(f"{Path(aftdeck.__file__).parent} {sys.version}".encode()).hexdigest()[:16]
-    done = Path(cache_folder()) / f"complete-{here}"
-    if done.exists():
+    """Compile both parts, unless this version of the laws was compiled before, for this Python."""
+    folder = cache_folder()
+    here = hashlib.sha256(sys.version.encode()).hexdigest()[:16]
+    if folder is None or (done := folder / f"complete-{here}").exists():
         return 0
     print("Compiling the laws, once for this version of them (some minutes)", flush=True)
     begun = time.monotonic()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import codecs
+import json
 import os
 import time
 from pathlib import Path
@@ -9,8 +11,12 @@ from pathlib import Path
 import msgspec
 import pytest
 
+import aftdeck
 from aftdeck.errors import ScenarioError
 from aftdeck.files import MOST_BYTES, Text, line_of, parse, read
+from aftdeck.historical.input_channels import CHANNELS
+from aftdeck.historical.words_file import read_channels
+from aftdeck.scenario.build import BUILT_IN
 from aftdeck.units import Length
 
 
@@ -44,6 +50,19 @@ def test_valid_file_becomes_its_type(tmp_path: Path) -> None:
     assert found.title == "é" and found.pair == pytest.approx((0.0254, 2.0))
     assert found.inner is not None and found.inner.size == pytest.approx(0.3048)
     assert [part.size for part in found.part] == [3.0]
+
+
+def test_a_byte_order_mark_is_not_part_of_the_text(tmp_path: Path) -> None:
+    """Some editors write one. `read` reads all files of text: scenarios, arms, worksites, studies and channels."""
+    source, marked = BUILT_IN / "tutorial.toml", tmp_path / "tutorial.toml"
+    marked.write_bytes(codecs.BOM_UTF8 + source.read_bytes())
+    assert aftdeck.load_scenario(marked).text == aftdeck.load_scenario(source).text
+    marked.write_bytes(codecs.BOM_UTF8 + b"titel = 'x'\n")
+    with pytest.raises(ScenarioError, match=r"tutorial\.toml:1: titel"):
+        aftdeck.load_scenario(marked)
+    channels = tmp_path / "channels.jsonl"
+    channels.write_bytes(codecs.BOM_UTF8 + json.dumps({"volts": [0.0] * CHANNELS}).encode())
+    assert len(read_channels(channels, 0.04).samples) == 1
 
 
 def test_all_errors_are_reported_with_their_lines() -> None:

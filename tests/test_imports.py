@@ -22,6 +22,8 @@ LAYERS = (
         "dimensions",
         "errors",
         "files",
+        "folders",
+        "law_cache",
         "law",
         "elementary",
         "matrices",

@@ -164,3 +164,18 @@ def test_law_declared_after_loading_is_compiled_at_once() -> None:
 
     assert not isinstance(half, law._Declared)
     assert half(3.0) == 1.5
+
+
+def test_plain_python_gives_numbers_of_the_same_types_as_machine_code() -> None:
+    """A frame of numbers of NumPy could neither be recorded nor sent to a page."""
+    runs("""
+import os
+os.environ["NUMBA_DISABLE_JIT"] = "1"
+import msgspec
+from aftdeck import Inputs, Simulation
+from aftdeck.scenario.load import built_in
+for name in built_in():
+    sim = Simulation(name)
+    for inputs in (Inputs(translation=(0.1, 0.2, 0.3), rotation=(0.3, 0.2, 0.1)), None):
+        msgspec.json.encode(sim.step(inputs))
+""")

@@ -13,9 +13,9 @@ library, because libraries differ: `elementary.py` has the functions that laws n
 searches the machine code of all laws for such calls and instructions.
 
 Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
-changed in one file, the cached code of its callers would still contain the old version. The laws' cache is therefore
-in a folder whose name is a digest of all laws. This folder is inside `NUMBA_CACHE_DIR` if that variable is set,
-otherwise inside the user's cache folder.
+changed in one file, the cached code of its callers would still contain the old version. The machine code is therefore
+in a folder whose name is a digest of all laws (`law_cache.py`). This folder is inside `NUMBA_CACHE_DIR` if that
+variable is set, otherwise inside the user's cache folder. Checkouts with the same laws share it.
 """
 
 from __future__ import annotations
@@ -36,7 +36,9 @@ from pathlib import Path
 from typing import Any, ParamSpec, TypeVar, cast
 
 import numpy as np
-import platformdirs
+
+from aftdeck.folders import user_folder
+from aftdeck.law_cache import ENDING, LawCache
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -53,6 +55,8 @@ class _Here(threading.local):
 
 
 _here = _Here()
+_briefly = False
+"""Whether this process calls laws for a short time only: see `use_briefly`."""
 
 _DECLARED = re.compile(rb"^@(elementary_|large_)?law$", re.MULTILINE)
 """Decorator of a law, in a source file."""
@@ -83,14 +87,7 @@ class _Declared:
         if _waiting is None or not (self._interpreted or _here.plain):
             load()
             return self.compiled(*given)
-        if self._interpreted or _here.nested:
-            return function(*given)
-        _here.nested = True
-        try:
-            with np.errstate(all="ignore"):  # as in compiled code
-                return function(*given)
-        finally:
-            _here.nested = False
+        return function(*given) if self._interpreted else _as_python(function, *given)
 
     @property
     def _numba_type_(self) -> Any:
@@ -98,6 +95,27 @@ class _Declared:
         load()
         typeof: Any = importlib.import_module("numba").typeof
         return typeof(self.compiled)
+
+
+def _as_python(function: Callable[..., Any], *given: Any) -> Any:
+    """Call a law as plain Python: divisions by zero and the types of the result are those of compiled code."""
+    if _here.nested:
+        return function(*given)
+    _here.nested = True
+    try:
+        with np.errstate(all="ignore"):
+            return _with_plain_numbers(function(*given))
+    finally:
+        _here.nested = False
+
+
+def _with_plain_numbers(result: Any) -> Any:
+    """Return the result of a law with Python's numbers in place of NumPy's, which elements of arrays are."""
+    if isinstance(result, np.generic):
+        return result.item()
+    if isinstance(result, tuple):
+        return tuple.__new__(type(result), map(_with_plain_numbers, result))
+    return result
 
 
 def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
@@ -157,6 +175,15 @@ def _declared(
         return cast("Callable[_P, _R]", _waiting[-1])
 
 
+def use_briefly() -> None:
+    """Let the laws run as plain Python in this process if machine code cannot be kept on disk.
+
+    For one run this takes a fifth of the time that their compilation takes. Call this before the first law.
+    """
+    global _briefly  # noqa: PLW0603
+    _briefly = True
+
+
 def load() -> None:
     """Import Numba, and replace each placeholder by its compiled law, in every module that has a name for it.
 
@@ -167,6 +194,8 @@ def load() -> None:
     with _loading:
         if _waiting is None:
             return
+        if _briefly and cache_folder() is None:
+            os.environ["NUMBA_DISABLE_JIT"] = "1"  # Numba reads it when it is imported; other processes inherit it
         compiled = {id(declared): declared.compiled for declared in _waiting}
         for module in list(sys.modules.values()):
             names = getattr(module, "__dict__", {})
@@ -179,7 +208,6 @@ def load() -> None:
 def _compiled(function: Callable[_P, _R], *, fused: bool, inlined: bool) -> Callable[_P, _R]:
     import numba  # noqa: PLC0415  (takes 0.6 s; only calling a law needs it)
 
-    config: Any = numba.config
     options: dict[str, Any] = {
         "error_model": "numpy",
         "fastmath": {"contract"} if fused else False,
@@ -187,17 +215,13 @@ def _compiled(function: Callable[_P, _R], *, fused: bool, inlined: bool) -> Call
         "nogil": True,
         "no_cfunc_wrapper": True,
     }
-    before = config.CACHE_DIR
-    config.CACHE_DIR = cache_folder()
-    compiled: Callable[_P, _R]
-    try:
-        # Numba's cache does not distinguish the two versions of a law
-        compiled = numba.njit(cache=not fused, **options)(function)
-    except RuntimeError:  # no folder is writable: compile for this process only
-        compiled = numba.njit(**options)(function)
-    finally:
-        config.CACHE_DIR = before
-    return compiled
+    compiled: Any = numba.njit(**options)(function)
+    if compiled is function:  # NUMBA_DISABLE_JIT
+        return cast("Callable[_P, _R]", functools.wraps(function)(functools.partial(_as_python, function)))
+    folder = None if fused else cache_folder()  # the cache does not distinguish the two versions of a law
+    if folder is not None:
+        compiled._cache = LawCache(function, folder)
+    return cast("Callable[_P, _R]", compiled)
 
 
 def compiled_before(package: str = "") -> bool:
@@ -206,7 +230,8 @@ def compiled_before(package: str = "") -> bool:
     Args:
         package: name of the package whose laws count; if it is empty, all laws count.
     """
-    return any(Path(cache_folder()).rglob(f"{package}*/*.nbi"))
+    folder = cache_folder()
+    return folder is not None and any(folder.glob(f"aftdeck.{package}*/*{ENDING}"))
 
 
 @functools.cache
@@ -223,18 +248,19 @@ def state_of_the_laws() -> str:
 
 
 @functools.cache
-def cache_folder() -> str:
-    """Return the cache folder for this version of the laws.
+def cache_folder() -> Path | None:
+    """Return the cache folder for this version of the laws; None if no folder can be written.
 
     Also delete the folders of other versions that have been unused for more than `_KEPT`.
     """
-    own = os.environ.get("NUMBA_CACHE_DIR")
-    home = Path(own) if own else platformdirs.user_cache_path("aftdeck")
+    home = user_folder("cache")
+    if home is None:
+        return None
     folder = home / f"laws-{state_of_the_laws()}"
-    with contextlib.suppress(OSError):  # without write access nothing is cached
-        folder.mkdir(parents=True, exist_ok=True)
+    with contextlib.suppress(OSError):
+        folder.mkdir(exist_ok=True)
         folder.touch()
         for other in home.glob("laws-*"):
             if time.time() - other.stat().st_mtime > _KEPT:
                 shutil.rmtree(other, ignore_errors=True)
-    return str(folder)
+    return folder

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+from typing import Any
 
 import hypothesis.strategies as st
 import pytest
@@ -10,7 +11,8 @@ from hypothesis import given
 
 import aftdeck
 from aftdeck.errors import InputError, ScenarioError
-from aftdeck.scenario.changes import change_text, parse_change
+from aftdeck.files import place
+from aftdeck.scenario.changes import change_text, located, parse_change, parse_key
 
 
 @pytest.mark.parametrize(
@@ -43,7 +45,7 @@ def test_any_text_is_a_change_or_an_input_error(text: str) -> None:
     try:
         where, _ = parse_change(text)
     except InputError as error:
-        assert "KEY=VALUE" in str(error)
+        assert repr(text.partition("=")[0].strip()) in str(error) or repr(text) in str(error)
     else:
         assert where and "=" in text
 
@@ -70,7 +72,7 @@ def test_every_value_of_a_file_is_read_again_from_its_text(value: object, where:
 
 
 def test_changed_scenario_tells_its_changes_and_accepts_no_state_of_another() -> None:
-    changes: dict[tuple[str | int, ...], object] = {
+    changes: dict[str | tuple[str | int, ...], object] = {
         ("clearance", "caution"): "1 ft",
         ("limits", "por", "translation"): 0.2,
     }
@@ -81,6 +83,32 @@ def test_changed_scenario_tells_its_changes_and_accepts_no_state_of_another() ->
     with pytest.raises(InputError, match="digest"):
         aftdeck.Simulation(usual).restore(saved)
     aftdeck.Simulation(aftdeck.load_scenario("tutorial", changes)).restore(saved)
+
+
+def test_keys_of_changes_are_texts_or_tuples() -> None:
+    tuples: dict[str | tuple[str | int, ...], object] = {("plant",): "rigid", ("phase", 0, "rate"): "vernier"}
+    texts: dict[str | tuple[str | int, ...], object] = {"plant": "rigid", "phase[0].rate": "vernier"}
+    by_tuples, by_texts = (aftdeck.load_scenario("first-flight", changes) for changes in (tuples, texts))
+    assert by_tuples.changes == by_texts.changes == ("plant=rigid", "phase[0].rate=vernier")
+    assert by_tuples.plant == by_texts.plant == "rigid"
+
+
+KEYS = st.text(max_size=6) | st.lists(st.text(max_size=3) | st.integers(-3, 3) | st.booleans() | st.none()).map(tuple)
+
+
+@given(KEYS)
+def test_any_other_key_is_an_input_error(key: Any) -> None:
+    try:
+        (where,) = located({key: 1})
+    except InputError as error:
+        assert str(error)
+    else:
+        assert where == (parse_key(key) if isinstance(key, str) else key) == parse_key(place(where))
+
+
+def test_two_values_for_one_key_are_an_input_error() -> None:
+    with pytest.raises(InputError, match="plant"):
+        aftdeck.load_scenario("tutorial", {"plant": "rigid", ("plant",): "flexible"})
 
 
 def test_change_with_a_wrong_value_is_an_error_of_the_scenario() -> None:

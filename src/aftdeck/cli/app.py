@@ -45,10 +45,18 @@ def _print_version(requested: bool) -> None:
         raise typer.Exit
 
 
+_LONG = ("fly", "study")
+"""Commands that call laws so often that their compilation is worth its time even if it is not kept."""
+
+
 @app.callback()
 def _options(
+    context: typer.Context,
     _version: Annotated[
         bool, typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_print_version)
     ] = False,
 ) -> None:
-    pass
+    if context.invoked_subcommand not in _LONG:
+        from aftdeck.law import use_briefly
+
+        use_briefly()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import sqlite3
 import time
@@ -11,9 +12,9 @@ from pathlib import Path
 from typing import Literal
 
 import msgspec
-import platformdirs
 
 from aftdeck.errors import RecordingError
+from aftdeck.folders import user_folder
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Opening
@@ -79,7 +80,17 @@ class Index:
     """
 
     def __init__(self, path: Path | None = None) -> None:
-        self.path = path or Path(platformdirs.user_data_dir("aftdeck", appauthor=False)) / "recordings.sqlite"
+        self._given = path
+
+    @functools.cached_property
+    def path(self) -> Path:
+        """Path of the database."""
+        if self._given is not None:
+            return self._given
+        folder = user_folder("data")
+        if folder is None:
+            raise RecordingError("the list of recordings cannot be used: no folder can be written")
+        return folder / "recordings.sqlite"
 
     def begin(self, path: Path, opening: Opening) -> None:
         """Add a recording that has begun."""

@@ -5,11 +5,16 @@ from __future__ import annotations
 import json
 import re
 import tomllib
+from collections.abc import Mapping
 from datetime import date, time
+from typing import Any
 
 from aftdeck.errors import InputError
-from aftdeck.files import Where, place
+from aftdeck.files import Changes, Where, place
+from aftdeck.units import short
 
+GivenChanges = Mapping[Any, object]
+"""New values, as a caller gives them: the key is a text as for `parse_key`, or a tuple (`Where`)."""
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
 
@@ -22,14 +27,48 @@ def parse_change(text: str) -> tuple[Where, object]:
         InputError: the text is not ``KEY=VALUE``.
     """
     key, equals, value = text.partition("=")
-    key = key.strip()
-    if not equals or not _KEY.fullmatch(key):
+    if not equals:
+        raise InputError(f"a change must be KEY=VALUE, such as command_delay=0.5; got {text!r}")
+    return parse_key(key.strip()), value_of(value.strip())
+
+
+def parse_key(key: str) -> Where:
+    """Return the location in a scenario's file from its text, such as ``phase[0].rate``.
+
+    Raises:
+        InputError: the text is not a key of a file.
+    """
+    if not _KEY.fullmatch(key):
         raise InputError(
-            f"a change must be KEY=VALUE with a key of the scenario's file, such as command_delay=0.5, "
-            f"limits.por.translation='1 ft/s' or phase[0].rate=vernier; got {text!r}"
+            f"the key of a change must be one of the scenario's file, such as command_delay, limits.por.translation or "
+            f"phase[0].rate; got {key!r}"
         )
-    where = tuple(int(i) if i else name for name, i in re.findall(r"([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]", key))
-    return where, value_of(value.strip())
+    return tuple(int(i) if i else name for name, i in re.findall(r"([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]", key))
+
+
+def located(changes: GivenChanges) -> Changes:
+    """Return changes with their locations as tuples.
+
+    Args:
+        changes: the new values.
+
+    Raises:
+        InputError: a key is neither, or two keys are the same location.
+    """
+    found: dict[Where, object] = {}
+    for key, value in changes.items():
+        if isinstance(key, str):
+            where = parse_key(key)
+        elif not isinstance(key, tuple) or not all(type(part) in (str, int) for part in key):
+            raise InputError(
+                f"the key of a change must be a text such as 'phase[0].rate', or a tuple; got {short(key)}"
+            )
+        elif (where := parse_key(place(key))) != key:
+            raise InputError(f"the key of a change must be {where} to name {place(where)}; got {key}")
+        if where in found:
+            raise InputError(f"{place(where)} is changed twice")
+        found[where] = value
+    return found
 
 
 def change_text(where: Where, value: object) -> str:

@@ -11,7 +11,7 @@ from aftdeck.errors import ScenarioError
 from aftdeck.files import Changes, Problem, Text, examine, find_toml, read, sentences
 from aftdeck.law import interpreted
 from aftdeck.scenario.build import BUILT_IN, build
-from aftdeck.scenario.changes import change_text
+from aftdeck.scenario.changes import GivenChanges, change_text, located
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
@@ -65,18 +65,20 @@ def find_scenario(name_or_path: str | Path) -> Source:
     return Source(read(path).text, path.stem, path.name, path.parent)
 
 
-def load_scenario(name_or_path: str | Path, changes: Changes | None = None) -> Scenario:
+def load_scenario(name_or_path: str | Path, changes: GivenChanges | None = None) -> Scenario:
     """Load a built-in scenario by its name, or a scenario file by its path.
 
     Args:
         name_or_path: built-in name or path.
-        changes: new values, each with the place of the value that it replaces.
+        changes: new values, each with the key of the value that it replaces: a text as for ``--set``, such as
+            ``phase[0].rate``, or a tuple such as ``("phase", 0, "rate")``.
 
     Raises:
+        InputError: a key is neither.
         ScenarioError: there is no such scenario, or its file has errors; the message lists all errors, with their
             places in the file.
     """
-    return parse_scenario(*find_scenario(name_or_path), changes)
+    return parse_scenario(*find_scenario(name_or_path), located(changes or {}))
 
 
 def _derived(raw: dict[str, Any], sources: Sources, file: Text) -> list[Problem]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Callable
+from copy import copy
 from pathlib import Path
 from typing import Literal, cast
 
@@ -67,6 +68,21 @@ class Simulation:
         constants = f"{self.scenario.text}\n{self.scenario.changes}\n{self.scenario.arm.model.source}"
         self._stepped = False
         self._digest = hashlib.sha256(constants.encode()).hexdigest()
+
+    def __reduce__(self) -> tuple[Callable[..., Simulation], tuple[object, ...]]:
+        """Return a function and its arguments which make a simulation with equal state, for `pickle`."""
+        frame = self.frame
+        given = (self.scenario, self.seed, self._digests, self.save(), self._given, self._flown, frame, self._seal)
+        return _copied, given
+
+    def __copy__(self) -> Simulation:
+        """Return a simulation of the same scenario with equal state, which then goes its own way."""
+        make, given = self.__reduce__()
+        return make(*given)
+
+    def __deepcopy__(self, _memo: dict[int, object]) -> Simulation:
+        """Return the same as `__copy__`: everything that both simulations have in common is immutable."""
+        return copy(self)
 
     @property
     def ended(self) -> Literal["", "completed", "time", "fault"]:
@@ -204,6 +220,24 @@ class Simulation:
         """
         self._state = initial_state(self._flight, start)
         self._flown, self._stepped, self._frame, self._given, self._seal = Inputs(), False, None, None, b""
+
+
+def _copied(
+    scenario: Scenario,
+    seed: int,
+    digests: bool,
+    saved: SavedSimulation,
+    given: Inputs | None,
+    flown: Inputs,
+    frame: Frame | None,
+    seal: bytes,
+) -> Simulation:
+    """Return a simulation in the state of another one after its last step."""
+    simulation = Simulation(scenario, seed, digests=digests)
+    simulation.restore(saved)
+    simulation._given, simulation._flown, simulation._frame, simulation._seal = given, flown, frame, seal
+    simulation._stepped = frame is not None
+    return simulation
 
 
 class Run(msgspec.Struct, frozen=True):

@@ -51,7 +51,10 @@ def token_at_hand() -> Token | None:
         if value := _text(Path(named)):
             return Token(value, f"{TOKEN_PATH} ({named})")
         raise InputError(f"{TOKEN_PATH} is {named!r}, which is not a file with a token")
-    path = Path.home() / TOKEN_FILE
+    try:
+        path = Path.home() / TOKEN_FILE
+    except RuntimeError:  # this user has no home folder
+        return None
     value = _text(path)
     return Token(value, str(path)) if value else None
 
@@ -120,6 +123,6 @@ def _asks_for_a_token(address: str, token: str | None) -> bool:
 def _text(path: Path) -> str:
     """Return the text of a file without the space around it; "" if the file cannot be read."""
     try:
-        return path.read_text(encoding="utf-8").strip()
+        return path.read_text(encoding="utf-8-sig").strip()
     except (OSError, UnicodeDecodeError):
         return ""

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import io
+import os
 import re
 from collections.abc import Callable
 from html import escape
 from typing import Any
 
+from aftdeck.folders import user_folder
 from aftdeck.report.extra import needed
 
 COLOURS = ("#1f5fa8", "#c2571a", "#2e7d4f", "#7a4aa0", "#a8322f", "#5b6770", "#8a7a12", "#0e7c86")
@@ -46,6 +48,8 @@ def chart(
     Raises:
         InputError: matplotlib is not installed.
     """
+    if (folder := user_folder("cache")) is not None:  # matplotlib complains if its own folder cannot be written
+        os.environ.setdefault("MPLCONFIGDIR", str(folder / "matplotlib"))
     matplotlib: Any = needed("matplotlib")
     figure_kind: Any = needed("matplotlib.figure").Figure
     out = io.StringIO()

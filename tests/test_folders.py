@@ -1,0 +1,158 @@
+"""The user's folders: every command works without a home folder, and says in one line where it keeps its files."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from aftdeck import folders
+from aftdeck.folders import Kind, user_folder
+
+NAMELESS = """
+import os, pwd, sys
+def unknown(number):
+    raise KeyError(number)
+pwd.getpwuid = unknown
+from aftdeck.cli import main
+main()
+"""
+"""Program that runs the command line for a user without a name, as in a container with a foreign user number."""
+COMMANDS = (
+    "arms",
+    "scenarios",
+    "studies",
+    "recordings",
+    "arm srms forward 0 0.5 -1 0.2 0.1 0",
+    "check first-flight",
+    "run uncradle --out run.mcap",
+    "replay run.mcap",
+    "report run.mcap -o page.html",
+    "render uncradle --camera A -o picture.svg",
+    "recordings --json",
+)
+
+
+@pytest.fixture
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder for temporary files."""
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    monkeypatch.setenv("TMPDIR", str(folder))
+    monkeypatch.setattr(tempfile, "tempdir", None)
+    folders._say.cache_clear()
+    return folder
+
+
+@pytest.fixture
+def usual(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder in which the user's folders usually are."""
+    folder = tmp_path / "usual"
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(folder / "cache"))
+    monkeypatch.setattr("platformdirs.user_data_dir", lambda *_, **__: str(folder / "data"))
+    return folder
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="users without a name are those of Unix")
+def test_every_command_works_for_a_user_without_name_and_home(tmp_path: Path, temporary: Path) -> None:
+    kept = user_folder("cache")  # the laws are compiled there
+    assert kept is not None
+    own = temporary / f"aftdeck-{os.getuid()}"
+    own.mkdir(mode=0o700)
+    (own / "cache").symlink_to(kept)
+    env = {"PATH": os.environ["PATH"], "TMPDIR": str(temporary)}
+    for command in COMMANDS:
+        done = subprocess.run(
+            [sys.executable, "-c", NAMELESS, *command.split()],
+            cwd=tmp_path,
+            env=env,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=300,
+        )
+        assert done.returncode == 0, (command, done.stderr)
+        said = [line for line in done.stderr.splitlines() if not line.startswith("caution: ")]
+        assert all(str(own) in line for line in said) and len(said) == len(set(said)) <= 2, (command, said)
+        assert said or command in ("arms", "scenarios", "studies"), command
+    assert sorted(path.name for path in own.iterdir()) == ["cache", "data"]
+    assert not (tmp_path / "~").exists()
+
+
+@pytest.mark.parametrize("kind", ["cache", "data"])
+def test_the_usual_folder_is_used_in_silence(
+    kind: Kind, usual: Path, temporary: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert user_folder(kind) == usual / kind and (usual / kind).is_dir()
+    assert capsys.readouterr().err == "" and not list(temporary.iterdir())
+
+
+@pytest.mark.parametrize("kind", ["cache", "data"])
+def test_a_folder_for_temporary_files_replaces_one_that_cannot_be_written(
+    kind: Kind, usual: Path, temporary: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    usual.touch()
+    found = user_folder(kind)
+    assert found == user_folder(kind) and found is not None and found.is_relative_to(temporary)
+    assert found.parent.stat().st_mode & 0o077 == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert str(usual) in line and str(found) in line
+
+
+@pytest.mark.parametrize("state", ["open to all", "a link", "a file"])
+def test_a_folder_for_temporary_files_that_others_could_fill_is_not_used(
+    state: str, usual: Path, temporary: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    usual.touch()
+    found = user_folder("cache")
+    assert found is not None
+    own = found.parent
+    found.rmdir()
+    own.rmdir()
+    if state == "open to all":
+        own.mkdir()
+        own.chmod(0o777)
+    elif state == "a link":
+        (tmp_path / "another").mkdir()
+        own.symlink_to(tmp_path / "another")
+    else:
+        own.touch()
+    capsys.readouterr()
+    assert user_folder("cache") is None
+    assert user_folder("cache") is None
+    (line,) = capsys.readouterr().err.splitlines()
+    assert str(usual) in line and str(own) in line and folders.OWN_CACHE in line
+
+
+def test_laws_run_as_plain_python_if_no_folder_can_be_written(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    closed = str(tmp_path / "file")
+    code = f"import tempfile; tempfile.tempdir = {closed!r}; from aftdeck.cli import main; main()"
+    command = ["arm", "srms", "forward", "0", "0.5", "-1", "0.2", "0.1", "0"]
+    env = {**os.environ, "NUMBA_CACHE_DIR": closed}
+    done = subprocess.run(
+        [sys.executable, "-c", code, *command],
+        env=env,
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=300,
+    )
+    (line,) = done.stderr.splitlines()
+    assert closed in line
+    compiled = subprocess.run([sys.executable, "-m", "aftdeck", *command], capture_output=True, check=True, timeout=300)
+    assert done.stdout == compiled.stdout.decode()
+    machine = "import aftdeck.law as law; law.use_briefly(); law.load(); import numba; print(numba.config.DISABLE_JIT)"
+    done = subprocess.run(
+        [sys.executable, "-c", code.replace("from aftdeck.cli import main; main()", machine)],
+        env=env,
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=300,
+    )
+    assert done.stdout == "1\n"

@@ -1,0 +1,150 @@
+"""Machine code on disk: whatever happens to the files, a law gives its result, and the files are written again."""
+
+from __future__ import annotations
+
+import importlib.util
+import random
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+from aftdeck import law
+from aftdeck.law_cache import LawCache
+
+SOURCE = """
+def hypotenuse(a, b):
+    return (a * a + b * b) ** 0.5
+"""
+
+
+def flip(data: bytes, at: int) -> bytes:
+    """Return data with one bit changed."""
+    return data[:at] + bytes([data[at] ^ (1 << at % 8)]) + data[at + 1 :]
+
+
+def _loop_of_links(path: Path) -> None:
+    path.unlink()
+    path.symlink_to(path)
+
+
+def _folder(path: Path) -> None:
+    path.unlink()
+    path.mkdir()
+    (path / "file").touch()
+
+
+DAMAGE: dict[str, Callable[[Path, random.Random], object]] = {
+    "empty": lambda path, _: path.write_bytes(b""),
+    "missing": lambda path, _: path.unlink(),
+    "cut": lambda path, rng: path.write_bytes(path.read_bytes()[: rng.randrange(path.stat().st_size)]),
+    "longer": lambda path, rng: path.write_bytes(path.read_bytes() + rng.randbytes(9)),
+    "noise": lambda path, rng: path.write_bytes(rng.randbytes(path.stat().st_size)),
+    "one bit": lambda path, rng: path.write_bytes(flip(path.read_bytes(), rng.randrange(path.stat().st_size))),
+    "zeros at the end": lambda path, _: path.write_bytes(path.read_bytes()[:4096].ljust(path.stat().st_size, b"\0")),
+    "a folder": lambda path, _: _folder(path),
+    "a loop of links": lambda path, _: _loop_of_links(path),
+}
+
+
+class Laws:
+    """A law in a file, compiled again and again with the same cache."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / "cache"
+        source = folder / "some_laws.py"
+        source.write_text(SOURCE)
+        spec = importlib.util.spec_from_file_location("some_laws", source)
+        assert spec is not None and spec.loader is not None
+        self.module: ModuleType = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(self.module)
+
+    def was_compiled(self) -> bool:
+        """Call the law as a new process would; return whether it had to be compiled."""
+        import numba  # noqa: PLC0415
+
+        compiled: Any = numba.njit(self.module.hypotenuse)
+        compiled._cache = LawCache(self.module.hypotenuse, self.folder)
+        assert compiled(3.0, 4.0) == 5.0
+        return bool(compiled.stats.cache_misses)
+
+    def files(self) -> list[Path]:
+        """Return the files of the cache."""
+        return [path for path in self.folder.rglob("*") if path.is_file()]
+
+
+@pytest.fixture(scope="module")
+def laws(tmp_path_factory: pytest.TempPathFactory) -> Laws:
+    """A law whose machine code is on disk."""
+    laws = Laws(tmp_path_factory.mktemp("laws"))
+    assert laws.was_compiled() and not laws.was_compiled()
+    return laws
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_damaged_file_is_compiled_and_written_again(laws: Laws, damage: str, seed: int) -> None:
+    (file,) = laws.files()
+    DAMAGE[damage](file, random.Random(seed))
+    assert laws.was_compiled()
+    if damage == "a folder":  # it cannot be replaced; the law is compiled each time
+        shutil.rmtree(file)
+        assert laws.was_compiled()
+    assert not laws.was_compiled()
+    assert len(laws.files()) == 1
+
+
+def test_a_file_of_another_signature_is_not_run(laws: Laws) -> None:
+    (file,) = laws.files()
+    import numba  # noqa: PLC0415
+
+    other: Any = numba.njit(laws.module.hypotenuse)
+    other._cache = LawCache(laws.module.hypotenuse, laws.folder)
+    assert other(3, 4) == 5.0
+    (second,) = (path for path in laws.files() if path != file)
+    shutil.copy(second, file)
+    assert laws.was_compiled()
+    second.unlink()
+
+
+def test_another_source_has_machine_code_of_its_own(laws: Laws, tmp_path: Path) -> None:
+    changed = Laws(tmp_path)
+    changed.folder = laws.folder
+    assert not changed.was_compiled(), "the same source in another folder"
+    (tmp_path / "another").mkdir()
+    source = tmp_path / "another" / "some_laws.py"
+    source.write_text(SOURCE.replace("0.5", "0.25"))
+    code = (
+        f"import sys; sys.path.insert(0, {str(source.parent)!r}); import some_laws, numba; from pathlib import Path; "
+        + (
+            f"from aftdeck.law_cache import LawCache; law = numba.njit(some_laws.hypotenuse); "
+            f"law._cache = LawCache(some_laws.hypotenuse, Path({str(laws.folder)!r})); print(law(3.0, 4.0))"
+        )
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300)
+    assert float(done.stdout) == 5.0**0.5
+
+
+def test_a_folder_that_cannot_be_written_is_said_once(
+    laws: Laws, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").touch()
+    closed = Laws(tmp_path)
+    closed.folder = tmp_path / "file" / "cache"
+    assert closed.was_compiled() and closed.was_compiled()
+    assert [str(tmp_path / "file") in line for line in capsys.readouterr().err.splitlines()] == [True]
+
+
+def test_laws_use_this_cache() -> None:
+    law.load()
+
+    @law.law
+    def third(value: float) -> float:
+        return value / 3.0
+
+    assert isinstance(third._cache, LawCache)  # type: ignore[attr-defined]
