@@ -50,6 +50,17 @@ def test_prong_and_telescope_move_to_their_ends() -> None:
     assert sim.step(Inputs()).motions == ()
 
 
+def test_snares_move_to_their_ends() -> None:
+    sim = Simulation("srms-deploy")
+    period = sim.scenario.control_period
+    for inputs, texts in ((Inputs(effector="close"), {"snares close"}), (Inputs(effector="open"), {"snares open"})):
+        frames = [sim.step(inputs), *(sim.step(Inputs()) for _ in range(300))]
+        assert check(frames, period) == texts
+        lasts = sum(frame.motions != () for frame in frames)
+        assert remaining(frames[0], *texts) == pytest.approx(lasts * period, abs=2 * period)
+        assert frames[-1].motions == ()
+
+
 def test_nothing_moves_at_rest() -> None:
     for name in ("srms-berth", "concept-1972", "loaded"):
         assert Simulation(name).step(Inputs()).motions == ()

@@ -12,23 +12,32 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.frames import angle_between
+from aftdeck.steering.course import start_motion
 from aftdeck.steering.layout import (
     ANGLES,
+    ARRIVED,
     COMMAND,
     LAW,
+    MEASURED,
+    MOTION_ACTIVE,
     PLAN,
+    RATES,
+    RATIO,
     REPORT,
     STATE,
     TARGET,
 )
-from aftdeck.steering.rehearsal import rehearse
+from aftdeck.steering.msteer import msteer
+from aftdeck.steering.rehearsal import MAX_STOPPED_TIME, STANDSTILL, rehearse
 from aftdeck.steering.rules import rules_of
 from tests.each import number
 from tests.kinematics.engines import in_pinocchio
 from tests.steering.lines import Move, chain_of, clear_moves
 
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
+PERIOD = 0.02
 NEAR, NEAR_TURN = 1e-3, 0.02
 """Greatest final error of mode 3 [m], [deg]."""
 
@@ -38,15 +47,22 @@ def arm_of(name: str) -> aftdeck.Arm:
     return aftdeck.load_arm(name)
 
 
+def motion(name: str, start: Array, end: Array, law: int) -> tuple[Array, Array, Array]:
+    """Return the arrays with which the steering moves the arm from the joint angles `start` to those at the `end`."""
+    arm = arm_of(name)
+    goal = arm.forward(end)
+    command, state = np.zeros(COMMAND), np.zeros(STATE)
+    command[LAW], command[TARGET : TARGET + 3] = law, goal.position
+    command[TARGET + 3 : TARGET + 12], command[PLAN : PLAN + 6] = goal.rotation.ravel(), end
+    state[ANGLES : ANGLES + 6] = start
+    return rules_of(arm.model, arm.model.por_limits(0.0), PERIOD)["OPR CMD", "coarse", law], command, state
+
+
 def final_error(name: str, move: Move, law: int) -> tuple[float, float, bool]:
     """Return the final error of a motion [m], [deg], and whether the motion ended."""
     arm = arm_of(name)
-    rules = rules_of(arm.model, arm.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", law]
+    rules, command, state = motion(name, move.start, move.end, law)
     goal = arm.forward(move.end)
-    command, state = np.zeros(COMMAND), np.zeros(STATE)
-    command[LAW], command[TARGET : TARGET + 3] = law, goal.position
-    command[TARGET + 3 : TARGET + 12], command[PLAN : PLAN + 6] = goal.rotation.ravel(), move.end
-    state[ANGLES : ANGLES + 6] = move.start
     arrived = rehearse(rules, command, state, np.zeros(REPORT), 3600.0)
     tip = arm.forward(state[ANGLES : ANGLES + 6])
     turn = angle_between(tip.rotation.tolist(), goal.rotation.tolist())
@@ -89,3 +105,28 @@ def test_modes_1_and_3_reach_each_of_many_free_targets(name: str) -> None:
     found = missed_moves(name, 2, count)
     print(f"{name}: of {count} moves not reached: { ({law: len(moves) for law, moves in found.items()}) }")
     assert found[3] == [] and found[1] == []
+
+
+@ARMS
+def test_rehearsal_ends_with_the_motion_or_after_two_seconds_at_a_standstill(name: str) -> None:
+    """The witness calls the steering once for each control step, and counts the steps at a standstill itself."""
+    arm, stopped = arm_of(name), 0
+    for seed in range(12):
+        rng = np.random.default_rng(seed)
+        start, end = rng.uniform(arm.limits.soft[:, 0], arm.limits.soft[:, 1], (2, 6))
+        rules, command, state = motion(name, start, end, 1 + seed % 3)
+        at, still, report = state.copy(), 0, np.zeros(REPORT)
+        given = command.copy()
+        for _ in range(200_000):
+            if given[MOTION_ACTIVE] == 0.0:
+                start_motion(rules, given, at)
+            msteer(rules, given, at, report)
+            at[ANGLES : ANGLES + 6] += at[RATES : RATES + 6] * PERIOD
+            at[MEASURED : MEASURED + 6] = at[RATES : RATES + 6]
+            still = still + 1 if report[RATIO] < STANDSTILL else 0
+            if report[ARRIVED] or still == round(MAX_STOPPED_TIME / PERIOD):
+                break
+        stopped += not report[ARRIVED]
+        assert rehearse(rules, command, state, np.zeros(REPORT), 3600.0) == bool(report[ARRIVED])
+        assert state.tobytes() == at.tobytes()
+    assert 0 < stopped < 12

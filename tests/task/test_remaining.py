@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -77,6 +78,21 @@ def test_height_above_a_payload_is_measured_back_along_the_end_effector() -> Non
     high = places.above(frame, AtCargo(0))
     assert high == pytest.approx(places.above(frame, AtCargo(0, above=0.3)))
     assert high == pytest.approx(2.0, abs=0.02)  # the scenario begins 2 m above the fixture
+
+
+@pytest.mark.parametrize("name", ["srms-deploy", "srms-berth", "concept-1972"])
+def test_only_a_place_far_from_a_payload_or_a_berth_is_named_above_or_before_it(name: str) -> None:
+    loaded = scenario(name)
+    aims, frame = Aims(loaded), Simulation(loaded).step(STILL)
+    targets = [step.target for step in loaded.steps if isinstance(step.target, AtCargo | AtSeat)]
+    for target in {targets[0], targets[-1]}:
+        names = {}
+        for above in (0.0, 0.09, 0.11, 3.0):
+            left = aims.remaining(frame, step_to(msgspec.structs.replace(target, above=above)))
+            assert left is not None
+            names[above] = left.to
+        assert names[0.0] == names[0.09] and names[0.11] == names[3.0]
+        assert names[3.0] in (f"above {names[0.0]}", f"before {names[0.0]}")
 
 
 def test_angle_of_a_joint_is_signed() -> None:

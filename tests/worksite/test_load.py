@@ -219,6 +219,11 @@ CARGO = (
             ("body a: wall: x", "1 to 0 m"),
         ),
         (
+            BODY + BLOCK.replace("x = [0, 1]", "x = [1, 1]"),
+            "bad.toml:7: body[0].solids[0]",
+            ("body a: wall: x", "1 to 1 m"),
+        ),
+        (
             BODY + 'solids = [{ part = "wall", kind = "hexahedron", vertices = [[0,0,0], [0,0,1], [1,0,0], [1,0,1], '
             "[0,1,0], [0,1,1], [1,1,0], [1,1,1.5]] }]\n",
             "bad.toml:7: body[0].solids[0]",
