@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import random
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -13,6 +15,7 @@ import pytest
 from aftdeck.errors import InputError
 from aftdeck.gym.policy import SIZES, Activation, Layer, Policy
 from aftdeck.gym.policy_file import load_policy, save_policy
+from tests.each import each, seeds
 
 REACH = "aftdeck/Reach-v0"
 
@@ -117,6 +120,41 @@ def test_file_with_other_contents_is_rejected(
         load_policy(written(tmp_path / "policy.npz", change))
 
 
+def test_weights_whose_sums_are_infinite_give_no_action() -> None:
+    great = Layer(np.full((64, 24), 1e300), np.zeros(64)), Layer(np.full((6, 64), 1e300), np.zeros(6))
+    assert made(activation="relu", layers=great).act(np.ones(24)).tolist() == [1.0] * 6, "infinite: full deflection"
+    opposed = np.tile([1e300, -1e300], (6, 32))
+    with pytest.raises(InputError, match="not a number"):
+        made(activation="relu", layers=(great[0], Layer(opposed, np.zeros(6)))).act(np.ones(24))
+
+
+@each("seed", seeds(600, 20_000))
+def test_a_damaged_policy_file_is_rejected_or_gives_a_policy(seed: int, tmp_path: Path) -> None:
+    """Bits of the file are changed, or those of an array before it is packed, which no checksum of the file shows."""
+    rng, path = random.Random(seed), tmp_path / "policy.npz"
+    save_policy(made(), path)
+    if seed % 2:
+        with zipfile.ZipFile(path) as archive:
+            parts = {name: archive.read(name) for name in archive.namelist()}
+        name = rng.choice(sorted(parts))
+        parts[name] = flipped(parts[name], rng, 128 if rng.random() < 0.7 else len(parts[name]))
+        with zipfile.ZipFile(path, "w") as archive:
+            for name, data in parts.items():
+                archive.writestr(name, data)
+    else:
+        path.write_bytes(flipped(path.read_bytes(), rng, path.stat().st_size))
+    with contextlib.suppress(InputError):
+        load_policy(path).act(np.ones(24))
+
+
+def flipped(data: bytes, rng: random.Random, within: int) -> bytes:
+    """Return data with up to three bits changed among its first `within` bytes."""
+    changed = bytearray(data)
+    for _ in range(rng.randint(1, 3)):
+        changed[rng.randrange(min(within, len(data)))] ^= 1 << rng.randrange(8)
+    return bytes(changed)
+
+
 class Trap:
     """Object that writes a file when it is unpickled."""
 
@@ -130,7 +168,7 @@ class Trap:
 def test_pickled_objects_in_a_file_are_never_loaded(tmp_path: Path) -> None:
     trap = np.array([Trap(tmp_path / "ran")], dtype=object)
     path = written(tmp_path / "policy.npz", lambda a: a.update(mean=trap))
-    with pytest.raises(InputError, match="is not a policy file: Object arrays cannot be loaded"):
+    with pytest.raises(InputError, match="is not a policy file, or is damaged: Object arrays cannot be loaded"):
         load_policy(path)
     assert not (tmp_path / "ran").exists()
 

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from aftdeck.cli.autopilots import operator_flight
-from aftdeck.errors import CommandError
+from aftdeck.errors import CommandError, InputError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Input
 from aftdeck.recording.replay import verify
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.autopilot import Autopilot, Autopilots, Pilot
 from tests.loaded import scenario
@@ -60,6 +64,37 @@ def test_autopilot_that_ends_leaves_centred_sticks_to_the_operator() -> None:
     with flying(autopilots=forward_for(10)) as session:
         frame = step_until(session, lambda frame: frame.display.autopilot is None, "the end of the autopilot")
         assert (frame.tick, frame.translation[0]) == (11, 0.0)
+
+
+def _failing(_: object) -> Inputs:
+    raise InputError("no action")
+
+
+WRONG: dict[str, Callable[[object], Any]] = {
+    "not a number": lambda _: Inputs(translation=(math.nan, 0.0, 0.0)),
+    "infinite": lambda _: Inputs(rotation=(0.0, math.inf, 0.0)),
+    "beyond full deflection": lambda _: Inputs(translation=(0.0, 1.5, 0.0)),
+    "another type": lambda _: "forward",
+    "a joint that does not exist": lambda _: Inputs(joint=9, drive=0.1),
+    "an error": _failing,
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_autopilot_without_possible_inputs_leaves_centred_sticks_to_the_operator(wrong: str) -> None:
+    given = iter([FORWARD] * 5)
+
+    def pilot(sim: Simulation) -> Inputs | None:
+        return next(given, None) or WRONG[wrong](sim)
+
+    with flying(autopilots=lambda _: Autopilot("policy", lambda: pilot)) as session:
+        assert shown(session).display.autopilot == "policy"
+        frame = step_until(session, lambda frame: frame.display.autopilot is None, "the end of the autopilot")
+        assert (frame.display.autopilot, frame.translation, frame.rotation, frame.drive) == (None, STILL, STILL, 0.0)
+        line = session.log.since(0)[-1]
+        assert line.level == "caution" and line.text.startswith("manual control: the policy has stopped: ")
+        session.steer(sticks(2, forward=-0.25))
+        assert steps(session, 1).translation[0] == -0.25
 
 
 def test_autopilot_flies_again_after_a_restart() -> None:

@@ -71,13 +71,21 @@ class Policy:
     keywords: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
 
     def act(self, observation: Floats32 | Array) -> Floats32:
-        """Return the action (actions,) for an observation (observations,), or one for each row (n, observations)."""
-        value = (np.asarray(observation, dtype=np.float64) - self.mean) / self.std
-        for weight, bias in self.layers[:-1]:
-            value = value @ weight.T + bias
-            value = np.tanh(value) if self.activation == "tanh" else np.maximum(value, 0.0)
-        weight, bias = self.layers[-1]
-        return np.clip(value @ weight.T + bias, -1.0, 1.0).astype(np.float32)
+        """Return the action (actions,) for an observation (observations,), or one for each row (n, observations).
+
+        Raises:
+            InputError: the action is not finite. Finite weights can be so great that a sum is infinite.
+        """
+        with np.errstate(over="ignore", invalid="ignore"):
+            value = (np.asarray(observation, dtype=np.float64) - self.mean) / self.std
+            for weight, bias in self.layers[:-1]:
+                value = value @ weight.T + bias
+                value = np.tanh(value) if self.activation == "tanh" else np.maximum(value, 0.0)
+            weight, bias = self.layers[-1]
+            action = np.clip(value @ weight.T + bias, -1.0, 1.0)
+        if not np.isfinite(action).all():
+            raise InputError(f"the policy for {self.environment} gives an action that is not a number")
+        return action.astype(np.float32)
 
 
 def check_policy(policy: Policy, where: str) -> None:

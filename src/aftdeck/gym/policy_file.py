@@ -60,7 +60,17 @@ def load_policy(path: Path | str) -> Policy:
             what is expected.
     """
     path = Path(path)
-    arrays = _arrays(path)
+    try:
+        return _checked(_arrays(path), path)
+    except InputError:
+        raise
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except Exception as error:  # libraries raise errors of many kinds for a damaged file
+        raise InputError(f"{path.name}: is not a policy file, or is damaged: {error}") from None
+
+
+def _checked(arrays: Arrays, path: Path) -> Policy:
     version = arrays.pop("version", None)
     if version is None or version.tolist() != VERSION:
         found = "missing" if version is None else short(version.tolist())
@@ -81,23 +91,16 @@ def load_policy(path: Path | str) -> Policy:
 
 def _arrays(path: Path) -> Arrays:
     """Return all arrays of a file."""
-    try:
-        with path.open("rb") as file:
-            if not zipfile.is_zipfile(file):
-                raise InputError(f"{path.name}: is not an .npz file, expected a file that `save_policy` has written")
-            with zipfile.ZipFile(file) as archive:
-                size = sum(entry.file_size for entry in archive.infolist())
-            if size > MAX_BYTES:
-                raise InputError(f"{path.name}: has arrays of {size} bytes, expected at most {MAX_BYTES}")
-            file.seek(0)
-            with np.load(file, allow_pickle=False) as found:
-                return {name: found[name] for name in found.files}
-    except InputError:
-        raise
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
-    except (ValueError, KeyError, EOFError, zipfile.BadZipFile, zipfile.LargeZipFile) as error:
-        raise InputError(f"{path.name}: is not a policy file: {error}") from None
+    with path.open("rb") as file:
+        if not zipfile.is_zipfile(file):
+            raise InputError(f"{path.name}: is not an .npz file, expected a file that `save_policy` has written")
+        with zipfile.ZipFile(file) as archive:
+            size = sum(entry.file_size for entry in archive.infolist())
+        if size > MAX_BYTES:
+            raise InputError(f"{path.name}: has arrays of {size} bytes, expected at most {MAX_BYTES}")
+        file.seek(0)
+        with np.load(file, allow_pickle=False) as found:
+            return {name: found[name] for name in found.files}
 
 
 def _text(arrays: Arrays, name: str, file: str) -> str:

@@ -127,10 +127,7 @@ class Simulation:
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
-            inputs = plain_inputs(inputs)
-            inputs.check(self._state.arm)
-            if inputs.camera is not None:
-                self._flight.cameras.check(inputs.camera)
+            inputs = self.checked(inputs)
         state = self._state
         self._flown = step(self._flight, state, inputs)
         self._given = inputs
@@ -139,6 +136,18 @@ class Simulation:
         if not all(map(math.isfinite, angles)):
             time = state.tick * self.scenario.control_period
             raise SimulationError(f"the arm's state is no longer finite at {time:g} s: {angles}")
+
+    def checked(self, inputs: object) -> Inputs:
+        """Return inputs with plain values, which `advance` accepts.
+
+        Raises:
+            InputError: as for `advance`.
+        """
+        plain = plain_inputs(inputs)
+        plain.check(self._state.arm)
+        if plain.camera is not None:
+            self._flight.cameras.check(plain.camera)
+        return plain
 
     def seal(self) -> bytes:
         """Return the SHA-256 digest of the exact state after the last step, which is `Frame.sha256`.

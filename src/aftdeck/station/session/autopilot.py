@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+from aftdeck.errors import AftdeckError
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -38,16 +39,22 @@ class Engaged:
     Attributes:
         name: what flies.
         inputs: its inputs for the next step; None for those of the script.
+        fault: reason for which it cannot fly on; empty if there is none.
     """
 
     def __init__(self, autopilot: Autopilot) -> None:
         self.name = autopilot.name
         self.inputs: Inputs | None = None
+        self.fault = ""
         self._pilot = None if autopilot.begin is None else autopilot.begin()
 
     def fly(self, sim: Simulation) -> bool:
-        """Compute `inputs` for the next step; return False if the autopilot has ended."""
+        """Compute `inputs` for the next step; return False if the autopilot has ended, or gives no possible inputs."""
         if self._pilot is None:
             return not sim.ended
-        self.inputs = self._pilot(sim)
+        try:
+            inputs = self._pilot(sim)
+            self.inputs = None if inputs is None else sim.checked(inputs)
+        except AftdeckError as error:
+            self.inputs, self.fault = None, str(error)
         return self.inputs is not None

@@ -305,7 +305,9 @@ class Session:
             self._recorder.controllers(self.time_s, controller_records(taken.controllers))
         moved = any(abs(s) > MOVED for s in travel(taken.sticks))
         if self._engaged is not None and (moved or command is not None or not self._engaged.fly(self._sim)):
-            self._note("hand", f"manual control: the {self._engaged.name} has stopped")
+            why = self._engaged.fault
+            text = f"manual control: the {self._engaged.name} has stopped" + (f": {why}" if why else "")
+            self._note("hand", text, "caution" if why else "info")
             self._engaged = None
         if taken.handed_over:
             self._note("hand-over", taken.handed_over)
