@@ -70,7 +70,12 @@ export class Controllers {
     return this.devices.filter(({ state }) => state === 'lost');
   }
 
-  /** Devices that have not been at zero yet. */
+  /** Sentences about axes and buttons that send no numbers. */
+  get faults(): readonly string[] {
+    return this.devices.flatMap(({ faults }) => faults);
+  }
+
+  /** Devices that wait for an axis to be centred. */
   get waiting(): readonly Device[] {
     return this.devices.filter(({ state }) => state === 'waiting');
   }

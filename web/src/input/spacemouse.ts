@@ -6,7 +6,7 @@
  */
 
 import { clamp } from '../basics/clamp';
-import type { Reading } from './device';
+import type { Reading } from './reading';
 
 /** Vendors: Logitech (early models) and 3Dconnexion. */
 const VENDORS = [0x046d, 0x256f];

@@ -1,7 +1,7 @@
 /** Two sticks and two sliders on the screen, moved by fingers or a mouse. */
 
 import { clamp } from '../basics/clamp';
-import type { Reading } from './device';
+import type { Reading } from './reading';
 
 /** Number of axes: left stick (right, down), left slider (down), right stick (right, down), right slider (right). */
 export const TOUCH_AXES = 6;
