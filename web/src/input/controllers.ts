@@ -91,7 +91,7 @@ export class Controllers {
       this.release();
       return ZERO;
     }
-    const keys = this.keyboard.step(dt);
+    const keys = this.keyboard.step(dt, now);
     const others = sum(...parts);
     this.moved = !equal(others, this.before);
     this.before = others;

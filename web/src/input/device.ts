@@ -1,6 +1,7 @@
 /** One device: conversion of its raw axes and buttons to deflections and actions, and its state. */
 
 import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflection';
+import { NOT_HELD } from './hold';
 import { type Action, type Grip, USES } from './keymap';
 import { nameOfSource } from './layout';
 import type { Kind, Mapping } from './mapping';
@@ -96,7 +97,7 @@ export class Device {
     if (this.state === 'flying') this.wait();
     for (const [index, use] of this.down) {
       this.down.set(index, undefined);
-      this.end(use);
+      this.end(use, NOT_HELD);
     }
     this.alone = null;
   }
@@ -155,13 +156,13 @@ export class Device {
     else if (does?.kind === 'grip') this.grip(does.grip, true);
   }
 
-  private end(use: string | undefined): void {
+  private end(use: string | undefined, at = performance.now()): void {
     const does = use === undefined ? undefined : USES.get(use)?.does;
-    if (does?.kind === 'grip') this.grip(does.grip, false);
+    if (does?.kind === 'grip') this.grip(does.grip, false, at);
   }
 
-  private grip(grip: Grip, down: boolean): void {
-    this.acted({ name: 'grip', grip, down, at: performance.now() });
+  private grip(grip: Grip, down: boolean, at = performance.now()): void {
+    this.acted({ name: 'grip', grip, down, at });
   }
 
   /** Releases all buttons of a device that is disconnected. */
@@ -169,6 +170,6 @@ export class Device {
     const uses = [...this.down.values()];
     this.down.clear();
     this.alone = null;
-    for (const use of uses) this.end(use);
+    for (const use of uses) this.end(use, NOT_HELD);
   }
 }

@@ -2,6 +2,7 @@
 
 import { CameraDrag, type Place } from '../../input/camera-drag';
 import type { Turning } from '../../input/camera-hand';
+import { onPress } from '../../input/press';
 import { type Age, isStale } from '../../link/delay-line';
 import type { Camera, Frame, Vec3 } from '../../link/protocol';
 import { inset } from '../../page/room';
@@ -117,12 +118,6 @@ export class Picture {
     return this.drag.turning(now);
   }
 
-  /** Ends a drag. */
-  release(): void {
-    this.drag.release();
-    this.drawBand();
-  }
-
   /** Draws the control frame's axes, at picture rate; `marked`: whether a large angle to the picture is marked. */
   setAxes(directions: readonly [Vec3, Vec3, Vec3], marked: boolean): void {
     this.axes.set(directions, marked);
@@ -199,31 +194,28 @@ export class Picture {
 
   private followMouse(): void {
     const { element, drag } = this;
-    element.addEventListener('pointerdown', (event) => {
-      if (this.shown.kind !== 'engineering' && !this.drivable) return;
-      element.setPointerCapture(event.pointerId);
-      if (this.shown.kind === 'engineering') return;
+    onPress(element, (event) => {
+      const free = this.shown.kind === 'engineering';
+      if (!free && !this.drivable) return null;
+      const { pointerId } = event;
+      element.setPointerCapture(pointerId);
+      if (free) return { moved: (at) => this.turnBy(at), ended() {} };
       this.listener.taken();
-      drag.press(event.pointerId, this.placeOf(event), element.clientHeight);
+      drag.press(pointerId, this.placeOf(event), element.clientHeight);
+      return {
+        moved: (at) => {
+          drag.move(pointerId, this.placeOf(at));
+          this.drawBand();
+        },
+        ended: () => {
+          drag.lift(pointerId);
+          this.drawBand();
+        },
+      };
     });
     element.addEventListener('contextmenu', (event) => {
       if (this.shown.kind === 'engineering') event.preventDefault();
     });
-    element.addEventListener('pointermove', (event) => {
-      if (!element.hasPointerCapture(event.pointerId)) return;
-      drag.move(event.pointerId, this.placeOf(event));
-      this.drawBand();
-      if (this.shown.kind !== 'engineering') return;
-      const per = DRAGGED / element.clientWidth;
-      const aside = event.shiftKey || (event.buttons & SECOND) !== 0;
-      this.listener.orbited(-event.movementX * per, event.movementY * per, 1, aside);
-    });
-    for (const ends of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
-      element.addEventListener(ends, ({ pointerId }) => {
-        drag.lift(pointerId);
-        this.drawBand();
-      });
-    }
     element.addEventListener(
       'wheel',
       (event) => {
@@ -239,6 +231,13 @@ export class Picture {
       },
       { passive: false },
     );
+  }
+
+  /** Rotates the engineering view by a motion of the pointer, or shifts it. */
+  private turnBy({ movementX, movementY, shiftKey, buttons }: PointerEvent): void {
+    const per = DRAGGED / this.element.clientWidth;
+    const aside = shiftKey || (buttons & SECOND) !== 0;
+    this.listener.orbited(-movementX * per, movementY * per, 1, aside);
   }
 
   private get drivable(): boolean {
