@@ -127,8 +127,8 @@ export class Station {
   dispose(): void {
     cancelAnimationFrame(this.request);
     this.ended.abort();
-    const { tones, operator, cameraHand, windows, task, pictures } = this.parts;
-    for (const part of [tones, operator, cameraHand, windows, task, pictures]) part.dispose();
+    const { tones, operator, cameraHand, windows, task, pictures, freshness } = this.parts;
+    for (const part of [tones, operator, cameraHand, windows, task, pictures, freshness]) part.dispose();
   }
 
   /** Lets the sticks move the arm, or keeps them at zero, as `Control` decides. */

@@ -54,7 +54,9 @@ export class Picture {
   private readonly time = el('span', { class: 'code', 'data-calm': 'full' });
   private readonly age = el('span');
   private readonly lens = el('span');
-  private readonly stale = el('p', { class: 'stale' });
+  private readonly oldness = el('b');
+  private readonly cure = el('span');
+  private readonly stale = el('p', { class: 'stale' }, this.oldness, this.cure);
   private readonly preparing = el('p', { class: 'preparing', role: 'status', hidden: '' });
   private readonly pane = el('div', { class: 'pane', 'aria-hidden': 'true' });
   private readonly axes = axesOverlay();
@@ -62,6 +64,8 @@ export class Picture {
   private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
   private corners: { readonly of: string; readonly boxes: readonly Box[] } | null = null;
   private shown: Camera;
+  /** Words before the age. */
+  private marks: readonly string[] = [];
 
   constructor(
     first: Camera,
@@ -138,16 +142,20 @@ export class Picture {
     this.gap.setText(text, seen);
   }
 
-  /** Writes the picture's time code and age, null in a replay; `exaggerated`: whether bending is exaggerated. */
-  setTime(frame: Frame, age: Age | null, exaggerated: boolean): void {
-    const stale = age !== null && isStale(age);
+  /** Writes the picture's time code; `exaggerated`: whether bending is exaggerated. */
+  setTime(frame: Frame, exaggerated: boolean): void {
     setText(this.time, timeCode(frame.time_s));
-    const old = age === null ? '' : `${age.s.toFixed(1)} s old`;
-    const how = age === null ? 'recorded' : stale || age.set > 0 ? old : 'live';
     const locked = frame.display.lighting.locked.some(({ camera }) => camera === this.shown.name);
-    const marks = [exaggerated ? `BEND × ${EXAGGERATION}` : '', locked ? 'EXP LOCK' : '', how];
-    setText(this.age, marks.filter((mark) => mark !== '').join('  '));
-    setText(this.stale, stale ? old : '');
+    this.marks = [...(exaggerated ? [`BEND × ${EXAGGERATION}`] : []), ...(locked ? ['EXP LOCK'] : [])];
+  }
+
+  /** Writes the picture's age; `fresh`: its text if it is not old; `cure`: what to do if it is. */
+  setAge(age: Age, fresh: string, cure: string): void {
+    const stale = isStale(age);
+    const old = `${age.s.toFixed(1)} s old`;
+    setText(this.age, [...this.marks, stale || age.set > 0 ? old : fresh].join('  '));
+    setText(this.oldness, stale ? old : '');
+    setText(this.cure, stale ? cure : '');
     setClass(this.element, 'is-stale', stale);
   }
 
