@@ -72,7 +72,7 @@ export class Controllers {
 
   /** Sentences about axes and buttons that send no numbers. */
   get faults(): readonly string[] {
-    return this.devices.flatMap(({ faults }) => faults);
+    return this.devices.flatMap(({ short, faults }) => faults.map((fault) => `${short}: ${fault}`));
   }
 
   /** Devices that wait for an axis to be centred. */

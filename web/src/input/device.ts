@@ -57,7 +57,7 @@ export class Device {
   /** Sentences about axes and buttons that have reported a value that is not a number. */
   get faults(): readonly string[] {
     const named = [...this.wrong].map((source) => nameOfSource(this.kind, source));
-    return named.map((name) => `${this.short}: ${name} sends no number and counts as 0`);
+    return named.map((name) => `${name} sends no number and counts as 0`);
   }
 
   /** Returns whether the device moves this hand controller. */
