@@ -10,7 +10,7 @@ function made() {
     world.made += 1;
     return { number: world.made } as unknown as Drawer;
   };
-  const drawers = new Drawers(make(), make, (former) => world.former.push(former));
+  const drawers = new Drawers(make, (former) => world.former.push(former));
   return { world, drawers };
 }
 
@@ -57,4 +57,12 @@ test('pictures that are hidden in the page are a fault until they are visible', 
   expect([drawers.fault, drawers.ready(0)]).toEqual([HIDDEN, true]);
   drawers.drawn(true);
   expect(drawers.fault).toBe('');
+});
+
+test('a drawer that becomes ready after a failure is used at once', () => {
+  const { world, drawers } = made();
+  drawers.failed(LOST, 0);
+  const full = { number: 0 } as unknown as Drawer;
+  drawers.change(full);
+  expect([drawers.ready(100), drawers.present, world.made]).toEqual([true, full, 1]);
 });

@@ -1,5 +1,6 @@
 /** The drawer of the pictures. A drawer that fails is replaced by a new one, as at the start of the page. */
 
+import { sentenceOf } from '../page/notice';
 import type { Drawer } from './full-profile';
 
 /** Time after a failure until a new drawer is made [ms]; it doubles with each failure, up to the longest. */
@@ -14,21 +15,28 @@ export class Drawers {
   fault = '';
   /** Number of drawers that have failed. */
   failures = 0;
+  private drawer: Drawer;
   private failing = false;
   private wait = FIRST_MS;
   private dueAt = 0;
 
   /** `make` makes a drawer, and throws if this is impossible; `changed` is called with each new one. */
   constructor(
-    public present: Drawer,
     private readonly make: () => Drawer,
     private readonly changed: (former: Drawer) => void,
-  ) {}
+  ) {
+    this.drawer = make();
+  }
+
+  get present(): Drawer {
+    return this.drawer;
+  }
 
   /** Draws with another drawer from now on. */
   change(next: Drawer): void {
-    const former = this.present;
-    this.present = next;
+    const former = this.drawer;
+    this.drawer = next;
+    this.failing = false;
     this.changed(former);
   }
 
@@ -38,7 +46,6 @@ export class Drawers {
     if (now < this.dueAt) return false;
     try {
       this.change(this.make());
-      this.failing = false;
     } catch (error) {
       this.postpone(now);
       this.fault = reasonOf(error);
@@ -67,7 +74,5 @@ export class Drawers {
 }
 
 function reasonOf(error: unknown): string {
-  if (typeof error === 'string') return error;
-  const why = error instanceof Error ? error.message : String(error);
-  return `The pictures cannot be drawn: ${why.replace(/\.$/, '')}`;
+  return typeof error === 'string' ? error : `The pictures cannot be drawn: ${sentenceOf(error)}`;
 }

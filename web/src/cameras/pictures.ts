@@ -117,8 +117,10 @@ export class Pictures {
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
     });
     this.appearance.follow(this.ended.signal);
-    const make = () => firstDrawer(welcome, profile);
-    this.drawers = new Drawers(make(), make, (former) => this.change(former));
+    this.drawers = new Drawers(
+      () => firstDrawer(welcome, profile),
+      (former) => this.change(former),
+    );
     ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawers.present));
     this.watch = new SituationWatch(cameras.length);
   }
@@ -341,7 +343,8 @@ export class Pictures {
       }
       this.onPage = frame;
       const { canvas } = this;
-      const visible = canvas.checkVisibility({ visibilityProperty: true, opacityProperty: true });
+      // Older browsers lack this function; they only miss a hidden canvas.
+      const visible = canvas.checkVisibility?.({ visibilityProperty: true, opacityProperty: true }) ?? true;
       this.drawers.drawn(visible && canvas.clientWidth > 0 && canvas.clientHeight > 0);
       if (!this.drawers.fault) done();
     };
