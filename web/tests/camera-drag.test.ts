@@ -40,6 +40,7 @@ test('two fingers zoom in when they move apart, and zoom out when they move toge
   expect(drag.turning(0)).toEqual({ pan: 0, tilt: 0, zoom: 1 });
   drag.move(2, { x: 170, y: 100 });
   expect(drag.turning(0).zoom).toBeCloseTo(Math.log(0.7) / Math.log(2));
-  drag.release();
+  drag.lift(1);
+  drag.lift(2);
   expect(drag.turning(0)).toEqual(still);
 });

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { Capture } from '../src/input/capture';
 import { DEFAULTS } from '../src/input/defaults';
-import type { Reading } from '../src/input/device';
+import type { Reading } from '../src/input/reading';
 
 function look(axes: readonly number[], ...down: number[]): Reading {
   const buttons = Array.from({ length: 12 }, (_, i) => ({ pressed: down.includes(i), value: 0 }));

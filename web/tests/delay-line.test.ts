@@ -31,7 +31,7 @@ describe('a delay line', () => {
 
   it('shows nothing before the first frame', () => {
     expect(new DelayLine(1).at(5000)).toBeNull();
-    expect(new DelayLine(1).age(5000)).toEqual({ s: 0, set: 1 });
+    expect(new DelayLine(1).age(5000)).toEqual({ s: 0, set: 1, undrawn: false });
   });
 
   it('discards pending frames at a restart', () => {
@@ -48,8 +48,11 @@ describe('a delay line', () => {
   it('is stale if no new frame arrives until 0.5 s after its delay', () => {
     const line = new DelayLine(2);
     for (let tick = 0; tick < 10; tick += 1) line.put(seen(tick, 100 * tick));
-    for (const now of [0, 900, 2900]) expect(isStale(line.age(now))).toBe(false);
-    expect(isStale(line.age(900 + 2400))).toBe(false);
-    expect(isStale(line.age(900 + 2600))).toBe(true);
+    const stale = (now: number) => {
+      line.displayed(now);
+      return isStale(line.age(now));
+    };
+    expect([0, 900, 2900, 900 + 2400, 900 + 2600].map(stale)).toEqual([false, false, false, false, true]);
+    expect(line.age(900 + 2600).undrawn).toBe(false);
   });
 });

@@ -4,7 +4,12 @@ import type { Command } from '../src/link/socket';
 import { DeviceWatch } from '../src/page/device-watch';
 
 function station() {
-  const devices = { lost: [] as { short: string }[], revision: 'keys', inUse: () => [] };
+  const devices = {
+    lost: [] as { short: string }[],
+    revision: 'keys',
+    inUse: () => [],
+    faults: [] as string[],
+  };
   const sent: Command['type'][] = [];
   const levels: string[] = [];
   const watch = new DeviceWatch(devices as unknown as Controllers, {
@@ -50,4 +55,12 @@ it('an observer’s lost device does not stop the operator', () => {
   watch.watch(false, false);
   expect(sent).toEqual([]);
   expect(levels).toEqual(['caution']);
+});
+
+it('an axis that sends no number is logged once', () => {
+  const { devices, sent, levels, watch } = station();
+  devices.faults = ['pad: Left stick ↕ sends no number'];
+  watch.watch(true, false);
+  watch.watch(true, false);
+  expect([levels, sent]).toEqual([['caution'], []]);
 });

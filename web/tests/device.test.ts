@@ -1,7 +1,10 @@
 import { expect, test } from 'vitest';
 import { isZero } from '../src/input/deflection';
-import { Device, deflection } from '../src/input/device';
+import { Device } from '../src/input/device';
 import type { Action } from '../src/input/keymap';
+import { nameOfSource } from '../src/input/layout';
+import { KINDS } from '../src/input/mapping';
+import { deflection } from '../src/input/reading';
 import { zeroed } from '../src/input/rebind';
 import { mappingOf, restore, save } from '../src/input/store';
 import { NO_AXES, reading } from './gamepads';
@@ -110,13 +113,13 @@ test('a lost device is zeroed at once, and is used again after it was centred', 
   const device = new Device('pad', () => {});
   expect(isZero(device.read(reading([0, -1, 0, 0]), 0))).toBe(true);
   expect(device.state).toBe('waiting');
-  device.read(reading(NO_AXES), 10);
-  expect(device.read(reading([0, -1, 0, 0]), 20)[0]).toBe(1);
-  expect(isZero(device.read(null, 30))).toBe(true);
+  for (let now = 10; now <= 1600; now += 10) device.read(reading(NO_AXES), now);
+  expect(device.read(reading([0, -1, 0, 0]), 1620)[0]).toBe(1);
+  expect(isZero(device.read(null, 1630))).toBe(true);
   expect(device.state).toBe('lost');
-  expect(isZero(device.read(reading([0, -1, 0, 0]), 40))).toBe(true);
-  device.read(reading([0, 0.02, 0, 0]), 50);
-  expect(device.read(reading([0, -1, 0, 0]), 60)[0]).toBe(1);
+  expect(isZero(device.read(reading([0, -1, 0, 0]), 1640))).toBe(true);
+  device.read(reading([0, 0.02, 0, 0]), 1650);
+  expect(device.read(reading([0, -1, 0, 0]), 1660)[0]).toBe(1);
 });
 
 test('a device with a sensor off centre is reported, and is used after it was zeroed', () => {
@@ -138,4 +141,23 @@ test('a stick that the operator holds off centre does not count as a sensor off 
   const device = new Device('pad', () => {});
   for (let now = 0; now <= 10_000; now += 100) device.read(reading([0.2 + 0.05 * (now % 200), 0, 0, 0]), now);
   expect(device.resting).toBe(false);
+});
+
+test('an axis or button that is not a number counts as 0 and is named, on every kind of device', () => {
+  for (const kind of KINDS) {
+    if (kind === 'keyboard') continue;
+    for (const value of [Number.NaN, Infinity, -Infinity, undefined as unknown as number]) {
+      const device = new Device(kind, () => {});
+      const parts = Array.from({ length: 17 }, () => ({ pressed: false, value }));
+      const noNumbers = { axes: Array<number>(6).fill(value), buttons: parts };
+      for (let now = 0; now < 4000; now += 100)
+        expect(device.read(noNumbers, now).every((each) => Object.is(each, 0))).toBe(true);
+      for (const source of Object.keys(mappingOf(kind).bindings).filter((each) => !each.includes('+')))
+        expect(device.faults.join()).toContain(nameOfSource(kind, source));
+      expect(device.state).toBe('flying');
+      expect(device.reading?.axes).toEqual([0, 0, 0, 0, 0, 0]);
+      device.read(reading(Array<number>(6).fill(0)), 4000);
+      expect(isZero(device.read(reading([1, 0, 0, 0, 0, 0]), 4010))).toBe(false);
+    }
+  }
 });

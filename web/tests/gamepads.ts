@@ -1,5 +1,5 @@
 import { vi } from 'vitest';
-import type { Reading } from '../src/input/device';
+import type { Reading } from '../src/input/reading';
 
 /** Readings of gamepads, and gamepads that a test connects and moves. */
 

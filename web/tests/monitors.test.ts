@@ -252,11 +252,3 @@ test('the low speed of the drives is shown on both monitors', () => {
   monitors.toggleSlow();
   expect([monitors.slow, ...pressed()]).toEqual([false, 'false', 'false']);
 });
-
-test('no drag turns a camera after all drags were ended', () => {
-  const { monitors } = made();
-  const released = monitors.both.flatMap(({ halves }) => halves).map((half) => vi.spyOn(half, 'release'));
-  monitors.release();
-  expect(released.every(({ mock }) => mock.calls.length === 1)).toBe(true);
-  expect(monitors.turning).toEqual({ pan: 0, tilt: 0, zoom: 0 });
-});

@@ -34,8 +34,8 @@ function operator() {
   let now = 1000;
   return {
     ...{ inputs, page, around, sent },
-    key(type: 'keydown' | 'keyup', code: string) {
-      around.dispatchEvent(Object.assign(new Event(type), { code, key: '', repeat: false }));
+    key(type: 'keydown' | 'keyup', code: string, key = '') {
+      around.dispatchEvent(Object.assign(new Event(type), { code, key, repeat: false }));
     },
     /** Lets the page be blocked for a time [ms]. */
     block(time: number) {
@@ -60,6 +60,8 @@ test.each<[string, (made: ReturnType<typeof operator>) => void]>([
     },
   ],
   ['loses the focus', ({ around }) => around.dispatchEvent(new Event('blur'))],
+  ['receives Meta', ({ key }) => key('keydown', 'MetaLeft', 'Meta')],
+  ['receives the release of Meta', ({ key }) => key('keyup', 'MetaLeft', 'Meta')],
   ['is left', ({ around }) => around.dispatchEvent(new Event('pagehide'))],
   ['was blocked for more than 2 s', ({ block }) => block(2100)],
 ])('a page that %s centres the sticks at once; a held key acts only when pressed again', (_, leave) => {

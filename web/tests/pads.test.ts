@@ -44,13 +44,14 @@ test('a joystick that was never moved is not used', () => {
 function afterMotion(world: ReturnType<typeof plugged>, pads: Pads, which: number): readonly number[] {
   const forward = [0, -1, 0, 0];
   pads.poll(1000);
-  for (const axes of [forward, NO_AXES, forward]) {
-    world.axes(which, ...axes);
-    pads.poll(1020);
-  }
-  const value = pads.poll(1040);
+  world.axes(which, ...forward);
+  pads.poll(1020);
   world.axes(which, ...NO_AXES);
-  pads.poll(1060);
+  for (let now = 1040; now <= 2600; now += 20) pads.poll(now);
+  world.axes(which, ...forward);
+  const value = pads.poll(2620);
+  world.axes(which, ...NO_AXES);
+  pads.poll(2640);
   return value;
 }
 

@@ -1,4 +1,6 @@
 import { expect, test, vi } from 'vitest';
+import { isZero } from '../src/input/deflection';
+import { Device } from '../src/input/device';
 import { CAP_AT_REST, parsed, SpaceMouse } from '../src/input/spacemouse';
 
 /** Returns a SpaceMouse that the page has permission to use, and functions that send its reports and unplug it. */
@@ -42,7 +44,8 @@ test('a permitted SpaceMouse connects without a question and is lost when unplug
 
 test('a silent SpaceMouse is lost only while it is deflected', async () => {
   const { mouse, report } = await connected();
-  for (let now = 0; now < 5000; now += 20) expect(mouse.reading(now)).not.toBeNull();
+  for (let now = 0; now < 300; now += 20) mouse.reading(now);
+  for (let now = 300; now < 5000; now += 20) expect(mouse.reading(now)).not.toBeNull();
   report(1, 0, 100, 0);
   let last = 5000;
   while (mouse.reading(last) && last < 10_000) last += 20;
@@ -50,6 +53,22 @@ test('a silent SpaceMouse is lost only while it is deflected', async () => {
   expect(last - 5000).toBeLessThanOrEqual(540);
   report(1, 0, 100, 0);
   expect(mouse.reading(last + 20)).not.toBeNull();
+});
+
+test('a SpaceMouse on which something leans when it is opened moves nothing until it was released', async () => {
+  const { mouse, report } = await connected();
+  const device = new Device('spacemouse', () => {});
+  const flies = (now: number) => !isZero(device.read(mouse.reading(now), now));
+  for (let now = 0; now < 100; now += 20) expect(flies(now)).toBe(false);
+  for (let now = 100; now < 5000; now += 20) {
+    report(1, 0, -350, 0);
+    expect(flies(now)).toBe(false);
+  }
+  expect(device.state).toBe('waiting');
+  report(1, 0, 0, 0);
+  for (let now = 5000; now < 7000; now += 20) expect(flies(now)).toBe(false);
+  report(1, 0, -350, 0);
+  expect(flies(7000)).toBe(true);
 });
 
 test('a busy page does not lose a SpaceMouse', async () => {

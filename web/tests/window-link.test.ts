@@ -79,7 +79,9 @@ function opened(flying = true) {
   return { monitors, centre, link, channel };
 }
 
-const key = (down: boolean): WindowMessage => ({ kind: 'key', down, code: 'KeyW', key: 'w', shift: false });
+const key = (down: boolean): WindowMessage => ({
+  ...{ kind: 'key', down, repeat: false, code: 'KeyW', key: 'w', shift: false },
+});
 
 test.each([true, false])('a window that asks receives the state of the page; in control: %s', (flying) => {
   const { channel } = opened(flying);

@@ -82,11 +82,6 @@ export class Monitors {
     return this.both.map(({ pictures }) => pictures.map(({ camera }) => camera.name));
   }
 
-  /** Ends all drags. */
-  release(): void {
-    for (const picture of this.both.flatMap(({ halves }) => halves)) picture.release();
-  }
-
   /** Selects a monitor. */
   take(index: number, half?: number): void {
     this.selected = index;

@@ -15,9 +15,11 @@ import type { DrawnBody } from '../scene/bodies';
 import type { View } from '../scene/drawn';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
+import { showAges } from './ages';
 import { AllCameras } from './all-cameras';
 import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
+import { Drawers, LOST } from './drawers';
 import { type Drawer, firstDrawer, fullDrawer } from './full-profile';
 import { Monitors } from './monitors';
 import { overlay } from './overlay';
@@ -30,6 +32,8 @@ const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
 const SHOWN = 3;
 /** Centres of the engineering views, besides their initial centre. */
 const CENTRES: readonly Subject[] = ['tip', 'payload', 'gap'];
+/** A page whose drawers have failed more often than this keeps the low profile. */
+const MOST_FAILURES = 1;
 /** Time between two attempts to put the pictures on the page [ms]. */
 const LOOK_MS = 3;
 
@@ -46,6 +50,8 @@ export interface PicturesListener {
   offered?: (offer: PairOffer | null) => void;
   /** Called when a monitor shows another camera, or was split. */
   changed?: () => void;
+  /** Whether the pictures show a recording, not a live run. */
+  recorded?: boolean;
 }
 
 /** Cameras of the monitors, and the survey of all cameras. */
@@ -61,7 +67,7 @@ export class Pictures {
     setClass(document.documentElement, 'night', night),
   );
   private readonly ended = new AbortController();
-  private drawer: Drawer;
+  private readonly drawers: Drawers;
   private survey: Survey;
   private all: AllCameras;
   private panes: Panes;
@@ -70,7 +76,9 @@ export class Pictures {
   private plane = false;
   private exaggerated = false;
   private open = false;
+  /** Number of drawings of the page, and with the present drawer. */
   private count = 0;
+  private own = 0;
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
   private round: Subject | null = null;
@@ -81,8 +89,9 @@ export class Pictures {
   private offered: PairOffer | null = null;
   /** Whether the next offer is shown at once, because the run starts again at a task phase. */
   private reopening = false;
-  /** Frame that was drawn last. */
+  /** Frame that was drawn last, and frame whose pictures are on the page. */
   private last: Frame | null = null;
+  private onPage: Frame | null = null;
 
   constructor(
     private readonly welcome: Welcome,
@@ -108,18 +117,21 @@ export class Pictures {
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
     });
     this.appearance.follow(this.ended.signal);
-    this.drawer = firstDrawer(welcome, profile);
-    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawer));
+    this.drawers = new Drawers(
+      () => firstDrawer(welcome, profile),
+      (former) => this.change(former),
+    );
+    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawers.present));
     this.watch = new SituationWatch(cameras.length);
   }
 
   /** The canvas behind the pictures. */
   get canvas(): HTMLCanvasElement {
-    return this.drawer.canvas;
+    return this.drawers.present.canvas;
   }
 
   private get scene(): Scene {
-    return this.drawer.scene;
+    return this.drawers.present.scene;
   }
 
   /** Makes the parts that depend on the drawer. */
@@ -141,14 +153,14 @@ export class Pictures {
     }
   }
 
-  /** Draws with the next drawer from now on. */
-  private change(next: Drawer): void {
-    const { drawer } = this;
-    next.scene.cameras.takeOrbits(drawer.scene.cameras);
-    drawer.canvas.replaceWith(next.canvas);
-    this.drawer = next;
-    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(next));
-    drawer.scene.dispose();
+  /** Draws with the drawers' present one from now on. */
+  private change(former: Drawer): void {
+    const { present } = this.drawers;
+    present.scene.cameras.takeOrbits(former.scene.cameras);
+    former.canvas.replaceWith(present.canvas);
+    this.own = 0;
+    ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(present));
+    former.scene.dispose();
     this.setPreparing(null);
   }
 
@@ -256,20 +268,36 @@ export class Pictures {
     return this.exaggerated;
   }
 
+  /** Whether the browser has withdrawn the graphics: the pictures must be drawn again even if nothing has changed. */
+  get lost(): boolean {
+    return this.scene.isLost;
+  }
+
   /** Whether the pictures drawn last are not on the page yet. Meanwhile no other pictures are drawn. */
   get drawing(): boolean {
     return this.finish !== null;
   }
 
   /**
-   * Draws the pictures that are due; returns whether all pictures show this frame with a metered exposure.
+   * Draws the pictures that are due; returns whether all pictures show this frame with a metered exposure. Pictures that
+   * cannot be drawn are left as they are; their age shows it.
    *
    * @param clearance level of the minimum clearance.
    * @param done called when the pictures are on the page, unless the page's layout has changed since they were drawn.
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
-    if (this.next) this.change(this.next);
+    if (this.next) this.drawers.change(this.next);
     this.next = null;
+    if (!this.drawers.ready(performance.now())) return false;
+    try {
+      return this.drawNow(frame, clearance, done);
+    } catch (error) {
+      this.fail(error);
+      return false;
+    }
+  }
+
+  private drawNow(frame: Frame, clearance: Level, done: () => void): boolean {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
     this.scene.setPoses(frame, this.exaggerated);
@@ -284,6 +312,7 @@ export class Pictures {
     this.begin(frame, gap);
     if (this.listener.offered) this.watchSituation(frame, gap);
     this.count += 1;
+    this.own += 1;
     const all = this.panes.all(this.open, this.seventies);
     const [panes, flat] = [all.filter(({ polygons }) => !polygons), all.filter(({ polygons }) => polygons)];
     this.wantPolygons(flat);
@@ -312,35 +341,58 @@ export class Pictures {
           picture.polygons.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, view.rect);
         else picture.polygons.hide();
       }
-      done();
+      this.onPage = frame;
+      const { canvas } = this;
+      // Older browsers lack this function; they only miss a hidden canvas.
+      const visible = canvas.checkVisibility?.({ visibilityProperty: true, opacityProperty: true }) ?? true;
+      this.drawers.drawn(visible && canvas.clientWidth > 0 && canvas.clientHeight > 0);
+      if (!this.drawers.fault) done();
     };
     this.put();
-    if (this.count === SHOWN && this.profile.quality === 'full') void this.prepareFull(frame);
-    return drawn.complete && metered;
+    const { profile, drawers } = this;
+    const full = profile.quality === 'full' && drawers.present.quality === 'low';
+    if (full && this.own === SHOWN && drawers.failures <= MOST_FAILURES) void this.prepareFull(frame);
+    return drawn.complete && metered && !drawers.fault;
   }
 
   /** Puts the pictures and their overlays on the page; if the pictures are not drawn yet, tries again soon. */
   private put(): void {
     const { finish } = this;
     if (!finish) return;
-    if (!this.scene.put()) {
+    const put = this.scene.put();
+    if (put === 'pending') {
       this.looking = window.setTimeout(() => this.put(), LOOK_MS);
       return;
     }
     this.finish = null;
-    finish();
+    if (put === 'lost') this.fail(LOST);
+    else finish();
   }
 
-  /** Writes time codes and clearances; `age`: age of the pictures, null in a replay. */
-  setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
+  /** Gives the present drawer up. */
+  private fail(error: unknown): void {
+    this.finish = null;
+    this.drawers.failed(error, performance.now());
+    if (typeof error !== 'string') console.error(error);
+  }
+
+  /** Writes time codes and clearances of the pictures that are on the page. */
+  setTime({ units }: Pick<DeskView, 'units'>): void {
+    const { onPage: frame } = this;
+    if (!frame) return;
     const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {
-      picture.setTime(frame, age, this.exaggerated && picture.polygons.hidden);
+      picture.setTime(frame, this.exaggerated && picture.polygons.hidden);
       if (!gap || !nearest) continue;
       const seen = this.scene.sight.ends(picture.camera, gap.point_a, gap.point_b);
       picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`, seen);
     }
-    if (this.open) this.matrix.setAge(age);
+  }
+
+  /** Writes how old the pictures are at `now` [ms]; `age`: age of the scene's pictures. Returns the age of the oldest. */
+  setAge(age: Age, now: number): Age {
+    const fresh = this.listener.recorded ? 'recorded' : 'live';
+    return showAges(this.monitors, this.matrix, { age, fault: this.drawers.fault, fresh }, now);
   }
 
   dispose(): void {

@@ -42,12 +42,6 @@ export class CameraDrag {
     this.fingers.delete(id);
   }
 
-  /** Ends all drags. */
-  release(): void {
-    this.fingers.clear();
-    this.wheel = { zoom: 0, until: 0 };
-  }
-
   /** Adds a notch of the wheel at `now` [ms]; `zoom`: 1 in, -1 out. */
   turnWheel(zoom: 1 | -1, now: number): void {
     const left = this.wheel.zoom === zoom ? Math.max(0, this.wheel.until - now) : 0;

@@ -1,7 +1,7 @@
 /** Waits for the next key, button or axis that the operator presses or moves. */
 
-import type { Reading } from './device';
 import type { Mapping } from './mapping';
+import type { Reading } from './reading';
 import type { Source } from './rebind';
 
 /** An axis that moves farther than this is chosen. */

@@ -70,7 +70,12 @@ export class Controllers {
     return this.devices.filter(({ state }) => state === 'lost');
   }
 
-  /** Devices that have not been at zero yet. */
+  /** Sentences about axes and buttons that send no numbers. */
+  get faults(): readonly string[] {
+    return this.devices.flatMap(({ short, faults }) => faults.map((fault) => `${short}: ${fault}`));
+  }
+
+  /** Devices that wait for an axis to be centred. */
   get waiting(): readonly Device[] {
     return this.devices.filter(({ state }) => state === 'waiting');
   }
@@ -86,7 +91,7 @@ export class Controllers {
       this.release();
       return ZERO;
     }
-    const keys = this.keyboard.step(dt);
+    const keys = this.keyboard.step(dt, now);
     const others = sum(...parts);
     this.moved = !equal(others, this.before);
     this.before = others;

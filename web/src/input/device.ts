@@ -1,55 +1,19 @@
 /** One device: conversion of its raw axes and buttons to deflections and actions, and its state. */
 
-import { clamp } from '../basics/clamp';
 import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflection';
+import { NOT_HELD } from './hold';
 import { type Action, type Grip, USES } from './keymap';
-import { centred, indexOf, type Kind, type Mapping, shape } from './mapping';
+import { nameOfSource } from './layout';
+import type { Kind, Mapping } from './mapping';
+import { checked, deflection, type Reading } from './reading';
+import { REST_MS, Rest } from './rest';
 import { mappingOf } from './store';
 
-/** Raw reading of a device. */
-export interface Reading {
-  /** Each in [-1, 1]. */
-  readonly axes: readonly number[];
-  readonly buttons: readonly { readonly pressed: boolean; readonly value: number }[];
-}
-
-/** `none`: never seen · `waiting`: not at zero yet · `flying`: in use · `lost`: disconnected while in use. */
+/** `none`: never seen · `waiting`: an axis must be centred · `flying`: in use · `lost`: disconnected while in use. */
 export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
 
-/** Time without motion after which an axis that is not at zero counts as at rest [ms]. */
-const REST_MS = 1500;
 /** Changes of an axis below this are noise of its sensor, not motion. */
 const STILL = 0.02;
-
-/** Returns how far a button is pressed, 0 to 1. Some drivers report only whether it is pressed. */
-function travel(reading: Reading, index: number): number {
-  const button = reading.buttons[index];
-  return button ? button.value || Number(button.pressed) : 0;
-}
-
-/** Value of a source before deadband and expo; zero for a button while another held button changes its function. */
-function raw(reading: Reading, source: string, { bindings, centres }: Mapping): number {
-  const axis = indexOf(source, 'a');
-  if (axis !== null) return centred(reading.axes[axis] ?? 0, centres[axis] ?? 0);
-  const [first, second] = source.split('+').map((part) => Number(part.slice(1)));
-  if (second !== undefined) return travel(reading, first ?? 0) > 0.5 ? travel(reading, second) : 0;
-  const other = Object.keys(bindings).find(
-    (each) => each.endsWith(`+${source}`) && travel(reading, Number(each.split('+')[0]?.slice(1))) > 0.5,
-  );
-  return other ? 0 : travel(reading, first ?? 0);
-}
-
-/** Returns the deflections of a reading, before (`shaped` false) or after deadband and expo. */
-export function deflection(reading: Reading, mapping: Mapping, shaped = true): Deflection {
-  const values = ZERO.map(() => 0);
-  for (const [source, use] of Object.entries(mapping.bindings)) {
-    const does = USES.get(use)?.does;
-    if (does?.kind !== 'axis') continue;
-    const value = raw(reading, source, mapping);
-    values[does.axis] = (values[does.axis] ?? 0) + does.sign * (shaped ? shape(value, mapping) : value);
-  }
-  return values.map((value) => clamp(value) + 0);
-}
 
 export class Device {
   state: DeviceState = 'none';
@@ -58,10 +22,14 @@ export class Device {
   /** Present reading; null if the device is not connected. */
   reading: Reading | null = null;
   /**
-   * Whether the device is not in use yet and reports a constant value that is not zero. The cause of such a value is an
-   * offset of the device's sensor, not a deflection.
+   * Whether the device waits, and the axes for which it waits have constant values. The cause of such a value is an
+   * offset of the device's sensor, or another resting place, not a deflection.
    */
   resting = false;
+  /** Axes and buttons that have reported a value that is not a number. */
+  private readonly wrong = new Set<string>();
+  /** Whether the device has been at zero since it was connected or disarmed. */
+  private armed = false;
   /** Pressed buttons, each with the function that it had when it was pressed. */
   private readonly down = new Map<number, string | undefined>();
   /**
@@ -69,11 +37,12 @@ export class Device {
    * before another button is pressed, it performs its own function.
    */
   private alone: number | null = null;
-  private still: { axes: readonly number[]; since: number } = { axes: [], since: 0 };
+  private still: { values: readonly number[]; since: number } = { values: [], since: 0 };
 
   constructor(
     readonly kind: Kind,
     private readonly acted: (action: Action) => void,
+    readonly rest = new Rest(true),
   ) {}
 
   get mapping(): Mapping {
@@ -85,6 +54,12 @@ export class Device {
     return this.name.replace(/\s*\(.*$/, '').slice(0, 26) || this.kind;
   }
 
+  /** Sentences about axes and buttons that have reported a value that is not a number. */
+  get faults(): readonly string[] {
+    const named = [...this.wrong].map((source) => nameOfSource(this.kind, source));
+    return named.map((name) => `${name} sends no number and counts as 0`);
+  }
+
   /** Returns whether the device moves this hand controller. */
   moves(hand: Hand): boolean {
     const axes = HANDS[hand].map((axis) => AXES[axis]);
@@ -92,29 +67,37 @@ export class Device {
   }
 
   /** Stores the device's reading at `now` [ms] and returns its deflections, which are zero if it is not in use. */
-  read(reading: Reading | null, now: number): Deflection {
-    this.reading = reading;
-    if (!reading) {
+  read(raw: Reading | null, now: number): Deflection {
+    if (!raw) {
+      this.reading = null;
       if (this.state !== 'none') this.state = 'lost';
-      this.resting = false;
+      this.resting = this.armed = false;
+      this.wrong.clear();
       this.releaseAll();
       return ZERO;
     }
+    const { reading, wrong } = checked(raw);
+    this.reading = reading;
+    for (const source of wrong) this.wrong.add(source);
     if (this.state === 'none' || this.state === 'lost') this.wait();
     this.press(reading);
-    const value = deflection(reading, this.mapping);
-    if (this.state === 'waiting' && isZero(value)) this.state = 'flying';
-    if (this.state === 'flying') return value;
-    this.watch(reading, now);
-    return ZERO;
+    const { rest, mapping } = this;
+    rest.look(reading, mapping, now);
+    const value = deflection(reading, mapping, true, (source) => rest.knows(source));
+    this.armed ||= isZero(value);
+    this.state = this.armed && rest.off.length === 0 ? 'flying' : 'waiting';
+    if (this.state === 'waiting') this.watch(this.armed ? rest.off : reading.axes, now);
+    else this.resting = false;
+    return this.armed ? value : ZERO;
   }
 
   /** Centres the device until it has been at zero. A held button acts again only when it is pressed again. */
   disarm(): void {
+    this.armed = false;
     if (this.state === 'flying') this.wait();
     for (const [index, use] of this.down) {
       this.down.set(index, undefined);
-      this.end(use);
+      this.end(use, NOT_HELD);
     }
     this.alone = null;
   }
@@ -128,12 +111,14 @@ export class Device {
   private wait(): void {
     this.state = 'waiting';
     this.resting = false;
-    this.still = { axes: [], since: 0 };
+    this.still = { values: [], since: 0 };
   }
 
-  private watch({ axes }: Reading, now: number): void {
-    const moved = axes.some((value, i) => !(Math.abs(value - (this.still.axes[i] ?? Number.NaN)) < STILL));
-    if (moved) this.still = { axes: [...axes], since: now };
+  private watch(values: readonly number[], now: number): void {
+    const moved =
+      values.length !== this.still.values.length ||
+      values.some((value, i) => !(Math.abs(value - (this.still.values[i] ?? Number.NaN)) < STILL));
+    if (moved) this.still = { values: [...values], since: now };
     this.resting = !moved && now - this.still.since >= REST_MS;
   }
 
@@ -171,13 +156,13 @@ export class Device {
     else if (does?.kind === 'grip') this.grip(does.grip, true);
   }
 
-  private end(use: string | undefined): void {
+  private end(use: string | undefined, at = performance.now()): void {
     const does = use === undefined ? undefined : USES.get(use)?.does;
-    if (does?.kind === 'grip') this.grip(does.grip, false);
+    if (does?.kind === 'grip') this.grip(does.grip, false, at);
   }
 
-  private grip(grip: Grip, down: boolean): void {
-    this.acted({ name: 'grip', grip, down, at: performance.now() });
+  private grip(grip: Grip, down: boolean, at = performance.now()): void {
+    this.acted({ name: 'grip', grip, down, at });
   }
 
   /** Releases all buttons of a device that is disconnected. */
@@ -185,6 +170,6 @@ export class Device {
     const uses = [...this.down.values()];
     this.down.clear();
     this.alone = null;
-    for (const use of uses) this.end(use);
+    for (const use of uses) this.end(use, NOT_HELD);
   }
 }

@@ -1,5 +1,8 @@
 /** A switch that acts only after it was held for a set time. */
 
+/** Time of a release that ends a hold without effect: the time of the true release is not known. */
+export const NOT_HELD = -Infinity;
+
 export class Hold {
   private since: number | null = null;
   private done = false;

@@ -2,18 +2,20 @@
 
 import { isControl, isTyping } from './keyboard';
 import { mappingOf } from './store';
+import { whenSwallowed } from './swallowed';
 
 export type Relayed =
   | {
       readonly kind: 'key';
       readonly down: boolean;
+      readonly repeat: boolean;
       readonly code: string;
       readonly key: string;
       readonly shift: boolean;
     }
   /** At least one key is still held. */
   | { readonly kind: 'holding' }
-  /** The window lost the focus: all keys are released. */
+  /** The window may not receive the release of a key: all keys are released. */
   | { readonly kind: 'released' };
 
 /** Time between two messages while keys are held [ms]. */
@@ -33,10 +35,9 @@ export class KeyRelay {
     private readonly say: (message: Relayed) => void,
   ) {
     const options = { capture: true, signal: this.ended.signal };
+    whenSwallowed(() => this.release(), this.ended.signal); // first: other listeners may stop the events
     window.addEventListener('keydown', (event) => this.down(event), options);
     window.addEventListener('keyup', (event) => this.up(event), options);
-    for (const gone of ['blur', 'pagehide']) window.addEventListener(gone, () => this.release(), options);
-    document.addEventListener('visibilitychange', () => document.hidden && this.release(), options);
     this.timer = window.setInterval(() => {
       if (this.held.size > 0) say({ kind: 'holding' });
     }, HOLDING_MS);
@@ -49,14 +50,13 @@ export class KeyRelay {
   }
 
   private down(event: KeyboardEvent): void {
-    const { code, key, target, shiftKey: shift } = event;
+    const { code, key, repeat, target, shiftKey: shift } = event;
     if (!this.passes(code) || event.ctrlKey || event.altKey || event.metaKey || code === 'Tab') return;
     if (isTyping(target) || (key === 'Enter' && isControl(target))) return;
     if (key === '?' || code in mappingOf('keyboard').bindings) event.preventDefault();
     event.stopImmediatePropagation();
-    if (event.repeat || this.held.has(code)) return;
-    this.held.add(code);
-    this.say({ kind: 'key', down: true, code, key, shift });
+    if (!repeat) this.held.add(code);
+    if (this.held.has(code)) this.say({ kind: 'key', down: true, repeat, code, key, shift });
   }
 
   private up(event: KeyboardEvent): void {
@@ -64,7 +64,7 @@ export class KeyRelay {
     if (code === 'Space') event.preventDefault(); // otherwise Space would click the button in focus
     if (!this.held.delete(code)) return;
     event.stopImmediatePropagation();
-    this.say({ kind: 'key', down: false, code, key, shift });
+    this.say({ kind: 'key', down: false, repeat: false, code, key, shift });
   }
 
   private release(): void {
@@ -90,11 +90,11 @@ export class RelayedKeys {
     this.heard = performance.now();
     if (message.kind === 'released') this.release();
     if (message.kind !== 'key') return;
-    const { down, code, key, shift: shiftKey } = message;
+    const { down, repeat, code, key, shift: shiftKey } = message;
     if (down) this.held.add(code);
     else this.held.delete(code);
     const type = down ? 'keydown' : 'keyup';
-    const init = { code, key, shiftKey, bubbles: true, cancelable: true };
+    const init = { code, key, repeat, shiftKey, bubbles: true, cancelable: true };
     document.body.dispatchEvent(new KeyboardEvent(type, init));
   }
 

@@ -2,8 +2,10 @@
 
 import { clamp } from '../basics/clamp';
 import { type Deflection, isZero, PAN, ZERO } from './deflection';
+import { NOT_HELD } from './hold';
 import { type Action, USES, type Use } from './keymap';
 import { learnLetter } from './layout';
+import { Repeats } from './repeats';
 import { mappingOf } from './store';
 
 /** Time from zero to full deflection while a key is held, and time back to zero after its release [s]. */
@@ -34,6 +36,9 @@ export class Keyboard {
   readonly held = new Set<string>();
   /** Present deflections. */
   value: Deflection = ZERO;
+  private readonly repeats = new Repeats();
+  /** Keys that count as released because their repeats have stopped; a later repeat presses them again. */
+  private readonly lapsed = new Set<string>();
   private readonly ended = new AbortController();
 
   constructor(private readonly listener: KeyboardListener) {
@@ -57,8 +62,13 @@ export class Keyboard {
     return !isZero(this.target.slice(0, PAN));
   }
 
-  /** Moves the deflections for `dt` [s] towards `target` and returns them. */
-  step(dt: number): Deflection {
+  /** Moves the deflections for `dt` [s] towards `target`, until `now` [ms], and returns them. */
+  step(dt: number, now: number): Deflection {
+    const stopped = this.repeats.stopped(now);
+    if (stopped !== null && this.held.delete(stopped)) {
+      this.lapsed.add(stopped);
+      this.grip(stopped, false, NOT_HELD);
+    }
     const { target } = this;
     this.value = ZERO.map((_, axis) => ramp(this.value[axis] ?? 0, target[axis] ?? 0, dt));
     return this.value;
@@ -68,8 +78,9 @@ export class Keyboard {
   release(): void {
     const held = [...this.held];
     this.held.clear();
+    this.lapsed.clear();
     this.value = ZERO;
-    for (const code of held) this.grip(code, false, performance.now());
+    for (const code of held) this.grip(code, false, NOT_HELD);
   }
 
   dispose(): void {
@@ -78,6 +89,7 @@ export class Keyboard {
 
   private down(event: KeyboardEvent): void {
     learnLetter(event);
+    this.repeats.heard(event);
     if (this.listener.taken(event)) {
       event.preventDefault();
       event.stopImmediatePropagation();
@@ -95,7 +107,8 @@ export class Keyboard {
       if (!event.repeat) this.listener.acted(action);
     } else if (does) {
       event.preventDefault();
-      if (event.repeat || this.held.has(event.code)) return;
+      const lapsed = this.lapsed.delete(event.code);
+      if (this.held.has(event.code) || (event.repeat && !(lapsed && does.kind === 'axis'))) return;
       this.held.add(event.code);
       if (!this.grip(event.code, true, event.timeStamp)) this.listener.moved(event.timeStamp);
     }
@@ -104,6 +117,8 @@ export class Keyboard {
   private up(event: KeyboardEvent): void {
     // Space must only act as STOP; without this line, its release would also click the button in focus.
     if (event.code === 'Space') event.preventDefault();
+    this.repeats.heard(event);
+    this.lapsed.delete(event.code);
     if (!this.held.delete(event.code)) return;
     if (!this.grip(event.code, false, event.timeStamp)) this.listener.moved(event.timeStamp);
   }

@@ -6,9 +6,11 @@
  */
 
 import { type Deflection, sum, ZERO } from './deflection';
-import { Device, type Reading } from './device';
+import { Device } from './device';
 import type { Action } from './keymap';
 import type { Kind } from './mapping';
+import { checked, type Reading } from './reading';
+import { Rest } from './rest';
 
 /** Least change of an axis from its first position that counts as moved. */
 const MOVED = 0.3;
@@ -104,8 +106,9 @@ export class Pads {
     const lost = this.seats.findIndex(({ device }) => device.state === 'lost');
     const place = lost < 0 ? this.seats.length : lost;
     if (place === MOST || !this.wasMoved(pad)) return;
-    const device = new Device('pad', this.acted);
     const standard = pad.mapping === 'standard';
+    const rest = new Rest(standard, this.first.get(pad.index) ?? null);
+    const device = new Device('pad', this.acted, rest);
     this.seats[place] = { id: pad.id, standard, index: pad.index, pad, device };
     this.first.delete(pad.index);
     this.assign();
@@ -115,7 +118,7 @@ export class Pads {
   /** Returns whether a device was moved since its first reading, or is the first device and needs no motion. */
   private wasMoved(pad: Gamepad): boolean {
     if (pad.mapping === 'standard' && this.seats.length === 0) return true;
-    const first = this.first.get(pad.index) ?? copied(pad);
+    const first = this.first.get(pad.index) ?? checked(pad).reading;
     this.first.set(pad.index, first);
     // Compare with the first reading: some devices have switches that are always on, and levers that rest anywhere.
     return (
@@ -130,14 +133,10 @@ export class Pads {
       const kind = kindOf(seat.standard, this.seats.length === 1 ? null : i === 0 ? 'thc' : 'rhc');
       if (seat.device.kind === kind && seat.device.name !== '') return;
       seat.device.disarm();
-      seat.device = new Device(kind, this.acted);
+      seat.device = new Device(kind, this.acted, seat.device.rest);
       seat.device.name = seat.id;
     });
   }
-}
-
-function copied({ axes, buttons }: Gamepad): Reading {
-  return { axes: [...axes], buttons: buttons.map(({ pressed, value }) => ({ pressed, value })) };
 }
 
 function kindOf(standard: boolean, hand: 'thc' | 'rhc' | null): Kind {

@@ -6,7 +6,8 @@
  */
 
 import { clamp } from '../basics/clamp';
-import type { Reading } from './device';
+import { Silence } from '../basics/silence';
+import type { Reading } from './reading';
 
 /** Vendors: Logitech (early models) and 3Dconnexion. */
 const VENDORS = [0x046d, 0x256f];
@@ -20,6 +21,8 @@ const MOST_BUTTONS = 32;
 const SILENCE_MS = 500;
 /** Silence between two readings counts at most as this time [ms], because a busy page receives reports late. */
 const MOST_SILENCE_MS = 50;
+/** A cap that is silent for this time after the SpaceMouse was opened is at rest [ms]. */
+const SETTLED_MS = 200;
 
 const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
 
@@ -79,8 +82,9 @@ export class SpaceMouse {
   problem = '';
   private device: HidDevice | null = null;
   private cap = CAP_AT_REST;
-  private silent = 0;
-  private looked = 0;
+  /** Whether a report has arrived since the SpaceMouse was opened. */
+  private heard = false;
+  private readonly silence = new Silence(MOST_SILENCE_MS);
   private readonly ended = new AbortController();
 
   constructor() {
@@ -108,13 +112,16 @@ export class SpaceMouse {
     await this.find((all) => all.requestDevice({ filters }));
   }
 
-  /** Returns the reading at `now` [ms]; null if the SpaceMouse is not connected, is lost, or sends unknown reports. */
+  /**
+   * Returns the reading at `now` [ms]; null if the SpaceMouse is not connected, is lost, sends unknown reports, or if it
+   * is not known yet whether something deflects the cap.
+   */
   reading(now: number): Reading | null {
     if (!this.device || this.problem) return null;
     const { axes, buttons } = this.cap;
-    this.silent += Math.min(MOST_SILENCE_MS, now - this.looked);
-    this.looked = now;
-    if (axes.some((value) => value !== 0) && this.silent > SILENCE_MS) return null;
+    const silence = this.silence.at(now);
+    const deflected = axes.some((value) => value !== 0);
+    if (deflected ? silence > SILENCE_MS : !this.heard && silence < SETTLED_MS) return null;
     return { axes, buttons: buttons.map((pressed) => ({ pressed, value: Number(pressed) })) };
   }
 
@@ -139,6 +146,8 @@ export class SpaceMouse {
     this.name = device.productName || 'SpaceMouse';
     this.problem = '';
     this.cap = CAP_AT_REST;
+    this.heard = false;
+    this.silence.end();
     device.addEventListener('inputreport', (event) => this.report(event as ReportEvent), {
       signal: this.ended.signal,
     });
@@ -150,7 +159,8 @@ export class SpaceMouse {
 
   private report({ reportId, data }: ReportEvent): void {
     const cap = parsed(this.cap, reportId, data);
-    this.silent = 0;
+    this.heard = true;
+    this.silence.end();
     if (cap) this.cap = cap;
     else
       this.problem = `Report ${reportId} with ${data.byteLength} bytes is unknown: this model is not supported.`;

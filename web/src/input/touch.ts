@@ -1,7 +1,7 @@
 /** Two sticks and two sliders on the screen, moved by fingers or a mouse. */
 
 import { clamp } from '../basics/clamp';
-import type { Reading } from './device';
+import type { Reading } from './reading';
 
 /** Number of axes: left stick (right, down), left slider (down), right stick (right, down), right slider (right). */
 export const TOUCH_AXES = 6;
@@ -12,6 +12,8 @@ export class TouchSticks {
   /** Whether the user has hidden the touch sticks; a touch then does not show them again. */
   private refused = false;
   private readonly axes: number[] = Array<number>(TOUCH_AXES).fill(0);
+  /** Fingers that move an axis, by the browser's number. */
+  private readonly fingers = new Set<number>();
 
   /** Called when the screen is touched; shows the touch sticks unless the user has hidden them. */
   touched(): void {
@@ -28,9 +30,19 @@ export class TouchSticks {
     this.release();
   }
 
-  /** Sets an axis to a value in [-1, 1]. */
-  put(axis: number, value: number): void {
-    this.axes[axis] = clamp(value);
+  press(finger: number): void {
+    this.fingers.add(finger);
+  }
+
+  /** Sets an axis to a value in [-1, 1]. After `release`, a finger must be lifted before it moves an axis again. */
+  put(finger: number, axis: number, value: number): void {
+    if (this.fingers.has(finger)) this.axes[axis] = clamp(value);
+  }
+
+  /** Centres the axes that a finger has moved. */
+  lift(finger: number, axes: readonly number[]): void {
+    for (const axis of axes) this.put(finger, axis, 0);
+    this.fingers.delete(finger);
   }
 
   value(axis: number): number {
@@ -39,6 +51,7 @@ export class TouchSticks {
 
   /** Centres all axes. */
   release(): void {
+    this.fingers.clear();
     this.axes.fill(0);
   }
 

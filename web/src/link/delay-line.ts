@@ -1,5 +1,6 @@
-/** Delays frames by the scenario's delay before numbers or pictures show them. */
+/** Delays frames by the scenario's delay before numbers or pictures show them, and tells how old these are. */
 
+import { Silence } from '../basics/silence';
 import type { Frame } from './protocol';
 
 /** Data is stale if its age exceeds the set delay by more than this [s]. */
@@ -11,20 +12,27 @@ export interface Seen {
   readonly at: number;
 }
 
+/** Greatest time between two readings that counts [ms]: a page that stands still cannot draw. */
+const MOST_MS = 250;
+
 /** Age of displayed data, and the set delay [s]. */
 export interface Age {
   readonly s: number;
   readonly set: number;
+  /** Whether the page itself is late, because it has not displayed what arrived. */
+  readonly undrawn: boolean;
 }
 
 /** Returns whether displayed data is stale. The page must mark stale data. */
-export function isStale({ s, set }: Age): boolean {
+export function isStale({ s, set }: Pick<Age, 's' | 'set'>): boolean {
   return s > set + STALE_S;
 }
 
 export class DelayLine {
   private shown: Seen | null = null;
   private underWay: Seen[] = [];
+  /** Time since a frame was displayed last. */
+  private readonly undrawn = new Silence(MOST_MS);
 
   /** `delay`: delay of every frame [s]. */
   constructor(readonly delay: number) {}
@@ -32,6 +40,7 @@ export class DelayLine {
   /** Adds a frame. The first frame of a run is displayed at once, because there is no earlier frame to display. */
   put(seen: Seen): void {
     const before = this.underWay.at(-1) ?? this.shown;
+    if (!before) this.undrawn.end(seen.at);
     if (!before || this.delay === 0 || seen.frame.tick < before.frame.tick) {
       this.shown = seen;
       this.underWay = [];
@@ -50,9 +59,16 @@ export class DelayLine {
     return this.shown;
   }
 
-  /** Age of the displayed frame at `now` [ms]. */
+  /** Called at `now` [ms] when a frame is on the page, or when nobody can see the page. */
+  displayed(now: number): void {
+    this.undrawn.end(now);
+  }
+
+  /** Age at `now` [ms] of what the page displays: of the frame that is due, and at least the time without a drawing. */
   age(now: number): Age {
     const seen = this.at(now);
-    return { s: seen ? Math.max(0, now - seen.at) / 1000 : 0, set: this.delay };
+    const [arrived, undrawn] = [seen ? Math.max(0, now - seen.at) / 1000 : 0, this.undrawn.at(now) / 1000];
+    const s = seen ? Math.max(arrived, this.delay + undrawn) : 0;
+    return { s, set: this.delay, undrawn: s > arrived };
   }
 }

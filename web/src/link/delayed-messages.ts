@@ -64,6 +64,12 @@ export class Arrivals {
     const age = (now - seen.at) / 1000;
     if (line.last !== seen && age >= line.line.delay) line.ages.add(age, now);
     line.last = seen;
+    line.line.displayed(now);
+  }
+
+  /** Called at `now` [ms] while nobody can see the page: what it does not draw meanwhile does not count as old. */
+  unseen(now: number): void {
+    for (const { line } of Object.values(this.lines)) line.displayed(now);
   }
 
   /** Returns the delays as set and as measured; `answer`: time from an input to the frame that used it [s]. */

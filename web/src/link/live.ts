@@ -2,7 +2,7 @@
 
 import { assertUnreachable } from '../basics/assert';
 import { publish } from '../page/hook';
-import { notice } from '../page/notice';
+import { notice, startOrNotice } from '../page/notice';
 import type { Drawing } from '../page/quality';
 import { onTooNarrow, tooNarrow } from '../page/room';
 import { Station } from '../page/station';
@@ -54,7 +54,12 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
       return;
     }
     station?.dispose();
+    station = null;
     welcomed = message;
+    startOrNotice(root, () => start(message));
+  }
+
+  function start(message: Welcome): void {
     if (torn === 'strips') {
       station = new LiveStrips(root, message);
       return;

@@ -29,6 +29,7 @@ import { Task } from '../task';
 import { ShownUnits } from '../words/units';
 import { Control } from './control';
 import { DeviceWatch } from './device-watch';
+import { Freshness } from './freshness';
 import { keeper } from './local-storage';
 import { Log } from './log';
 import { Operations } from './operations';
@@ -158,6 +159,7 @@ export function buildParts(
     calm,
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     pairNotice: notice,
+    freshness: new Freshness(arrivals, pictures, (text, level) => log.say(text, 'camera', level)),
     report: new Report(transmit),
     sounds: new Sounds(tones, spine),
     swap: swapQuestion(controllers.pads),

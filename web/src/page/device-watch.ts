@@ -1,10 +1,11 @@
-/** Reports the devices in use to the station, and lost devices to the station and to the page's log. */
+/** Reports the devices in use to the station, lost devices to the station and to the page's log, faults to the log. */
 
 import type { Controllers } from '../input/controllers';
 import type { Level } from '../link/protocol';
 import type { Command } from '../link/socket';
 
 const REMEDY = 'Plug it in again, or move another device';
+const FAULT_REMEDY = 'Plug it in again, or assign another axis in Controllers';
 
 export interface DeviceWatchListener {
   send(command: Command): void;
@@ -17,6 +18,8 @@ export class DeviceWatch {
   private sentRevision = '';
   /** Names of the lost devices at the last call. */
   private lost: ReadonlySet<string> = new Set();
+  /** Faults at the last call. */
+  private faults: readonly string[] = [];
 
   constructor(
     private readonly controllers: Controllers,
@@ -43,6 +46,10 @@ export class DeviceWatch {
     for (const short of newlyLost) listener.say(`${short} lost: sticks at zero. ${REMEDY}`, 'caution');
     for (const short of this.lost) if (!lost.has(short)) listener.say(`${short}: loss cleared`, 'info');
     this.lost = lost;
+    const { faults } = controllers;
+    for (const fault of faults)
+      if (!this.faults.includes(fault)) listener.say(`${fault}. ${FAULT_REMEDY}`, 'caution');
+    this.faults = faults;
     const { revision } = controllers;
     if (!flying || revision === this.sentRevision) return;
     this.sentRevision = revision;

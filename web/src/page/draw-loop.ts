@@ -1,12 +1,11 @@
 /** Decides when pictures, bars and numbers are drawn, and from which frame. Numbers change ten times a second. */
 
 import type { Pictures } from '../cameras/pictures';
-import { isStale, type Seen } from '../link/delay-line';
+import type { Seen } from '../link/delay-line';
 import type { Arrivals } from '../link/delayed-messages';
 import type { Latency } from '../link/latency';
 import type { Frame, ModeInfo, Welcome } from '../link/protocol';
 import type { Groups } from '../panel/desk/desk';
-import { setClass } from '../panel/parts/dom';
 import type { View } from '../panel/parts/part';
 import type { Measured } from '../panel/rail/rail';
 import type { Operator } from './operator';
@@ -39,6 +38,8 @@ export class DrawLoop {
   /** Whether the next picture waits for the frame that contains the newest stick motion. */
   private held = false;
   private valuesAt = 0;
+  /** Number of times that the pictures were to be drawn. */
+  private turns = 0;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
 
   /** `barPace`: the bars move once in this number of pictures. */
@@ -73,8 +74,9 @@ export class DrawLoop {
     this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
     this.operator.sticks.driving = this.modes.get(telemetry.frame.mode) === 'single';
-    // If the bars move at every second picture, they move when MON 2 is not drawn.
-    const barsMove = (this.drawn + 1) % this.barPace === 0;
+    // If the bars move at every second turn, they move when MON 2 is not drawn; they move even if no picture is drawn.
+    this.turns += 1;
+    const barsMove = this.turns % this.barPace === 0;
     this.fresh = false;
     // Pictures first: they read the page's layout, and moving the desk's bars forces the browser to compute it again.
     pictures.draw(seen.frame, seen.frame.work.clearance_level, () => this.pictured(seen));
@@ -96,13 +98,12 @@ export class DrawLoop {
   private values(view: View, now: number): void {
     this.valuesAt = now;
     const { pictures, groups } = this.parts;
-    const [telemetry, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
-    if (telemetry) this.arrivals.show('telemetry', telemetry, now);
-    pictures.setTime({ ...view, frame: seen?.frame ?? view.frame }, this.arrivals.age('camera', now));
-    setClass(document.body, 'stale', isStale(this.arrivals.age('telemetry', now)));
+    pictures.setTime(view);
     groups.values(view);
     const delays = this.arrivals.delays(this.latency.answer(now), now);
     this.parts.values(view, { picture: this.latency.percentile95(now), delays }, now);
+    const telemetry = this.arrivals.at('telemetry', now);
+    if (telemetry) this.arrivals.show('telemetry', telemetry, now);
     this.figures = { frame: view.frame, restarts: this.arrivals.restarts };
     if (!pictures.drawing) this.shown = this.figures;
   }

@@ -6,6 +6,7 @@ import { isTyping } from '../input/keyboard';
 import type { Action } from '../input/keymap';
 import { Sticks } from '../input/sticks';
 import { mappingOf } from '../input/store';
+import { whenSwallowed } from '../input/swallowed';
 import type { Latency } from '../link/latency';
 import type { Command } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
@@ -46,6 +47,7 @@ export class Operator {
       if (action.name === 'stop') this.sticks.zero();
       if (!this.controllers.paused || always(action)) listener.acted(action);
     };
+    whenSwallowed(() => this.sticks.zero(), this.ended.signal); // first: other listeners may stop the events
     this.controllers = new Controllers(acted, {
       moved: (at) => {
         if (this.flying && !document.hidden) this.sticks.moved(at);
@@ -56,8 +58,6 @@ export class Operator {
     this.sticks = new Sticks(this.controllers, latency, (command) => listener.send(command));
 
     const options = { signal: this.ended.signal };
-    window.addEventListener('blur', () => this.sticks.zero(), options);
-    window.addEventListener('pagehide', () => this.sticks.zero(), options);
     document.addEventListener('visibilitychange', () => document.hidden && this.hidden(), options);
     document.addEventListener('focusin', (event) => this.focused(event.target), options);
     document.addEventListener('focusout', () => this.focused(null), options);
@@ -91,9 +91,8 @@ export class Operator {
     this.controllers.dispose();
   }
 
-  /** Centres the sticks and reports that the page is hidden. */
+  /** Reports that the page is hidden. */
   private hidden(): void {
-    this.sticks.zero();
     if (this.flying) this.listener.send({ type: 'hands_off', cause: 'page hidden' });
   }
 

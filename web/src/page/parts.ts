@@ -24,6 +24,7 @@ import type { Task } from '../task';
 import type { ShownUnits } from '../words/units';
 import type { Control } from './control';
 import type { DeviceWatch } from './device-watch';
+import type { Freshness } from './freshness';
 import type { Log } from './log';
 import type { Operator } from './operator';
 import type { Report } from './report';
@@ -46,6 +47,7 @@ export interface Parts {
   readonly devices: DeviceWatch;
   // pictures, secondary windows and sounds
   readonly pictures: Pictures;
+  readonly freshness: Freshness;
   readonly polygons: PolygonPictures;
   readonly windows: WindowLink;
   readonly tones: Tones;

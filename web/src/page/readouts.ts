@@ -62,9 +62,9 @@ export class Readouts implements Drawn {
   }
 
   private ownLamps(delays: Delays, now: number): readonly SpineLamp[] {
-    const { control, operator, arrivals, log } = this.parts;
+    const { control, operator, arrivals, freshness, log } = this.parts;
     const controllers = control.tooNarrow ? null : operator.controllers;
-    const [silence, pictures] = [arrivals.silence(now), arrivals.age('camera', now)];
+    const [silence, { pictures }] = [arrivals.silence(now), freshness];
     return ownLamps({ refusedAt: log.refusedAt, silence, delays, pictures, controllers }, now);
   }
 }

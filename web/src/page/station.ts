@@ -28,12 +28,11 @@ export class Station {
   constructor(root: HTMLElement, welcome: Welcome, drawing: Drawing, transmit: (command: Command) => number) {
     this.parts = buildParts(root, welcome, drawing, transmit);
     place(root, this.parts);
-    const { tones, pictures, windows, arrivals, latency, operator } = this.parts;
+    const { tones, windows, arrivals, latency, operator } = this.parts;
     const { signal } = this.ended;
     keyRows(root, signal);
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => tones.wake(), { signal });
-    window.addEventListener('blur', () => pictures.monitors.release(), { signal });
     window.addEventListener('resize', () => this.parts.log.resized(), { signal });
     window.addEventListener('pagehide', () => windows.gone(), { signal });
     const pace = BAR_PACE[drawing.quality];
@@ -128,8 +127,8 @@ export class Station {
   dispose(): void {
     cancelAnimationFrame(this.request);
     this.ended.abort();
-    const { tones, operator, cameraHand, windows, task, pictures } = this.parts;
-    for (const part of [tones, operator, cameraHand, windows, task, pictures]) part.dispose();
+    const { tones, operator, cameraHand, windows, task, pictures, freshness } = this.parts;
+    for (const part of [tones, operator, cameraHand, windows, task, pictures, freshness]) part.dispose();
   }
 
   /** Lets the sticks move the arm, or keeps them at zero, as `Control` decides. */

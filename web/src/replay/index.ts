@@ -1,6 +1,6 @@
 /** Plays a recording, in this page or in a secondary window. */
 
-import { notice } from '../page/notice';
+import { notice, startOrNotice } from '../page/notice';
 import type { Drawing } from '../page/quality';
 import { showsPlanes, tornHere } from '../windows/opened';
 import { Replay } from './replay';
@@ -13,8 +13,10 @@ export function play(root: HTMLElement, drawing: Drawing, source: Source): void 
   source.index().then(
     (index) => {
       const torn = tornHere(location.search);
-      if (torn === null || showsPlanes(torn)) new Replay(root, drawing, source, index);
-      else follow(root, drawing, source, index, torn);
+      startOrNotice(root, () => {
+        if (torn === null || showsPlanes(torn)) new Replay(root, drawing, source, index);
+        else follow(root, drawing, source, index, torn);
+      });
     },
     () => notice(root, 'Cannot open the recording: its file is damaged, or its server does not answer.'),
   );

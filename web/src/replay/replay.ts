@@ -1,6 +1,7 @@
 /** The page of a replay: monitors, summary values of the run, and below them the time axis. It follows the playhead. */
 
 import { Pictures } from '../cameras/pictures';
+import { DelayLine } from '../link/delay-line';
 import type { Frame, PlaybackIndex } from '../link/protocol';
 import { publish } from '../page/hook';
 import type { Drawing } from '../page/quality';
@@ -41,6 +42,8 @@ export class Replay {
   /** Whether all pictures show the frame at the playhead. */
   private complete = false;
   private blockedUntil = 0;
+  /** The frames at the playhead, and how long the pictures have not shown them. */
+  private readonly line = new DelayLine(0);
   private readonly windows: ReplayWindows;
   private readonly player: Player;
   private readonly pictures: Pictures;
@@ -61,6 +64,7 @@ export class Replay {
     this.units = new ShownUnits(index.welcome.units);
     this.player = new Player(index, (number) => source.block(number));
     this.pictures = new Pictures(index.welcome, drawing, {
+      recorded: true,
       opened: (matrix) => setClass(root, 'all-cameras', matrix),
       tearOff: (what) => this.tearOff(what),
       changed: () => {
@@ -132,7 +136,14 @@ export class Replay {
       bodies: this.pictures.bodies,
       latency95: null,
     }));
+    setInterval(() => this.showAge(performance.now()), VALUES_MS);
     this.tick();
+  }
+
+  /** Shows at `now` [ms] whether the pictures are old, even if nothing is drawn. */
+  private showAge(now: number): void {
+    if (document.hidden) this.line.displayed(now);
+    this.pictures.setAge(this.line.age(now), now);
   }
 
   private tick(): void {
@@ -143,16 +154,19 @@ export class Replay {
     this.windows.tellHead();
     const { moment, position } = this.player;
     const { units } = this.units;
+    if (moment) this.line.put({ frame: moment.frame, at: now });
+    if (this.pictures.lost) this.complete = false;
     if (moment && !this.pictures.drawing && (this.isNew(moment.frame) || !this.complete)) {
       this.desk.bars(moment.frame, units);
       this.cameras.show(position);
       const { frame } = moment;
       this.complete = this.pictures.draw(frame, frame.work.clearance_level, () => {
-        this.pictures.setTime({ frame, units }, null);
+        this.pictures.setTime({ units });
+        this.line.displayed(performance.now());
         this.drawn += 1;
         this.shown = this.figures;
       });
-    }
+    } else if (this.complete && !this.pictures.drawing) this.line.displayed(now); // the pictures show this frame
     this.timeline.show(position, moment, units);
     if (now - this.valuesAt >= VALUES_MS) {
       this.valuesAt = now;

@@ -1,5 +1,6 @@
 /** The time axis and the playhead over lanes and strips; a click or a drag moves the playhead. */
 
+import { onPress } from '../input/press';
 import type { Moment, PlaybackIndex } from '../link/protocol';
 import { el, setAttribute } from '../panel/parts/dom';
 import type { Units } from '../words/units';
@@ -133,12 +134,10 @@ export class Timeline {
       const along = Math.min(1, Math.max(0, (event.clientX - left) / width)); // limited to the axis
       sought(this.span.from + along * lengthOf(this.span));
     };
-    this.slider.addEventListener('pointerdown', (event) => {
+    onPress(this.slider, (event) => {
       this.slider.setPointerCapture(event.pointerId);
       seek(event);
-    });
-    this.slider.addEventListener('pointermove', (event) => {
-      if (this.slider.hasPointerCapture(event.pointerId)) seek(event);
+      return { moved: seek, ended() {} };
     });
   }
 }

@@ -33,6 +33,9 @@ const SPACE = new Color('#000000');
 /** Background of the plan, equal to the colour of the desk's plate. */
 const PLATE = new Color('#161719');
 
+/** Whether pictures are on the page, are not complete yet, or are lost because the browser has withdrawn the graphics. */
+export type Put = 'drawn' | 'pending' | 'lost';
+
 /** The orbiter, the arm, the Earth and the light on them, drawn as the cameras see them. */
 export class Scene {
   readonly cameras: Cameras;
@@ -57,6 +60,7 @@ export class Scene {
   private readonly firstCamera: string;
   private width = 0;
   private height = 0;
+  private lost = false;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -65,6 +69,9 @@ export class Scene {
   ) {
     const { stage } = this;
     this.renderer = rendererFor(software ? document.createElement('canvas') : canvas, quality);
+    this.renderer.domElement.addEventListener('webglcontextlost', () => {
+      this.lost = true;
+    });
     this.relay = software ? new Relay(this.renderer, canvas) : null;
     const lambert = new LambertLight(lampCount(welcome.bodies));
     const materials = new Materials(quality, lambert);
@@ -217,9 +224,16 @@ export class Scene {
     this.relay?.send();
   }
 
-  /** Puts the drawn pictures on the page if they are complete; returns whether they are on the page. */
-  put(): boolean {
-    return this.relay?.put() ?? true;
+  /** Whether the browser has withdrawn the graphics, now or earlier. */
+  get isLost(): boolean {
+    this.lost ||= this.renderer.getContext().isContextLost();
+    return this.lost;
+  }
+
+  /** Puts the drawn pictures on the page if they are complete. A scene that was lost stays lost. */
+  put(): Put {
+    if (this.isLost) return 'lost';
+    return (this.relay?.put() ?? true) ? 'drawn' : 'pending';
   }
 
   dispose(): void {

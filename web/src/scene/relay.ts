@@ -28,7 +28,6 @@ export class Relay {
   private bytes = new Uint8Array();
   private parts: Part[] = [];
   private done: WebGLSync | null = null;
-  private readonly ended = new AbortController();
 
   /** Transfers from the renderer's canvas to the canvas `shown` on the page. */
   constructor(
@@ -38,9 +37,6 @@ export class Relay {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
     const canvas = shown.getContext('2d', { alpha: false, willReadFrequently: true });
     this.canvas = present(canvas, 'a canvas for the pictures');
-    renderer.domElement.addEventListener('webglcontextlost', () => this.lose(), {
-      signal: this.ended.signal,
-    });
   }
 
   /** Sets the page's canvas to the renderer's size and to one colour. */
@@ -81,24 +77,15 @@ export class Relay {
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     this.done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    if (!this.done) this.lose();
   }
 
   /** Puts the requested pixels on the page; returns false if they are not drawn yet. */
   put(): boolean {
     const { gl, done } = this;
-    if (!done) return true;
-    if (gl.isContextLost()) {
-      this.lose();
-      return true;
-    }
+    if (!done) return this.parts.length === 0;
     const state = gl.clientWaitSync(done, 0, 0);
-    if (state === gl.TIMEOUT_EXPIRED) return false;
+    if (state === gl.TIMEOUT_EXPIRED || state === gl.WAIT_FAILED) return false;
     gl.deleteSync(done);
-    if (state === gl.WAIT_FAILED) {
-      this.lose();
-      return true;
-    }
     this.done = null;
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.bytes, 0, this.size);
@@ -109,7 +96,6 @@ export class Relay {
   }
 
   dispose(): void {
-    this.ended.abort();
     if (this.done) this.gl.deleteSync(this.done);
     this.gl.deleteBuffer(this.buffer);
   }
@@ -124,12 +110,5 @@ export class Relay {
       picture.data.set(this.bytes.subarray(from, from + line), (height - 1 - row) * line);
     }
     canvas.putImageData(picture, x, canvas.canvas.height - y - height);
-  }
-
-  /** Discards requests, because the context is lost. */
-  private lose(): void {
-    this.done = this.buffer = null;
-    this.size = 0;
-    this.parts = [];
   }
 }

@@ -107,6 +107,7 @@ export class LiveStrips {
       choice > 0,
     );
     this.shown = { frame, restarts: this.restarts };
+    this.line.displayed(now);
   }
 }
 

@@ -34,6 +34,7 @@ export class Display {
   private readonly line: DelayLine;
   private valuesAt = 0;
   private request = 0;
+  private readonly timer: number;
   /** True while the window draws or applies the page's state. Changes of cameras at such times are not sent back. */
   private hearing = false;
   private units: UnitName;
@@ -67,6 +68,7 @@ export class Display {
     );
     this.pictures = new Pictures(welcome, drawing, {
       changed: () => this.tell(),
+      recorded: played !== null,
       ...(polygons ? { polygons } : {}),
     });
     this.keyboard = new Keyboard({ moved() {}, acted: (action) => this.act(action), taken: () => false });
@@ -79,6 +81,7 @@ export class Display {
     root.classList.add('torn-off');
     root.replaceChildren(this.pictures.canvas, shown, this.tether.rail);
     this.request = requestAnimationFrame(() => this.tick());
+    this.timer = window.setInterval(() => this.showAge(performance.now()), VALUES_MS);
   }
 
   get bodies(): readonly DrawnBody[] {
@@ -93,6 +96,7 @@ export class Display {
 
   dispose(): void {
     cancelAnimationFrame(this.request);
+    clearInterval(this.timer);
     this.tether.dispose();
     this.keyboard.dispose();
     this.pictures.dispose();
@@ -100,22 +104,29 @@ export class Display {
 
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
+    if (this.played && this.newest) this.setFrame(this.newest); // a recording does not grow old
     const frame = this.line.at(performance.now())?.frame;
     if (!frame || this.pictures.drawing) return;
     this.hearing = true; // cameras chosen by the first drawing are not sent to the page
     this.pictures.draw(frame, frame.work.clearance_level, () => {
       this.drawn += 1;
+      this.line.displayed(performance.now());
       this.shown = this.latest;
     });
     this.hearing = false;
     const now = performance.now();
     if (now - this.valuesAt < VALUES_MS) return;
     this.valuesAt = now;
-    const age = this.played ? null : this.line.age(now);
-    this.pictures.setTime({ frame, units: unitsOf(this.units) }, age);
-    this.tether.show(missionTime(frame.time_s), age !== null && isStale(age) ? 'Lost' : '');
+    this.pictures.setTime({ units: unitsOf(this.units) });
     this.latest = { frame, restarts: this.restarts };
     if (!this.pictures.drawing) this.shown = this.latest;
+  }
+
+  /** Shows how old the pictures are at `now` [ms], even if nothing is drawn. */
+  private showAge(now: number): void {
+    if (document.hidden) this.line.displayed(now);
+    const age = this.pictures.setAge(this.line.age(now), now);
+    if (this.newest) this.tether.show(missionTime(this.newest.time_s), isStale(age) ? 'Lost' : '');
   }
 
   /** Applies the page's state. */

@@ -95,7 +95,9 @@ export class PlanesWindow {
   private showTime(): void {
     const now = performance.now();
     const frame = this.line.at(now)?.frame;
-    if (frame) this.tether.show(missionTime(frame.time_s), isStale(this.line.age(now)) ? 'Lost' : '');
+    if (!frame) return;
+    this.tether.show(missionTime(frame.time_s), isStale(this.line.age(now)) ? 'Lost' : '');
+    this.line.displayed(now);
   }
 
   /** Puts a camera on the page's monitor, and shows its sheet. */

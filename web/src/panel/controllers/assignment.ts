@@ -1,10 +1,10 @@
 /** Assigns a key, button or axis to a function: waits for a press or a movement, and asks before it exchanges functions. */
 
 import { Capture } from '../../input/capture';
-import type { Reading } from '../../input/device';
 import { labelOf } from '../../input/keymap';
 import { nameOfSource } from '../../input/layout';
 import { indexOf, type Kind, type Mapping } from '../../input/mapping';
+import type { Reading } from '../../input/reading';
 import { bind, exchange, keyRefusal, otherUse, type Source, unbind } from '../../input/rebind';
 import { mappingOf, save } from '../../input/store';
 import { button, el, setText } from '../parts/dom';

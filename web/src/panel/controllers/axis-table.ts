@@ -1,10 +1,11 @@
 /** Table of all axes: values before and after deadband and expo, and the assigned keys, buttons or axes. */
 
 import { AXES, type Deflection, ZERO } from '../../input/deflection';
-import { type Device, deflection } from '../../input/device';
+import type { Device } from '../../input/device';
 import { axisUse } from '../../input/keymap';
 import { nameOfSource } from '../../input/layout';
 import type { Kind, Mapping } from '../../input/mapping';
+import { deflection } from '../../input/reading';
 import { mappingOf } from '../../input/store';
 import { fixed } from '../../words/format';
 import { el, setAttribute, setText, svg } from '../parts/dom';

@@ -161,6 +161,7 @@ export class ControllersSheet {
     if (!reading) return;
     try {
       save(this.kind, zeroed(this.kind, mappingOf(this.kind), reading.axes));
+      this.device?.rest.set();
       this.assignment.end('The present positions of the axes are now zero.');
     } catch (error) {
       this.assignment.end(error instanceof Error ? error.message : String(error));
@@ -198,8 +199,8 @@ function stateWords(kind: Kind, device: Device | null, { spaceMouse }: Controlle
     return 'This browser has no WebHID, which a SpaceMouse needs; Chrome and Edge have it.';
   if (kind === 'spacemouse' && spaceMouse.problem) return spaceMouse.problem;
   if (device) {
-    const rests = device.state === 'waiting' && device.resting;
-    return `${device.short}: ${rests ? 'off centre; release it, then set zero' : STATES[device.state]}`;
+    const state = device.resting ? 'off centre; release it, then set zero' : STATES[device.state];
+    return [`${device.short}: ${state}`, ...device.faults].join('. ');
   }
   if (kind === 'touch') return 'Touch sticks appear when the screen is touched.';
   if (kind === 'spacemouse') return 'No SpaceMouse is connected.';

@@ -1,5 +1,6 @@
 /** The touch sticks: two sticks and two sliders over the lower corners of the pictures. Only a drag moves them. */
 
+import { onPress } from '../../input/press';
 import type { TouchSticks } from '../../input/touch';
 import { button, el } from '../parts/dom';
 
@@ -54,30 +55,29 @@ export function touchView(sticks: TouchSticks): TouchView {
 function knob(sticks: TouchSticks, across: number | null, down: number | null, shape: string): Knob {
   const cap = el('i');
   const element = el('div', { class: `knob ${shape}` }, cap);
-  let finger: { readonly id: number; readonly x: number; readonly y: number } | null = null;
-  const put = (x: number, y: number) => {
-    const far = across !== null && down !== null ? Math.max(1, Math.hypot(x, y)) : 1;
-    if (across !== null) sticks.put(across, x / far);
-    if (down !== null) sticks.put(down, y / far);
-  };
-  element.addEventListener('pointerdown', (event) => {
+  const axes = [across, down].filter((axis) => axis !== null);
+  let touched = false;
+  onPress(element, (event) => {
     event.preventDefault();
-    if (finger) return;
-    element.setPointerCapture(event.pointerId);
-    finger = { id: event.pointerId, x: event.clientX, y: event.clientY };
+    if (touched) return null;
+    const { pointerId, clientX, clientY } = event;
+    element.setPointerCapture(pointerId);
+    sticks.press(pointerId);
+    touched = true;
+    return {
+      moved(at) {
+        const travel = TRAVEL * parseFloat(getComputedStyle(document.documentElement).fontSize);
+        const [x, y] = [(at.clientX - clientX) / travel, (at.clientY - clientY) / travel];
+        const far = across !== null && down !== null ? Math.max(1, Math.hypot(x, y)) : 1;
+        if (across !== null) sticks.put(pointerId, across, x / far);
+        if (down !== null) sticks.put(pointerId, down, y / far);
+      },
+      ended() {
+        touched = false;
+        sticks.lift(pointerId, axes);
+      },
+    };
   });
-  element.addEventListener('pointermove', (event) => {
-    if (finger?.id !== event.pointerId) return;
-    const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
-    put((event.clientX - finger.x) / (TRAVEL * rem), (event.clientY - finger.y) / (TRAVEL * rem));
-  });
-  for (const ends of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
-    element.addEventListener(ends, (event) => {
-      if (finger?.id !== event.pointerId) return;
-      finger = null;
-      put(0, 0);
-    });
-  }
   return {
     element,
     draw() {

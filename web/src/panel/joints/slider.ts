@@ -1,5 +1,6 @@
 /** One joint of the master arm: a slider at the commanded angle, on a bar with a pointer at the actual angle. */
 
+import { onPress } from '../../input/press';
 import type { JointInfo } from '../../link/protocol';
 import { degrees } from '../../words/format';
 import { el, setAttribute, svg } from '../parts/dom';
@@ -43,15 +44,16 @@ export function slider(joint: JointInfo, moved: (angle: number) => void): Slider
     moved(commanded);
   };
   // A drag moves the slider by as much as the pointer moves, so that a press without motion does not move the arm.
-  let grip = { from: 0, at: 0 };
-  element.addEventListener('pointerdown', (event) => {
-    element.setPointerCapture(event.pointerId);
-    grip = { from: event.clientX, at: place(joint, commanded) };
-  });
-  element.addEventListener('pointermove', (event) => {
-    if (!element.hasPointerCapture(event.pointerId)) return;
-    const per = (BAR + 2 * MARGIN) / bar.element.getBoundingClientRect().width;
-    put(angleAt(joint, grip.at + (event.clientX - grip.from) * per));
+  onPress(element, ({ pointerId, clientX }) => {
+    element.setPointerCapture(pointerId);
+    const from = place(joint, commanded);
+    return {
+      moved(at) {
+        const per = (BAR + 2 * MARGIN) / bar.element.getBoundingClientRect().width;
+        put(angleAt(joint, from + (at.clientX - clientX) * per));
+      },
+      ended() {},
+    };
   });
   element.addEventListener('keydown', (event) => {
     const by = STEPS[event.key];

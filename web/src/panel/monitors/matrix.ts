@@ -123,12 +123,13 @@ export class Matrix {
     setAttribute(tile, 'aria-label', label.join(', '));
   }
 
-  /** Sets the age of the pictures; null for a replay. */
-  setAge(age: Age | null): void {
-    const lost = age !== null && isStale(age);
+  /** Sets the age of the pictures; `cure`: what to do if the page does not draw them. */
+  setAge(age: Age, cure: string): void {
+    const lost = isStale(age);
+    const what = cure || `no frame for ${(age.s - age.set).toFixed(1)} s`;
     for (const { tile, lost: words } of this.parts) {
       setClass(tile, 'is-lost', lost);
-      if (lost) setText(words.lastElementChild ?? words, `no frame for ${(age.s - age.set).toFixed(1)} s`);
+      if (lost) setText(words.lastElementChild ?? words, what);
     }
   }
 

@@ -2,6 +2,7 @@
 
 import { CameraDrag, type Place } from '../../input/camera-drag';
 import type { Turning } from '../../input/camera-hand';
+import { onPress } from '../../input/press';
 import { type Age, isStale } from '../../link/delay-line';
 import type { Camera, Frame, Vec3 } from '../../link/protocol';
 import { inset } from '../../page/room';
@@ -53,7 +54,9 @@ export class Picture {
   private readonly time = el('span', { class: 'code', 'data-calm': 'full' });
   private readonly age = el('span');
   private readonly lens = el('span');
-  private readonly stale = el('p', { class: 'stale' });
+  private readonly oldness = el('b');
+  private readonly cure = el('span');
+  private readonly stale = el('p', { class: 'stale' }, this.oldness, this.cure);
   private readonly preparing = el('p', { class: 'preparing', role: 'status', hidden: '' });
   private readonly pane = el('div', { class: 'pane', 'aria-hidden': 'true' });
   private readonly axes = axesOverlay();
@@ -61,6 +64,8 @@ export class Picture {
   private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
   private corners: { readonly of: string; readonly boxes: readonly Box[] } | null = null;
   private shown: Camera;
+  /** Words before the age. */
+  private marks: readonly string[] = [];
 
   constructor(
     first: Camera,
@@ -117,12 +122,6 @@ export class Picture {
     return this.drag.turning(now);
   }
 
-  /** Ends a drag. */
-  release(): void {
-    this.drag.release();
-    this.drawBand();
-  }
-
   /** Draws the control frame's axes, at picture rate; `marked`: whether a large angle to the picture is marked. */
   setAxes(directions: readonly [Vec3, Vec3, Vec3], marked: boolean): void {
     this.axes.set(directions, marked);
@@ -143,16 +142,20 @@ export class Picture {
     this.gap.setText(text, seen);
   }
 
-  /** Writes the picture's time code and age, null in a replay; `exaggerated`: whether bending is exaggerated. */
-  setTime(frame: Frame, age: Age | null, exaggerated: boolean): void {
-    const stale = age !== null && isStale(age);
+  /** Writes the picture's time code; `exaggerated`: whether bending is exaggerated. */
+  setTime(frame: Frame, exaggerated: boolean): void {
     setText(this.time, timeCode(frame.time_s));
-    const old = age === null ? '' : `${age.s.toFixed(1)} s old`;
-    const how = age === null ? 'recorded' : stale || age.set > 0 ? old : 'live';
     const locked = frame.display.lighting.locked.some(({ camera }) => camera === this.shown.name);
-    const marks = [exaggerated ? `BEND × ${EXAGGERATION}` : '', locked ? 'EXP LOCK' : '', how];
-    setText(this.age, marks.filter((mark) => mark !== '').join('  '));
-    setText(this.stale, stale ? old : '');
+    this.marks = [...(exaggerated ? [`BEND × ${EXAGGERATION}`] : []), ...(locked ? ['EXP LOCK'] : [])];
+  }
+
+  /** Writes the picture's age; `fresh`: its text if it is not old; `cure`: what to do if it is. */
+  setAge(age: Age, fresh: string, cure: string): void {
+    const stale = isStale(age);
+    const old = `${age.s.toFixed(1)} s old`;
+    setText(this.age, [...this.marks, stale || age.set > 0 ? old : fresh].join('  '));
+    setText(this.oldness, stale ? old : '');
+    setText(this.cure, stale ? cure : '');
     setClass(this.element, 'is-stale', stale);
   }
 
@@ -199,31 +202,28 @@ export class Picture {
 
   private followMouse(): void {
     const { element, drag } = this;
-    element.addEventListener('pointerdown', (event) => {
-      if (this.shown.kind !== 'engineering' && !this.drivable) return;
-      element.setPointerCapture(event.pointerId);
-      if (this.shown.kind === 'engineering') return;
+    onPress(element, (event) => {
+      const free = this.shown.kind === 'engineering';
+      if (!free && !this.drivable) return null;
+      const { pointerId } = event;
+      element.setPointerCapture(pointerId);
+      if (free) return { moved: (at) => this.turnBy(at), ended() {} };
       this.listener.taken();
-      drag.press(event.pointerId, this.placeOf(event), element.clientHeight);
+      drag.press(pointerId, this.placeOf(event), element.clientHeight);
+      return {
+        moved: (at) => {
+          drag.move(pointerId, this.placeOf(at));
+          this.drawBand();
+        },
+        ended: () => {
+          drag.lift(pointerId);
+          this.drawBand();
+        },
+      };
     });
     element.addEventListener('contextmenu', (event) => {
       if (this.shown.kind === 'engineering') event.preventDefault();
     });
-    element.addEventListener('pointermove', (event) => {
-      if (!element.hasPointerCapture(event.pointerId)) return;
-      drag.move(event.pointerId, this.placeOf(event));
-      this.drawBand();
-      if (this.shown.kind !== 'engineering') return;
-      const per = DRAGGED / element.clientWidth;
-      const aside = event.shiftKey || (event.buttons & SECOND) !== 0;
-      this.listener.orbited(-event.movementX * per, event.movementY * per, 1, aside);
-    });
-    for (const ends of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
-      element.addEventListener(ends, ({ pointerId }) => {
-        drag.lift(pointerId);
-        this.drawBand();
-      });
-    }
     element.addEventListener(
       'wheel',
       (event) => {
@@ -239,6 +239,13 @@ export class Picture {
       },
       { passive: false },
     );
+  }
+
+  /** Rotates the engineering view by a motion of the pointer, or shifts it. */
+  private turnBy({ movementX, movementY, shiftKey, buttons }: PointerEvent): void {
+    const per = DRAGGED / this.element.clientWidth;
+    const aside = shiftKey || (buttons & SECOND) !== 0;
+    this.listener.orbited(-movementX * per, movementY * per, 1, aside);
   }
 
   private get drivable(): boolean {

@@ -1,5 +1,7 @@
 /** A picture in the look of 1972: polygons in few greys under raster lines, drawn on a canvas over the scene's. */
 
+import { Silence } from '../../basics/silence';
+import type { Age } from '../../link/delay-line';
 import type { Polygons } from '../../link/protocol';
 import { el, setText } from '../parts/dom';
 import type { Size } from './label-place';
@@ -12,6 +14,8 @@ const [RASTER, DARK] = [3, 'rgb(0 0 0 / 45%)'];
 const SEAM = 0.7;
 /** Greatest number of pixels of the canvas for each pixel of the page, in each direction. */
 const SHARPEST = 2;
+/** Greatest time between two readings of the age that counts [ms]: a page that stands still receives no pictures. */
+const MOST_MS = 250;
 
 /** What `drawPolygons` uses of a canvas. */
 export type Pen = Pick<
@@ -74,6 +78,8 @@ export class PolygonPane {
   private pen: CanvasRenderingContext2D | null = null;
   private drawn: Polygons | null = null;
   private size = '';
+  /** Time since a new picture was drawn. */
+  private readonly silence = new Silence(MOST_MS);
 
   constructor() {
     this.hide();
@@ -88,9 +94,20 @@ export class PolygonPane {
     this.drawn = null;
   }
 
+  /**
+   * Returns the age of this picture at `now` [ms], if it is older than the scene's pictures with the age `scene`. The
+   * station's text that it has no pictures yet has no age.
+   */
+  ageOf(scene: Age, now: number): Age {
+    const s = scene.set + this.silence.at(now) / 1000;
+    const waits = this.hidden || (this.drawn !== null && this.drawn.tick < 0);
+    return waits || s <= scene.s ? scene : { ...scene, s, undrawn: false };
+  }
+
   /** Draws a picture, or its text in place of polygons; null: no picture has arrived. */
   show(picture: Polygons | null, { width, height }: Size): void {
     const { canvas, text } = this;
+    if (this.hidden || picture !== this.drawn) this.silence.end();
     canvas.hidden = text.hidden = false;
     setText(text, picture?.text ?? '');
     const ratio = Math.min(window.devicePixelRatio, SHARPEST);

@@ -1,8 +1,9 @@
 /** A button that acts after it has been held for a set time, by pointer, by Enter, or by its assigned key. */
 
-import { Hold } from '../../input/hold';
+import { Hold, NOT_HELD } from '../../input/hold';
 import type { Grip } from '../../input/keymap';
 import { keyOf } from '../../input/layout';
+import { onPress } from '../../input/press';
 import { el, setAttribute, setText } from './dom';
 
 export interface HoldButton {
@@ -41,8 +42,11 @@ export function holdButton(
     key,
   );
   let filled = 0;
-  element.addEventListener('pointerdown', ({ timeStamp }) => press(timeStamp));
-  for (const ends of ['pointerup', 'pointerleave', 'pointercancel', 'blur'] as const) {
+  onPress(element, ({ timeStamp }) => {
+    press(timeStamp);
+    return { ended: (lost) => hold.lift(lost ? NOT_HELD : performance.now()) };
+  });
+  for (const ends of ['pointerleave', 'blur'] as const) {
     element.addEventListener(ends, ({ timeStamp }) => hold.lift(timeStamp));
   }
   element.addEventListener('keydown', (event) => {

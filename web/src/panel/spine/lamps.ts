@@ -54,7 +54,7 @@ export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> 
   'STBD TEMP': { row: 'pair', ...NONE },
   DERIGIDIZE: { row: 'pair', kinds: EFFECTOR, elements: '.flags', group: '.effector' },
   RELEASE: { row: 'pair', kinds: EFFECTOR, elements: '.flags', group: '.effector' },
-  CAMERA: { row: 'pair', kinds: [], elements: '.monitor', group: '.events' },
+  CAMERA: { row: 'pair', kinds: ['camera'], elements: '.monitor', group: '.events' },
   'TIME LOST': { row: 'pair', kinds: ['time lost'], elements: '.events', group: '.events' },
   'LINK DELAY': { row: 'pair', kinds: [], elements: '.rail .delay:not(.absent)', group: '.events' },
   CLEARANCE: {

@@ -18,7 +18,7 @@ export interface Knows {
   readonly silence: number;
   readonly delays: Delays;
   /** Age of the pictures. */
-  readonly pictures: Age;
+  readonly pictures: Pick<Age, 's' | 'set'>;
   /** Null on a page that is too narrow for the controls. */
   readonly controllers: Pick<Controllers, 'lost' | 'waiting'> | null;
 }
