@@ -1,10 +1,17 @@
-"""Results of a study on disk: one line for each finished case, so that a study can end and continue at any moment."""
+"""Results of a study on disk: one line for each finished case, so that a study can end and continue at any moment.
+
+Each line has a digest of itself and of the lines before it, so that a line that was changed, added, moved or removed is
+found; only lines removed at the end are not, and their cases run again. This is no signature: a person who rewrites the
+whole file can also compute its digests.
+"""
 
 from __future__ import annotations
 
 import fcntl
 import hashlib
 import os
+import re
+from collections.abc import Iterable
 from pathlib import Path
 from types import TracebackType
 
@@ -14,10 +21,13 @@ from aftdeck.errors import AftdeckError, InputError
 from aftdeck.law import state_of_the_laws
 from aftdeck.study.case import Outcome
 from aftdeck.study.file import Study
+from aftdeck.study.rows import RowCheck
 from aftdeck.version import __version__
 
 LINES, LOCK, COPY, ABOUT = "cases.jsonl", "lock", "study.toml", "study.json"
 """Files of a store: a line for each case, the lock, a copy of the study file, and what the results depend on."""
+_SEALED = re.compile(rb'(\{.*),"chain":"([0-9a-f]{64})"\}', re.DOTALL)
+"""A line: the result of a case without its last brace, and the digest."""
 
 
 class StoreError(AftdeckError):
@@ -55,6 +65,7 @@ class Store:
         """
         self.folder, self._study = folder, study
         self._outcomes: dict[int, Outcome] = {}
+        self._head = _first(study)
         try:
             folder.mkdir(parents=True, exist_ok=True)
             self._lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
@@ -100,18 +111,18 @@ class Store:
         """
         if index in self._outcomes:
             return
-        line = msgspec.json.encode(outcome) + b"\n"
+        line, head = _sealed(outcome, self._head)
         try:
             while line:  # what is cut by a full disk or a kill is removed at the next start
                 line = line[os.write(self._file, line) :]
         except OSError as error:
             raise StoreError(f"{self.folder / LINES}: cannot be written: {error.strerror or error}") from None
-        self._outcomes[index] = outcome
+        self._outcomes[index], self._head = outcome, head
 
     def drop_failed(self) -> None:
         """Forget the cases that ended with an error, so that they run again."""
         self._outcomes = {index: outcome for index, outcome in self._outcomes.items() if not outcome.row["error"]}
-        lines = b"".join(msgspec.json.encode(outcome) + b"\n" for outcome in self._outcomes.values())
+        lines, self._head = _lines(self._outcomes.values(), _first(self._study))
         replace(self.folder / LINES, lines)
         os.close(self._file)
         self._file = os.open(self.folder / LINES, os.O_RDWR | os.O_APPEND)
@@ -122,7 +133,7 @@ class Store:
         whole = data.rfind(b"\n") + 1
         if whole < len(data):
             os.ftruncate(self._file, whole)
-        self._outcomes = _decoded(data[:whole], self.folder / LINES)
+        self._outcomes, self._head = _decoded(data[:whole], self.folder / LINES, self._study)
 
 
 def outcomes_in(folder: Path, study: Study) -> list[Outcome]:
@@ -135,7 +146,7 @@ def outcomes_in(folder: Path, study: Study) -> list[Outcome]:
     if not check_about(folder, study) or not path.exists():
         raise StoreError(f"{folder}: has no results of a study yet")
     data = path.read_bytes()
-    found = _decoded(data[: data.rfind(b"\n") + 1], path)
+    found, _ = _decoded(data[: data.rfind(b"\n") + 1], path, study)
     return [found[index] for index in sorted(found)]
 
 
@@ -187,13 +198,57 @@ def replace(path: Path, data: bytes) -> None:
         raise InputError(f"cannot write {path}: {error.strerror or error}") from None
 
 
-def _decoded(data: bytes, path: Path) -> dict[int, Outcome]:
-    """Return the results in complete lines, by their indices."""
+def _first(study: Study) -> str:
+    """Return the digest before the first line: what the results depend on."""
+    return hashlib.sha256(msgspec.json.encode(about(study))).hexdigest()
+
+
+def _digest(head: str, body: bytes) -> str:
+    return hashlib.sha256(head.encode() + body).hexdigest()
+
+
+def _sealed(outcome: Outcome, head: str) -> tuple[bytes, str]:
+    """Return the line of a result, and its digest; `head` is the digest of the line before."""
+    body = msgspec.json.encode(outcome)[:-1]
+    digest = _digest(head, body)
+    return b'%b,"chain":"%b"}\n' % (body, digest.encode()), digest
+
+
+def _lines(outcomes: Iterable[Outcome], head: str) -> tuple[bytes, str]:
+    """Return the lines of results, and the digest of the last line."""
+    lines = []
+    for outcome in outcomes:
+        line, head = _sealed(outcome, head)
+        lines.append(line)
+    return b"".join(lines), head
+
+
+def _decoded(data: bytes, path: Path, study: Study) -> tuple[dict[int, Outcome], str]:
+    """Return the results in complete lines, by their indices, and the digest of the last line.
+
+    Raises:
+        StoreError: a line is not one that this study wrote there.
+    """
     found: dict[int, Outcome] = {}
-    for number, line in enumerate(data.splitlines(), 1):
+    head, check = _first(study), RowCheck(study)
+    for number, line in enumerate(data.split(b"\n")[:-1], 1):
         try:
-            outcome = msgspec.json.decode(line, type=Outcome)
-            found.setdefault(int(str(outcome.row["index"])), outcome)
-        except (msgspec.DecodeError, KeyError, ValueError) as error:
-            raise StoreError(f"{path}:{number}: cannot be read: {error}; use another folder") from None
-    return found
+            outcome, head = _opened(line, head)
+            problem = check.problem(outcome.row)
+            index = int(str(outcome.row["index"])) if not problem else -1
+            if index in found:
+                problem = f"a line before it has the case {index}, too"
+        except (msgspec.DecodeError, ValueError, RecursionError) as error:
+            problem = str(error)
+        if problem:
+            raise StoreError(f"{path}:{number}: this study did not write this line ({problem}); use another folder")
+        found[index] = outcome
+    return found, head
+
+
+def _opened(line: bytes, head: str) -> tuple[Outcome, str]:
+    """Return the result in a line, and the line's digest; raise ValueError if the digest is wrong."""
+    match = _SEALED.fullmatch(line)
+    if match is None or _digest(head, match[1]) != match[2].decode():
+        raise ValueError("it, or a line before it, was changed, moved or removed")
+    return msgspec.json.decode(match[1] + b"}", type=Outcome), match[2].decode()
