@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.schema_check import convert, problems_of, split, unreadable
 from aftdeck.toml_lines import excess, located
@@ -44,7 +45,7 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
             raise ScenarioError([f"{path}: cannot be read: it is not a regular file"])
         if most is not None and status.st_size > most:
             raise ScenarioError([f"{path.name}: has {status.st_size} bytes; at most {most} bytes are allowed"])
-        return Text(path.name, path.read_text(encoding="utf-8"))
+        return Text(encodable(path.name), path.read_text(encoding="utf-8"))
     except OSError as error:
         raise ScenarioError([f"{path}: cannot be read: {error.strerror or error}"]) from None
     except UnicodeDecodeError as error:

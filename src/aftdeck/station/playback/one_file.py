@@ -20,11 +20,14 @@ from typing import cast
 
 import msgspec
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
+from aftdeck.files import check_new
 from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.messages.playback import BLOCK
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import verdict
+from aftdeck.whole_file import write_new
 
 LIMIT = 4_950_000
 """Largest size of the file [bytes]; most mail servers accept five megabytes."""
@@ -47,28 +50,15 @@ def write_html(path: Path, out: Path) -> None:
         out: the file to write.
 
     Raises:
-        RecordingError: the recording cannot be read or is too long, or the file exists already or cannot be written.
+        RecordingError: the recording cannot be read or is too long.
+        InputError: the file exists already or cannot be written.
         StationError: the page was not built.
     """
     page = _whole_page(built_page())
-    try:
-        taken = out.exists()
-    except OSError as error:
-        raise _unwritable(out, error) from None
-    if taken:
-        raise RecordingError(f"{out}: exists already and is not overwritten; choose another name", "exists")
+    check_new(out)
     with PlaybackStore(path) as store:
         text = _fitting(page, store, path)
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        with out.open("x", encoding="utf-8") as file:
-            file.write(text)
-    except OSError as error:
-        raise _unwritable(out, error) from None
-
-
-def _unwritable(out: Path, error: OSError) -> RecordingError:
-    return RecordingError(f"{out}: cannot be written: {error.strerror or error}", "unwritable")
+    write_new(out, text)
 
 
 def _fitting(page: str, store: PlaybackStore, path: Path) -> str:
@@ -118,7 +108,7 @@ def _rounded(value: object) -> object:
 def _filled(page: str, path: Path, index: str, blocks: list[str]) -> str:
     data = [f'<script type="text/plain" id="recording-index">{index}</script>']
     data += [f'<script type="text/plain" id="recording-{i}">{block}</script>' for i, block in enumerate(blocks)]
-    titled = page.replace("<title>Aftdeck</title>", f"<title>{html.escape(path.name)} · Aftdeck</title>", 1)
+    titled = page.replace("<title>Aftdeck</title>", f"<title>{html.escape(encodable(path.name))} · Aftdeck</title>", 1)
     head, body = titled.rsplit("</body>", 1)
     return "\n".join([head, *data, f"</body>{body}"])
 
