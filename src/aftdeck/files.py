@@ -156,14 +156,7 @@ def examine(
             (`schema_check.unreadable`).
     """
     name, text = file
-    if why := excess(text):
-        raise ScenarioError([f"{name}: {why}"])
-    try:
-        raw = tomllib.loads(text)
-    except ValueError as error:  # invalid TOML, or a number with thousands of digits
-        raise ScenarioError([f"{name}: {error}"]) from None
-    except RecursionError:
-        raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
+    raw = raw_contents(file)
     for where, value in (changes or {}).items():
         put(raw, where, value)
     try:
@@ -181,6 +174,23 @@ def examine(
     except msgspec.ValidationError as error:
         what, where = split(str(error))
         return None, problems or [Problem(where, what)]
+
+
+def raw_contents(file: Text) -> dict[str, Any]:
+    """Return the contents of a TOML file as plain dicts, lists, numbers and strings.
+
+    Raises:
+        ScenarioError: the text is not TOML, is too large or is nested too deeply.
+    """
+    name, text = file
+    if why := excess(text):
+        raise ScenarioError([f"{name}: {why}"])
+    try:
+        return tomllib.loads(text)
+    except ValueError as error:  # invalid TOML, or a number with thousands of digits
+        raise ScenarioError([f"{name}: {error}"]) from None
+    except RecursionError:
+        raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
 
 
 def put(raw: Any, where: Where, value: object) -> None:
