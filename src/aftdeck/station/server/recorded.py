@@ -145,7 +145,7 @@ class Recordings:
         for file in [*others[: max(0, len(others) + 1 - MAX_OPEN)], path.name]:
             if file in self._open:
                 await self._close(file)
-        process = await PlaybackProcess.start(path)
+        process = PlaybackProcess(path)
         router = Router(routes=Player(process, f"{RECORDING_META}\n{STATION_META}").routes())
         opened = _Opened(size, process, router, asyncio.create_task(process.ready()))
         self._open[path.name] = opened
