@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import base64
 import gzip
-import hashlib
 import html
 import itertools
 import math
@@ -23,6 +22,7 @@ import msgspec
 from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
 from aftdeck.files import check_new
+from aftdeck.report.page.policy import hash_source, policy_element
 from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.messages.playback import BLOCK
 from aftdeck.station.playback.store import PlaybackStore
@@ -121,17 +121,15 @@ def _whole_page(page: str) -> str:
     allowed: dict[str, list[str]] = {"script": [], "style": []}
 
     def included(kind: str, start: str, text: str) -> str:
-        allowed[kind].append(f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'")
+        allowed[kind].append(hash_source(text))
         return f"<{start}>{text}</{kind}>"
 
     notices = f'<script type="text/plain" id="notices">{_notices()}</script>'
     page = page.replace("</body>", f"{notices}\n</body>", 1)
     page = _STYLE.sub(lambda match: included("style", "style", _style(match[1])), page)
     page = _SCRIPT.sub(lambda match: included("script", 'script type="module"', _script(match[1])), page)
-    sources = "; ".join(f"{kind}-src {' '.join(hashes)}" for kind, hashes in allowed.items())
-    policy = f"default-src 'none'; {sources}; img-src data:; font-src data:; base-uri 'none'; form-action 'none'"
-    head = f'<head>\n    <meta http-equiv="Content-Security-Policy" content="{policy}" />'
-    return page.replace("<head>", head, 1)
+    sources = [f"{kind}-src {' '.join(hashes)}" for kind, hashes in allowed.items()]
+    return page.replace("<head>", f"<head>\n    {policy_element(*sources, 'font-src data:')}", 1)
 
 
 def _script(name: str) -> str:
