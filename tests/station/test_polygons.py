@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import os
 import signal
+import time
 from collections.abc import Mapping
 
 import msgspec
@@ -19,6 +20,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.polygons_of import HALF_WIDTH, PolygonPictures, no_polygons
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame as FrameMessage
+from aftdeck.station.server.pages import GATHER_S
 from aftdeck.station.session.painter import AT_ONCE, ENDED, PREPARING, Painter
 from aftdeck.station.session.painting import NICE, Painting, Sheet, Wanted
 from aftdeck.station.session.session import Session
@@ -253,6 +255,18 @@ def test_camera_is_drawn_once_for_all_pages(station: Station, monkeypatch: pytes
             until(lambda: wanted[-1] == {"A": 0.7, "B": 1.5, "C": 0.7}, "the pictures of both pages")
         until(lambda: wanted[-1] == {"A": 1.5, "B": 1.5}, "the pictures of the page that is left")
     until(lambda: wanted[-1] == {}, "no pictures")
+
+
+def test_requests_of_a_flood_take_effect_together(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
+    wanted: list[Mapping[str, float]] = []
+    monkeypatch.setattr(station.session.painter, "want", wanted.append)
+    begun = time.monotonic()
+    with station.page() as page:
+        for k in range(200):
+            ask(page, "AB"[k % 2], aspect=1.0 + 0.01 * k)
+        until(lambda: wanted[-1:] == [{"B": 2.99}], "the last request")
+        elapsed = time.monotonic() - begun
+    assert len(wanted) <= 1 + elapsed / GATHER_S
 
 
 @pytest.mark.parametrize(
