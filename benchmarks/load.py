@@ -6,6 +6,7 @@ Messages are encoded in advance and sent over plain sockets, so that the load ne
 from __future__ import annotations
 
 import contextlib
+import itertools
 import json
 import os
 import selectors
@@ -25,16 +26,28 @@ SLICE = 0.02
 """Time between two parts of the flood [s]."""
 LIVES = 3
 """Time for which the flooding page has messages [s]; then it disconnects."""
+ASKED = 400.0
+"""Messages of the page that asks for pictures [1/s]: less than a page may send."""
+CAMERAS = (("A", "B", "C", "D"), ("WR", "ELB", "A", "D"))
+"""Cameras whose pictures that page asks for, in turn."""
+SLOW = 40
+"""Pages that read slowly; the station accepts 32."""
+SLOW_READS = 2.0
+"""Times that each of them reads [1/s]."""
 _TEXT, _CLOSE, _PING, _PONG = 1, 8, 9, 10
 
 
 class Wire:
     """WebSocket connection of a page, without a library."""
 
-    def __init__(self, address: str, timeout: float = 60.0) -> None:
-        """Connect and send `hello`."""
+    def __init__(self, address: str, timeout: float = 60.0, receive_bytes: int | None = None) -> None:
+        """Connect and send `hello`; `receive_bytes` limits the buffer of the socket."""
         host, _, port = address.rpartition(":")
-        self.socket = socket.create_connection((host, int(port)), timeout)
+        self.socket = socket.socket()
+        self.socket.settimeout(timeout)
+        if receive_bytes is not None:
+            self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_bytes)
+        self.socket.connect((host, int(port)))
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._buffer = bytearray()
         try:
@@ -150,18 +163,68 @@ def replay(address: str, path: str) -> None:
     """Open a recording's page at `path` again and again: its index, and its first blocks."""
     while True:
         for part in ("index.json", "blocks/0", "blocks/1", "verdict.json"):
-            _get(address, f"{path}recording/{part}")
+            get(address, f"{path}recording/{part}")
 
 
-def _get(address: str, path: str) -> None:
+def sheets(address: str) -> None:
+    """Ask for one sheet after another, as the window of a camera's planes does."""
+    while True:
+        get(address, "/planes/A.svg")
+
+
+def polygons(address: str) -> None:
+    """As an observer, ask for pictures in the look of 1972 of other cameras `ASKED` times a second."""
+    wire = Wire(address)
+    wire.socket.setblocking(False)
+    due = time.perf_counter()
+    for seq in itertools.count():
+        due += 1.0 / ASKED
+        pictures = [{"camera": name, "aspect": 1.0 + 0.01 * (seq % 90)} for name in CAMERAS[seq % 2]]
+        _drop_until(wire, due)
+        with contextlib.suppress(BlockingIOError):
+            wire.socket.send(text({"type": "show_polygons", "seq": seq, "pictures": pictures}))
+
+
+def slow(address: str) -> None:
+    """Connect `SLOW` pages that read a few bytes now and then."""
+    wires = []
+    for _ in range(SLOW):
+        with contextlib.suppress(OSError):
+            wires.append(Wire(address, receive_bytes=4096))
+    for wire in itertools.cycle(wires):
+        time.sleep(1.0 / (SLOW * SLOW_READS))
+        with contextlib.suppress(OSError):
+            wire.socket.recv(1024)
+
+
+def _drop_until(wire: Wire, due: float) -> None:
+    """Drop what the station sends until a time."""
+    while (left := due - time.perf_counter()) > 0.0:
+        with contextlib.suppress(BlockingIOError):
+            if not wire.socket.recv(1 << 18):
+                raise ConnectionResetError("the station has closed the connection")
+        time.sleep(min(0.002, left))
+
+
+def get(address: str, path: str) -> int:
+    """Request a path and drop the answer; return its status, or 0 without an answer."""
     host, _, port = address.rpartition(":")
+    head = b""
     with contextlib.suppress(OSError), socket.create_connection((host, int(port)), 600.0) as link:
         link.sendall(f"GET {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n".encode())
-        while link.recv(1 << 18):
-            pass
+        while data := link.recv(1 << 18):
+            head = head or data
+    return int(head.split(None, 2)[1]) if head else 0
 
 
-KINDS: dict[str, Callable[..., None]] = {"watch": watch, "flood": flood, "replay": replay}
+KINDS: dict[str, Callable[..., None]] = {
+    "watch": watch,
+    "flood": flood,
+    "replay": replay,
+    "sheets": sheets,
+    "polygons": polygons,
+    "slow": slow,
+}
 
 
 if __name__ == "__main__":

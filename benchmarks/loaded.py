@@ -82,31 +82,31 @@ def loaded(size: Size) -> list[Figure]:
             record_hour(hour, size.hour)
         else:
             hour.symlink_to(size.recording.resolve())
-        with _flying(folder) as (address, _), _operator(address) as operator, ExitStack() as load:
-            quiet = _figures(_operate(operator, size.quiet, size.settle), "no load", "", promised=False)
-            load.enter_context(_loading("watch", address))
-            load.enter_context(_loading("flood", address))
-            load.enter_context(_loading("replay", address, f"/replay/{hour.name}/"))
-            seen = _operate(operator, size.seconds, size.settle)
-        delays = _delays(folder)
-    return [*quiet, *_figures(seen, "loaded", "8 watchers, a flood, a replay", promised=True), *delays]
+        with flying(folder) as (address, _), operator(address) as page, ExitStack() as load:
+            quiet = _figures(operate(page, size.quiet, size.settle), "no load", "", promised=False)
+            load.enter_context(loading("watch", address))
+            load.enter_context(loading("flood", address))
+            load.enter_context(loading("replay", address, f"/replay/{hour.name}/"))
+            seen = operate(page, size.seconds, size.settle)
+        late = delays(folder)
+    return [*quiet, *_figures(seen, "loaded", "8 watchers, a flood, a replay", promised=True), *late]
 
 
 def soak(size: Size) -> list[Figure]:
     """Measure a flight of some minutes with eight watchers: frames, lost time and memory."""
     with tempfile.TemporaryDirectory() as folder:
-        with _flying(folder) as (address, process), _operator(address) as operator, _loading("watch", address):
-            first = _operate(operator, size.first, size.settle)
+        with flying(folder) as (address, process), operator(address) as page, loading("watch", address):
+            first = operate(page, size.first, size.settle)
             early = _memory(process)
-            rest = _operate(operator, max(60.0 * size.minutes - size.first, 1.0), size.settle)
-            late = _memory(process)
-        delays = _delays(folder)
+            rest = operate(page, max(60.0 * size.minutes - size.first, 1.0), size.settle)
+            grown = _memory(process)
+        late = delays(folder)
     seen = Seen(first.intervals + rest.intervals, first.seconds + rest.seconds)
     return [
         *_figures(seen, "soak", f"8 watchers, {size.minutes:g} minutes", promised=True),
-        *delays,
+        *late,
         Figure("memory early", early, "MB", None, f"after {size.first:g} s"),
-        Figure("memory at the end", late, "MB"),
+        Figure("memory at the end", grown, "MB"),
     ]
 
 
@@ -123,7 +123,7 @@ def record_hour(path: Path, seconds: float) -> None:
 
 
 @contextmanager
-def _operator(address: str) -> Iterator[Wire]:
+def operator(address: str) -> Iterator[Wire]:
     """Connect as the first page, which is the operator; yield it when its first frame has arrived."""
     wire = Wire(address)
     with wire.socket:
@@ -132,7 +132,7 @@ def _operator(address: str) -> Iterator[Wire]:
         yield wire
 
 
-def _operate(wire: Wire, seconds: float, settle: float) -> Seen:
+def operate(wire: Wire, seconds: float, settle: float) -> Seen:
     """Send sticks with every frame; return what the page has received in `seconds` after `settle` [s]."""
     intervals: list[float] = []
     before = begun = 0.0
@@ -169,7 +169,7 @@ def _figures(seen: Seen, load: str, note: str, *, promised: bool) -> list[Figure
     ]
 
 
-def _delays(folder: str) -> list[Figure]:
+def delays(folder: str) -> list[Figure]:
     """Return the delays of the control steps, as the newest recording in a folder tells them."""
     recording = Recording(max(Path(folder).glob(f"{SCENARIO}-*.mcap")))
     for _ in recording.messages():
@@ -185,7 +185,7 @@ def _delays(folder: str) -> list[Figure]:
 
 
 @contextmanager
-def _flying(folder: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
+def flying(folder: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
     """Run a station that records into a folder; yield its address and its process once it flies."""
     command = [*AFTDECK, "fly", SCENARIO, "--no-browser", "--port", "0", "--record", folder]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
@@ -201,10 +201,16 @@ def _flying(folder: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
 
 
 @contextmanager
-def _loading(kind: str, *arguments: str) -> Iterator[None]:
+def loading(kind: str, *arguments: str) -> Iterator[None]:
+    """Load a station in a process of its own; `kind` is one of `load.KINDS`.
+
+    Raises:
+        AssertionError: the process has ended by itself, so that it was no load.
+    """
     with subprocess.Popen([sys.executable, "-m", "benchmarks.load", kind, *arguments]) as process:
         try:
             yield
+            assert process.poll() is None, f"the load {kind} has ended"
         finally:
             process.terminate()
             process.wait(10)

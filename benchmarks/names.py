@@ -17,7 +17,8 @@ class Benchmark(NamedTuple):
         subject: heading under which the figures are listed.
         module: module of the function, and of `FULL` and `TINY`.
         function: name of the function.
-        by_default: True if it is run when no name is given. The others take long, and measure physics instead of time.
+        by_default: True if it is run when no name is given. The others take long, measure physics instead of time, or
+            wait for a quiet machine to be listed in docs/figures.md.
         limit_s: time after which it is ended [s].
     """
 
@@ -49,6 +50,7 @@ NAMES = {
     "start": Benchmark(STATION, "benchmarks.station", "start"),
     "latency": Benchmark(STATION, "benchmarks.station", "latency"),
     "loaded": Benchmark(STATION, "benchmarks.loaded", "loaded"),
+    "attacked": Benchmark(STATION, "benchmarks.attacked", "attacked", by_default=False),
     "page": Benchmark(STATION, "benchmarks.page", "page"),
     "soak": Benchmark(STATION, "benchmarks.loaded", "soak", by_default=False, limit_s=DAY),
     "recording": Benchmark(RECORDINGS, "benchmarks.recording", "recording"),

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from aftdeck import law
+from aftdeck import law, law_cache
 from aftdeck.law_cache import LawCache
 
 SOURCE = """
@@ -131,8 +131,9 @@ def test_another_source_has_machine_code_of_its_own(laws: Laws, tmp_path: Path) 
 
 
 def test_a_folder_that_cannot_be_written_is_said_once(
-    laws: Laws, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    laws: Laws, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(law_cache, "_said", False)
     (tmp_path / "file").touch()
     closed = Laws(tmp_path)
     closed.folder = tmp_path / "file" / "cache"

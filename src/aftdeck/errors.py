@@ -5,9 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
+from aftdeck.encodable import encodable
+
 
 class AftdeckError(Exception):
     """Base of every error that Aftdeck raises for a caller's mistake or an impossible request."""
+
+    def __str__(self) -> str:
+        """Return the message; it may name a file, and goes to pages and into files."""
+        return encodable(super().__str__())
 
 
 class InputError(AftdeckError, ValueError):

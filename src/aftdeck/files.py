@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.schema_check import convert, problems_of, split, unreadable
 from aftdeck.toml_lines import excess, located
@@ -44,7 +45,7 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
             raise ScenarioError([f"{path}: cannot be read: it is not a regular file"])
         if most is not None and status.st_size > most:
             raise ScenarioError([f"{path.name}: has {status.st_size} bytes; at most {most} bytes are allowed"])
-        return Text(path.name, path.read_text(encoding="utf-8-sig"))
+        return Text(encodable(path.name), path.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise ScenarioError([f"{path}: cannot be read: {error.strerror or error}"]) from None
     except UnicodeDecodeError as error:
@@ -155,14 +156,7 @@ def examine(
             (`schema_check.unreadable`).
     """
     name, text = file
-    if why := excess(text):
-        raise ScenarioError([f"{name}: {why}"])
-    try:
-        raw = tomllib.loads(text)
-    except ValueError as error:  # invalid TOML, or a number with thousands of digits
-        raise ScenarioError([f"{name}: {error}"]) from None
-    except RecursionError:
-        raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
+    raw = raw_contents(file)
     for where, value in (changes or {}).items():
         put(raw, where, value)
     try:
@@ -180,6 +174,23 @@ def examine(
     except msgspec.ValidationError as error:
         what, where = split(str(error))
         return None, problems or [Problem(where, what)]
+
+
+def raw_contents(file: Text) -> dict[str, Any]:
+    """Return the contents of a TOML file as plain dicts, lists, numbers and strings.
+
+    Raises:
+        ScenarioError: the text is not TOML, is too large or is nested too deeply.
+    """
+    name, text = file
+    if why := excess(text):
+        raise ScenarioError([f"{name}: {why}"])
+    try:
+        return tomllib.loads(text)
+    except ValueError as error:  # invalid TOML, or a number with thousands of digits
+        raise ScenarioError([f"{name}: {error}"]) from None
+    except RecursionError:
+        raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
 
 
 def put(raw: Any, where: Where, value: object) -> None:

@@ -6,19 +6,18 @@ errors of its format instead, and runs machine code that was damaged in the file
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import hashlib
 import importlib
-import os
 import pickle
 import sys
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from aftdeck.errors import InputError
 from aftdeck.lines import print_line
+from aftdeck.whole_file import write_whole
 
 ENDING = ".law"
 """End of the names of the files."""
@@ -69,10 +68,9 @@ class LawCache:
             return
         data = _numba("serialize").dumps((signature, compiled._reduce()))
         try:
-            self._folder.mkdir(parents=True, exist_ok=True)
-            _replace(self._path(signature, compiled.codegen), hashlib.sha256(data).digest() + data)
-        except OSError as error:
-            _say(str(self._folder.parent), error.strerror or type(error).__name__)
+            write_whole(self._path(signature, compiled.codegen), hashlib.sha256(data).digest() + data)
+        except InputError as error:
+            _say(error)
 
     def _path(self, signature: Any, codegen: Any) -> Path:
         cells = [cell.cell_contents for cell in self._law.__closure__ or ()]
@@ -98,21 +96,12 @@ def _digest_of(source: str) -> str:
     return hashlib.sha256(Path(source).read_bytes()).hexdigest()
 
 
-def _replace(path: Path, data: bytes) -> None:
-    """Write a file aside, then put it in place: another process reads the old one, none, or the whole new one."""
-    number, name = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
-    try:
-        with open(number, "wb") as file:
-            file.write(data)
-        os.replace(name, path)
-    except OSError:
-        with contextlib.suppress(OSError):
-            os.unlink(name)
-        raise
+_said = False
+"""Whether this process has said that it cannot write."""
 
 
-@functools.cache
-def _say(folder: str, cause: str) -> None:
-    print_line(
-        f"compiled code cannot be written into {folder} ({cause}): it is compiled again at each start", sys.stderr
-    )
+def _say(error: InputError) -> None:
+    global _said  # noqa: PLW0603
+    if not _said:
+        _said = True
+        print_line(f"compiled code is not kept: {error}; it is compiled again at the next start", sys.stderr)

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import itertools
-import resource
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -24,6 +21,7 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
+from tests.full_disk import full_disk
 from tests.recording.flown import bay, record_steps
 
 ROOM = 100_000
@@ -37,17 +35,6 @@ WAIT_S = 60.0
 def compiled() -> None:
     """Compile the laws before the disk is full, because Numba writes the compiled laws to the disk."""
     warm_up(bay(extra=SCRIPT))
-
-
-@contextmanager
-def full_disk(room: int = ROOM) -> Iterator[None]:
-    """Limit every file to `room` bytes. The system rejects further bytes, as on a full disk."""
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (room, hard))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
 @pytest.fixture
@@ -78,7 +65,7 @@ def test_run_onto_a_full_disk_raises_and_keeps_the_written_part(
     path = tmp_path / "full.mcap"
     made = bay(extra=SCRIPT)
     index = Index(tmp_path / "list.sqlite")
-    with full_disk(), pytest.raises(RecordingError) as caught:
+    with full_disk(ROOM), pytest.raises(RecordingError) as caught:
         record(made, path, index=index)
     text = str(caught.value)
     assert text.startswith(f"{path}: ") and text.endswith(": File too large")
@@ -93,7 +80,7 @@ def test_run_continues_on_a_full_disk(tmp_path: Path, monkeypatch: pytest.Monkey
     sim = Simulation(made)
     path = tmp_path / "full.mcap"
     steps = 0
-    with full_disk():
+    with full_disk(ROOM):
         recorder = Recorder(path, made, 0)
         end = time.monotonic() + WAIT_S
         while not recorder.failure:

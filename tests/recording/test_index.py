@@ -166,11 +166,14 @@ def test_path_recorded_again_is_one_entry(index: Index, tmp_path: Path) -> None:
     assert [e.scenario for e in index.entries()] == ["b"]
 
 
-def test_run_with_a_file_name_that_is_not_text_is_recorded(index: Index, tmp_path: Path) -> None:
+def test_file_whose_name_is_not_utf_8_is_listed_and_deleted(index: Index, tmp_path: Path) -> None:
     path = tmp_path / os.fsdecode(b"\xff.mcap")
     record(made(), path, index=index)
-    assert path.exists()
-    assert index.entries() == []
+    (entry,) = index.entries()
+    assert (entry.state, entry.ended, Path(entry.path)) == ("here", "completed", path)
+    assert index.chain_of(path) != ""
+    index.delete([entry])
+    assert not path.exists() and index.entries() == []
 
 
 TEN = """

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 from pathlib import Path
 
@@ -63,14 +62,22 @@ def test_death_of_a_process_is_an_error_of_its_recording_only(files: list[Path])
 
 
 @pytest.mark.usefixtures("processes")
-def test_reading_that_is_broken_off_ends_its_processes(files: list[Path]) -> None:
+def test_reading_that_is_broken_off_ends_its_processes(files: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[module._Reader] = []
+
+    class Reader(module._Reader):
+        def __init__(self, file: Path, read: str) -> None:
+            super().__init__(file, read)
+            started.append(self)
+
     def interrupt() -> None:
-        assert multiprocessing.active_children()
+        assert [reader.process.returncode for reader in started] == [None, None]
         raise KeyboardInterrupt
 
+    monkeypatch.setattr(module, "_Reader", Reader)
     with pytest.raises(KeyboardInterrupt):
         list(read_all(files, ROW, interrupt))
-    assert not multiprocessing.active_children()
+    assert None not in [reader.process.returncode for reader in started]
 
 
 @pytest.mark.usefixtures("processes")

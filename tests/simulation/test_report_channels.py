@@ -30,12 +30,12 @@ STEPS = 400
 
 def written(scenario: Scenario, given: Iterator[Inputs]) -> tuple[list[Frame], str]:
     """Return the frames of a run, and the text of its file of channels and words."""
-    file = io.StringIO()
+    file = io.BytesIO()
     sim, writer, frames = aftdeck.Simulation(scenario), WordsWriter(file, scenario), []
     for inputs in given:
         frames.append(sim.step(inputs))
         writer.step(sim)
-    return frames, file.getvalue()
+    return frames, file.getvalue().decode()
 
 
 def run_from_channels(scenario: Scenario, text: str, folder: Path) -> list[Frame]:

@@ -27,6 +27,17 @@ FOREIGN = {
     "a rebound name with its origin": {"Host": "evil.example", "Origin": "http://evil.example"},
     "a broken host": {"Host": "["},
     "an empty host": {"Host": ""},
+    "another site's picture": {"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "no-cors", "Sec-Fetch-Dest": "image"},
+    "another site's script": {"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "no-cors", "Sec-Fetch-Dest": "script"},
+    "another site's request": {"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "cors"},
+    "another site's frame": {
+        "Sec-Fetch-Site": "cross-site",
+        "Sec-Fetch-Mode": "navigate",
+        "Sec-Fetch-Dest": "iframe",
+    },
+    "another port's picture": {"Sec-Fetch-Site": "same-site", "Sec-Fetch-Mode": "no-cors"},
+    "another site's socket": {"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "websocket"},
+    "a site of a kind yet unknown": {"Sec-Fetch-Site": "elsewhere"},
 }
 
 
@@ -47,6 +58,18 @@ def test_foreign_page_may_neither_read_nor_fly(shared: Station, headers: dict[st
 def test_own_page_may_connect_by_each_name_of_the_host(shared: Station, host: str) -> None:
     own = {"Host": f"{host}:{shared.port}", "Origin": f"http://{host}:{shared.port}"}
     assert shared.get("/health", own) == (200, "flying\n")
+
+
+@pytest.mark.parametrize("site", ["cross-site", "same-site", "same-origin", "none"])
+def test_link_of_any_page_may_open_the_station(shared: Station, site: str) -> None:
+    opening = {"Sec-Fetch-Site": site, "Sec-Fetch-Mode": "navigate", "Sec-Fetch-Dest": "document"}
+    assert shared.get("/health", opening) == (200, "flying\n")
+
+
+@pytest.mark.parametrize("site", ["same-origin", "none"])
+def test_own_page_may_send_requests_of_any_mode(shared: Station, site: str) -> None:
+    for mode in ("cors", "no-cors", "same-origin", "websocket"):
+        assert shared.get("/health", {"Sec-Fetch-Site": site, "Sec-Fetch-Mode": mode})[0] == 200
 
 
 def test_websocket_of_another_origin_is_rejected(shared: Station) -> None:

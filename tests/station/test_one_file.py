@@ -10,7 +10,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from aftdeck.errors import RecordingError
+from aftdeck.errors import InputError, RecordingError
 from aftdeck.station import built as station_built
 from aftdeck.station.messages.playback import Block, PlaybackIndex
 from aftdeck.station.playback import one_file
@@ -107,17 +107,17 @@ def test_run_that_cannot_fit_is_rejected(recording: Path, tmp_path: Path, monkey
 
 def test_existing_file_is_not_overwritten(recording: Path, tmp_path: Path) -> None:
     (tmp_path / "out.html").write_text("mine", encoding="utf-8")
-    with pytest.raises(RecordingError, match=r"out\.html: "):
+    with pytest.raises(InputError, match=r"out\.html: "):
         write_html(recording, tmp_path / "out.html")
     assert (tmp_path / "out.html").read_text(encoding="utf-8") == "mine"
 
 
 def test_file_that_cannot_be_written_is_rejected(recording: Path, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("", encoding="utf-8")
-    with pytest.raises(RecordingError, match=r"out\.html: "):
+    with pytest.raises(InputError, match=r"out\.html: "):
         write_html(recording, tmp_path / "file" / "out.html")
 
 
 def test_name_that_no_file_can_have_is_an_error_with_the_name(recording: Path, tmp_path: Path) -> None:
-    with pytest.raises(RecordingError, match="cannot be written"):
+    with pytest.raises(InputError, match="cannot be the name"):
         write_html(recording, tmp_path / ("a" * 300 + ".html"))

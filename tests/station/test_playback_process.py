@@ -30,7 +30,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.slow
 def test_process_answers_like_a_store_and_has_a_lower_priority(recording: Path) -> None:
     async def asked() -> tuple[bytes, bytes, int]:
-        process = await PlaybackProcess.start(recording)
+        process = PlaybackProcess(recording)
         try:
             await process.ready()
             with pytest.raises(IndexError, match="0 to 1, got 7"):
@@ -56,11 +56,11 @@ def test_unreadable_recording_and_ended_process_are_errors(tmp_path: Path, recor
     broken.write_bytes(b"no recording")
 
     async def asked() -> None:
-        process = await PlaybackProcess.start(broken)
+        process = PlaybackProcess(broken)
         with pytest.raises(RecordingError, match="not an MCAP file"):
             await process.ready()
         await process.close()
-        process = await PlaybackProcess.start(recording)
+        process = PlaybackProcess(recording)
         await process.close()
         assert process.ended
         with pytest.raises(RecordingError):
@@ -82,7 +82,7 @@ def test_process_ends_with_a_killed_station_even_while_it_reads(recording: Path)
         "from pathlib import Path\n"
         "from aftdeck.station.server.playback_process import PlaybackProcess\n"
         "async def main():\n"
-        "    process = await PlaybackProcess.start(Path(sys.argv[1]))\n"
+        "    process = PlaybackProcess(Path(sys.argv[1]))\n"
         "    print(process.pid, flush=True)\n"
         "    os.kill(os.getpid(), 9)\n"
         "asyncio.run(main())\n"

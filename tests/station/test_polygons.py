@@ -3,29 +3,32 @@
 from __future__ import annotations
 
 import functools
-import subprocess
-import sys
+import os
+import signal
+import time
 from collections.abc import Mapping
-from pathlib import Path
 
 import msgspec
 import numpy as np
 import pytest
 
-from aftdeck.scenario.light import LightCondition, conditions
+from aftdeck.errors import InputError
+from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.polygons_of import HALF_WIDTH, PolygonPictures, no_polygons
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame as FrameMessage
-from aftdeck.station.session import compiling
-from aftdeck.station.session.painter import AT_ONCE, PREPARING, Painter
+from aftdeck.station.server.pages import GATHER_S
+from aftdeck.station.session.painter import AT_ONCE, ENDED, PREPARING, Painter
+from aftdeck.station.session.painting import NICE, Painting, Sheet, Wanted
 from aftdeck.station.session.session import Session
+from aftdeck.visual.diagram import sheet
 from aftdeck.visual.picture import picture_of
 from aftdeck.visual.scene import VisualScene
 from tests.loaded import scenario
-from tests.station.pages import Page, Station, served, text_of, until
+from tests.station.pages import WAIT_S, Page, Station, served, text_of, until
 
 NAME = "concept-1972-script"
 SIZE = (600, 400)
@@ -84,15 +87,24 @@ def test_camera_inside_a_body_has_a_sentence(monkeypatch: pytest.MonkeyPatch) ->
 # --- painter ----------------------------------------------------------------------------------------------------------
 
 
-class Counted(PolygonPictures):
-    """Pictures without polygons, which count how often each camera was drawn."""
+class Counted(Painting):
+    """Pictures without polygons, drawn here, which count how often each camera was drawn."""
 
     def __init__(self, _: Scenario) -> None:
         self.count: dict[str, int] = {}
 
-    def of(self, frame: Frame, camera: str, aspect: float, light: LightCondition) -> to_page.Polygons:
-        self.count[camera] = self.count.get(camera, 0) + 1
-        return no_polygons(camera, f"{aspect:g} {light.name}", frame.tick)
+    def wait(self) -> None:
+        """Return at once."""
+
+    def pictures(self, wanted: Wanted) -> dict[str, bytes]:
+        self.count |= {camera: self.count.get(camera, 0) + 1 for camera in wanted.aspects}
+        return {
+            camera: msgspec.json.encode(no_polygons(camera, f"{aspect:g} {wanted.light.name}", wanted.frame.tick))
+            for camera, aspect in wanted.aspects.items()
+        }
+
+    def close(self) -> None:
+        """Do nothing."""
 
 
 def drawn(painter: Painter) -> Mapping[str, to_page.Polygons]:
@@ -101,7 +113,7 @@ def drawn(painter: Painter) -> Mapping[str, to_page.Polygons]:
 
 
 def test_without_a_wanted_picture_nothing_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(PolygonPictures, "__init__", lambda *_: pytest.fail("a picture is prepared"))
+    monkeypatch.setattr(Painting, "__init__", lambda *_: pytest.fail("a picture is prepared"))
     session = Session(scenario())
     session.painter.want({})
     for _ in range(5):
@@ -147,44 +159,55 @@ def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
     assert made[0].count == dict.fromkeys(names, 2)
 
 
-def test_laws_are_compiled_by_another_process_before_the_first_picture(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    mark = tmp_path / "compiled"
-    monkeypatch.setattr(compiling, "compiled_before", lambda _: False)
-    monkeypatch.setattr(compiling, "COMMAND", (sys.executable, "-c", f"open({str(mark)!r}, 'w').close()"))
+def test_process_draws_the_same_pictures_and_sheets() -> None:
+    painting = Painting(scenario(NAME))
+    painting.wait()
+    assert os.getpriority(os.PRIO_PROCESS, painting.pid) == os.getpriority(os.PRIO_PROCESS, 0) + NICE
+    there = painting.pictures(Wanted(frame(), LIGHT, {"A": ASPECT, "F": 1.0}))
+    here = {"A": pictures().of(frame(), "A", ASPECT, LIGHT), "F": pictures().of(frame(), "F", 1.0, LIGHT)}
+    assert there == {camera: msgspec.json.encode(picture) for camera, picture in here.items()}
+    title = scenario(NAME).title
+    svg = painting.sheet(Sheet(frame(), LIGHT, "A"))
+    assert svg.decode() == sheet(VisualScene(scenario(NAME)), frame(), "A", LIGHT, title)
+    with pytest.raises(InputError, match="no camera is called 'A9'"):
+        painting.sheet(Sheet(frame(), LIGHT, "A9"))
+    painting.close()
+    with pytest.raises(EOFError):
+        painting.sheet(Sheet(frame(), LIGHT, "A"))
 
-    def make(of: Scenario) -> Counted:
-        assert mark.exists()
-        return Counted(of)
 
-    painter = Painter(scenario(NAME), make)
-    painter.want({"A": 1.5})
-    painter.show(frame(), LIGHT)
-    until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
-    painter.close()
+def test_closing_ends_a_process_that_compiles() -> None:
+    started: list[Painting] = []
 
-
-def test_closing_ends_the_compilation(monkeypatch: pytest.MonkeyPatch) -> None:
-    started: list[subprocess.Popen[bytes]] = []
-
-    def start() -> subprocess.Popen[bytes]:
-        started.append(subprocess.Popen((sys.executable, "-c", "import time; time.sleep(1000)")))
+    def start(of: Scenario) -> Painting:
+        started.append(Painting(of))
         return started[0]
 
-    monkeypatch.setattr("aftdeck.station.session.painter.start_to_compile", start)
-    painter = Painter(scenario(NAME), lambda _: pytest.fail("a picture is prepared"))
+    painter = Painter(scenario(NAME), start)
     painter.want({"A": 1.5})
-    until(lambda: painter._compiler is not None, "the process")
+    until(lambda: painter._painting is not None, "the process")
     painter.close()
-    until(lambda: started[0].poll() is not None, "the end of the process")
+    assert started[0]._child.process.returncode is not None
+    assert painter._thread is not None
+    painter._thread.join(WAIT_S)
+    assert not painter._thread.is_alive() and painter.failure == ""
+
+
+def test_process_that_ends_is_reported() -> None:
+    painter = Painter(scenario(NAME))
+    painter.want({"A": 1.0})
+    until(lambda: painter._painting is not None, "the process")
+    assert painter._painting is not None
+    os.kill(painter._painting.pid, signal.SIGKILL)
+    until(lambda: drawn(painter)["A"].text == f"The look of 1972 has failed: {ENDED}", "the reason")
+    painter.close()
 
 
 def test_failure_of_the_painter_is_shown() -> None:
-    def make(_: Scenario) -> PolygonPictures:
+    def start(_: Scenario) -> Painting:
         raise ValueError("no clusters")
 
-    painter = Painter(scenario(NAME), make)
+    painter = Painter(scenario(NAME), start)
     painter.want({"A": 1.0})
     until(lambda: drawn(painter)["A"].text == "The look of 1972 has failed: no clusters", "the reason")
     painter.want({"B": 1.0})
@@ -232,6 +255,18 @@ def test_camera_is_drawn_once_for_all_pages(station: Station, monkeypatch: pytes
             until(lambda: wanted[-1] == {"A": 0.7, "B": 1.5, "C": 0.7}, "the pictures of both pages")
         until(lambda: wanted[-1] == {"A": 1.5, "B": 1.5}, "the pictures of the page that is left")
     until(lambda: wanted[-1] == {}, "no pictures")
+
+
+def test_requests_of_a_flood_take_effect_together(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
+    wanted: list[Mapping[str, float]] = []
+    monkeypatch.setattr(station.session.painter, "want", wanted.append)
+    begun = time.monotonic()
+    with station.page() as page:
+        for k in range(200):
+            ask(page, "AB"[k % 2], aspect=1.0 + 0.01 * k)
+        until(lambda: wanted[-1:] == [{"B": 2.99}], "the last request")
+        elapsed = time.monotonic() - begun
+    assert len(wanted) <= 1 + elapsed / GATHER_S
 
 
 @pytest.mark.parametrize(

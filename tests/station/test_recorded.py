@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from urllib.parse import quote
 
 import msgspec
 import pytest
@@ -78,6 +79,18 @@ def test_recording_is_played_in_a_page_that_links_to_the_station(tmp_path: Path)
         assert block[-1].frame.tick == 300
         assert station.get("/replay/before.mcap/recording/verdict.json")[0] == 200
         assert station.get("/") == (200, PAGE)
+
+
+def test_recording_whose_name_is_not_utf_8_is_listed_and_played(tmp_path: Path) -> None:
+    folder = tmp_path / os.fsdecode(b"runs-\xff")
+    record_run(folder / os.fsdecode(b"before-\xff.mcap"), 60)
+    with served(Session(scenario(), record=folder)) as station:
+        until(lambda: len(listed(station)) == 2 and listed(station)[0].title != "", "the file of the present run")
+        before = listed(station)[1]
+        assert before.file == r"before-\udcff.mcap"
+        played = index(station, quote(before.file))
+        assert (played.file, played.ticks) == (before.file, 60)
+    assert len(list(folder.glob("*.mcap"))) == 2
 
 
 @pytest.mark.slow

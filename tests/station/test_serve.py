@@ -9,6 +9,7 @@ import subprocess
 import sys
 import webbrowser
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,7 @@ from aftdeck.station import built as station_built
 from aftdeck.station.built import StationError
 from aftdeck.station.server import serve as station_serve
 from aftdeck.station.server.app import make_app
-from aftdeck.station.server.serve import listen, make_server, serve
+from aftdeck.station.server.serve import SEND_BUFFER, listen, make_server, serve
 from aftdeck.station.session.preparation import ready
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
@@ -89,6 +90,20 @@ def test_listener_disables_nagles_algorithm() -> None:
     with listen("127.0.0.1", 0) as listener:
         # asyncio disables Nagle's algorithm only for listeners whose protocol is explicitly TCP
         assert listener.proto == socket.IPPROTO_TCP
+
+
+def test_system_keeps_little_for_a_client_that_does_not_receive() -> None:
+    with listen("127.0.0.1", 0) as listener, socket.socket() as client:
+        client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        client.connect(listener.getsockname())
+        server, _ = listener.accept()
+        with server:
+            server.setblocking(False)
+            kept = 0
+            with suppress(BlockingIOError):
+                while True:
+                    kept += server.send(bytes(4096))
+    assert kept <= 4 * SEND_BUFFER
 
 
 def test_port_in_use_is_named() -> None:

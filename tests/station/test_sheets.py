@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import re
+import threading
 import time
 import xml.etree.ElementTree as ET
 
@@ -11,11 +13,11 @@ import pytest
 
 from aftdeck.errors import SimulationError
 from aftdeck.scenario.all_cameras import cameras_of
-from aftdeck.station.session.painter import PREPARING
+from aftdeck.station.server import sheets
+from aftdeck.station.session.painter import PREPARING, Painter
 from aftdeck.station.session.session import Session
-from aftdeck.station.session.sheets import Sheets
 from tests.loaded import scenario
-from tests.station.pages import Station, served, until
+from tests.station.pages import WAIT_S, Station, served, until
 
 NAME = "concept-1972-script"
 
@@ -60,7 +62,7 @@ def test_a_picture_that_cannot_be_drawn_is_explained(monkeypatch: pytest.MonkeyP
 
     with served(Session(scenario(NAME))) as station:
         sheet(station, "A")
-        monkeypatch.setattr(Sheets, "of", inside)
+        monkeypatch.setattr(Painter, "sheet", inside)
         answer = station.get("/planes/B.svg")
         assert answer == (409, "No picture: camera B at 3 s is inside payload-1 or touches it.\n")
 
@@ -69,7 +71,47 @@ def test_sheets_are_as_late_as_the_pictures(monkeypatch: pytest.MonkeyPatch) -> 
     delay = 1.5
     with served(Session(dataclasses.replace(scenario(NAME), camera_delay=delay))) as station:
         sheet(station, "A")
-        monkeypatch.setattr(Sheets, "of", lambda *_: "<svg/>")
+        monkeypatch.setattr(Painter, "sheet", lambda *_: b"<svg/>")
         start = time.monotonic()
         assert station.get("/planes/A.svg") == (200, "<svg/>")
         assert time.monotonic() - start >= delay
+
+
+def test_requests_beyond_the_allowed_rate_wait(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: list[float] = []
+
+    def draw(*_: object) -> bytes:
+        drawn.append(time.monotonic())
+        return b"<svg/>"
+
+    monkeypatch.setattr(sheets, "SHEETS_PER_SECOND", 2.0)
+    monkeypatch.setattr(sheets, "SHEETS_AT_ONCE", 1.0)
+    monkeypatch.setattr(Painter, "sheet", draw)
+    monkeypatch.setattr(Painter, "prepare", lambda *_: True)
+    with served(Session(scenario(NAME))) as station:
+        until(lambda: station.session.painter.newest is not None, "a frame")
+        for _ in range(3):
+            assert station.get("/planes/A.svg") == (200, "<svg/>")
+    assert all(later - earlier >= 0.49 for earlier, later in itertools.pairwise(drawn))
+
+
+def test_station_ends_while_a_sheet_is_drawn(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drawing, ended = threading.Event(), threading.Event()
+
+    def draw(*_: object) -> bytes:
+        drawing.set()
+        assert ended.wait(WAIT_S)
+        return b"<svg/>"
+
+    monkeypatch.setattr(Painter, "sheet", draw)
+    monkeypatch.setattr(Painter, "prepare", lambda *_: True)
+    with served(Session(scenario(NAME))) as station:
+        until(lambda: station.session.painter.newest is not None, "a frame")
+        client = threading.Thread(target=station.get, args=("/planes/A.svg",), daemon=True)
+        client.start()
+        assert drawing.wait(WAIT_S)
+        threading.Timer(3.0, ended.set).start()
+    client.join(WAIT_S)
+    assert "Traceback" not in capsys.readouterr().err

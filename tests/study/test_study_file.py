@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from aftdeck.errors import ScenarioError
+from aftdeck.schema_check import problems_of
+from aftdeck.study import keys
 from aftdeck.study.file import built_in, load_study
-from tests.study.studies import loaded
+from tests.study import studies
+from tests.study.studies import SHORT, loaded
 
 HEAD = 'title = "A"\nscenario = "short.toml"\n'
 FACTOR = "[[factor]]\n"
@@ -117,6 +122,52 @@ def test_all_errors_are_reported_together(tmp_path: Path) -> None:
     with pytest.raises(ScenarioError) as error:
         loaded(tmp_path, text)
     assert len(error.value.problems) == 3
+
+
+def test_check_of_a_level_does_not_read_the_rest_of_the_scenario(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    phases = "".join(f'[[phase]]\nmode = "ORB UNL"\ntranslation = [0.{i}, 0, 0]\nduration = "1 s"\n' for i in range(9))
+    monkeypatch.setattr(studies, "SHORT", SHORT + phases)
+    parsed: list[str] = []
+    checked: list[int] = []
+    plain = tomllib.loads
+
+    def loads(text: str) -> dict[str, Any]:
+        parsed.append(text)
+        return plain(text)
+
+    def problems(raw: dict[str, Any], kind: object) -> list[Any]:
+        checked.append(len(raw["phase"]))
+        return problems_of(raw, kind)
+
+    monkeypatch.setattr(tomllib, "loads", loads)
+    monkeypatch.setattr(keys, "problems_of", problems)
+    levels = ", ".join(f'"{k} s"' for k in range(1, 41))
+    study = loaded(tmp_path, HEAD + FACTOR + f'key = "phase[7].duration"\nlevels = [{levels}]\n')
+    assert len(study.factors[0].levels) == 40
+    assert checked == [1] * 40
+    assert len(parsed) < 10
+
+
+@pytest.mark.parametrize(
+    ("key", "level", "named"),
+    [
+        ("phase[0].duration", '"x"', "phase[0].duration: 'x' is not a time"),
+        ("phase[0].mode.x", "1", "phase[0].mode is not a table"),
+        ("phase[1].mode", '"OPR CMD"', "there is no item 1"),
+        ("phase", "3", "phase: Expected `array`"),
+        ("initial.joints[6]", "1", "there is no item 6"),
+        ("initial.joints[5]", '"1 m"', "initial.joints[5]: "),
+        ("initial.pose.frame", "3", "initial.pose.frame: "),
+        ("command_delay", '"\\u202e"', "control character"),
+    ],
+)
+def test_wrong_place_or_value_of_a_key_is_named(tmp_path: Path, key: str, level: str, named: str) -> None:
+    with pytest.raises(ScenarioError) as error:
+        loaded(tmp_path, HEAD + FACTOR + f'key = "{key}"\nlevels = [{level}]\n')
+    (problem,) = error.value.problems
+    assert named in problem
 
 
 def test_unknown_name_lists_the_built_in_studies() -> None:

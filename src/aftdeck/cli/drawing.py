@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -49,11 +48,3 @@ def light_of(scenario: Scenario, name: str | None) -> LightCondition:
     from aftdeck.scenario.light import condition_named
 
     return condition_named(scenario.lighting.condition if name is None else name)
-
-
-def write(path: Path, content: bytes) -> None:
-    """Write a file; raise `InputError` if it cannot be written."""
-    try:
-        path.write_bytes(content)
-    except OSError as error:
-        raise InputError(f"cannot write {path}: {error.strerror}") from error

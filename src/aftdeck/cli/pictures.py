@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import app
-from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative, write
+from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.lines import print_line
+from aftdeck.whole_file import write_whole
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -106,11 +107,11 @@ def render(
     if numbered:
         count = 0
         for count, page in enumerate(pages, 1):
-            write(_numbered(out, numbered, count), _encoded([page], out.suffix, 1.0, run))
+            write_whole(_numbered(out, numbered, count), _encoded([page], out.suffix, 1.0, run))
         print_line(f"{out}: {count} pictures")
         return
     kept = list(pages)
-    write(out, _encoded(kept, out.suffix, step or 1.0, run))
+    write_whole(out, _encoded(kept, out.suffix, step or 1.0, run))
     print_line(f"{out}: {len(kept)} pictures" if step is not None else str(out))
 
 
@@ -153,14 +154,13 @@ def _pages(
         yield contact_sheet(pictures, "   ".join((scenario.title, *filter(None, readouts(frame)))))
 
 
-def _encoded(pages: list[Page], ending: str, step_s: float, name: str) -> bytes:
+def _encoded(pages: list[Page], ending: str, step_s: float, name: str) -> bytes | str:
     from aftdeck.visual.png import animated_png, png
     from aftdeck.visual.svg import animated_svg, svg
 
     if ending == ".png":
         return png(pages[0]) if len(pages) == 1 else animated_png(pages, step_s)
-    text = svg(pages[0], name) if len(pages) == 1 else animated_svg(pages, step_s, name)
-    return text.encode()
+    return svg(pages[0], name) if len(pages) == 1 else animated_svg(pages, step_s, name)
 
 
 def _size(text: str | None, default: tuple[int, int]) -> tuple[int, int]:

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Json, app
-from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative, write
+from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative
 from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError
 from aftdeck.lines import print_line
+from aftdeck.whole_file import write_whole
 
 if TYPE_CHECKING:
     from aftdeck.visual.report import Explained, Node
@@ -48,7 +49,7 @@ def planes(
     scene = VisualScene(given.scenario)
     title = given.scenario.title
     if out is not None:
-        write(out, sheet(scene, frame, camera, light_of(given.scenario, None), title).encode())
+        write_whole(out, sheet(scene, frame, camera, light_of(given.scenario, None), title))
         return print_line(str(out))
     found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
     if as_json:

@@ -9,8 +9,9 @@ import math
 import shutil
 import sys
 import textwrap
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from aftdeck.encodable import encodable
 from aftdeck.lines import print_line, visible
 
 if TYPE_CHECKING:
@@ -54,7 +55,16 @@ def print_json(value: object, indent: int | None = None) -> None:
 
     import msgspec
 
-    print(json.dumps(msgspec.to_builtins(value), indent=indent).replace("\x7f", "\\u007f"))
+    print(json.dumps(_encodable(msgspec.to_builtins(value)), indent=indent).replace("\x7f", "\\u007f"))
+
+
+def _encodable(value: Any) -> Any:
+    """Return a value of JSON in which each text can be encoded; a path may contain bytes that are not UTF-8."""
+    if isinstance(value, dict):
+        return {encodable(name): _encodable(item) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_encodable(item) for item in value]
+    return encodable(value) if isinstance(value, str) else value
 
 
 _LEAST_ROOM = 24

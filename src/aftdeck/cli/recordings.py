@@ -224,6 +224,9 @@ def _print_outcome(file: Path, o: Outcome) -> None:
     print_line(f"{file} with {', '.join(o.changes)}:")
     before, after = f"{o.ended_before} after {o.time_before_s:.2f} s", f"{o.ended_after} after {o.time_after_s:.2f} s"
     print_line(f"  ended        {before} -> {after}")
+    if not o.compared:
+        print_line("  not compared: the two runs have no frame at the same time")
+        return
     if o.first is None and not o.events:
         print_line(f"  no difference in {o.compared} frames")
         return

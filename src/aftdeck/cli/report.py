@@ -10,8 +10,9 @@ import typer
 
 from aftdeck.cli.app import Json, app
 from aftdeck.cli.printing import print_json
-from aftdeck.errors import AftdeckError, InputError
+from aftdeck.errors import AftdeckError
 from aftdeck.lines import print_error, print_line
+from aftdeck.whole_file import write_new
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -112,11 +113,7 @@ def _write_page(runs: Sequence[Gathered], out: Path) -> str:
 
     announce_compilation()
     text = page(runs)
-    try:
-        with out.open("x", encoding="utf-8") as file:
-            file.write(text)
-    except OSError as error:
-        raise InputError(f"cannot write {out}: {error.strerror or error}") from None
+    write_new(out, text)
     return f"{out}: {len(runs)} {'run' if len(runs) == 1 else 'runs'}, {len(text) / 1e6:.1f} MB"
 
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.encodable import encodable
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.export.about import FORMAT, About, Episode
 from aftdeck.export.columns import Encoding
@@ -63,7 +64,7 @@ def episode_of(flight: Flight, plan: Plan, numbers: Numbers, *, success: bool) -
     except (InputError, SimulationError):  # a target of which columns were left out; a flight that diverges
         equal, apart = False, None
     return Episode(
-        recording=flight.recording.path.name,
+        recording=encodable(flight.recording.path.name),
         task=plan.task_of(flight),
         steps=flight.steps,
         samples=len(numbers.action),
@@ -86,9 +87,12 @@ def check_new_folder(folder: Path) -> None:
     """Check that a folder can be created.
 
     Raises:
-        InputError: its parent does not exist; or as for `files.check_new`.
+        InputError: its parent does not exist, or its path is not UTF-8, which the datasets' libraries cannot write; or
+            as for `files.check_new`.
     """
     check_new(folder)
+    if encodable(folder.absolute()) != str(folder.absolute()):
+        raise InputError(f"{folder.absolute()}: the path of a dataset has to be UTF-8 text")
     if not folder.parent.is_dir():
         raise InputError(f"{folder}: the folder {folder.parent} does not exist")
 

@@ -19,6 +19,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.gym.policy import Activation, Layer, Policy, check_policy
 from aftdeck.units import short
+from aftdeck.whole_file import whole_file
 
 VERSION = 1
 """Version of the file format."""
@@ -32,8 +33,8 @@ def save_policy(policy: Policy, path: Path | str) -> None:
     """Write a policy file; the numbers are stored in single precision.
 
     Raises:
-        InputError: the policy has an unknown environment, or arrays whose shapes do not fit.
-        OSError: the file cannot be written.
+        InputError: the policy has an unknown environment, or arrays whose shapes do not fit, or the file cannot be
+            written.
     """
     path = Path(path)
     check_policy(policy, path.name)
@@ -48,7 +49,7 @@ def save_policy(policy: Policy, path: Path | str) -> None:
     arrays: Arrays = {"version": np.array(VERSION)}
     arrays |= {name: np.array(text) for name, text in texts.items()}
     arrays |= {name: array.astype(np.float32) for name, array in numbers.items()}
-    with path.open("wb") as file:  # an open file: NumPy would append ".npz" to a path without it
+    with whole_file(path) as file:  # an open file: NumPy would append ".npz" to a path without it
         np.savez_compressed(file, allow_pickle=False, **arrays)
 
 

@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, NamedTuple, TextIO
+from typing import Annotated, BinaryIO, NamedTuple
 
 import msgspec
 
@@ -29,6 +29,7 @@ from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
+from aftdeck.whole_file import new_file
 
 ON_TIME = 1e-6
 """Greatest difference between the time in a line and the time of its step [s]."""
@@ -56,7 +57,7 @@ class WordsWriter:
         unsaid: for each name, the number of lines written so far whose ``unsaid`` contains this name.
     """
 
-    def __init__(self, file: TextIO, scenario: Scenario) -> None:
+    def __init__(self, file: BinaryIO, scenario: Scenario) -> None:
         self._file = file
         self._before = places_of(initial_state(run_constants(scenario)))
         self.steps, self.unsaid = 0, Counter[str]()
@@ -72,7 +73,7 @@ class WordsWriter:
         row = {"time_s": time, "volts": line.volts, "words": [f"{word:08o}" for word in line.words]}
         if line.unsaid:
             row["unsaid"] = line.unsaid
-        self._file.write(json.dumps(row) + "\n")
+        self._file.write(json.dumps(row).encode() + b"\n")
 
 
 def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line:
@@ -90,23 +91,15 @@ def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line
 
 
 @contextmanager
-def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
-    """Open a new file of channels and words for a run of a scenario; delete the file if the run raises an error.
+def new_words_file(scenario: Scenario, path: Path) -> Iterator[BinaryIO]:
+    """Open a new file of channels and words for a run of a scenario; it appears at the end of a run without an error.
 
     Raises:
         InputError: the scenario's arm is not the report's arm, or the file already exists or cannot be written.
     """
     check_arm(scenario)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with path.open("x", encoding="ascii") as file:
-            try:
-                yield file
-            except BaseException:
-                path.unlink()
-                raise
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
+    with new_file(path) as file:
+        yield file
 
 
 def check_arm(scenario: Scenario) -> None:

@@ -68,10 +68,12 @@ def rerun(
     Raises:
         InputError: a change is not ``KEY=VALUE``, or names a location that the scenario does not have.
         ScenarioError: the changed scenario is not valid.
-        RecordingError: `path` is not a recording or is damaged, or `out` cannot be written.
+        RecordingError: `path` is not a recording, is damaged or has no control step, or `out` cannot be written.
     """
     recording = Recording(path)
     opening = recording.opening
+    if next(Recording(path).steps(), None) is None:
+        raise RecordingError(f"{path}: ends before its first step; there is nothing to re-run", "empty")
     parsed = [parse_change(change) for change in changes]
     scenario = scenario_of(opening, dict(parsed))
     seed = scenario.seed if any(where == ("seed",) for where, _ in parsed) else opening.seed

@@ -36,10 +36,15 @@ _DELAYS = {"late_steps": "integer", "worst_s": "real", "lost_s": "real"}
 _COLUMNS = f"path, scenario, title, seed, version, began, ended, time_s, bytes, {', '.join((*_ADDED, *_DELAYS))}"
 
 
+_PATH = "cast(? as text)"
+"""Parameter for a path. Its bytes are stored as a text, because a path may have bytes that are not UTF-8."""
+
+
 class Entry(msgspec.Struct, frozen=True):
     """Recording in the list."""
 
     path: str
+    """Path of the file, by which it can be opened; to show it, use `encodable`."""
     scenario: str
     title: str
     seed: int
@@ -98,8 +103,9 @@ class Index:
         trial = (opening.participant, opening.condition, ", ".join(opening.changes), "", "")
         with self._open() as database:
             database.execute(
-                f"insert or replace into recordings ({_COLUMNS}) values ({', '.join('?' * len(_COLUMNS.split(',')))})",
-                (str(path.absolute()), *row, *trial, None, None, None),
+                f"insert or replace into recordings ({_COLUMNS}) "
+                f"values ({', '.join([_PATH, *'?' * _COLUMNS.count(',')])})",
+                (_key(path), *row, *trial, None, None, None),
             )
 
     def end(
@@ -116,14 +122,14 @@ class Index:
         with self._open() as database:
             database.execute(
                 "update recordings set ended = ?, time_s = ?, bytes = ?, chain = ?, grade = ?, late_steps = ?, "
-                "worst_s = ?, lost_s = ? where path = ?",
-                (ended, time_s, size, chain, grade, *_delay_columns(delays).values(), str(path.absolute())),
+                f"worst_s = ?, lost_s = ? where path = {_PATH}",
+                (ended, time_s, size, chain, grade, *_delay_columns(delays).values(), _key(path)),
             )
 
     def chain_of(self, path: Path) -> str:
         """Return the head of the hash chain with which a recording ended; empty if the list does not have it."""
         with self._open() as database:
-            row = database.execute("select chain from recordings where path = ?", (str(path.absolute()),)).fetchone()
+            row = database.execute(f"select chain from recordings where path = {_PATH}", (_key(path),)).fetchone()
         return str(row[0]) if row else ""
 
     def entries(self, scenario: str = "", ended: str = "", since: str = "", participant: str = "") -> list[Entry]:
@@ -175,7 +181,8 @@ class Index:
     def forget(self, entries: list[Entry]) -> None:
         """Remove entries from the list, without deleting their files."""
         with self._open() as database:
-            database.executemany("delete from recordings where path = ?", [(entry.path,) for entry in entries])
+            keys = [(_key(Path(entry.path)),) for entry in entries]
+            database.executemany(f"delete from recordings where path = {_PATH}", keys)
 
     def delete(self, entries: list[Entry]) -> None:
         """Delete the entries' files, and remove the entries from the list.
@@ -198,6 +205,7 @@ class Index:
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
             database = sqlite3.connect(self.path, timeout=BUSY_S)
+            database.text_factory = os.fsdecode
             try:
                 with database:
                     _make_table(database)
@@ -206,6 +214,11 @@ class Index:
                 database.close()
         except (OSError, sqlite3.Error, UnicodeError) as error:
             raise RecordingError(f"{self.path}: the list of recordings cannot be used: {error}") from None
+
+
+def _key(path: Path) -> bytes:
+    """Return the path of a recording as it identifies the recording in the list."""
+    return os.fsencode(path.absolute())
 
 
 def _make_table(database: sqlite3.Connection) -> None:

@@ -109,7 +109,8 @@ def verify(
         listed: head of the hash chain as the list of recordings has it (`Index.chain_of`); empty if unknown.
 
     Raises:
-        RecordingError: the file is not a recording, is damaged, or cannot be re-simulated by this version.
+        RecordingError: the file is not a recording, is damaged, has no control step, or cannot be re-simulated by this
+            version.
     """
     recording = Recording(path)
     opening = recording.opening
@@ -123,6 +124,8 @@ def verify(
                     stepped(sim)
                 if progress is not None and check.frames % 256 == 0:
                     progress(recording.share)
+        if not check.frames:
+            raise RecordingError(f"{path}: ends before its first step; there is nothing to compare", "empty")
     except RecordingError:
         raise
     except AftdeckError as error:

@@ -18,6 +18,7 @@ import foxglove
 import msgspec
 from foxglove.mcap import MCAPCompression, MCAPWriteOptions
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.chain import Chain
@@ -234,7 +235,7 @@ class Recorder:
 
     def _fail(self, why: str) -> None:
         if not self.failure:
-            self.failure = f"{self.path or 'viewers'}: recording stopped, the run continues: {why}"
+            self.failure = encodable(f"{self.path or 'viewers'}: recording stopped, the run continues: {why}")
 
     def _work(self) -> None:
         if self._after is not None:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
-from aftdeck.errors import InputError
+from aftdeck.encodable import encodable
 from aftdeck.recording.reader import Recording
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.extra import needed
 from aftdeck.report.metric import Metric, Value
 from aftdeck.report.new_file import TABLE_ENDINGS, check_new_file
+from aftdeck.whole_file import new_file, write_new
 
 Cell = bool | int | float | str | None
 Row = dict[str, Cell]
@@ -30,7 +32,7 @@ def row_of(recording: Recording, metrics: Mapping[Metric, Value]) -> Row:
     """
     opening = recording.opening
     run: Row = {
-        "recording": str(recording.path),
+        "recording": encodable(recording.path),
         "scenario": opening.scenario,
         "participant": opening.participant,
         "condition": opening.condition,
@@ -61,19 +63,18 @@ def write_table(rows: Sequence[Row], file: Path) -> None:
     """
     check_new_file(file, TABLE_ENDINGS)
     names = [*RUN_COLUMNS, *(metric.column for metric in METRICS)]
-    try:
-        if file.suffix == ".parquet":
-            _write_parquet(rows, names, file)
-            return
-        with file.open("x", newline="", encoding="utf-8") as out:
-            table = csv.DictWriter(out, names)
-            table.writeheader()
-            table.writerows(rows)
-    except OSError as error:
-        raise InputError(f"cannot write {file}: {error.strerror or error}") from None
+    if file.suffix == ".parquet":
+        with new_file(file) as out:
+            _write_parquet(rows, names, out)
+        return
+    text = io.StringIO(newline="")
+    table = csv.DictWriter(text, names)
+    table.writeheader()
+    table.writerows(rows)
+    write_new(file, text.getvalue())
 
 
-def _write_parquet(rows: Sequence[Row], names: Sequence[str], file: Path) -> None:
+def _write_parquet(rows: Sequence[Row], names: Sequence[str], file: BinaryIO) -> None:
     """Write a Parquet file; a column is text if it describes the run or a metric without a number, else a double."""
     arrow: Any = needed("pyarrow")
     texts = {*RUN_COLUMNS, *(metric.column for metric in METRICS if metric.is_text)}

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from aftdeck.dimensions import KEY, derive_from, has_formulas
+from aftdeck.encodable import encodable
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Changes, Problem, Text, examine, find_toml, read, sentences
 from aftdeck.law import interpreted
@@ -62,7 +63,8 @@ def find_scenario(name_or_path: str | Path) -> Source:
     """
     names = "scenario", "scenarios"
     path = find_toml(name_or_path, BUILT_IN, built_in(), names, lambda text: ScenarioError([text]))
-    return Source(read(path).text, path.stem, path.name, path.parent)
+    file = read(path)
+    return Source(file.text, encodable(path.stem), file.name, path.parent)
 
 
 def load_scenario(name_or_path: str | Path, changes: GivenChanges | None = None) -> Scenario:

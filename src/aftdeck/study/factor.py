@@ -121,11 +121,12 @@ def _keys(spec: FactorSpec, problems: list[Problem]) -> Iterator[Key]:
 
 
 def _named_levels(spec: FactorSpec, problems: list[Problem]) -> Iterator[Level]:
-    names = [level.name for level in spec.level]
+    names: set[str] = set()
     for i, level in enumerate(spec.level):
         where: Where = ("level", i)
-        if names.index(level.name) != i:
+        if level.name in names:
             problems.append(Problem((*where, "name"), f"the name {level.name!r} occurs twice"))
+        names.add(level.name)
         changes = []
         for text, value in level.set.items():
             try:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.files import Problem, Text, Where, beside, examine, find_toml, read, sentences
 from aftdeck.operators.spec import OperatorSpec
@@ -73,7 +74,7 @@ def load_study(name_or_path: str | Path) -> Study:
     """
     names = "study", "studies"
     path = find_toml(name_or_path, BUILT_IN, built_in(), names, lambda text: ScenarioError([text]))
-    return parse_study(read(path), path.stem, path.parent)
+    return parse_study(read(path), encodable(path.stem), path.parent)
 
 
 def parse_study(source: Text, name: str, folder: Path) -> Study:

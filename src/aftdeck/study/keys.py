@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import Any, Literal, NamedTuple, cast
 
 from aftdeck.arms.model import ArmFile
 from aftdeck.errors import AftdeckError, InputError
-from aftdeck.files import Text, Where, examine, place
+from aftdeck.files import Text, Where, place, put, raw_contents
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.scenario.changes import parse_change
 from aftdeck.scenario.schema import ScenarioFile
-from aftdeck.schema_check import problems_of
+from aftdeck.schema_check import problems_of, unreadable
 from aftdeck.study.schema import MonitorsSpec
 from aftdeck.worksite.file.schema import WorksiteFile
 
@@ -76,7 +77,8 @@ def of_kind(changes: Iterable[Change], kind: Kind) -> dict[Where, object]:
 def problem_of(change: Change, texts: Mapping[Kind, Iterable[Text]], tables: Mapping[Kind, dict[str, Any]]) -> str:
     """Return why a change cannot be made; "" if the types of the file allow it.
 
-    Only the changed place is checked. Values that contradict each other are found when the scenario is built.
+    Only the changed place is checked, because a study may have thousands of changes. Values that contradict each other
+    are found when the scenario is built.
 
     Args:
         change: the change.
@@ -88,7 +90,7 @@ def problem_of(change: Change, texts: Mapping[Kind, Iterable[Text]], tables: Map
         return ""  # an expression, which is computed when the scenario is built
     if key.kind in tables:
         schema = OperatorSpec if key.kind == "operator" else MonitorsSpec
-        return _wrong(key, problems_of(tables[key.kind] | {str(key.where[0]): value}, schema))
+        return _wrong(key, key.where, problems_of(tables[key.kind] | {str(key.where[0]): value}, schema))
     found = [_problem_in(text, change) for text in texts[key.kind]]
     return found[0] if all(found) else ""
 
@@ -97,15 +99,54 @@ def _problem_in(text: Text, change: Change) -> str:
     """Return why a change of a file cannot be made; "" if the types of the file allow it."""
     key, value = change
     try:
-        _, problems = examine(_FILES[key.kind], text, {key.where: value})
+        around = _copy(_contents(text), key.where)
+        put(around, key.where, value)
     except AftdeckError as error:
         return _LINE.sub("", str(error).splitlines()[0])
-    return _wrong(key, [(problem.where, problem.what) for problem in problems])
+    at = _alone(around, key.where)
+    return _wrong(key, at, [*unreadable(value, at), *problems_of(around, _FILES[key.kind])])
 
 
-def _wrong(key: Key, problems: Iterable[tuple[Where, str]]) -> str:
-    """Return the first problem at the place of a key."""
-    return next((f"{key.text}: {what}" for where, what in problems if _same(where, key.where)), "")
+@lru_cache(maxsize=64)
+def _contents(text: Text) -> dict[str, Any]:
+    """Return a file's raw contents, which the caller does not change."""
+    return raw_contents(text)
+
+
+def _copy(contents: dict[str, Any], where: Where) -> dict[str, Any]:
+    """Return contents that can be changed at one place only: what does not contain this place is not copied.
+
+    Other outermost tables and lists are left out, because the type of the place depends on plain values at most.
+    """
+    copy = {name: item for name, item in contents.items() if name == where[0] or not isinstance(item, dict | list)}
+    table: Any = copy
+    for part in where[:-1]:
+        try:
+            table[part] = table[part].copy()
+        except (AttributeError, LookupError, TypeError):
+            break  # no such place: `put` makes it, or tells why not
+        table = table[part]
+    return copy
+
+
+def _alone(contents: dict[str, Any], where: Where) -> Where:
+    """Remove the other tables from each list of tables that contains a place; return where the place is then."""
+    table: Any = contents
+    at: list[str | int] = []
+    for part in where:
+        inner = table[part]
+        if isinstance(part, int) and isinstance(inner, dict):
+            table[:] = [inner]
+            at.append(0)
+        else:
+            at.append(part)
+        table = inner
+    return tuple(at)
+
+
+def _wrong(key: Key, at: Where, problems: Iterable[tuple[Where, str]]) -> str:
+    """Return the first problem at a place, which is that of a key."""
+    return next((f"{key.text}: {what}" for where, what in problems if _same(where, at)), "")
 
 
 def _same(found: Where, changed: Where) -> bool:

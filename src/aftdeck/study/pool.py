@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import multiprocessing.connection
 import signal
+import subprocess
 import time
 from collections import deque
 from collections.abc import Iterator, Sequence
@@ -37,9 +39,10 @@ class _Worker(Child):
 
     def end_of_process(self) -> str:
         """Wait for the end of a process that has closed its pipe, and return the reason in words."""
-        self.process.join(5.0)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self.process.wait(5.0)
         self.kill()
-        code = self.process.exitcode or 0
+        code = self.process.returncode
         return f"signal {-code} ({signal.Signals(-code).name})" if code < 0 else f"exit code {code}"
 
 
@@ -70,12 +73,12 @@ class Pool:
     @property
     def busy(self) -> tuple[int, ...]:
         """Process ids of the workers that run a job."""
-        return tuple(worker.process.pid or 0 for worker in self._workers if worker.job is not None)
+        return tuple(worker.process.pid for worker in self._workers if worker.job is not None)
 
     @property
     def pids(self) -> tuple[int, ...]:
         """Process ids of the workers."""
-        return tuple(worker.process.pid or 0 for worker in self._workers)
+        return tuple(worker.process.pid for worker in self._workers)
 
     def run(self, jobs: Sequence[Job]) -> Iterator[Finished]:
         """Run jobs and yield them as they finish.

@@ -11,6 +11,17 @@ from aftdeck.study.case import Outcome
 from aftdeck.study.file import Study
 from aftdeck.study.table import results_table, times_table
 
+CLOSED = {
+    "enable_external_access": "false",
+    "python_enable_replacements": "false",
+    "temp_directory": "",
+    "lock_configuration": "true",
+}
+"""Configuration of DuckDB in which a question reads the tables alone: no file, no network, no variable of Python.
+
+A question may come with a stranger's study, and cannot change this configuration.
+"""
+
 
 class Answer(NamedTuple):
     """Answer to a question: names of the columns, and the rows."""
@@ -23,10 +34,10 @@ def ask(study: Study, outcomes: Sequence[Outcome], sql: str) -> Answer:
     """Return the answer to a question about the tables `results` and `times`.
 
     Raises:
-        InputError: the SQL is wrong, or DuckDB or pyarrow is not installed.
+        InputError: the SQL is wrong or asks for anything else, such as a file; or DuckDB or pyarrow is not installed.
     """
     duckdb: Any = needed("duckdb")
-    with duckdb.connect() as base:
+    with duckdb.connect(config=CLOSED) as base:
         base.register("results", results_table(study, [outcome.row for outcome in outcomes]))
         base.register("times", times_table(outcomes))
         try:

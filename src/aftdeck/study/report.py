@@ -16,9 +16,9 @@ from aftdeck.study.factor import Factor
 from aftdeck.study.figures import response_chart, success_chart, title_of
 from aftdeck.study.file import Study
 from aftdeck.study.statistics import effect, groups, success_rate
-from aftdeck.study.store import replace
 from aftdeck.study.worst import recording_of, worst
 from aftdeck.version import __version__
+from aftdeck.whole_file import write_whole
 
 REPORT = "report.html"
 """File of the report."""
@@ -35,7 +35,7 @@ def write_report(study: Study, outcomes: Sequence[Outcome], folder: Path) -> Non
         InputError: the file cannot be written, or matplotlib is not installed.
     """
     rows = [outcome.row for outcome in outcomes]
-    replace(folder / REPORT, page(study, rows, folder).encode())
+    write_whole(folder / REPORT, page(study, rows, folder))
 
 
 def page(study: Study, rows: Sequence[Row], folder: Path) -> str:

@@ -17,12 +17,13 @@ from types import TracebackType
 
 import msgspec
 
-from aftdeck.errors import AftdeckError, InputError
+from aftdeck.errors import AftdeckError
 from aftdeck.law import state_of_the_laws
 from aftdeck.study.case import Outcome
 from aftdeck.study.file import Study
 from aftdeck.study.rows import RowCheck
 from aftdeck.version import __version__
+from aftdeck.whole_file import write_whole
 
 LINES, LOCK, COPY, ABOUT = "cases.jsonl", "lock", "study.toml", "study.json"
 """Files of a store: a line for each case, the lock, a copy of the study file, and what the results depend on."""
@@ -123,7 +124,7 @@ class Store:
         """Forget the cases that ended with an error, so that they run again."""
         self._outcomes = {index: outcome for index, outcome in self._outcomes.items() if not outcome.row["error"]}
         lines, self._head = _lines(self._outcomes.values(), _first(self._study))
-        replace(self.folder / LINES, lines)
+        write_whole(self.folder / LINES, lines)
         os.close(self._file)
         self._file = os.open(self.folder / LINES, os.O_RDWR | os.O_APPEND)
 
@@ -180,22 +181,8 @@ def check_about(folder: Path, study: Study) -> bool:
 
 def _describe(folder: Path, study: Study) -> None:
     """Write what the results depend on, and a copy of the study file."""
-    replace(folder / COPY, study.source.text.encode())
-    replace(folder / ABOUT, msgspec.json.format(msgspec.json.encode(about(study)), indent=2) + b"\n")
-
-
-def replace(path: Path, data: bytes) -> None:
-    """Write a file so that it is complete or unchanged at every moment.
-
-    Raises:
-        InputError: the file cannot be written.
-    """
-    new = path.with_name(f".{path.name}.new")
-    try:
-        new.write_bytes(data)
-        os.replace(new, path)
-    except OSError as error:
-        raise InputError(f"cannot write {path}: {error.strerror or error}") from None
+    write_whole(folder / COPY, study.source.text)
+    write_whole(folder / ABOUT, msgspec.json.format(msgspec.json.encode(about(study)), indent=2) + b"\n")
 
 
 def _first(study: Study) -> str:

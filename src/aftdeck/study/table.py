@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -16,8 +15,8 @@ from aftdeck.study.case import Outcome
 from aftdeck.study.columns import ABOUT, NUMERIC, OUTCOME
 from aftdeck.study.factor import Factor
 from aftdeck.study.file import Study
-from aftdeck.study.store import replace
 from aftdeck.version import __version__
+from aftdeck.whole_file import whole_file
 
 RESULTS, TIMES = "results.parquet", "times.parquet"
 """Files of the tables: the results, and how long they took, which differs from run to run."""
@@ -67,9 +66,8 @@ def write_tables(study: Study, outcomes: Sequence[Outcome], folder: Path) -> Non
 
 def _write(table: Any, path: Path) -> None:
     parquet: Any = needed("pyarrow.parquet")
-    data = io.BytesIO()
-    parquet.write_table(table, data, compression="zstd")
-    replace(path, data.getvalue())
+    with whole_file(path) as file:
+        parquet.write_table(table, file, compression="zstd")
 
 
 def _fields(study: Study, arrow: Any) -> list[tuple[str, Any, dict[str, str]]]:

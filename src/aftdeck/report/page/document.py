@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import NamedTuple
 
+from aftdeck.report.page.policy import hash_source, policy_element
+
 _STYLE = """
 :root { color-scheme: light; }
 body { font: 15px/1.5 system-ui, sans-serif; color: #22282e; background: #fff; max-width: 72rem; margin: 2rem auto;
@@ -23,6 +25,7 @@ tr.warning td { color: #a8322f; } tr.caution td { color: #8a5a00; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 3px; }
 .charts.whole { grid-template-columns: 1fr; }
 figure { margin: 0; } figure svg, figure img { width: 100%; height: auto; display: block; }
+figure svg * { stroke-linejoin: round; stroke-linecap: butt; }
 figcaption { font-size: .88rem; color: #4a525a; margin: .2rem 0 .6rem; }
 .facts { display: flex; flex-wrap: wrap; gap: .6rem 2.4rem; margin: 1rem 0; } .facts div { min-width: 7rem; }
 .facts b { display: block; font-size: 1.25rem; font-weight: 600; } .facts span { color: #5b6770; font-size: .88rem; }
@@ -32,10 +35,14 @@ summary { cursor: pointer; margin: .6rem 0; }
 
 
 def document(title: str, body: Iterable[str]) -> str:
-    """Return a whole page; `body` is HTML, the title a text."""
+    """Return a whole page; `body` is HTML, the title a text.
+
+    The page runs no script and requests nothing. Its style element is the only one; the charts have style attributes.
+    """
     name, parts = escape(title), "\n".join(body)
+    policy = policy_element("style-src 'unsafe-inline'", f"style-src-elem {hash_source(_STYLE)}")
     return (
-        f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n{policy}\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{name}</title>\n'
         f"<style>{_STYLE}</style>\n</head>\n<body>\n{parts}\n</body>\n</html>\n"
     )

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.reader import Recording
@@ -89,7 +90,7 @@ class Gathered:
     @property
     def title(self) -> str:
         """Title of the run: the name of its file."""
-        return self.recording.path.stem
+        return encodable(self.recording.path.stem)
 
 
 def gathered(recording: Recording) -> Gathered:

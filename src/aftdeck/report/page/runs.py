@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from html import escape
 
+from aftdeck.encodable import encodable
 from aftdeck.report.catalogue import SUBJECTS
 from aftdeck.report.grade import faults, grade
 from aftdeck.report.intervals import mean_interval
@@ -68,7 +69,12 @@ def _together(runs: Sequence[Gathered]) -> Iterator[str]:
 
 def _run(run: Gathered) -> Iterator[str]:
     opening = run.recording.opening
-    about = [run.recording.path.name, opening.participant, opening.condition, opening.began[:19].replace("T", " ")]
+    about = [
+        encodable(run.recording.path.name),
+        opening.participant,
+        opening.condition,
+        opening.began[:19].replace("T", " "),
+    ]
     yield f"<h1>{escape(_headline(run))}</h1>"
     yield f'<p class="note">{escape(" · ".join(filter(None, about)))} · Aftdeck {escape(__version__)}</p>'
     found = [(text_of(metric, run.metrics[metric].number), metric.title) for metric in FACTS if metric in run.metrics]

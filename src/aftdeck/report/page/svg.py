@@ -62,5 +62,7 @@ def chart(
         draw(figure.add_subplot())
         figure.savefig(out, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     text = out.getvalue()
-    text = re.sub(r"<metadata>.*?</metadata>", "", text[text.index("<svg") :], flags=re.DOTALL)
+    text = text[text.index("<svg") :]
+    for part in ("metadata", "style"):  # the page's own style has what matplotlib's says
+        text = re.sub(f"<{part}.*?</{part}>", "", text, flags=re.DOTALL)
     return text.replace("<svg ", f'<svg role="img" aria-label="{escape(what)}" ', 1)

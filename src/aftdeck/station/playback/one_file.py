@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import base64
 import gzip
-import hashlib
 import html
 import itertools
 import math
@@ -20,11 +19,15 @@ from typing import cast
 
 import msgspec
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
+from aftdeck.files import check_new
+from aftdeck.report.page.policy import hash_source, policy_element
 from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.messages.playback import BLOCK
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import verdict
+from aftdeck.whole_file import write_new
 
 LIMIT = 4_950_000
 """Largest size of the file [bytes]; most mail servers accept five megabytes."""
@@ -47,28 +50,15 @@ def write_html(path: Path, out: Path) -> None:
         out: the file to write.
 
     Raises:
-        RecordingError: the recording cannot be read or is too long, or the file exists already or cannot be written.
+        RecordingError: the recording cannot be read or is too long.
+        InputError: the file exists already or cannot be written.
         StationError: the page was not built.
     """
     page = _whole_page(built_page())
-    try:
-        taken = out.exists()
-    except OSError as error:
-        raise _unwritable(out, error) from None
-    if taken:
-        raise RecordingError(f"{out}: exists already and is not overwritten; choose another name", "exists")
+    check_new(out)
     with PlaybackStore(path) as store:
         text = _fitting(page, store, path)
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        with out.open("x", encoding="utf-8") as file:
-            file.write(text)
-    except OSError as error:
-        raise _unwritable(out, error) from None
-
-
-def _unwritable(out: Path, error: OSError) -> RecordingError:
-    return RecordingError(f"{out}: cannot be written: {error.strerror or error}", "unwritable")
+    write_new(out, text)
 
 
 def _fitting(page: str, store: PlaybackStore, path: Path) -> str:
@@ -118,7 +108,7 @@ def _rounded(value: object) -> object:
 def _filled(page: str, path: Path, index: str, blocks: list[str]) -> str:
     data = [f'<script type="text/plain" id="recording-index">{index}</script>']
     data += [f'<script type="text/plain" id="recording-{i}">{block}</script>' for i, block in enumerate(blocks)]
-    titled = page.replace("<title>Aftdeck</title>", f"<title>{html.escape(path.name)} · Aftdeck</title>", 1)
+    titled = page.replace("<title>Aftdeck</title>", f"<title>{html.escape(encodable(path.name))} · Aftdeck</title>", 1)
     head, body = titled.rsplit("</body>", 1)
     return "\n".join([head, *data, f"</body>{body}"])
 
@@ -131,17 +121,15 @@ def _whole_page(page: str) -> str:
     allowed: dict[str, list[str]] = {"script": [], "style": []}
 
     def included(kind: str, start: str, text: str) -> str:
-        allowed[kind].append(f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'")
+        allowed[kind].append(hash_source(text))
         return f"<{start}>{text}</{kind}>"
 
     notices = f'<script type="text/plain" id="notices">{_notices()}</script>'
     page = page.replace("</body>", f"{notices}\n</body>", 1)
     page = _STYLE.sub(lambda match: included("style", "style", _style(match[1])), page)
     page = _SCRIPT.sub(lambda match: included("script", 'script type="module"', _script(match[1])), page)
-    sources = "; ".join(f"{kind}-src {' '.join(hashes)}" for kind, hashes in allowed.items())
-    policy = f"default-src 'none'; {sources}; img-src data:; font-src data:; base-uri 'none'; form-action 'none'"
-    head = f'<head>\n    <meta http-equiv="Content-Security-Policy" content="{policy}" />'
-    return page.replace("<head>", head, 1)
+    sources = [f"{kind}-src {' '.join(hashes)}" for kind, hashes in allowed.items()]
+    return page.replace("<head>", f"<head>\n    {policy_element(*sources, 'font-src data:')}", 1)
 
 
 def _script(name: str) -> str:

@@ -20,6 +20,7 @@ from typing import TypeVar
 import msgspec
 from msgspec.structs import replace
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.convert import lighting_of
@@ -160,7 +161,7 @@ class PlaybackStore:
             self._pack(waiting)
         return PlaybackIndex(
             welcome=welcome_of(self._scenario, demo=True),
-            file=recording.path.name,
+            file=encodable(recording.path.name),
             began=opening.began,
             version=opening.version,
             seed=opening.seed,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from urllib.parse import urlsplit
 
 from starlette.applications import Starlette
+from starlette.datastructures import Headers
 from starlette.responses import PlainTextResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocket
@@ -14,6 +15,11 @@ from aftdeck.station.server.policy import Policy
 
 MAY_FLY = "aftdeck.may_fly"
 """Key of a scope: whether the request's address allows flying."""
+OWN_SITES = ("same-origin", "none")
+"""Values of Sec-Fetch-Site (W3C, Fetch Metadata Request Headers) of the station's own pages, and of a typed address.
+
+Servers on other ports of the same machine are ``same-site``.
+"""
 FOREIGN = "only this station's own pages may send requests\n"
 NO_KEY = (
     "This address has no key. Ask the person who started the station for the whole address; one address is for flying, "
@@ -45,11 +51,21 @@ class OwnPagesOnly:
         return await self._app(inner, receive, send)
 
     def _own(self, scope: Scope) -> bool:
-        headers = {name: value.decode("latin-1") for name, value in scope["headers"]}
-        host = headers.get(b"host", "")
-        origin = headers.get(b"origin")
+        headers = Headers(scope=scope)
+        host = headers.get("host", "")
+        origin = headers.get("origin")
         own_origin = origin is None or origin in (f"http://{host}", f"https://{host}")
-        return own_origin and self._access.accepts(_host_name(f"//{host}"))
+        return own_origin and not _sent_elsewhere(headers) and self._access.accepts(_host_name(f"//{host}"))
+
+
+def _sent_elsewhere(headers: Headers) -> bool:
+    """Return whether a browser says that another site's page sends this request, and not to open the station.
+
+    A browser sends no Origin with a request for a picture or a script. A link of another page may open the station in a
+    whole tab: such a request reads nothing, and the other page cannot repeat it unseen.
+    """
+    opens = headers.get("sec-fetch-mode") == "navigate" and headers.get("sec-fetch-dest", "document") == "document"
+    return headers.get("sec-fetch-site", "none") not in OWN_SITES and not opens
 
 
 async def _reject(response: Response, scope: Scope, receive: Receive, send: Send) -> None:

@@ -19,6 +19,9 @@ from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 
+GATHER_S = 0.05
+"""Time for which requests for pictures are gathered [s]."""
+
 
 class Connected(Protocol):
     """Interface through which `Pages` uses a page.
@@ -56,6 +59,7 @@ class Pages:
         self.windows: set[Connected] = set()
         self.polygons: dict[Connected, tuple[from_page.PolygonPicture, ...]] = {}
         self.fresh = asyncio.Event()
+        self._gathering = False
         self.change: asyncio.Task[None] | None = None
 
     @property
@@ -75,9 +79,16 @@ class Pages:
     def show_polygons(self, page: Connected, pictures: tuple[from_page.PolygonPicture, ...]) -> None:
         """Draw these pictures in the look of 1972 for a page.
 
-        A camera is drawn once for all pages, as high as the highest of its pictures.
+        A camera is drawn once for all pages, as high as the highest of its pictures. All requests within `GATHER_S`
+        take effect together, because a page may ask hundreds of times a second.
         """
         self.polygons[page] = pictures
+        if not self._gathering:
+            self._gathering = True
+            asyncio.get_running_loop().call_later(GATHER_S, self._want_polygons)
+
+    def _want_polygons(self) -> None:
+        self._gathering = False
         aspects: dict[str, float] = {}
         for picture in itertools.chain.from_iterable(self.polygons.values()):
             aspects[picture.camera] = min(picture.aspect, aspects.get(picture.camera, math.inf))

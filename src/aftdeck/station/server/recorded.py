@@ -14,6 +14,7 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, Router
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
 from aftdeck.recording.index import Entry, Index
 from aftdeck.station.messages.playback import Recorded
@@ -108,7 +109,7 @@ class Recordings:
         """Return the router that plays a recording, when the recording is read.
 
         Args:
-            file: name of the recording's file.
+            file: name of the recording, as the list shows it.
             fresh: true if a page opens the recording now. The file is then read again if its size has changed.
 
         Raises:
@@ -116,16 +117,27 @@ class Recordings:
             OSError: the file does not exist.
             ValueError: the name contains a character that no file's name can contain.
         """
-        path = self._folder / file
-        if path.name != file or path.suffix != ".mcap":
-            raise RecordingError("it is not a recording in this station's folder")
+        path = self._path(file)
         async with self._lock:
             size = path.stat().st_size
-            opened = self._open.get(file)
+            opened = self._open.get(path.name)
             if opened is None or (fresh and (opened.size != size or opened.process.ended)):
                 opened = await self._start(path, size)
         await asyncio.shield(opened.ready)
         return opened.router
+
+    def _path(self, file: str) -> Path:
+        """Return the path of the recording that the list names `file`.
+
+        Raises:
+            RecordingError: the name is not one of a recording in the folder.
+        """
+        path = self._folder / file
+        if path.name != file or path.suffix != ".mcap":
+            raise RecordingError("it is not a recording in this station's folder")
+        if path.exists():
+            return path
+        return next((found for found in self._folder.glob("*.mcap") if encodable(found.name) == file), path)
 
     async def _start(self, path: Path, size: int) -> _Opened:
         """Begin to read a recording; close an older state of it, and the recordings beyond `MAX_OPEN`."""
@@ -133,7 +145,7 @@ class Recordings:
         for file in [*others[: max(0, len(others) + 1 - MAX_OPEN)], path.name]:
             if file in self._open:
                 await self._close(file)
-        process = await PlaybackProcess.start(path)
+        process = PlaybackProcess(path)
         router = Router(routes=Player(process, f"{RECORDING_META}\n{STATION_META}").routes())
         opened = _Opened(size, process, router, asyncio.create_task(process.ready()))
         self._open[path.name] = opened
@@ -142,9 +154,9 @@ class Recordings:
 
 def _recorded(path: Path, changed: float, entry: Entry | None, *, now: bool) -> Recorded:
     """Return a file of the list; `changed` is the time of its last write [s since 1970]."""
-    when = datetime.fromtimestamp(changed, UTC).isoformat()
+    file, when = encodable(path.name), datetime.fromtimestamp(changed, UTC).isoformat()
     if entry is None:
-        return Recorded(path.name, when, now, "", None, "", "")
+        return Recorded(file, when, now, "", None, "", "")
     over = entry.ended != "recording"
     time_s, ended = (entry.time_s, entry.ended) if over else (None, "")
-    return Recorded(path.name, when, now, entry.title, time_s, ended, entry.grade)
+    return Recorded(file, when, now, entry.title, time_s, ended, entry.grade)

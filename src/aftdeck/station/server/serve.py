@@ -32,6 +32,11 @@ from aftdeck.station.session.session import Session
 LAST_PORT = 65535
 SWITCH_S = 0.0005
 """Time after which a busy thread gives way to a waiting one [s]; Python's 5 ms would delay the control steps."""
+SEND_BUFFER = 65_536
+"""Data that the system keeps for a client that has not received them yet [bytes]; a message with a frame has 8 kB.
+
+Without a limit it keeps seconds of frames: a slow page would fall behind by them, and each page costs time for them.
+"""
 _PURPOSE = {"fly": ", to fly", "watch": ", to observe"}
 COMPILING = "Compiling the steering laws, on the first start only: about half a minute."
 FAREWELL = 3.0
@@ -165,6 +170,7 @@ def listen(host: str, port: int) -> socket.socket:
     listener = socket.socket(family, kind, protocol)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
         listener.bind(address)
         listener.listen(64)
     except OSError as error:

@@ -11,11 +11,20 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from aftdeck.errors import InputError, SimulationError
+from aftdeck.station.server.allowance import Allowance
 from aftdeck.station.session.painter import PREPARING
 from aftdeck.station.session.session import Session
 
 NO_FRAME = "The run has no frame yet."
 BUSY = "Other sheets are drawn first."
+CHANGED = "Another scenario has begun; ask again."
+SHEETS_PER_SECOND, SHEETS_AT_ONCE = 5.0, 5.0
+"""Requests that are answered per second over a long time, and at once; others wait, at most `LONGEST_WAIT`.
+
+A window of the page asks once a second.
+"""
+LONGEST_WAIT = 2.0
+"""Longest time for which a request waits before it is looked at [s]."""
 MOST_WAITING = 8
 """Greatest number of requests that wait for a sheet."""
 
@@ -27,6 +36,7 @@ class SheetRoutes:
         """Draw sheets of the session that `session` returns; None: no run is ready yet."""
         self._session = session
         self._turn = asyncio.Lock()
+        self._allowed = Allowance(SHEETS_PER_SECOND, SHEETS_AT_ONCE)
         self._waiting = 0
 
     def routes(self) -> list[BaseRoute]:
@@ -35,34 +45,42 @@ class SheetRoutes:
 
     async def _sheet(self, request: Request) -> Response:
         """Return a sheet, as late as the pictures of the cameras are; a request waits for those before it."""
-        session = self._session()
-        if session is None or session.painter.newest is None:
-            return _later(NO_FRAME)
-        if not session.painter.prepare():
-            failure = session.painter.failure
-            return PlainTextResponse(f"{failure}\n", 409) if failure else _later(PREPARING)
-        if self._waiting == MOST_WAITING:
-            return _later(BUSY)
+        try:
+            await asyncio.sleep(self._allowed.turn(LONGEST_WAIT))
+            session = self._session()
+            if session is None or session.painter.newest is None:
+                return _later(NO_FRAME)
+            if not session.painter.prepare():
+                failure = session.painter.failure
+                return PlainTextResponse(f"{failure}\n", 409) if failure else _later(PREPARING)
+            if self._waiting == MOST_WAITING:
+                return _later(BUSY)
+            answer = await self._in_turn(session, request)
+            await asyncio.sleep(session.welcome.camera_delay_s)
+        except asyncio.CancelledError:  # the server ends meanwhile
+            return PlainTextResponse("the station has ended\n", 503)
+        return answer
+
+    async def _in_turn(self, session: Session, request: Request) -> Response:
+        """Return a sheet after those that were requested before."""
         self._waiting += 1
         try:
             async with self._turn:
-                answer = Response() if await request.is_disconnected() else await _made(session, request)
+                return Response() if await request.is_disconnected() else await _made(session, request)
         finally:
             self._waiting -= 1
-        await asyncio.sleep(session.welcome.camera_delay_s)
-        return answer
 
 
 async def _made(session: Session, request: Request) -> Response:
     """Return the sheet of the newest frame, or why there is none."""
-    assert session.painter.newest is not None, "the run has a frame"
-    frame, light = session.painter.newest
     try:
-        svg = await run_in_threadpool(session.sheets.of, frame, request.path_params["camera"], light)
+        svg = await run_in_threadpool(session.painter.sheet, request.path_params["camera"])
     except InputError as error:
         return PlainTextResponse(f"{error}\n", 404)
     except SimulationError as error:
         return PlainTextResponse(f"No picture: {error}.\n", 409)
+    except EOFError:
+        return PlainTextResponse(f"{session.painter.failure or CHANGED}\n", 409)
     return Response(svg, media_type="image/svg+xml", headers={"Cache-Control": "no-store"})
 
 

@@ -20,18 +20,20 @@ class TerseHandler(logging.Handler):
     """Handler that prints the first of equal lines at once and counts the others.
 
     Lines are equal if their text before the insertion of values is equal, up to its first line break. Every
-    `SILENCE`, the handler prints how many equal lines there were.
+    `SILENCE`, the handler prints how many equal lines there were, and the last of them.
     """
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)
         self._more: dict[str, int] = {}
+        self._last: dict[str, str] = {}
 
     def emit(self, record: logging.LogRecord) -> None:
         """Print or count a line."""
         text = str(record.msg).partition("\n")[0]
         if text in self._more:
             self._more[text] += 1
+            self._last[text] = record.getMessage().partition("\n")[0]
         elif len(self._more) < MAX_KINDS:
             self._more[text] = 0
             print_error(self.format(record))
@@ -44,11 +46,11 @@ class TerseHandler(logging.Handler):
 
     def _report(self, text: str) -> None:
         with self.lock or logging._lock:  # type: ignore[attr-defined]
-            more = self._more.pop(text, 0)
+            more, last = self._more.pop(text, 0), self._last.pop(text, "")
             if more:
                 self._more[text] = 0
         if more:
-            print_error(f"{more} more like this in {SILENCE:g} s: {text}")
+            print_error(f"{more} more like this in {SILENCE:g} s: {last}")
             self._wait(text)
 
 

@@ -1,12 +1,12 @@
-"""Painter of a session: a thread that computes pictures in the look of 1972, while any page shows them.
+"""Painter of a session: a thread that has pictures in the look of 1972 drawn, while any page shows them.
 
-The thread draws the newest frame and skips the others, so that a slow picture does not delay the steps.
+The thread asks a process (`painting.py`) for pictures of the newest frame and skips the others, so that a slow picture
+does not delay the steps.
 """
 
 from __future__ import annotations
 
 import logging
-import subprocess
 import threading
 from collections.abc import Callable, Mapping
 
@@ -15,20 +15,21 @@ import msgspec
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.conversion.polygons_of import PolygonPictures, no_polygons
-from aftdeck.station.session.compiling import start_to_compile
+from aftdeck.station.conversion.polygons_of import no_polygons
+from aftdeck.station.session.painting import Painting, Sheet, Wanted
 
 AT_ONCE = 4
 """Greatest number of pictures that are computed of one frame; if pages show more cameras, these are drawn in turn."""
 PREPARING = "Preparing the look of 1972. The first time takes a minute or two."
 """Text on a monitor until the first picture."""
+ENDED = "the process that draws has ended; is the memory full?"
 
 _log = logging.getLogger("aftdeck.station")
 _encode = msgspec.json.Encoder().encode
 
 
 class Painter:
-    """Thread that computes pictures; it starts when a page asks for the first one.
+    """Thread that has pictures drawn; it starts when a page asks for the first one.
 
     Attributes:
         drawn: newest picture of each camera, encoded as JSON. Each new picture is a new object.
@@ -37,19 +38,19 @@ class Painter:
         notify: called in the thread after each round of pictures.
     """
 
-    def __init__(self, scenario: Scenario, make: Callable[[Scenario], PolygonPictures] = PolygonPictures) -> None:
+    def __init__(self, scenario: Scenario, start: Callable[[Scenario], Painting] = Painting) -> None:
         self.drawn: Mapping[str, bytes] = {}
         self.newest: tuple[Frame, LightCondition] | None = None
         self.notify: Callable[[], None] = lambda: None
-        self._scenario, self._make = scenario, make
+        self._scenario, self._start = scenario, start
         self._wanted: Mapping[str, float] = {}
         self.failure = ""
         self._text = PREPARING
         self._lock = threading.Lock()
         self._fresh = threading.Event()
-        self._compiled = threading.Event()
-        self._closed = threading.Event()
-        self._compiler: subprocess.Popen[bytes] | None = None
+        self._ready = threading.Event()
+        self._closed = False
+        self._painting: Painting | None = None
         self._thread: threading.Thread | None = None
 
     def want(self, wanted: Mapping[str, float]) -> None:
@@ -61,11 +62,11 @@ class Painter:
             self.prepare()
 
     def prepare(self) -> bool:
-        """Start the thread, which first compiles the laws of pictures; return whether they are compiled."""
-        if self._thread is None and not self._closed.is_set():
+        """Start the thread and its process; return whether the process can draw."""
+        if self._thread is None and not self._closed:
             self._thread = threading.Thread(target=self._run, name="painter", daemon=True)
             self._thread.start()
-        return self._compiled.is_set()
+        return self._ready.is_set()
 
     def show(self, frame: Frame, light: LightCondition) -> None:
         """Draw this frame next, in this light; without a wanted picture, only keep it."""
@@ -73,45 +74,62 @@ class Painter:
         if self._wanted:
             self._fresh.set()
 
+    def sheet(self, camera: str) -> bytes:
+        """Return the sheet of a camera in the newest frame, once `prepare` has returned True.
+
+        Raises:
+            InputError: there is no such camera.
+            SimulationError: the camera is inside a body, or the bodies cannot be put in order.
+            EOFError: the session is closed, or the process has ended.
+        """
+        assert self._painting is not None and self.newest is not None, "the process can draw, and the run has a frame"
+        return self._painting.sheet(Sheet(*self.newest, camera))
+
     def close(self) -> None:
-        """Let the thread end; do not wait for it, because it may load laws."""
-        self._closed.set()
-        if self._compiler is not None:
-            self._compiler.kill()
+        """End the process, and let the thread end."""
+        with self._lock:
+            self._closed = True
+            painting = self._painting
+        if painting is not None:
+            painting.close()
         self._fresh.set()
 
     def _run(self) -> None:
         try:
-            self._compiler = start_to_compile()
-            if self._compiler is not None:
-                self._compiler.wait()
-            if self._closed.is_set():
-                return
-            self._compiled.set()
-            pictures, turn = self._make(self._scenario), 0
+            painting = self._start(self._scenario)
+            with self._lock:
+                self._painting, closed = painting, self._closed
+            if closed:
+                return painting.close()
+            painting.wait()
+            self._ready.set()
+            turn = 0
             while True:
                 self._fresh.wait()
                 self._fresh.clear()
-                if self._closed.is_set():
-                    return
-                turn = self._draw(pictures, turn)
+                if self._closed:
+                    return None
+                turn = self._draw(painting, turn)
                 self.notify()
         except Exception as error:  # any error must reach the monitors
+            if self._closed:
+                return None
             with self._lock:
-                self.failure = self._text = f"The look of 1972 has failed: {error}"
+                why = ENDED if isinstance(error, EOFError) else error
+                self.failure = self._text = f"The look of 1972 has failed: {why}"
                 self._publish({})
             self.notify()
             _log.exception("the look of 1972 has failed")
 
-    def _draw(self, pictures: PolygonPictures, turn: int) -> int:
-        """Compute at most `AT_ONCE` pictures, beginning with camera number `turn`; return the next number."""
+    def _draw(self, painting: Painting, turn: int) -> int:
+        """Have at most `AT_ONCE` pictures drawn, beginning with camera number `turn`; return the next number."""
         wanted, newest = self._wanted, self.newest
         if not wanted or newest is None:
             return 0
-        (frame, light), names, drawn = newest, list(wanted), {}
+        names = list(wanted)
         count = min(AT_ONCE, len(names))
-        for name in [names[(turn + k) % len(names)] for k in range(count)]:
-            drawn[name] = _encode(pictures.of(frame, name, wanted[name], light))
+        chosen = [names[(turn + k) % len(names)] for k in range(count)]
+        drawn = painting.pictures(Wanted(*newest, {name: wanted[name] for name in chosen}))
         with self._lock:
             self._text = ""
             self._publish(drawn)

@@ -52,7 +52,6 @@ from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInp
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
-from aftdeck.station.session.sheets import Sheets
 from aftdeck.station.session.task_run import TaskRun
 from aftdeck.station.session.unattended import safe_inputs
 
@@ -79,8 +78,7 @@ class Session:
         log: events of all runs of the session.
         delays: delays of the control steps of the present run.
         newest: newest frame, encoded as JSON; empty before the first step.
-        painter: painter of the pictures in the look of 1972.
-        sheets: sheets that show what decides the order of a camera's picture.
+        painter: painter of the pictures in the look of 1972, and of the sheets that explain them.
     """
 
     def __init__(
@@ -122,7 +120,6 @@ class Session:
         self.log = Log()
         self.newest = b""
         self.painter = Painter(scenario)
-        self.sheets = Sheets(scenario)
         self._lights = {condition.name: condition for condition in conditions()}
         self._lock = threading.Lock()
         self._inputs = PageInputs(scenario.delay)

@@ -1,0 +1,17 @@
+"""Content policy of a page that is one file: what a browser lets the page do."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+
+
+def hash_source(text: str) -> str:
+    """Return the source of a content policy that allows an inline script or style with this text, and no other."""
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+
+
+def policy_element(*allowed: str) -> str:
+    """Return the HTML element of a policy that forbids everything but `allowed`, and pictures inside the file."""
+    parts = ["default-src 'none'", *allowed, "img-src data:", "base-uri 'none'", "form-action 'none'"]
+    return f'<meta http-equiv="Content-Security-Policy" content="{"; ".join(parts)}">'

@@ -1,0 +1,147 @@
+"""Process that draws pictures of a scenario, so that drawing delays no control step.
+
+Pictures and control steps need the same interpreter lock if one process makes both: a sheet would delay some steps by a
+tenth of a second.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from collections.abc import Mapping
+from functools import cached_property
+from multiprocessing.connection import Connection
+from typing import Any, NamedTuple
+
+import msgspec
+
+from aftdeck.errors import AftdeckError
+from aftdeck.law import compiled_before
+from aftdeck.processes import Child
+from aftdeck.scenario.light import LightCondition
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.station.conversion.polygons_of import PolygonPictures
+from aftdeck.visual.diagram import sheet
+from aftdeck.visual.scene import VisualScene
+from aftdeck.visual.warm import warm_up
+
+NICE = 10
+"""Difference between the priorities of the process and of the station."""
+
+
+class Wanted(NamedTuple):
+    """Request for pictures in the look of 1972: the frame, the light, and the aspect of each camera's picture."""
+
+    frame: Frame
+    light: LightCondition
+    aspects: Mapping[str, float]
+
+
+class Sheet(NamedTuple):
+    """Request for the sheet that shows what decides the order of a camera's picture."""
+
+    frame: Frame
+    light: LightCondition
+    camera: str
+
+
+class Painting:
+    """Process that draws for one session; its methods may be called from any thread."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        """Start the process."""
+        self._child = Child(paint, scenario, nice=NICE)
+        self._lock = threading.Lock()
+
+    @property
+    def pid(self) -> int:
+        """Number of the process in the operating system."""
+        return self._child.process.pid
+
+    def wait(self) -> None:
+        """Wait until the process can draw, which may take minutes on the first start.
+
+        Raises:
+            EOFError: the process has ended; so do the other methods.
+        """
+        with self._lock:
+            self._receive()
+
+    def pictures(self, wanted: Wanted) -> dict[str, bytes]:
+        """Return the pictures of cameras, encoded as JSON."""
+        return {name: picture for name, picture in zip(wanted.aspects, self._ask(wanted), strict=True)}
+
+    def sheet(self, wanted: Sheet) -> bytes:
+        """Return a sheet as SVG.
+
+        Raises:
+            InputError: there is no such camera.
+            SimulationError: the camera is inside a body, or the bodies cannot be put in order.
+        """
+        (svg,) = self._ask(wanted)
+        return svg
+
+    def close(self) -> None:
+        """End the process; a method that waits for it then raises an EOFError."""
+        self._child.process.kill()
+        with self._lock:
+            self._child.kill()
+
+    def _ask(self, request: Wanted | Sheet) -> list[bytes]:
+        with self._lock:
+            with contextlib.suppress(OSError):  # the process has ended, which `_receive` tells
+                self._child.pipe.send(request)
+            answer: list[bytes] | AftdeckError = self._receive()
+        if isinstance(answer, AftdeckError):
+            raise answer
+        return answer
+
+    def _receive(self) -> Any:
+        try:
+            return self._child.pipe.recv()
+        except OSError:  # the pipe is broken or closed
+            raise EOFError from None
+
+
+class Drawer:
+    """Pictures of a scenario, in the process that draws them."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._scenario = scenario
+        self._encode = msgspec.json.Encoder().encode
+
+    @cached_property
+    def _pictures(self) -> PolygonPictures:
+        return PolygonPictures(self._scenario)
+
+    @cached_property
+    def _scene(self) -> VisualScene:
+        return VisualScene(self._scenario)
+
+    def answer(self, request: Wanted | Sheet) -> list[bytes]:
+        """Return what a request asks for.
+
+        Raises:
+            InputError: there is no such camera.
+            SimulationError: a sheet cannot be drawn.
+        """
+        frame, light, _ = request
+        if isinstance(request, Sheet):
+            return [sheet(self._scene, frame, request.camera, light, self._scenario.title).encode()]
+        aspects = request.aspects.items()
+        return [self._encode(self._pictures.of(frame, camera, aspect, light)) for camera, aspect in aspects]
+
+
+def paint(pipe: Connection, scenario: Scenario) -> None:
+    """Compile the laws of pictures if this was never done; then answer requests. What the process runs."""
+    if not compiled_before("visual") and os.environ.get("NUMBA_DISABLE_JIT", "0") == "0":
+        warm_up()
+    drawer = Drawer(scenario)
+    pipe.send(None)
+    while True:
+        try:
+            pipe.send(drawer.answer(pipe.recv()))
+        except AftdeckError as error:
+            pipe.send(error)
