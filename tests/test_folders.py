@@ -44,7 +44,7 @@ def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder.mkdir()
     monkeypatch.setenv("TMPDIR", str(folder))
     monkeypatch.setattr(tempfile, "tempdir", None)
-    folders._say.cache_clear()
+    folders.say_once.cache_clear()
     return folder
 
 
@@ -103,7 +103,37 @@ def test_a_folder_for_temporary_files_replaces_one_that_cannot_be_written(
     assert str(usual) in line and str(found) in line
 
 
-@pytest.mark.parametrize("state", ["open to all", "a link", "a file"])
+@pytest.mark.parametrize("kind", ["cache", "data"])
+def test_what_is_in_the_usual_folder_is_used_even_if_it_cannot_be_written(
+    kind: Kind, usual: Path, temporary: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (usual / kind).mkdir(parents=True)
+    monkeypatch.setattr(
+        folders, "_not_writable", lambda folder: "No space left on device" if usual in folder.parents else None
+    )
+    assert user_folder(kind, "kept") != usual / kind
+    assert len(capsys.readouterr().err.splitlines()) == 1
+    (usual / kind / "kept").touch()
+    assert user_folder(kind, "kept") == usual / kind
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("kind", ["cache", "data"])
+def test_there_may_be_no_folder_for_temporary_files(
+    kind: Kind, usual: Path, temporary: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    usual.touch()
+
+    def nowhere() -> str:
+        raise FileNotFoundError(2, "No usable temporary directory found")
+
+    monkeypatch.setattr(tempfile, "gettempdir", nowhere)
+    assert user_folder(kind) is None
+    (line,) = capsys.readouterr().err.splitlines()
+    assert str(usual) in line
+
+
+@pytest.mark.parametrize("state", ["open to all", "open to read", "its cache is open to all", "a link", "a file"])
 def test_a_folder_for_temporary_files_that_others_could_fill_is_not_used(
     state: str, usual: Path, temporary: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -113,9 +143,13 @@ def test_a_folder_for_temporary_files_that_others_could_fill_is_not_used(
     own = found.parent
     found.rmdir()
     own.rmdir()
-    if state == "open to all":
+    if state.startswith("open"):
         own.mkdir()
-        own.chmod(0o777)
+        own.chmod(0o777 if state == "open to all" else 0o755)
+    elif state == "its cache is open to all":
+        own.mkdir(0o700)
+        found.mkdir()
+        found.chmod(0o777)
     elif state == "a link":
         (tmp_path / "another").mkdir()
         own.symlink_to(tmp_path / "another")
@@ -128,31 +162,34 @@ def test_a_folder_for_temporary_files_that_others_could_fill_is_not_used(
     assert str(usual) in line and str(own) in line and folders.OWN_CACHE in line
 
 
-def test_laws_run_as_plain_python_if_no_folder_can_be_written(tmp_path: Path) -> None:
+def test_commands_work_if_no_folder_can_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     closed = str(tmp_path / "file")
     code = f"import tempfile; tempfile.tempdir = {closed!r}; from aftdeck.cli import main; main()"
-    command = ["arm", "srms", "forward", "0", "0.5", "-1", "0.2", "0.1", "0"]
-    env = {**os.environ, "NUMBA_CACHE_DIR": closed}
-    done = subprocess.run(
-        [sys.executable, "-c", code, *command],
-        env=env,
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=300,
+    env = {**os.environ, "NUMBA_CACHE_DIR": closed, "XDG_DATA_HOME": closed}
+
+    def printed(command: str, code: str = code) -> str:
+        done = subprocess.run(
+            [sys.executable, "-c", code, *command.split()],
+            cwd=tmp_path,
+            env=env,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=600,
+        )
+        assert done.returncode == 0, (command, done.stderr)
+        assert all(closed in line or "list of recordings" in line for line in done.stderr.splitlines()), done.stderr
+        return done.stdout
+
+    arm = "arm srms forward 0 0.5 -1 0.2 0.1 0"
+    compiled = subprocess.run(
+        [sys.executable, "-m", "aftdeck", *arm.split()], capture_output=True, text=True, check=True, timeout=300
     )
-    (line,) = done.stderr.splitlines()
-    assert closed in line
-    compiled = subprocess.run([sys.executable, "-m", "aftdeck", *command], capture_output=True, check=True, timeout=300)
-    assert done.stdout == compiled.stdout.decode()
-    machine = "import aftdeck.law as law; law.use_briefly(); law.load(); import numba; print(numba.config.DISABLE_JIT)"
-    done = subprocess.run(
-        [sys.executable, "-c", code.replace("from aftdeck.cli import main; main()", machine)],
-        env=env,
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=300,
+    assert printed(arm) == compiled.stdout
+    printed("run uncradle --out run.mcap")
+    assert "equal" in printed(
+        "replay run.mcap", code.replace("main()", "from aftdeck.law import use_briefly; use_briefly(); main()")
     )
-    assert done.stdout == "1\n"
+    machine = "from aftdeck import law; law.use_briefly(); law.load(); import numba; print(numba.config.DISABLE_JIT)"
+    assert printed("", code.replace("from aftdeck.cli import main; main()", machine)) == "1\n"

@@ -14,7 +14,8 @@ from typing import Any
 
 import pytest
 
-from aftdeck import law, law_cache
+from aftdeck import law
+from aftdeck.folders import say_once
 from aftdeck.law_cache import LawCache
 
 SOURCE = """
@@ -131,9 +132,9 @@ def test_another_source_has_machine_code_of_its_own(laws: Laws, tmp_path: Path) 
 
 
 def test_a_folder_that_cannot_be_written_is_said_once(
-    laws: Laws, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    laws: Laws, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(law_cache, "_said", False)
+    say_once.cache_clear()
     (tmp_path / "file").touch()
     closed = Laws(tmp_path)
     closed.folder = tmp_path / "file" / "cache"

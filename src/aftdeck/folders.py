@@ -21,30 +21,39 @@ OWN_CACHE = "NUMBA_CACHE_DIR"
 _CONTENT: dict[Kind, str] = {"cache": "compiled code", "data": "the list of recordings"}
 
 
-def user_folder(kind: Kind) -> Path | None:
+def user_folder(kind: Kind, kept: str = "") -> Path | None:
     """Return the user's folder for compiled code (``cache``) or for data, which exists and can be written.
 
     If the usual folder cannot be written, the folder is one that only this user can enter, inside the system's folder
     for temporary files. A line on standard error says so, once.
 
+    Args:
+        kind: content of the folder.
+        kept: name in the usual folder; if it exists there, that folder is returned, even if it cannot be written now.
+
     Returns:
         The folder; None if neither can be written, which the line then says.
     """
-    usual = _usual(kind)
-    if usual is not None and (cause := _not_writable(usual)) is None:
+    usual = usual_folder(kind)
+    if usual is not None and ((kept and os.path.exists(usual / kept)) or (cause := _not_writable(usual)) is None):
         return usual
     because = "this user has no home folder" if usual is None else f"{usual} cannot be written ({cause})"
-    other = _temporary() / kind
-    if (cause := _not_own(other.parent) or _not_writable(other)) is None:
-        _say(f"{_CONTENT[kind]} is kept in {other}, because {because}")
+    try:
+        other = _temporary() / kind
+    except OSError:
+        say_once(
+            f"{_CONTENT[kind]} is not kept, because {because}, and there is no folder for temporary files{_cure(kind)}"
+        )
+        return None
+    if (cause := _not_own(other.parent) or _not_own(other) or _not_writable(other)) is None:
+        say_once(f"{_CONTENT[kind]} is kept in {other}, because {because}")
         return other
-    cure = f"; name a folder by {OWN_CACHE}" if kind == "cache" else ""
-    _say(f"{_CONTENT[kind]} is not kept, because {because}, and {other} neither ({cause}){cure}")
+    say_once(f"{_CONTENT[kind]} is not kept, because {because}, and {other} neither ({cause}){_cure(kind)}")
     return None
 
 
-def _usual(kind: Kind) -> Path | None:
-    """Return the usual folder; None if the user has no home folder."""
+def usual_folder(kind: Kind) -> Path | None:
+    """Return the folder of a user with a home folder, whether it exists or not; None if there is no home folder."""
     if kind == "cache" and (own := os.environ.get(OWN_CACHE)):
         return Path(own)
     make = platformdirs.user_cache_dir if kind == "cache" else platformdirs.user_data_dir
@@ -56,10 +65,14 @@ def _usual(kind: Kind) -> Path | None:
 
 
 @functools.cache
-def _say(sentence: str) -> None:
+def say_once(sentence: str) -> None:
     """Print a sentence once; a process that another one of this program has started leaves this to the first one."""
     if multiprocessing.parent_process() is None:
         print_line(sentence, sys.stderr)
+
+
+def _cure(kind: Kind) -> str:
+    return f"; name a folder by {OWN_CACHE}" if kind == "cache" else ""
 
 
 def _temporary() -> Path:
@@ -84,9 +97,9 @@ def _not_own(folder: Path) -> str | None:
     """
     try:
         folder.mkdir(mode=0o700, exist_ok=True)
-        found = folder.lstat()
+        found = folder.stat(follow_symlinks=False)
     except OSError as error:
         return error.strerror or type(error).__name__
     if not stat.S_ISDIR(found.st_mode) or (hasattr(os, "getuid") and found.st_uid != os.getuid()):
         return "it belongs to another user"
-    return "other users can write into it" if hasattr(os, "getuid") and found.st_mode & 0o022 else None
+    return "other users can enter it" if hasattr(os, "getuid") and found.st_mode & 0o077 else None

@@ -98,7 +98,7 @@ class _Declared:
 
 
 def _as_python(function: Callable[..., Any], *given: Any) -> Any:
-    """Call a law as plain Python: divisions by zero and the types of the result are those of compiled code."""
+    """Call a law as plain Python: divisions by zero are those of compiled code, and the numbers are Python's."""
     if _here.nested:
         return function(*given)
     _here.nested = True
@@ -194,7 +194,7 @@ def load() -> None:
     with _loading:
         if _waiting is None:
             return
-        if _briefly and cache_folder() is None:
+        if _briefly and "numba" not in sys.modules and cache_folder() is None:
             os.environ["NUMBA_DISABLE_JIT"] = "1"  # Numba reads it when it is imported; other processes inherit it
         compiled = {id(declared): declared.compiled for declared in _waiting}
         for module in list(sys.modules.values()):
@@ -219,7 +219,7 @@ def _compiled(function: Callable[_P, _R], *, fused: bool, inlined: bool) -> Call
     if compiled is function:  # NUMBA_DISABLE_JIT
         return cast("Callable[_P, _R]", functools.wraps(function)(functools.partial(_as_python, function)))
     folder = None if fused else cache_folder()  # the cache does not distinguish the two versions of a law
-    if folder is not None:
+    if folder is not None and Path(function.__code__.co_filename).is_file():
         compiled._cache = LawCache(function, folder)
     return cast("Callable[_P, _R]", compiled)
 
@@ -253,10 +253,11 @@ def cache_folder() -> Path | None:
 
     Also delete the folders of other versions that have been unused for more than `_KEPT`.
     """
-    home = user_folder("cache")
+    name = f"laws-{state_of_the_laws()}"
+    home = user_folder("cache", name)
     if home is None:
         return None
-    folder = home / f"laws-{state_of_the_laws()}"
+    folder = home / name
     with contextlib.suppress(OSError):
         folder.mkdir(exist_ok=True)
         folder.touch()

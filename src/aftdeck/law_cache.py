@@ -1,7 +1,8 @@
 """Machine code of laws on disk.
 
 A damaged file is one that is not there: the law is compiled again, and the file written again. Numba's own cache raises
-errors of its format instead, and runs machine code that was damaged in the file.
+errors of its format instead, and runs machine code that was damaged in the file. The digest in a file shows damage, not
+forgery: nobody else may be able to write into the folder.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from aftdeck.errors import InputError
-from aftdeck.lines import print_line
+from aftdeck.folders import say_once
 from aftdeck.whole_file import write_whole
 
 ENDING = ".law"
@@ -57,7 +58,7 @@ class LawCache:
         if hashlib.sha256(data[_SEAL:]).digest() != data[:_SEAL]:
             return None
         try:
-            kept, result = pickle.loads(data[_SEAL:])  # the seal holds: this program wrote the data
+            kept, result = pickle.loads(data[_SEAL:])  # not damaged
             return _numba("compiler").CompileResult._rebuild(target, *result) if kept == signature else None
         except Exception:  # whatever another version of Numba raises: compile again
             return None
@@ -69,8 +70,8 @@ class LawCache:
         data = _numba("serialize").dumps((signature, compiled._reduce()))
         try:
             write_whole(self._path(signature, compiled.codegen), hashlib.sha256(data).digest() + data)
-        except InputError as error:
-            _say(error)
+        except InputError:
+            say_once(f"compiled code cannot be written into {self._folder.parent}; it is compiled again at each start")
 
     def _path(self, signature: Any, codegen: Any) -> Path:
         cells = [cell.cell_contents for cell in self._law.__closure__ or ()]
@@ -94,14 +95,3 @@ def _numba(module: str) -> Any:
 @functools.cache
 def _digest_of(source: str) -> str:
     return hashlib.sha256(Path(source).read_bytes()).hexdigest()
-
-
-_said = False
-"""Whether this process has said that it cannot write."""
-
-
-def _say(error: InputError) -> None:
-    global _said  # noqa: PLW0603
-    if not _said:
-        _said = True
-        print_line(f"compiled code is not kept: {error}; it is compiled again at the next start", sys.stderr)

@@ -60,6 +60,20 @@ def test_a_copied_simulation_goes_on_as_the_original(name: str, plant: str, way:
     assert original.seal() == stays != copied.seal()
 
 
+class Named(Simulation):
+    """Simulation of a user's own."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__("uncradle")
+        self.name = name
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_copy_has_the_class_and_the_fields_of_the_original(way: str) -> None:
+    copied = WAYS[way](Named("mine"))
+    assert type(copied) is Named and copied.name == "mine"
+
+
 def _equal(a: object, b: object) -> bool:
     if isinstance(a, dict) and isinstance(b, dict):
         return a.keys() == b.keys() and all(_equal(a[key], b[key]) for key in a)

@@ -45,8 +45,8 @@ def _print_version(requested: bool) -> None:
         raise typer.Exit
 
 
-_LONG = ("fly", "study")
-"""Commands that call laws so often that their compilation is worth its time even if it is not kept."""
+_BRIEF = ("arm", "check", "run")
+"""Commands that call laws for so short a time that plain Python is quicker than a compilation that is not kept."""
 
 
 @app.callback()
@@ -56,7 +56,7 @@ def _options(
         bool, typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_print_version)
     ] = False,
 ) -> None:
-    if context.invoked_subcommand not in _LONG:
+    if context.invoked_subcommand in _BRIEF:
         from aftdeck.law import use_briefly
 
         use_briefly()

@@ -13,7 +13,7 @@ import typer
 
 from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, app
 from aftdeck.cli.printing import Progress, print_json
-from aftdeck.errors import InputError
+from aftdeck.errors import InputError, RecordingError
 from aftdeck.lines import print_error, print_line, visible
 
 if TYPE_CHECKING:
@@ -136,7 +136,11 @@ def _listed(file: Path) -> str:
     from aftdeck.recording.index import Index
 
     index = Index()
-    return index.chain_of(file) if index.path.is_file() else ""
+    try:
+        there = index.path.is_file()
+    except RecordingError:
+        return ""
+    return index.chain_of(file) if there else ""
 
 
 def _print_verdict(recording: Recording, v: Verdict) -> None:

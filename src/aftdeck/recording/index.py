@@ -23,6 +23,7 @@ BUSY_S = 5.0
 """Longest wait for another program that locks the database [s]."""
 FRESH_S = 3.0
 """Limit of the time since the last write to a file [s]; below this limit, the file counts as still being recorded."""
+_FILE = "recordings.sqlite"
 _TABLE = """
     create table if not exists recordings (
         path text primary key, scenario text not null, title text not null, seed integer not null,
@@ -92,10 +93,10 @@ class Index:
         """Path of the database."""
         if self._given is not None:
             return self._given
-        folder = user_folder("data")
+        folder = user_folder("data", _FILE)
         if folder is None:
             raise RecordingError("the list of recordings cannot be used: no folder can be written")
-        return folder / "recordings.sqlite"
+        return folder / _FILE
 
     def begin(self, path: Path, opening: Opening) -> None:
         """Add a recording that has begun."""

@@ -14,7 +14,8 @@ from aftdeck.files import Changes, Where, place
 from aftdeck.units import short
 
 GivenChanges = Mapping[Any, object]
-"""New values, as a caller gives them: the key is a text as for `parse_key`, or a tuple (`Where`)."""
+"""New values, as a caller gives them: the key is a text as for `parse_key`, or a tuple (`Where`). The type is `Any`,
+because a Mapping is invariant in the type of its keys: a `dict[tuple[str], str]` would not fit."""
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
 
@@ -27,8 +28,11 @@ def parse_change(text: str) -> tuple[Where, object]:
         InputError: the text is not ``KEY=VALUE``.
     """
     key, equals, value = text.partition("=")
-    if not equals:
-        raise InputError(f"a change must be KEY=VALUE, such as command_delay=0.5; got {text!r}")
+    if not equals or not _KEY.fullmatch(key.strip()):
+        raise InputError(
+            f"a change must be KEY=VALUE with a key of the scenario's file, such as command_delay=0.5, "
+            f"limits.por.translation='1 ft/s' or phase[0].rate=vernier; got {text!r}"
+        )
     return parse_key(key.strip()), value_of(value.strip())
 
 
@@ -53,7 +57,7 @@ def located(changes: GivenChanges) -> Changes:
         changes: the new values.
 
     Raises:
-        InputError: a key is neither, or two keys are the same location.
+        InputError: a key is neither a text nor a tuple that names a value, or two keys are the same location.
     """
     found: dict[Where, object] = {}
     for key, value in changes.items():

@@ -76,7 +76,7 @@ def load_scenario(name_or_path: str | Path, changes: GivenChanges | None = None)
             ``phase[0].rate``, or a tuple such as ``("phase", 0, "rate")``.
 
     Raises:
-        InputError: a key is neither.
+        InputError: a key is neither a text nor a tuple that names a value.
         ScenarioError: there is no such scenario, or its file has errors; the message lists all errors, with their
             places in the file.
     """

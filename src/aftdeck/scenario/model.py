@@ -253,6 +253,10 @@ class Scenario:
     changes: tuple[str, ...]
     cautions: tuple[Problem, ...]
 
+    def __deepcopy__(self, _memo: dict[int, object]) -> Scenario:
+        """Return the scenario itself, which nothing can change."""
+        return self
+
     @cached_property
     def flexures(self) -> tuple[Flexure, ...]:
         """Parts of the arm that bend on the scenario's plant."""

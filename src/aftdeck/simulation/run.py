@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Callable
-from copy import copy
 from pathlib import Path
 from typing import Literal, cast
 
@@ -69,20 +68,20 @@ class Simulation:
         self._stepped = False
         self._digest = hashlib.sha256(constants.encode()).hexdigest()
 
-    def __reduce__(self) -> tuple[Callable[..., Simulation], tuple[object, ...]]:
-        """Return a function and its arguments which make a simulation with equal state, for `pickle`."""
-        frame = self.frame
-        given = (self.scenario, self.seed, self._digests, self.save(), self._given, self._flown, frame, self._seal)
-        return _copied, given
+    def __getstate__(self) -> dict[str, object]:
+        """Return the fields for `copy` and `pickle`: the constants of the run are left out, and the state is saved.
 
-    def __copy__(self) -> Simulation:
-        """Return a simulation of the same scenario with equal state, which then goes its own way."""
-        make, given = self.__reduce__()
-        return make(*given)
+        A copy then goes its own way. Making it takes as long as making a simulation; `save` and `restore` are quicker.
+        """
+        fields = {name: value for name, value in vars(self).items() if name not in ("_flight", "_state")}
+        return fields | {"_frame": self.frame, "_saved": encoded(self._state)}
 
-    def __deepcopy__(self, _memo: dict[int, object]) -> Simulation:
-        """Return the same as `__copy__`: everything that both simulations have in common is immutable."""
-        return copy(self)
+    def __setstate__(self, fields: dict[str, object]) -> None:
+        """Set the fields from those of another simulation, and make the constants of the run."""
+        saved = cast("bytes", fields["_saved"])
+        vars(self).update((name, value) for name, value in fields.items() if name != "_saved")
+        self._flight = run_constants(self.scenario)
+        self._state = resume(self._flight, saved)
 
     @property
     def ended(self) -> Literal["", "completed", "time", "fault"]:
@@ -229,24 +228,6 @@ class Simulation:
         """
         self._state = initial_state(self._flight, start)
         self._flown, self._stepped, self._frame, self._given, self._seal = Inputs(), False, None, None, b""
-
-
-def _copied(
-    scenario: Scenario,
-    seed: int,
-    digests: bool,
-    saved: SavedSimulation,
-    given: Inputs | None,
-    flown: Inputs,
-    frame: Frame | None,
-    seal: bytes,
-) -> Simulation:
-    """Return a simulation in the state of another one after its last step."""
-    simulation = Simulation(scenario, seed, digests=digests)
-    simulation.restore(saved)
-    simulation._given, simulation._flown, simulation._frame, simulation._seal = given, flown, frame, seal
-    simulation._stepped = frame is not None
-    return simulation
 
 
 class Run(msgspec.Struct, frozen=True):

@@ -12,6 +12,8 @@ from aftdeck.study.design import Case
 from aftdeck.study.plan import Plan
 from aftdeck.study.watch import Watch
 
+GIVEN_UP = "given up"
+"""End of a run whose operator did not complete its task."""
 LONGEST_ERROR = 2000
 """Greatest length of an error in the table [characters]."""
 
@@ -21,8 +23,8 @@ def results(plan: Plan, scenario: Scenario, spec: OperatorSpec, watch: Watch, su
     found = cells(watch.found())
     ended: str = summary.ended
     if spec.kind != "script":
-        ended = "completed" if found[SHARE.column] in (None, 1.0) else "given up"
-        if ended == "given up" and summary.time_s >= scenario.duration:
+        ended = "completed" if found[SHARE.column] in (None, 1.0) else GIVEN_UP
+        if ended == GIVEN_UP and summary.time_s >= scenario.duration:
             ended = "time"
     position, angle = summary.true_position_error_m, summary.true_rotation_error_rad
     own: Row = {

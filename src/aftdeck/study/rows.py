@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import math
 import re
+from typing import get_args
 
 import msgspec
 
 from aftdeck.report.table import Cell, Row
+from aftdeck.simulation.summary import Ended
 from aftdeck.study.columns import NUMERIC, OUTCOME
 from aftdeck.study.design import cases
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of
-from aftdeck.study.result import row_of
+from aftdeck.study.result import GIVEN_UP, row_of
 
-ENDED = ("completed", "time", "fault", "given up")
+ENDED = (*get_args(Ended), GIVEN_UP)
 """How a run can end."""
 _SHA256 = re.compile(r"[0-9a-f]{64}")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import io
 import os
 import re
@@ -9,7 +10,7 @@ from collections.abc import Callable
 from html import escape
 from typing import Any
 
-from aftdeck.folders import user_folder
+from aftdeck.folders import user_folder, usual_folder
 from aftdeck.report.extra import needed
 
 COLOURS = ("#1f5fa8", "#c2571a", "#2e7d4f", "#7a4aa0", "#a8322f", "#5b6770", "#8a7a12", "#0e7c86")
@@ -31,6 +32,14 @@ _STYLE = {
 }
 
 
+@functools.cache
+def _give_a_folder() -> None:
+    """Give matplotlib a folder if the user's cannot be written; it prints lines if it has to find one itself."""
+    folder = user_folder("cache")
+    if folder is not None and folder != usual_folder("cache"):
+        os.environ.setdefault("MPLCONFIGDIR", str(folder / "matplotlib"))
+
+
 def chart(
     draw: Callable[[Any], None],
     what: str,
@@ -48,8 +57,7 @@ def chart(
     Raises:
         InputError: matplotlib is not installed.
     """
-    if (folder := user_folder("cache")) is not None:  # matplotlib complains if its own folder cannot be written
-        os.environ.setdefault("MPLCONFIGDIR", str(folder / "matplotlib"))
+    _give_a_folder()
     matplotlib: Any = needed("matplotlib")
     figure_kind: Any = needed("matplotlib.figure").Figure
     out = io.StringIO()
