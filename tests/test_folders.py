@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -12,6 +13,7 @@ import pytest
 
 from aftdeck import folders
 from aftdeck.folders import Kind, user_folder
+from aftdeck.law import cache_folder
 
 NAMELESS = """
 import os, pwd, sys
@@ -59,11 +61,11 @@ def usual(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.mark.skipif(not hasattr(os, "getuid"), reason="users without a name are those of Unix")
 def test_every_command_works_for_a_user_without_name_and_home(tmp_path: Path, temporary: Path) -> None:
-    kept = user_folder("cache")  # the laws are compiled there
-    assert kept is not None
-    own = temporary / f"aftdeck-{os.getuid()}"
-    own.mkdir(mode=0o700)
-    (own / "cache").symlink_to(kept)
+    compiled, own = cache_folder(), temporary / f"aftdeck-{os.getuid()}"
+    assert compiled is not None
+    for folder in (own, own / "cache"):
+        folder.mkdir(mode=0o700)
+    shutil.copytree(compiled, own / "cache" / compiled.name)
     env = {"PATH": os.environ["PATH"], "TMPDIR": str(temporary)}
     for command in COMMANDS:
         done = subprocess.run(

@@ -94,10 +94,13 @@ class SimulationError(AftdeckError):
     """A failure of the simulation: the arm's state contains a number that is not finite. The message gives the time."""
 
 
-RecordingFault = Literal["other", "unreadable", "foreign", "empty", "damaged", "newer layout", "exists", "unwritable"]
+RecordingFault = Literal[
+    "other", "unreadable", "foreign", "empty", "damaged", "rewritten", "newer layout", "exists", "unwritable"
+]
 """Cause of a `RecordingError`.
 
-``foreign``: the file is not a recording. ``empty``: the recording contains no control step.
+``foreign``: the file is not a recording. ``empty``: the recording contains no control step. ``rewritten``: the file is
+valid, but another program left out, moved or added messages.
 """
 
 

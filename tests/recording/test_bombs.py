@@ -8,21 +8,27 @@ import random
 import struct
 import subprocess
 import sys
+import tracemalloc
 import zlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
+import lz4.frame
 import msgspec
 import pytest
 import zstandard
+from mcap.records import Message
 
 import aftdeck
 from aftdeck.recording.bundle import opening
-from aftdeck.recording.chunks import MAGIC, MAX_DECLARED, MAX_RATIO, MAX_UNPACKED, SMALL, records
 from aftdeck.recording.codec import encode
+from aftdeck.recording.convert import frame_record, input_record
 from aftdeck.recording.damage import DamageError
-from aftdeck.recording.reader import MAX_MESSAGE, MAX_TEXTS, Recording
+from aftdeck.recording.decompress import MAX_RATIO, MAX_UNPACKED, SMALL
+from aftdeck.recording.mcap_index import IndexCheck
+from aftdeck.recording.mcap_records import MAGIC, MAX_DECLARED, records
+from aftdeck.recording.reader import MAX_MESSAGE, MAX_TEXTS, MAX_WITHOUT_STEP, Recording
 from aftdeck.recording.records import Opening
 from aftdeck.recording.run import record as record_run
 from aftdeck.simulation.inputs import Inputs
@@ -133,13 +139,40 @@ def _zeros(size: int) -> bytes:
     return b"".join(compressor.compress(block) for _ in range(size // len(block))) + compressor.flush()
 
 
+@functools.cache
+def _lz4_zeros(size: int) -> bytes:
+    """Return zeros, compressed with lz4, made without the zeros."""
+    compressor, block = lz4.frame.LZ4FrameCompressor(), bytes(2**22)
+    parts = [compressor.begin(), *(compressor.compress(block) for _ in range(size // len(block))), compressor.flush()]
+    return b"".join(parts)
+
+
+def _lz4(data: bytes) -> bytes:
+    """Return a valid chunk, compressed with lz4."""
+    return chunk(lz4.frame.compress(data), len(data), zlib.crc32(data), b"lz4")
+
+
 def _frames(data: bytes) -> bytes:
     return whole_chunk(declared("/frames", 2) + message(data, 2))
 
 
+SMALL_ONES = declared("/tf", 2) + message(b"", 2) * 400_000
+"""Small messages, as they are in a chunk and as they stand alone."""
+
+
 def _many_small() -> bytes:
-    data = declared("/tf", 2) + message(b"", 2) * 400_000
-    return whole_chunk(data)
+    return whole_chunk(SMALL_ONES)
+
+
+def _steps_between_small_ones() -> bytes:
+    """Return valid steps, each after as many small messages as are allowed, in chunks without an index."""
+    sim = aftdeck.Simulation(aftdeck.load_scenario("first-flight"))
+    small = message(b"", 2) * (MAX_WITHOUT_STEP - 10)
+    chunks = [whole_chunk(declared("/tf", 2) + declared("/inputs", 3) + declared("/frames", 4))]
+    for tick in range(1, 40):
+        step = encode(input_record(tick, None)), encode(frame_record(sim.step(), 0.0, None))
+        chunks.append(whole_chunk(small + message(step[0], 3) + message(step[1], 4)))
+    return b"".join(chunks)
 
 
 BOMBS: dict[str, Callable[[], bytes]] = {
@@ -149,6 +182,18 @@ BOMBS: dict[str, Callable[[], bytes]] = {
     "many chunks at the limit": lambda: file(header(), *[chunk(_zeros(2**22), 2**22, 0)] * 100),
     "many chunks of one channel": lambda: file(header(), *[_many_small()] * 20),
     "stated record is long": lambda: file() + struct.pack("<BQ", 6, 2**62) + bytes(1000),
+    "lz4: stated size is believed": lambda: file(chunk(_lz4_zeros(GIB), GIB, 0, b"lz4")),
+    "lz4: stated size is small": lambda: file(chunk(_lz4_zeros(GIB), 1000, 0, b"lz4")),
+    "lz4: stated size is the limit": lambda: file(chunk(_lz4_zeros(2**26), 2**26, 0, b"lz4")),
+    "lz4: many chunks at the limit": lambda: file(header(), *[chunk(_lz4_zeros(2**22), 2**22, 0, b"lz4")] * 100),
+    "lz4: small messages": lambda: file(header(), *[_lz4(SMALL_ONES)] * 20),
+    "alone: small messages": lambda: file(header(), SMALL_ONES),
+    "alone: many channels": lambda: file(header(), *(declared(f"/t{i}", 2 + i) for i in range(60_000))),
+    "alone: one channel declared again": lambda: file(header(), declared("/tf", 2) * 300_000),
+    "alone: stated message is long": lambda: file() + struct.pack("<BQ", 5, 2**62) + bytes(1000),
+    "alone: long message": lambda: file(header(), declared("/frames", 2), message(b"[" + b"[]," * 1_500_000, 2)),
+    "no header, many small messages": lambda: file(*[_many_small()] * 20),
+    "small messages between steps": lambda: file(header(), _steps_between_small_ones(), b"\x99" + bytes(8)),
     "small messages": lambda: file(header(), _many_small()),
     "many channels": lambda: file(header(), whole_chunk(b"".join(declared(f"/t{i}", 2 + i) for i in range(60_000)))),
     "one channel declared again": lambda: file(header(), whole_chunk(declared("/tf", 2) * 300_000)),
@@ -182,6 +227,18 @@ def test_bombs_are_rejected_quickly_and_in_little_memory(tmp_path: Path) -> None
     for name, found in zip(BOMBS, read(paths), strict=True):
         assert found.error and len(found.error) < 100_000, name
         assert found.seconds < SECONDS and found.megabytes < MEGABYTES, name
+
+
+def test_check_of_an_index_forgets_the_messages_of_earlier_chunks() -> None:
+    check = IndexCheck()
+    tracemalloc.start()
+    for number in range(40):
+        check.add_chunk(number, 1)
+        for at in range(1000):
+            check.add(Message(1, at, b"", at, 0), at)
+    kept, _ = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert kept < 500_000
 
 
 @pytest.mark.parametrize("beyond", [0, 1])

@@ -81,7 +81,7 @@ def replay(
     """Verify, re-run or play back a recording.
 
     The exit code is 1 if the re-simulation differs from the recording, if the recording was changed, or if the run lost
-    more time than allowed. It is 2 if the file is damaged or not a recording.
+    more time than allowed. It is 2 if the file is damaged or not a whole recording.
     """
     if verify + bool(changes) + play + (html is not None) > 1:
         raise InputError("--verify, --set, --open and --html cannot be combined")

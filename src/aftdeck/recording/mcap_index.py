@@ -1,7 +1,9 @@
 """Check of an MCAP file's index, by which other readers find the messages, against the file's data.
 
 A reader such as Foxglove does not read a file from its beginning to its end: it reads the chunks and messages that the
-index names, and the schemas and channels of the summary. A forged index could show other messages than the data.
+index names, and the schemas and channels of the summary. A forged index could show other messages than the data. An
+index of some chunks or messages could hide the others; so a file must index all of its chunks or none, and the messages
+of all chunks or of none.
 """
 
 from __future__ import annotations
@@ -11,7 +13,7 @@ from typing import NamedTuple
 
 from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
-from mcap.records import Channel, ChunkIndex, Footer, MessageIndex, Schema
+from mcap.records import Channel, ChunkIndex, Footer, Message, MessageIndex, Schema
 
 from aftdeck.recording.damage import DamageError
 
@@ -44,24 +46,33 @@ class IndexCheck:
         self._schemas: dict[int, Schema] = {}
         self._channels: dict[int, Channel] = {}
         self._indexed: set[int] = set()
+        self._alone = False
+        self._with_messages: set[bool] = set()
 
     def add_chunk(self, at: int, length: int) -> None:
         """Add a chunk, with its offset in the file and its length [bytes]."""
+        for messages in self._last.messages.values():
+            messages.clear()  # their index would have followed: the file has none
         self._last = self._chunks[at] = _Chunk(length, {}, {}, set())
 
-    def add_message(self, channel: int, log_time: int, at: int) -> None:
-        """Add a message of the last chunk, with its offset in the chunk."""
-        self._last.messages.setdefault(channel, []).append((log_time, at))
-        times = (log_time, *self._last.times)
-        self._last.times.clear()
-        self._last.times.update((min(times), max(times)))
-
-    def add_declaration(self, record: Schema | Channel) -> None:
-        """Add a schema or a channel of the last chunk."""
-        if isinstance(record, Schema):
+    def add(self, record: Schema | Channel | Message, at: int) -> None:
+        """Add a record of the last chunk, with its offset in the chunk."""
+        if isinstance(record, Message):
+            self._last.messages.setdefault(record.channel_id, []).append((record.log_time, at))
+            times = (record.log_time, *self._last.times)
+            self._last.times.clear()
+            self._last.times.update((min(times), max(times)))
+        elif isinstance(record, Schema):
             self._schemas[record.id] = record
         else:
             self._channels[record.id] = record
+
+    def add_alone(self, record: Schema | Channel | Message) -> None:
+        """Add a record that is not in a chunk; no index can name it."""
+        if isinstance(record, Message):
+            self._alone = True
+        else:
+            self.add(record, 0)
 
     def check_messages(self, at: int, body: bytes) -> None:
         """Check an index of messages, with its offset in the file; it belongs to the last chunk.
@@ -92,10 +103,12 @@ class IndexCheck:
                 or {channel: at for channel, at in index.message_index_offsets.items() if channel in chunk.messages}
                 != chunk.indexes
                 or (chunk.times and {index.message_start_time, index.message_end_time} != chunk.times)
-                or set(chunk.indexes) != set(chunk.messages)
+                or set(chunk.indexes) not in (set(chunk.messages), set())
             ):
                 raise DamageError("the index of a chunk contradicts the chunk")
             self._indexed.add(index.chunk_start_offset)
+            if chunk.messages:
+                self._with_messages.add(bool(chunk.indexes))
         elif kind == Opcode.SCHEMA:
             schema = Schema.read(_stream(body))
             if self._schemas.get(schema.id, schema) != schema:
@@ -106,8 +119,10 @@ class IndexCheck:
                 raise DamageError(f"the summary has another channel {channel.id} than the data")
         elif kind == Opcode.FOOTER:
             start = Footer.read(_stream(body)).summary_start
-            if start not in (0, begins) or (start and self._indexed != set(self._chunks)):
-                raise DamageError("the index of the chunks is elsewhere or not complete")
+            if start not in (0, begins):
+                raise DamageError("the index of the chunks is elsewhere")
+            if self._indexed and (self._indexed != set(self._chunks) or self._alone or len(self._with_messages) > 1):
+                raise DamageError("the index of the chunks is not complete")
         elif kind not in _OTHERS:
             raise DamageError(f"unknown record type {kind} in the summary")
 

@@ -15,13 +15,13 @@ from mcap.records import Message as McapMessage
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chain import Declared
-from aftdeck.recording.chunks import MAGIC, records
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
 from aftdeck.recording.damage import DamageError
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.format_1 import FramesOf1, as_layout_1
 from aftdeck.recording.format_1 import inputs as inputs_of_1
+from aftdeck.recording.mcap_records import MAGIC, records
 from aftdeck.recording.message import Message
 from aftdeck.recording.records import (
     CHANNELS,
@@ -35,6 +35,7 @@ from aftdeck.recording.records import (
     Note,
     Opening,
 )
+from aftdeck.recording.rewritten import rewritten
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.units import short
@@ -101,7 +102,7 @@ class Recording:
             raise RecordingError(f"{self.path}: was cut short before its first second; it has no data", "empty")
         first = entry.message
         if not isinstance(first, Opening):
-            raise self._damaged("the first message is not the header")
+            raise self._misplaced("the first message is not the header")
         if not 0 <= first.seed < _LONGEST_SEED:
             raise self._damaged(f"the seed must be between 0 and 2**63, got {short(first.seed)}")
         self.opening = first
@@ -125,11 +126,11 @@ class Recording:
         for number, entry in enumerate(self._entries()):
             message = entry.message
             if self.ended:
-                raise self._damaged(f"a message in {short(entry.channel.topic)} follows the footer")
+                raise self._misplaced(f"a message in {short(entry.channel.topic)} follows the footer")
             if number and isinstance(message, Opening):
-                raise self._damaged("a second header follows the first")
+                raise self._misplaced("a second header follows the first")
             if isinstance(message, Input | FrameRecord) and message.tick != tick + 1:
-                raise self._damaged(f"step {short(message.tick)} follows step {tick}")
+                raise self._misplaced(f"step {short(message.tick)} follows step {tick}")
             quiet += 1
             if isinstance(message, FrameRecord):
                 if not abs(message.time_s - message.tick * self.opening.control_period_s) <= MAX_TIME_ERROR:
@@ -141,21 +142,38 @@ class Recording:
                 self.delays = self.delays.after(message.time_s, message.late_s, message.lost_s)
             if isinstance(message, Closing):
                 if message.ticks != tick:
-                    raise self._damaged(f"the file ends after step {tick} of {short(message.ticks)}")
+                    raise self._misplaced(f"the file ends after step {tick} of {short(message.ticks)}")
                 self.ended, self.frames_sha256, self.summary = message.ended, message.frames_sha256, message.summary
             yield entry
         self.cut = not self.ended
 
-    def steps(self) -> Iterator[tuple[Input, FrameRecord]]:
-        """Yield the inputs and the frame of each step; skip all other messages."""
-        inputs: Input | None = None
-        for message in self.messages():
+    def entries_with_inputs(self) -> Iterator[Entry]:
+        """Yield the messages as `entries` does, for a re-simulation, which needs the inputs of each step.
+
+        Raises:
+            RecordingError: a step has no inputs before its frame.
+        """
+        given = 0
+        for entry in self.entries():
+            message = entry.message
             if isinstance(message, Input):
-                inputs = message
-            elif isinstance(message, FrameRecord):
-                if inputs is None or inputs.tick != message.tick:
-                    raise self._damaged(f"step {message.tick} has no inputs")
-                yield inputs, message
+                given = message.tick
+            elif isinstance(message, FrameRecord) and message.tick != given:
+                raise self._misplaced(f"step {message.tick} has no inputs")
+            yield entry
+
+    def steps(self) -> Iterator[tuple[Input, FrameRecord]]:
+        """Yield the inputs and the frame of each step; skip all other messages.
+
+        Raises:
+            RecordingError: a step has no inputs before its frame.
+        """
+        inputs = Input(tick=0)
+        for entry in self.entries_with_inputs():
+            if isinstance(entry.message, Input):
+                inputs = entry.message
+            elif isinstance(entry.message, FrameRecord):
+                yield inputs, entry.message
 
     def as_recorded(self, frame: Frame) -> FrameRecord:
         """Return a frame with the values that a reader of this file would get, without wall time and latency."""
@@ -196,9 +214,12 @@ class Recording:
         size = max(self.path.stat().st_size, 1)
         schemas: dict[int, Schema] = {}
         channels: dict[int, Declared] = {}
+        profile = PROFILE
         for record in records(file):
-            if isinstance(record, Header) and record.profile != PROFILE:
-                raise RecordingError(f"{self.path}: is an MCAP file, but not a recording of Aftdeck", "foreign")
+            if isinstance(record, Header):
+                profile = record.profile
+                if profile not in (PROFILE, ""):
+                    raise self._foreign()
             if isinstance(record, Schema):
                 if schemas.setdefault(record.id, record) != record:
                     raise DamageError(f"schema {record.id} is declared twice, and differently")
@@ -211,8 +232,13 @@ class Recording:
                 if record.channel_id not in channels:
                     raise DamageError(f"a message belongs to channel {record.channel_id}, which is not declared")
                 channel = channels[record.channel_id]
+                if profile != PROFILE and not channel.schema.startswith(f"{PROFILE}."):
+                    raise self._foreign()
+                profile = PROFILE  # another program may have written none
                 message = self._message(channel.topic, record.data)
                 yield Entry(channel, record.log_time, record.publish_time, record.data, message)
+        if profile != PROFILE:
+            raise self._foreign()
 
     def _message(self, topic: str, data: bytes) -> Message | None:
         if topic not in CHANNELS:
@@ -256,6 +282,13 @@ class Recording:
                 f"{FORMAT}",
                 "newer layout",
             )
+
+    def _foreign(self) -> RecordingError:
+        return RecordingError(f"{self.path}: is an MCAP file, but not a recording of Aftdeck", "foreign")
+
+    def _misplaced(self, why: str) -> RecordingError:
+        """Return the error for messages that are missing or not in the order of the recorder."""
+        return rewritten(self.path, why) or self._damaged(why)
 
     def _damaged(self, why: str) -> RecordingError:
         return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}", "damaged")

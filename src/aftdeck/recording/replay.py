@@ -117,7 +117,7 @@ def verify(
     try:
         sim = Simulation(scenario_of(opening), opening.seed)
         check = Check(recording, sim)
-        for entry in recording.entries():
+        for entry in recording.entries_with_inputs():
             check.take(entry)
             if isinstance(entry.message, FrameRecord):
                 if stepped is not None:
