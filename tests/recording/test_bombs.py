@@ -21,6 +21,7 @@ import zstandard
 from mcap.records import Message
 
 import aftdeck
+from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.codec import encode
 from aftdeck.recording.convert import frame_record, input_record
@@ -256,6 +257,18 @@ def test_a_file_may_have_as_many_schemas_and_channels_as_the_limit_says(tmp_path
         else:
             assert not beyond
         assert len(found) == 1 + MAX_DECLARED  # the file's header first
+
+
+@pytest.mark.parametrize("compression", ["", "zstd", "lz4"])
+def test_a_chunk_that_is_too_large_to_be_read_is_no_damage(tmp_path: Path, compression: str) -> None:
+    noise = random.Random(1).randbytes(2**20)
+    content = noise + bytes(MAX_UNPACKED + 1 - len(noise))
+    packed = {"": bytes, "zstd": zstandard.compress, "lz4": lz4.frame.compress}[compression](content)
+    path = tmp_path / "large.mcap"
+    path.write_bytes(file(chunk(packed, len(content), 0, compression.encode())))
+    with pytest.raises(RecordingError) as caught:
+        list(Recording(path).entries())
+    assert caught.value.fault == "rewritten"
 
 
 def test_limits_leave_room_for_a_run_of_a_resting_arm(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import lz4.frame
 import zstandard
 from mcap.records import Chunk
 
-from aftdeck.recording.damage import DamageError
+from aftdeck.recording.damage import DamageError, SizeError
 
 MAX_UNPACKED = 2**26
 """Longest record, and longest chunk after decompression [bytes].
@@ -31,10 +31,13 @@ def decompressed(chunk: Chunk) -> bytes:
     """Return the content of a chunk, which may be compressed as the MCAP specification lists: with zstd, lz4 or not.
 
     Raises:
+        SizeError: the chunk is too large.
         DamageError: the content is not as long as the chunk states or exceeds a limit, or cannot be decompressed.
     """
     stated, packed = chunk.uncompressed_size, len(chunk.data)
     most = min(MAX_UNPACKED, MAX_RATIO * packed + SMALL)
+    if MAX_UNPACKED < stated <= MAX_RATIO * packed + SMALL:
+        raise SizeError(f"a chunk has {stated} bytes")
     if stated > most:
         raise DamageError(f"a chunk of {packed} bytes states {stated} uncompressed bytes; at most {most} are allowed")
     try:

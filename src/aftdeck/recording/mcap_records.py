@@ -24,7 +24,7 @@ from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.records import Channel, Chunk, DataEnd, Header, McapRecord, Message, Schema
 
-from aftdeck.recording.damage import DamageError
+from aftdeck.recording.damage import DamageError, SizeError
 from aftdeck.recording.decompress import MAX_UNPACKED, decompressed
 from aftdeck.recording.mcap_index import IndexCheck
 
@@ -68,7 +68,8 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
         file: an MCAP file, at its beginning.
 
     Raises:
-        DamageError: the file is damaged or exceeds a limit; raised at the record where this is found.
+        SizeError: a part is larger than is read.
+        DamageError: the file is damaged or exceeds another limit; raised at the record where this is found.
     """
     declared, index, checked = 0, IndexCheck(), False
     size = os.fstat(file.fileno()).st_size
@@ -80,7 +81,7 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
         if opcode in _SKIPPED:
             total = _crc_of_next(file, length, zlib.crc32(start, total))
             continue
-        body = file.read(_allowed(min(length, max(size - file.tell(), 0))))
+        body = file.read(_not_too_long(min(length, max(size - file.tell(), 0))))
         if _computed_length(opcode, body) not in (None, UNDER_WAY, length):
             raise DamageError("the length of a record contradicts the lengths of its parts")
         if len(body) < length:
@@ -101,7 +102,7 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
                 _check_ahead(file, total)
             for record in _content(opcode, body, index, file.tell() - _START.size - length):
                 declared += isinstance(record, Schema | Channel)
-                _allowed(declared, MAX_DECLARED, "schemas and channels")
+                _not_too_many(declared)
                 yield record
     file.seek(max(size - len(MAGIC), len(MAGIC)))
     if file.read() == MAGIC:
@@ -154,7 +155,7 @@ def _check_summary(file: BinaryIO, index: IndexCheck) -> None:
     begins, left = file.tell(), os.fstat(file.fileno()).st_size
     while len(start := file.read(_START.size)) == _START.size:
         opcode, length = _START.unpack(start)
-        body = file.read(_allowed(min(length, left)))
+        body = file.read(_not_too_long(min(length, left)))
         if len(body) < length:
             return
         _checked(index.check_summary, opcode, body, begins)
@@ -176,10 +177,15 @@ def _checked(read: Callable[_Given, _Result], *given: _Given.args, **named: _Giv
         raise DamageError(str(error) or type(error).__name__) from None
 
 
-def _allowed(count: int, most: int = MAX_UNPACKED, what: str = "bytes in a record") -> int:
-    if count > most:
-        raise DamageError(f"{count} {what}; at most {most} are allowed")
-    return count
+def _not_too_many(declared: int) -> None:
+    if declared > MAX_DECLARED:
+        raise DamageError(f"{declared} schemas and channels; at most {MAX_DECLARED} are allowed")
+
+
+def _not_too_long(size: int) -> int:
+    if size > MAX_UNPACKED:
+        raise SizeError(f"a record has {size} bytes")
+    return size
 
 
 def _computed_length(opcode: int, body: bytes) -> int | None:

@@ -17,7 +17,8 @@ from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chain import Declared
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
-from aftdeck.recording.damage import DamageError
+from aftdeck.recording.damage import DamageError, SizeError
+from aftdeck.recording.decompress import MAX_UNPACKED
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.format_1 import FramesOf1, as_layout_1
 from aftdeck.recording.format_1 import inputs as inputs_of_1
@@ -201,6 +202,12 @@ class Recording:
                 yield from self._decoded(file)
         except OSError as error:
             raise RecordingError(f"{self.path}: cannot be read: {error.strerror or error}", "unreadable") from None
+        except SizeError as error:
+            raise RecordingError(
+                f"{self.path}: {error}; at most {MAX_UNPACKED} bytes are read at once: use the original, or let the "
+                "other program write smaller chunks",
+                "rewritten",
+            ) from None
         except DamageError as error:
             raise self._damaged(str(error)) from None
 
