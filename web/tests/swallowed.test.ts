@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { NOT_HELD } from '../src/input/hold';
 import { KeyRelay, type Relayed } from '../src/input/key-relay';
 import { Keyboard } from '../src/input/keyboard';
 import { onPress } from '../src/input/press';
@@ -50,7 +51,7 @@ test.each(SWALLOWING)('%s ends every key, press and touch, in the page and in it
   const told: Relayed[] = [];
   whenSwallowed(() => keyboard.release(), ended.signal);
   const keyboard = new Keyboard({ moved() {}, acted() {}, taken: () => false });
-  const lost: boolean[] = [];
+  const lost: number[] = [];
   const element = new EventTarget();
   onPress(element as HTMLElement, () => ({ ended: (each) => lost.push(each) }));
   element.dispatchEvent(event('pointerdown', { pointerId: 1, pointerType: 'mouse' }));
@@ -63,7 +64,7 @@ test.each(SWALLOWING)('%s ends every key, press and touch, in the page and in it
   swallow();
   expect([holds(), lost, told.filter(({ kind }) => kind === 'released')]).toEqual([
     false,
-    [true],
+    [NOT_HELD],
     [{ kind: 'released' }],
   ]);
   swallow();
@@ -102,7 +103,7 @@ test.each(ENDS)('a press ends at %s, wherever it happens', (type, values, lost) 
   const seen: string[] = [];
   onPress(element as HTMLElement, () => ({
     moved: () => seen.push('moved'),
-    ended: (each) => seen.push(`ended ${each}`),
+    ended: (at) => seen.push(`ended ${at === NOT_HELD}`),
   }));
   element.dispatchEvent(event('pointerdown', { pointerId: 1, pointerType: 'touch' }));
   around.dispatchEvent(event('pointerup', { pointerId: 3, buttons: 0 }));

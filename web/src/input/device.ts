@@ -32,6 +32,8 @@ export class Device {
   private armed = false;
   /** Pressed buttons, each with the function that it had when it was pressed. */
   private readonly down = new Map<number, string | undefined>();
+  /** Time of the last reading [ms]: a button that is released now was pressed then. */
+  private readAt = 0;
   /**
    * The button that was pressed last, if it can change the functions of other buttons; else null. If it is released
    * before another button is pressed, it performs its own function.
@@ -80,7 +82,8 @@ export class Device {
     this.reading = reading;
     for (const source of wrong) this.wrong.add(source);
     if (this.state === 'none' || this.state === 'lost') this.wait();
-    this.press(reading);
+    this.press(reading, now);
+    this.readAt = now;
     const { rest, mapping } = this;
     rest.look(reading, mapping, now);
     const value = deflection(reading, mapping, true, (source) => rest.knows(source));
@@ -122,7 +125,7 @@ export class Device {
     this.resting = !moved && now - this.still.since >= REST_MS;
   }
 
-  private press(reading: Reading): void {
+  private press(reading: Reading, now: number): void {
     const { bindings } = this.mapping;
     const changers = new Set(
       Object.keys(bindings)
@@ -137,31 +140,31 @@ export class Device {
         const use = chord ?? bindings[`b${index}`];
         this.alone = chord === undefined && changers.has(index) ? index : null;
         this.down.set(index, this.alone !== null ? undefined : use);
-        if (this.alone === null) this.begin(use);
+        if (this.alone === null) this.begin(use, now);
       } else {
         const use = this.down.get(index);
         this.down.delete(index);
-        this.end(use);
+        this.end(use, this.readAt);
         if (index === this.alone) {
           this.alone = null;
-          this.begin(bindings[`b${index}`]);
+          this.begin(bindings[`b${index}`], now);
         }
       }
     }
   }
 
-  private begin(use: string | undefined): void {
+  private begin(use: string | undefined, at: number): void {
     const does = use === undefined ? undefined : USES.get(use)?.does;
     if (does?.kind === 'once') this.acted(does.action);
-    else if (does?.kind === 'grip') this.grip(does.grip, true);
+    else if (does?.kind === 'grip') this.grip(does.grip, true, at);
   }
 
-  private end(use: string | undefined, at = performance.now()): void {
+  private end(use: string | undefined, at: number): void {
     const does = use === undefined ? undefined : USES.get(use)?.does;
     if (does?.kind === 'grip') this.grip(does.grip, false, at);
   }
 
-  private grip(grip: Grip, down: boolean, at = performance.now()): void {
+  private grip(grip: Grip, down: boolean, at: number): void {
     this.acted({ name: 'grip', grip, down, at });
   }
 
