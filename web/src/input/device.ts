@@ -9,7 +9,7 @@ import { checked, deflection, type Reading } from './reading';
 import { REST_MS, Rest } from './rest';
 import { mappingOf } from './store';
 
-/** `none`: never seen · `waiting`: an axis must be centred · `flying`: in use · `lost`: disconnected while in use. */
+/** `none`: never seen · `waiting`: an axis must be centred · `flying`: all axes act · `lost`: disconnected while in use. */
 export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
 
 /** Changes of an axis below this are noise of its sensor, not motion. */
@@ -17,6 +17,11 @@ const STILL = 0.02;
 
 export class Device {
   state: DeviceState = 'none';
+  /**
+   * Whether the device moves the arm: it has been at zero since it was connected or disarmed. An axis moves the arm once
+   * its resting place is known, while the device still waits for others.
+   */
+  acts = false;
   /** The browser's name for the device; empty before it is connected for the first time. */
   name = '';
   /** Present reading; null if the device is not connected. */
@@ -28,8 +33,6 @@ export class Device {
   resting = false;
   /** Axes and buttons that have reported a value that is not a number. */
   private readonly wrong = new Set<string>();
-  /** Whether the device has been at zero since it was connected or disarmed. */
-  private armed = false;
   /** Pressed buttons, each with the function that it had when it was pressed. */
   private readonly down = new Map<number, string | undefined>();
   /** Time of the last reading [ms]: a button that is released now was pressed then. */
@@ -73,7 +76,7 @@ export class Device {
     if (!raw) {
       this.reading = null;
       if (this.state !== 'none') this.state = 'lost';
-      this.resting = this.armed = false;
+      this.resting = this.acts = false;
       this.wrong.clear();
       this.releaseAll();
       return ZERO;
@@ -87,16 +90,16 @@ export class Device {
     const { rest, mapping } = this;
     rest.look(reading, mapping, now);
     const value = deflection(reading, mapping, true, (source) => rest.knows(source));
-    this.armed ||= isZero(value);
-    this.state = this.armed && rest.off.length === 0 ? 'flying' : 'waiting';
-    if (this.state === 'waiting') this.watch(this.armed ? rest.off : reading.axes, now);
+    this.acts ||= isZero(value);
+    this.state = this.acts && rest.off.length === 0 ? 'flying' : 'waiting';
+    if (this.state === 'waiting') this.watch(this.acts ? rest.off : reading.axes, now);
     else this.resting = false;
-    return this.armed ? value : ZERO;
+    return this.acts ? value : ZERO;
   }
 
   /** Centres the device until it has been at zero. A held button acts again only when it is pressed again. */
   disarm(): void {
-    this.armed = false;
+    this.acts = false;
     if (this.state === 'flying') this.wait();
     for (const [index, use] of this.down) {
       this.down.set(index, undefined);

@@ -135,7 +135,7 @@ export class ControllersSheet {
     this.deadband.show(mapping.deadband, !keyboard);
     this.expo.show(mapping.expo, !keyboard);
     const { spaceMouse, pads, touch } = this.controllers;
-    this.connect.hidden = this.kind !== 'spacemouse' || !spaceMouse.possible || device?.state === 'flying';
+    this.connect.hidden = this.kind !== 'spacemouse' || !spaceMouse.possible || Boolean(device?.reading);
     this.show.hidden = this.kind !== 'touch' || touch.shown;
     this.swap.hidden = pads.devices.length < 2 || !/pad|joystick/.test(this.kind);
     this.zero.hidden = keyboard || this.kind === 'touch' || !device?.reading;
