@@ -161,3 +161,11 @@ test('an axis or button that is not a number counts as 0 and is named, on every 
     }
   }
 });
+
+test('an axis is named only while it sends no number, and only if it has a function', () => {
+  const device = new Device('thc joystick', () => {});
+  device.read(reading([0, Number.NaN, 0, Number.NaN]), 0);
+  expect(device.faults).toEqual([`${nameOfSource('thc joystick', 'a1')} sends no number and counts as 0`]);
+  device.read(reading(NO_AXES), 20);
+  expect(device.faults).toEqual([]);
+});

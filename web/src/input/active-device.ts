@@ -3,7 +3,7 @@
 import type { Device } from './device';
 import type { Keyboard } from './keyboard';
 import { keyOf, nameOfSource, shortOfSource } from './layout';
-import { centred, indexOf, type Kind } from './mapping';
+import { assignedParts, centred, indexOf, type Kind } from './mapping';
 import { movers, type Source } from './rebind';
 import { mappingOf } from './store';
 
@@ -91,8 +91,7 @@ type Read = Pick<Device, 'reading' | 'mapping' | 'rest'>;
 
 /** Returns whether an assigned axis or button is moved. Unassigned parts do not count: a throttle may rest anywhere. */
 function isMoved(device: Read): boolean {
-  const parts = Object.keys(device.mapping.bindings).flatMap((source) => source.split('+'));
-  return parts.some((part) => Math.abs(deflectionOf(device, part)) > MOVED);
+  return [...assignedParts(device.mapping)].some((part) => Math.abs(deflectionOf(device, part)) > MOVED);
 }
 
 /** Returns whether a button is pressed, or an axis is deflected to the side `sign`. */

@@ -4,7 +4,7 @@ import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflect
 import { NOT_HELD } from './hold';
 import { type Action, type Grip, USES } from './keymap';
 import { nameOfSource } from './layout';
-import type { Kind, Mapping } from './mapping';
+import { assignedParts, type Kind, type Mapping } from './mapping';
 import { checked, deflection, type Reading } from './reading';
 import { REST_MS, Rest } from './rest';
 import { mappingOf } from './store';
@@ -31,8 +31,8 @@ export class Device {
    * offset of the device's sensor, or another resting place, not a deflection.
    */
   resting = false;
-  /** Axes and buttons that have reported a value that is not a number. */
-  private readonly wrong = new Set<string>();
+  /** Axes and buttons with a function whose values in the present reading are not numbers. */
+  private wrong: readonly string[] = [];
   /** Pressed buttons, each with the function that it had when it was pressed. */
   private readonly down = new Map<number, string | undefined>();
   /** Time of the last reading [ms]: a button that is released now was pressed then. */
@@ -59,9 +59,9 @@ export class Device {
     return this.name.replace(/\s*\(.*$/, '').slice(0, 26) || this.kind;
   }
 
-  /** Sentences about axes and buttons that have reported a value that is not a number. */
+  /** Sentences about axes and buttons that send no numbers now. */
   get faults(): readonly string[] {
-    const named = [...this.wrong].map((source) => nameOfSource(this.kind, source));
+    const named = this.wrong.map((source) => nameOfSource(this.kind, source));
     return named.map((name) => `${name} sends no number and counts as 0`);
   }
 
@@ -77,13 +77,13 @@ export class Device {
       this.reading = null;
       if (this.state !== 'none') this.state = 'lost';
       this.resting = this.acts = false;
-      this.wrong.clear();
+      this.wrong = [];
       this.releaseAll();
       return ZERO;
     }
     const { reading, wrong } = checked(raw);
     this.reading = reading;
-    for (const source of wrong) this.wrong.add(source);
+    this.wrong = wrong.filter((source) => assignedParts(this.mapping).has(source));
     if (this.state === 'none' || this.state === 'lost') this.wait();
     this.press(reading, now);
     this.readAt = now;
