@@ -6,8 +6,9 @@ import { type Action, type Grip, USES } from './keymap';
 import { nameOfSource } from './layout';
 import { assignedParts, type Kind, type Mapping } from './mapping';
 import { checked, deflection, type Reading } from './reading';
+import { zeroed } from './rebind';
 import { REST_MS, Rest } from './rest';
-import { mappingOf } from './store';
+import { mappingOf, save } from './store';
 
 /** `none`: never seen · `waiting`: an axis must be centred · `flying`: all axes act · `lost`: disconnected while in use. */
 export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
@@ -106,6 +107,14 @@ export class Device {
       this.end(use, NOT_HELD);
     }
     this.alone = null;
+  }
+
+  /** Stores the present positions of the axes as zero; returns the axes that are too far from their centres for this. */
+  setZero(): readonly string[] {
+    const { mapping, far } = zeroed(this.mapping, this.reading?.axes ?? []);
+    save(this.kind, mapping);
+    this.rest.set();
+    return far;
   }
 
   /** Takes the device out of use; it is not reported as lost. */
