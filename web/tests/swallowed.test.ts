@@ -89,6 +89,19 @@ test('a menu or a drag that the page prevents ends nothing', () => {
   expect(lost).not.toHaveBeenCalled();
 });
 
+test('the menu of a long press by finger is prevented while a press is followed, that of a mouse is not', () => {
+  const lost: string[] = [];
+  const element = new EventTarget();
+  onPress(element as HTMLElement, () => ({ ended: () => lost.push('press') }));
+  element.dispatchEvent(event('pointerdown', { pointerId: 1, pointerType: 'touch' }));
+  // Last, because the target of a test has no capture phase.
+  whenSwallowed(() => lost.push('keys'), new AbortController().signal);
+  const menu = (pointerType: string) => !around.dispatchEvent(event('contextmenu', { pointerType }));
+  expect([menu('touch'), lost]).toEqual([true, []]);
+  expect([menu('mouse'), lost.sort()]).toEqual([false, ['keys', 'press']]);
+  expect(menu('touch')).toBe(false);
+});
+
 /** Ways in which the end of a press arrives, if its element receives no release; and whether it counts as lost. */
 const ENDS: readonly (readonly [string, object, boolean])[] = [
   ['pointerup', { pointerId: 1, buttons: 0 }, false],

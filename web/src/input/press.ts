@@ -50,5 +50,11 @@ function follow({ pointerId, pointerType }: PointerEvent, press: Press): void {
     (event) => event.isPrimary && event.pointerType === pointerType && end(),
     options,
   );
+  // A finger that rests opens a menu in some browsers: it may be holding a button or a stick.
+  window.addEventListener(
+    'contextmenu',
+    (event) => (event as PointerEvent).pointerType === 'touch' && event.preventDefault(),
+    options,
+  );
   whenSwallowed(end, signal);
 }
