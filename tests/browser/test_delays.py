@@ -47,6 +47,13 @@ AGES = """() => {
 }"""
 """Ages of the read-outs and of the picture [s], and whether the page marks them as stale."""
 
+RAIL_AGE = """(() => {
+    const [, hours, minutes, seconds] = document.querySelector('.rail .met b').textContent.split(/[/:]/).map(Number);
+    const { came } = window.arrived.find(({ time_s }) => time_s >= 3600 * hours + 60 * minutes + seconds);
+    return (performance.now() - came) / 1000;
+})()"""
+"""Age of the mission time in a secondary window [s], in which each time stays for a second."""
+
 
 @pytest.fixture(scope="module")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
@@ -125,4 +132,5 @@ def test_monitor_window_has_the_camera_delay(browser: Browser, station: str) -> 
     until_delayed(second)
     for age in ages(second, 5):
         assert CAMERA_S <= age["picture"] <= CAMERA_S + SOON_S
+        assert CAMERA_S <= second.script(RAIL_AGE) <= CAMERA_S + SOON_S + 1.0
     other.close()

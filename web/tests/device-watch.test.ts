@@ -57,10 +57,18 @@ it('an observer’s lost device does not stop the operator', () => {
   expect(levels).toEqual(['caution']);
 });
 
-it('an axis that sends no number is logged once', () => {
+it('an axis that sends no number, always or now and then, is logged once until its device is lost', () => {
   const { devices, sent, levels, watch } = station();
-  devices.faults = ['pad: Left stick ↕ sends no number'];
-  watch.watch(true, false);
-  watch.watch(true, false);
+  const fault = 'pad: Left stick ↕ sends no number';
+  for (const faults of [[fault], [fault], [], [fault], []]) {
+    devices.faults = faults;
+    watch.watch(true, false);
+  }
   expect([levels, sent]).toEqual([['caution'], []]);
+  devices.lost = [{ short: 'pad' }];
+  watch.watch(true, false);
+  devices.lost = [];
+  devices.faults = [fault];
+  watch.watch(true, false);
+  expect(levels).toEqual(['caution', 'caution', 'info', 'caution']);
 });

@@ -5,8 +5,7 @@ import type { Action } from '../src/input/keymap';
 import { nameOfSource } from '../src/input/layout';
 import { KINDS } from '../src/input/mapping';
 import { deflection } from '../src/input/reading';
-import { zeroed } from '../src/input/rebind';
-import { mappingOf, restore, save } from '../src/input/store';
+import { mappingOf, restore } from '../src/input/store';
 import { NO_AXES, reading } from './gamepads';
 
 const PAD = mappingOf('pad');
@@ -129,12 +128,23 @@ test('a device with a sensor off centre is reported, and is used after it was ze
   expect(device.state).toBe('waiting');
   expect(device.resting).toBe(true);
   expect(mappingOf('pad').centres).toEqual([]);
-  save('pad', zeroed('pad', mappingOf('pad'), atRest.axes));
+  expect(device.setZero()).toEqual([]);
   expect(isZero(device.read(atRest, 10_100))).toBe(true);
   expect(device.state).toBe('flying');
   expect(device.read(reading([1, 0, 0, 0]), 10_200)[1]).toBe(1);
   expect(device.read(reading([-1, 0, 0, 0]), 10_300)[1]).toBe(-1);
   restore('pad');
+});
+
+test('zero is set for the other axes of a device with a trigger that rests at −1', () => {
+  const device = new Device('thc joystick', () => {});
+  const atRest = reading([0.2, 0, -1]);
+  device.read(atRest, 0);
+  expect(device.setZero()).toEqual(['a2']);
+  expect(isZero(device.read(atRest, 20))).toBe(true);
+  expect(device.read(reading([1, -1, -1]), 40).slice(0, 3)).toEqual([1, 1, 0]);
+  expect(device.read(reading([0.2, 0, 1]), 60)[2]).toBe(0);
+  restore('thc joystick');
 });
 
 test('a stick that the operator holds off centre does not count as a sensor off centre', () => {
@@ -160,4 +170,12 @@ test('an axis or button that is not a number counts as 0 and is named, on every 
       expect(isZero(device.read(reading([1, 0, 0, 0, 0, 0]), 4010))).toBe(false);
     }
   }
+});
+
+test('an axis is named only while it sends no number, and only if it has a function', () => {
+  const device = new Device('thc joystick', () => {});
+  device.read(reading([0, Number.NaN, 0, Number.NaN]), 0);
+  expect(device.faults).toEqual([`${nameOfSource('thc joystick', 'a1')} sends no number and counts as 0`]);
+  device.read(reading(NO_AXES), 20);
+  expect(device.faults).toEqual([]);
 });

@@ -58,11 +58,3 @@ test('pictures that are hidden in the page are a fault until they are visible', 
   drawers.drawn(true);
   expect(drawers.fault).toBe('');
 });
-
-test('a drawer that becomes ready after a failure is used at once', () => {
-  const { world, drawers } = made();
-  drawers.failed(LOST, 0);
-  const full = { number: 0 } as unknown as Drawer;
-  drawers.change(full);
-  expect([drawers.ready(100), drawers.present, world.made]).toEqual([true, full, 1]);
-});

@@ -146,7 +146,7 @@ test('a page that nobody sees does not grow old', () => {
   expect(run(20)).toMatchObject(FRESH);
 });
 
-test('a picture in the look of 1972 that arrives no more is old, unless the station says why', () => {
+test('a picture in the look of 1972 that arrives no more is old, unless the station says why or nobody sees it', () => {
   useSmallPage();
   vi.stubGlobal('window', { devicePixelRatio: 1 });
   const pane = new PolygonPane();
@@ -155,6 +155,12 @@ test('a picture in the look of 1972 that arrives no more is old, unless the stat
   const size = { width: 100, height: 50 };
   const scene: Age = { s: 2, set: 2, undrawn: false };
   let now = 0;
+  const unseen = (time: number) => {
+    Object.assign(document, { hidden: true });
+    for (const end = now + time; now < end; now += 1000) pane.ageOf(scene, now);
+    Object.assign(document, { hidden: false });
+    return isStale(pane.ageOf(scene, now));
+  };
   const stale = (shown: () => Polygons | null) => {
     for (const end = now + 1000; now < end; now += 50) {
       pane.show(shown(), size);
@@ -167,6 +173,7 @@ test('a picture in the look of 1972 that arrives no more is old, unless the stat
   expect(stale(() => picture(now))).toBe(false);
   expect(stale(() => last)).toBe(true);
   expect(stale(() => picture(now))).toBe(false);
+  expect(unseen(60_000)).toBe(false);
   expect(stale(() => null)).toBe(true);
   const preparing = picture(-1, 'Preparing');
   expect(stale(() => preparing)).toBe(false);

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { NOT_HELD } from '../src/input/hold';
 import { KeyRelay, type Relayed } from '../src/input/key-relay';
 import { Keyboard } from '../src/input/keyboard';
 import { onPress } from '../src/input/press';
@@ -50,7 +51,7 @@ test.each(SWALLOWING)('%s ends every key, press and touch, in the page and in it
   const told: Relayed[] = [];
   whenSwallowed(() => keyboard.release(), ended.signal);
   const keyboard = new Keyboard({ moved() {}, acted() {}, taken: () => false });
-  const lost: boolean[] = [];
+  const lost: number[] = [];
   const element = new EventTarget();
   onPress(element as HTMLElement, () => ({ ended: (each) => lost.push(each) }));
   element.dispatchEvent(event('pointerdown', { pointerId: 1, pointerType: 'mouse' }));
@@ -63,7 +64,7 @@ test.each(SWALLOWING)('%s ends every key, press and touch, in the page and in it
   swallow();
   expect([holds(), lost, told.filter(({ kind }) => kind === 'released')]).toEqual([
     false,
-    [true],
+    [NOT_HELD],
     [{ kind: 'released' }],
   ]);
   swallow();
@@ -88,6 +89,19 @@ test('a menu or a drag that the page prevents ends nothing', () => {
   expect(lost).not.toHaveBeenCalled();
 });
 
+test('the menu of a long press by finger is prevented while a press is followed, that of a mouse is not', () => {
+  const lost: string[] = [];
+  const element = new EventTarget();
+  onPress(element as HTMLElement, () => ({ ended: () => lost.push('press') }));
+  element.dispatchEvent(event('pointerdown', { pointerId: 1, pointerType: 'touch' }));
+  // Last, because the target of a test has no capture phase.
+  whenSwallowed(() => lost.push('keys'), new AbortController().signal);
+  const menu = (pointerType: string) => !around.dispatchEvent(event('contextmenu', { pointerType }));
+  expect([menu('touch'), lost]).toEqual([true, []]);
+  expect([menu('mouse'), lost.sort()]).toEqual([false, ['keys', 'press']]);
+  expect(menu('touch')).toBe(false);
+});
+
 /** Ways in which the end of a press arrives, if its element receives no release; and whether it counts as lost. */
 const ENDS: readonly (readonly [string, object, boolean])[] = [
   ['pointerup', { pointerId: 1, buttons: 0 }, false],
@@ -102,7 +116,7 @@ test.each(ENDS)('a press ends at %s, wherever it happens', (type, values, lost) 
   const seen: string[] = [];
   onPress(element as HTMLElement, () => ({
     moved: () => seen.push('moved'),
-    ended: (each) => seen.push(`ended ${each}`),
+    ended: (at) => seen.push(`ended ${at === NOT_HELD}`),
   }));
   element.dispatchEvent(event('pointerdown', { pointerId: 1, pointerType: 'touch' }));
   around.dispatchEvent(event('pointerup', { pointerId: 3, buttons: 0 }));

@@ -27,7 +27,7 @@ export function firstDrawer(welcome: Welcome, drawing: Drawing): Drawer {
 }
 
 /**
- * Returns the drawer of the full profile when its first picture is ready; null if the page no longer needs it.
+ * Returns the drawer of the full profile when its first picture is ready; throws if `signal` is aborted.
  *
  * @param progress called with the fraction that is done, 0 to 1.
  */
@@ -37,15 +37,18 @@ export async function fullDrawer(
   frame: Frame,
   signal: AbortSignal,
   progress: (done: number) => void,
-): Promise<Drawer | null> {
+): Promise<Drawer> {
   progress(0);
   await new Promise((resolve) => setTimeout(resolve, SHOWN_MS));
-  if (signal.aborted) return null;
+  signal.throwIfAborted();
   const full = drawer(welcome, drawing);
-  full.scene.setPoses(frame, false);
-  full.scene.setLighting(frame.display.lighting, frame.time_s);
-  await full.scene.prepare(progress);
-  if (!signal.aborted) return full;
-  full.scene.dispose();
-  return null;
+  try {
+    full.scene.setPoses(frame, false);
+    full.scene.setLighting(frame.display.lighting, frame.time_s);
+    await full.scene.prepare(signal, progress);
+  } catch (error) {
+    full.scene.dispose();
+    throw error;
+  }
+  return full;
 }

@@ -19,12 +19,14 @@ import { showAges } from './ages';
 import { AllCameras } from './all-cameras';
 import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
-import { Drawers, LOST } from './drawers';
+import { Drawers } from './drawers';
 import { type Drawer, firstDrawer, fullDrawer } from './full-profile';
 import { Monitors } from './monitors';
 import { overlay } from './overlay';
 import { type PairOffer, SituationWatch, situationOf, situationWords } from './pair-offer';
 import { PACES, type Pane, Panes } from './panes';
+import { Preparation } from './preparation';
+import { Putting } from './putting';
 
 /** Colours of the line of minimum clearance, equal to `--caution` and `--ink` in the style sheets. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
@@ -34,8 +36,6 @@ const SHOWN = 3;
 const CENTRES: readonly Subject[] = ['tip', 'payload', 'gap'];
 /** A page whose drawers have failed more often than this keeps the low profile. */
 const MOST_FAILURES = 1;
-/** Time between two attempts to put the pictures on the page [ms]. */
-const LOOK_MS = 3;
 
 export interface PicturesListener {
   /** Opens a secondary window. */
@@ -52,6 +52,14 @@ export interface PicturesListener {
   changed?: () => void;
   /** Whether the pictures show a recording, not a live run. */
   recorded?: boolean;
+}
+
+/** Pictures that are drawn, but not yet on the page. */
+interface Drawn {
+  /** Whether all pictures show the frame with a metered exposure. */
+  readonly complete: boolean;
+  /** Completes the pictures when they are on the page; returns whether they are visible there. */
+  show(): boolean;
 }
 
 /** Cameras of the monitors, and the survey of all cameras. */
@@ -71,8 +79,12 @@ export class Pictures {
   private survey: Survey;
   private all: AllCameras;
   private panes: Panes;
-  /** Drawer that replaces the present one at the next drawing. */
-  private next: Drawer | null = null;
+  /** The drawer of the full profile, which replaces the present one when it is ready. */
+  private readonly full: Preparation;
+  private readonly putting = new Putting(
+    () => this.scene.put(),
+    (error) => this.fail(error),
+  );
   private plane = false;
   private exaggerated = false;
   private open = false;
@@ -82,9 +94,6 @@ export class Pictures {
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
   private round: Subject | null = null;
-  /** Called when the pictures drawn last are on the page; null if they are there already. */
-  private finish: (() => void) | null = null;
-  private looking = 0;
   private readonly watch: SituationWatch;
   private offered: PairOffer | null = null;
   /** Whether the next offer is shown at once, because the run starts again at a task phase. */
@@ -121,6 +130,10 @@ export class Pictures {
       () => firstDrawer(welcome, profile),
       (former) => this.change(former),
     );
+    this.full = new Preparation(
+      (...given) => fullDrawer(welcome, profile, ...given),
+      (done) => this.setPreparing(done),
+    );
     ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawers.present));
     this.watch = new SituationWatch(cameras.length);
   }
@@ -142,17 +155,6 @@ export class Pictures {
     return { survey, all, panes: new Panes(canvas, monitors, matrix, quality) };
   }
 
-  /** Prepares the full profile, and shows the progress in the pictures. */
-  private async prepareFull(frame: Frame): Promise<void> {
-    const { welcome, profile, ended } = this;
-    try {
-      this.next = await fullDrawer(welcome, profile, frame, ended.signal, (done) => this.setPreparing(done));
-    } catch (error) {
-      this.setPreparing(null); // the page keeps the low profile
-      throw error;
-    }
-  }
-
   /** Draws with the drawers' present one from now on. */
   private change(former: Drawer): void {
     const { present } = this.drawers;
@@ -164,7 +166,7 @@ export class Pictures {
     this.setPreparing(null);
   }
 
-  /** Writes the progress of the full profile into the pictures; null when it is shown. */
+  /** Writes the progress of the full profile into the pictures; null when it is not being prepared. */
   private setPreparing(done: number | null): void {
     const text = done === null ? '' : `Preparing the full picture: ${Math.floor(100 * done)} %`;
     for (const picture of this.monitors.both.flatMap(({ halves }) => halves)) picture.setPreparing(text);
@@ -275,7 +277,7 @@ export class Pictures {
 
   /** Whether the pictures drawn last are not on the page yet. Meanwhile no other pictures are drawn. */
   get drawing(): boolean {
-    return this.finish !== null;
+    return this.putting.waits;
   }
 
   /**
@@ -286,18 +288,30 @@ export class Pictures {
    * @param done called when the pictures are on the page, unless the page's layout has changed since they were drawn.
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
-    if (this.next) this.drawers.change(this.next);
-    this.next = null;
-    if (!this.drawers.ready(performance.now())) return false;
+    const { drawers, full } = this;
+    const next = full.take();
+    if (next) drawers.change(next);
+    if (!drawers.ready(performance.now())) return false;
+    let drawn: Drawn;
     try {
-      return this.drawNow(frame, clearance, done);
+      drawn = this.drawNow(frame, clearance);
     } catch (error) {
       this.fail(error);
       return false;
     }
+    if (this.wantsFull) void full.start(frame);
+    this.putting.start(drawn.show, done);
+    return drawn.complete && !drawers.fault;
   }
 
-  private drawNow(frame: Frame, clearance: Level, done: () => void): boolean {
+  /** Whether the full profile is to be prepared, because the low one has just shown enough pictures. */
+  private get wantsFull(): boolean {
+    const { profile, drawers } = this;
+    const low = profile.quality === 'full' && drawers.present.quality === 'low';
+    return low && this.own === SHOWN && drawers.failures <= MOST_FAILURES;
+  }
+
+  private drawNow(frame: Frame, clearance: Level): Drawn {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
     this.scene.setPoses(frame, this.exaggerated);
@@ -326,8 +340,8 @@ export class Pictures {
     this.scene.draw(due.map(([, view]) => view));
     if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
-    this.finish = () => {
-      if (!this.panes.isLaidOut(all, this.open)) return; // the layout has changed: all will be drawn again
+    const show = () => {
+      if (!this.panes.isLaidOut(all, this.open)) return false; // the layout has changed: all will be drawn again
       const shown = [...due, ...flat.map((pane) => [pane, this.viewOf(pane)] as const)];
       for (const [{ picture, polygons }, view] of shown) {
         if (!picture) continue;
@@ -346,32 +360,15 @@ export class Pictures {
       // Older browsers lack this function; they only miss a hidden canvas.
       const visible = canvas.checkVisibility?.({ visibilityProperty: true, opacityProperty: true }) ?? true;
       this.drawers.drawn(visible && canvas.clientWidth > 0 && canvas.clientHeight > 0);
-      if (!this.drawers.fault) done();
+      return !this.drawers.fault;
     };
-    this.put();
-    const { profile, drawers } = this;
-    const full = profile.quality === 'full' && drawers.present.quality === 'low';
-    if (full && this.own === SHOWN && drawers.failures <= MOST_FAILURES) void this.prepareFull(frame);
-    return drawn.complete && metered && !drawers.fault;
-  }
-
-  /** Puts the pictures and their overlays on the page; if the pictures are not drawn yet, tries again soon. */
-  private put(): void {
-    const { finish } = this;
-    if (!finish) return;
-    const put = this.scene.put();
-    if (put === 'pending') {
-      this.looking = window.setTimeout(() => this.put(), LOOK_MS);
-      return;
-    }
-    this.finish = null;
-    if (put === 'lost') this.fail(LOST);
-    else finish();
+    return { complete: drawn.complete && metered, show };
   }
 
   /** Gives the present drawer up. */
   private fail(error: unknown): void {
-    this.finish = null;
+    this.putting.stop();
+    this.full.end();
     this.drawers.failed(error, performance.now());
     if (typeof error !== 'string') console.error(error);
   }
@@ -396,11 +393,11 @@ export class Pictures {
   }
 
   dispose(): void {
-    clearTimeout(this.looking);
+    this.putting.stop();
+    this.full.end();
     this.ended.abort();
     this.listener.polygons?.dispose();
     this.scene.dispose();
-    this.next?.scene.dispose();
   }
 
   /** Chooses the monitors' cameras at the first frame. */

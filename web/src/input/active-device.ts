@@ -3,7 +3,7 @@
 import type { Device } from './device';
 import type { Keyboard } from './keyboard';
 import { keyOf, nameOfSource, shortOfSource } from './layout';
-import { centred, indexOf, type Kind } from './mapping';
+import { assignedParts, centred, indexOf, type Kind } from './mapping';
 import { movers, type Source } from './rebind';
 import { mappingOf } from './store';
 
@@ -35,7 +35,7 @@ export class InHand implements Names {
   /** Updates `device`. */
   look(): void {
     const { devices, keyboard } = this.controllers;
-    const moved = devices.find((device) => device.state === 'flying' && isMoved(device));
+    const moved = devices.find((device) => device.acts && isMoved(device));
     const kept = devices.find((device) => device === this.device && device.state !== 'lost');
     this.device = moved ?? (keyboard.held.size > 0 ? null : kept) ?? null;
   }
@@ -44,7 +44,7 @@ export class InHand implements Names {
   get kinds(): readonly Kind[] {
     const { device } = this;
     if (!device) return ['keyboard'];
-    const others = this.controllers.devices.filter((each) => each !== device && each.state === 'flying');
+    const others = this.controllers.devices.filter((each) => each !== device && each.acts);
     return [...[device, ...others].map(({ kind }) => kind), 'keyboard'];
   }
 
@@ -87,12 +87,11 @@ function called(
   return '';
 }
 
-type Read = Pick<Device, 'reading' | 'mapping'>;
+type Read = Pick<Device, 'reading' | 'mapping' | 'rest'>;
 
 /** Returns whether an assigned axis or button is moved. Unassigned parts do not count: a throttle may rest anywhere. */
 function isMoved(device: Read): boolean {
-  const parts = Object.keys(device.mapping.bindings).flatMap((source) => source.split('+'));
-  return parts.some((part) => Math.abs(deflectionOf(device, part)) > MOVED);
+  return [...assignedParts(device.mapping)].some((part) => Math.abs(deflectionOf(device, part)) > MOVED);
 }
 
 /** Returns whether a button is pressed, or an axis is deflected to the side `sign`. */
@@ -101,10 +100,14 @@ export function isDown(device: Read, source: string, sign: 1 | -1): boolean {
   return source.split('+').every((part) => deflectionOf(device, part) === 1);
 }
 
-/** Returns the deflection of an axis from its rest position; for a button, 1 if it is pressed, else 0. */
-function deflectionOf({ reading, mapping }: Read, part: string): number {
+/**
+ * Returns the deflection of an axis from its rest position, 0 if this is not known; for a button, 1 if it is pressed,
+ * else 0.
+ */
+function deflectionOf({ reading, mapping, rest }: Read, part: string): number {
   if (!reading) return 0;
   const axis = indexOf(part, 'a');
-  if (axis !== null) return centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0);
+  if (axis !== null)
+    return rest.knows(part) ? centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0) : 0;
   return reading.buttons[Number(part.slice(1))]?.pressed === true ? 1 : 0;
 }

@@ -70,7 +70,7 @@ export class Controllers {
     return this.devices.filter(({ state }) => state === 'lost');
   }
 
-  /** Sentences about axes and buttons that send no numbers. */
+  /** Sentences about axes and buttons that send no numbers now, each after its device's name. */
   get faults(): readonly string[] {
     return this.devices.flatMap(({ short, faults }) => faults.map((fault) => `${short}: ${fault}`));
   }

@@ -4,12 +4,13 @@ import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflect
 import { NOT_HELD } from './hold';
 import { type Action, type Grip, USES } from './keymap';
 import { nameOfSource } from './layout';
-import type { Kind, Mapping } from './mapping';
+import { assignedParts, type Kind, type Mapping } from './mapping';
 import { checked, deflection, type Reading } from './reading';
+import { zeroed } from './rebind';
 import { REST_MS, Rest } from './rest';
-import { mappingOf } from './store';
+import { mappingOf, save } from './store';
 
-/** `none`: never seen · `waiting`: an axis must be centred · `flying`: in use · `lost`: disconnected while in use. */
+/** `none`: never seen · `waiting`: an axis must be centred · `flying`: all axes act · `lost`: disconnected while in use. */
 export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
 
 /** Changes of an axis below this are noise of its sensor, not motion. */
@@ -17,6 +18,11 @@ const STILL = 0.02;
 
 export class Device {
   state: DeviceState = 'none';
+  /**
+   * Whether the device moves the arm: it has been at zero since it was connected or disarmed. An axis moves the arm once
+   * its resting place is known, while the device still waits for others.
+   */
+  acts = false;
   /** The browser's name for the device; empty before it is connected for the first time. */
   name = '';
   /** Present reading; null if the device is not connected. */
@@ -26,12 +32,12 @@ export class Device {
    * offset of the device's sensor, or another resting place, not a deflection.
    */
   resting = false;
-  /** Axes and buttons that have reported a value that is not a number. */
-  private readonly wrong = new Set<string>();
-  /** Whether the device has been at zero since it was connected or disarmed. */
-  private armed = false;
+  /** Axes and buttons with a function whose values in the present reading are not numbers. */
+  private wrong: readonly string[] = [];
   /** Pressed buttons, each with the function that it had when it was pressed. */
   private readonly down = new Map<number, string | undefined>();
+  /** Time of the last reading [ms]: a button that is released now was pressed then. */
+  private readAt = 0;
   /**
    * The button that was pressed last, if it can change the functions of other buttons; else null. If it is released
    * before another button is pressed, it performs its own function.
@@ -54,9 +60,9 @@ export class Device {
     return this.name.replace(/\s*\(.*$/, '').slice(0, 26) || this.kind;
   }
 
-  /** Sentences about axes and buttons that have reported a value that is not a number. */
+  /** Sentences about axes and buttons that send no numbers now. */
   get faults(): readonly string[] {
-    const named = [...this.wrong].map((source) => nameOfSource(this.kind, source));
+    const named = this.wrong.map((source) => nameOfSource(this.kind, source));
     return named.map((name) => `${name} sends no number and counts as 0`);
   }
 
@@ -71,35 +77,44 @@ export class Device {
     if (!raw) {
       this.reading = null;
       if (this.state !== 'none') this.state = 'lost';
-      this.resting = this.armed = false;
-      this.wrong.clear();
+      this.resting = this.acts = false;
+      this.wrong = [];
       this.releaseAll();
       return ZERO;
     }
     const { reading, wrong } = checked(raw);
     this.reading = reading;
-    for (const source of wrong) this.wrong.add(source);
+    this.wrong = wrong.filter((source) => assignedParts(this.mapping).has(source));
     if (this.state === 'none' || this.state === 'lost') this.wait();
-    this.press(reading);
+    this.press(reading, now);
+    this.readAt = now;
     const { rest, mapping } = this;
     rest.look(reading, mapping, now);
     const value = deflection(reading, mapping, true, (source) => rest.knows(source));
-    this.armed ||= isZero(value);
-    this.state = this.armed && rest.off.length === 0 ? 'flying' : 'waiting';
-    if (this.state === 'waiting') this.watch(this.armed ? rest.off : reading.axes, now);
+    this.acts ||= isZero(value);
+    this.state = this.acts && rest.off.length === 0 ? 'flying' : 'waiting';
+    if (this.state === 'waiting') this.watch(this.acts ? rest.off : reading.axes, now);
     else this.resting = false;
-    return this.armed ? value : ZERO;
+    return this.acts ? value : ZERO;
   }
 
   /** Centres the device until it has been at zero. A held button acts again only when it is pressed again. */
   disarm(): void {
-    this.armed = false;
+    this.acts = false;
     if (this.state === 'flying') this.wait();
     for (const [index, use] of this.down) {
       this.down.set(index, undefined);
       this.end(use, NOT_HELD);
     }
     this.alone = null;
+  }
+
+  /** Stores the present positions of the axes as zero; returns the axes that are too far from their centres for this. */
+  setZero(): readonly string[] {
+    const { mapping, far } = zeroed(this.mapping, this.reading?.axes ?? []);
+    save(this.kind, mapping);
+    this.rest.set();
+    return far;
   }
 
   /** Takes the device out of use; it is not reported as lost. */
@@ -122,7 +137,7 @@ export class Device {
     this.resting = !moved && now - this.still.since >= REST_MS;
   }
 
-  private press(reading: Reading): void {
+  private press(reading: Reading, now: number): void {
     const { bindings } = this.mapping;
     const changers = new Set(
       Object.keys(bindings)
@@ -137,31 +152,31 @@ export class Device {
         const use = chord ?? bindings[`b${index}`];
         this.alone = chord === undefined && changers.has(index) ? index : null;
         this.down.set(index, this.alone !== null ? undefined : use);
-        if (this.alone === null) this.begin(use);
+        if (this.alone === null) this.begin(use, now);
       } else {
         const use = this.down.get(index);
         this.down.delete(index);
-        this.end(use);
+        this.end(use, this.readAt);
         if (index === this.alone) {
           this.alone = null;
-          this.begin(bindings[`b${index}`]);
+          this.begin(bindings[`b${index}`], now);
         }
       }
     }
   }
 
-  private begin(use: string | undefined): void {
+  private begin(use: string | undefined, at: number): void {
     const does = use === undefined ? undefined : USES.get(use)?.does;
     if (does?.kind === 'once') this.acted(does.action);
-    else if (does?.kind === 'grip') this.grip(does.grip, true);
+    else if (does?.kind === 'grip') this.grip(does.grip, true, at);
   }
 
-  private end(use: string | undefined, at = performance.now()): void {
+  private end(use: string | undefined, at: number): void {
     const does = use === undefined ? undefined : USES.get(use)?.does;
     if (does?.kind === 'grip') this.grip(does.grip, false, at);
   }
 
-  private grip(grip: Grip, down: boolean, at = performance.now()): void {
+  private grip(grip: Grip, down: boolean, at: number): void {
     this.acted({ name: 'grip', grip, down, at });
   }
 

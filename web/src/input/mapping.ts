@@ -61,6 +61,11 @@ export function sourcesOf(mapping: Mapping, use: string): readonly string[] {
   return Object.keys(mapping.bindings).filter((source) => mapping.bindings[source] === use);
 }
 
+/** Returns the axes and buttons that have a function, alone or together. */
+export function assignedParts({ bindings }: Pick<Mapping, 'bindings'>): ReadonlySet<string> {
+  return new Set(Object.keys(bindings).flatMap((source) => source.split('+')));
+}
+
 /**
  * Checks decoded data and returns it as a mapping.
  *

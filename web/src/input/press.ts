@@ -1,11 +1,12 @@
 /** A press of a pointer (a finger, a pen or a mouse button) on an element, until its release arrives or is lost. */
 
+import { NOT_HELD } from './hold';
 import { whenSwallowed } from './swallowed';
 
 export interface Press {
   moved?(event: PointerEvent): void;
-  /** Called once; `lost`: the release itself was not reported. */
-  ended(lost: boolean): void;
+  /** Called once; `at`: time of the release [ms, as performance.now()], NOT_HELD if the release was not reported. */
+  ended(at: number): void;
 }
 
 /** `begun` is called when a pointer presses the element, and returns null to ignore it. */
@@ -20,18 +21,20 @@ export function onPress(element: HTMLElement, begun: (event: PointerEvent) => Pr
 function follow({ pointerId, pointerType }: PointerEvent, press: Press): void {
   const over = new AbortController();
   const { signal } = over;
-  const end = (lost = true) => {
+  const end = (at = NOT_HELD) => {
     if (signal.aborted) return;
     over.abort();
-    press.ended(lost);
+    press.ended(at);
   };
   const options = { capture: true, signal };
-  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
-    window.addEventListener(
-      type,
-      (event) => event.pointerId === pointerId && end(type !== 'pointerup'),
-      options,
-    );
+  // A page that stood still handles the release late: only the event has its time.
+  window.addEventListener(
+    'pointerup',
+    (event) => event.pointerId === pointerId && end(event.timeStamp),
+    options,
+  );
+  for (const type of ['pointercancel', 'lostpointercapture'] as const)
+    window.addEventListener(type, (event) => event.pointerId === pointerId && end(), options);
   window.addEventListener(
     'pointermove',
     (event) => {
@@ -45,6 +48,12 @@ function follow({ pointerId, pointerType }: PointerEvent, press: Press): void {
   window.addEventListener(
     'pointerdown',
     (event) => event.isPrimary && event.pointerType === pointerType && end(),
+    options,
+  );
+  // A finger that rests opens a menu in some browsers: it may be holding a button or a stick.
+  window.addEventListener(
+    'contextmenu',
+    (event) => (event as PointerEvent).pointerType === 'touch' && event.preventDefault(),
     options,
   );
   whenSwallowed(end, signal);

@@ -116,20 +116,31 @@ export function movers(mapping: Mapping, use: string): readonly Source[] {
 }
 
 /**
- * Returns a mapping in which the present positions of the axes are zero.
- *
- * Throws an Error if an axis is too far from its centre; the Error names this axis.
+ * Returns a mapping in which the present positions of the axes are zero, and the axes that are too far from their
+ * centres for this: they keep their zero.
  */
-export function zeroed(kind: Kind, mapping: Mapping, axes: readonly number[]): Mapping {
+export function zeroed(
+  mapping: Mapping,
+  axes: readonly number[],
+): { readonly mapping: Mapping; readonly far: readonly string[] } {
+  const far: string[] = [];
   const centres = axes.map((value, axis) => {
     if (mapping.bindings[`a${axis}`] === undefined) return 0;
     if (Math.abs(value) <= MOST_OFFSET) return Math.round(value * 1000) / 1000;
-    throw new Error(
-      `${nameOfSource(kind, `a${axis}`)} is at ${value.toFixed(2)}, more than ${MOST_OFFSET} from its centre: ` +
-        'release it, or remove its assignment.',
-    );
+    far.push(`a${axis}`);
+    return mapping.centres[axis] ?? 0;
   });
-  return { ...mapping, centres };
+  return { mapping: { ...mapping, centres }, far };
+}
+
+/** Returns the sentence after the present positions of the axes were set as zero, except those of the axes `far`. */
+export function zeroWords(kind: Kind, far: readonly string[]): string {
+  if (far.length === 0) return 'The present positions of the axes are now zero.';
+  const names = far.map((source) => nameOfSource(kind, source)).join(', ');
+  return (
+    `The present positions of the axes are now zero, except ${names}: more than ${MOST_OFFSET} from the centre. ` +
+    'Release it and set zero again, or remove its assignment.'
+  );
 }
 
 /** Returns the function that a source gets: for an axis moved to its negative side, the opposite of `use`. */

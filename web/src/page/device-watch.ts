@@ -18,8 +18,8 @@ export class DeviceWatch {
   private sentRevision = '';
   /** Names of the lost devices at the last call. */
   private lost: ReadonlySet<string> = new Set();
-  /** Faults at the last call. */
-  private faults: readonly string[] = [];
+  /** Faults that were logged since their device was connected: a fault that comes and goes is logged once. */
+  private readonly told = new Set<string>();
 
   constructor(
     private readonly controllers: Controllers,
@@ -46,10 +46,12 @@ export class DeviceWatch {
     for (const short of newlyLost) listener.say(`${short} lost: sticks at zero. ${REMEDY}`, 'caution');
     for (const short of this.lost) if (!lost.has(short)) listener.say(`${short}: loss cleared`, 'info');
     this.lost = lost;
-    const { faults } = controllers;
-    for (const fault of faults)
-      if (!this.faults.includes(fault)) listener.say(`${fault}. ${FAULT_REMEDY}`, 'caution');
-    this.faults = faults;
+    for (const fault of this.told)
+      if (newlyLost.some((short) => fault.startsWith(`${short}: `))) this.told.delete(fault);
+    for (const fault of controllers.faults) {
+      if (!this.told.has(fault)) listener.say(`${fault}. ${FAULT_REMEDY}`, 'caution');
+      this.told.add(fault);
+    }
     const { revision } = controllers;
     if (!flying || revision === this.sentRevision) return;
     this.sentRevision = revision;

@@ -172,8 +172,8 @@ export class Scene {
   }
 
   /** Prepares the first picture; `progress` receives the fraction that is done. */
-  prepare(progress: (done: number) => void): Promise<void> {
-    return prepare(this.renderer, this.stage, this.cameras.at(this.firstCamera, 1), progress);
+  prepare(signal: AbortSignal, progress: (done: number) => void): Promise<void> {
+    return prepare(this.renderer, this.stage, this.cameras.at(this.firstCamera, 1), signal, progress);
   }
 
   /** Clears the canvas, because its pictures have new positions. */

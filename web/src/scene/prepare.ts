@@ -23,12 +23,13 @@ interface Program {
 
 /**
  * Prepares all shaders, textures and shapes; `progress` receives the fraction that is done. The renderer must not draw
- * meanwhile.
+ * meanwhile. Throws soon after `signal` is aborted.
  */
 export async function prepare(
   renderer: WebGLRenderer,
   stage: Stage,
   camera: Camera,
+  signal: AbortSignal,
   progress: (done: number) => void,
 ): Promise<void> {
   const textures = texturesOf(stage);
@@ -41,17 +42,17 @@ export async function prepare(
     renderer.initTexture(texture);
     loaded += 1;
     progress((loaded + ready()) / total);
-    await pause();
+    await pause(signal);
   }
   for (
     const start = performance.now();
     ready() < programs.length && performance.now() - start < LONGEST_MS;
   ) {
     progress((loaded + ready()) / total);
-    await pause();
+    await pause(signal);
   }
   progress((total - 1) / total);
-  await pause();
+  await pause(signal);
   renderer.setSize(SMALL, SMALL, false);
   renderer.shadowMap.needsUpdate = true;
   renderer.render(stage, camera);
@@ -68,8 +69,9 @@ function texturesOf(stage: Stage): readonly Texture[] {
   return [...found];
 }
 
-function pause(): Promise<void> {
-  return new Promise((resolve) => {
+async function pause(signal: AbortSignal): Promise<void> {
+  await new Promise((resolve) => {
     setTimeout(resolve, CHECK_MS);
   });
+  signal.throwIfAborted();
 }

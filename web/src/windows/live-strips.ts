@@ -5,7 +5,6 @@ import type { Frame, Event as LogEvent, Recent, Welcome } from '../link/protocol
 import { setClass } from '../panel/parts/dom';
 import { minutes } from '../replay/quantity';
 import type { Span } from '../replay/span';
-import { missionTime } from '../words/format';
 import { unitsOf } from '../words/units';
 import { KEPT_S, LastMinutes } from './last-minutes';
 import { FLOWN, Tether } from './secondary-window';
@@ -88,9 +87,9 @@ export class LiveStrips {
     if (!frame || !shown) return;
     last.reach(this.welcome.telemetry_delay_s > 0 ? frame.time_s : Infinity);
     if (!last.newest) return;
-    const stale = isStale(this.line.age(now));
-    this.tether.show(missionTime(frame.time_s), stale ? 'Lost' : '');
-    setClass(document.body, 'stale', stale);
+    const age = this.line.age(now);
+    this.tether.showDue(this.line, now, age);
+    setClass(document.body, 'stale', isStale(age));
     const units = unitsOf(this.tether.page?.units ?? this.welcome.units);
     const asked = [this.length, units.name, ...shown.chosen].join();
     const moved = last.now - this.span.to;

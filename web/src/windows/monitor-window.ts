@@ -3,13 +3,12 @@
 import { Pictures } from '../cameras/pictures';
 import { Keyboard } from '../input/keyboard';
 import type { Action } from '../input/keymap';
-import { DelayLine, isStale } from '../link/delay-line';
+import { DelayLine } from '../link/delay-line';
 import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Frame, Welcome } from '../link/protocol';
 import type { Drawing } from '../page/quality';
 import { el } from '../panel/parts/dom';
 import type { DrawnBody } from '../scene/bodies';
-import { missionTime } from '../words/format';
 import { type UnitName, unitsOf } from '../words/units';
 import type { PageState, Pictured, WindowMessage } from './opened';
 import { FLOWN, PLAYED, Tether } from './secondary-window';
@@ -125,8 +124,7 @@ export class Display {
   /** Shows how old the pictures are at `now` [ms], even if nothing is drawn. */
   private showAge(now: number): void {
     if (document.hidden) this.line.displayed(now);
-    const age = this.pictures.setAge(this.line.age(now), now);
-    if (this.newest) this.tether.show(missionTime(this.newest.time_s), isStale(age) ? 'Lost' : '');
+    this.tether.showDue(this.line, now, this.pictures.setAge(this.line.age(now), now));
   }
 
   /** Applies the page's state. */

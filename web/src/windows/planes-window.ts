@@ -1,9 +1,8 @@
 /** A secondary window that shows what decides the order of the bodies in a monitor's picture, as a sheet. */
 
-import { DelayLine, isStale } from '../link/delay-line';
+import { DelayLine } from '../link/delay-line';
 import type { Frame, Welcome } from '../link/protocol';
 import { button, el, setPressed, setText } from '../panel/parts/dom';
-import { missionTime } from '../words/format';
 import { FLOWN, Tether } from './secondary-window';
 
 /** Time from the arrival of a sheet to the request for the next one [ms]. */
@@ -94,9 +93,7 @@ export class PlanesWindow {
 
   private showTime(): void {
     const now = performance.now();
-    const frame = this.line.at(now)?.frame;
-    if (!frame) return;
-    this.tether.show(missionTime(frame.time_s), isStale(this.line.age(now)) ? 'Lost' : '');
+    this.tether.showDue(this.line, now);
     this.line.displayed(now);
   }
 

@@ -1,7 +1,9 @@
 /** Base of every secondary window: its rail, the channel to its page, and the keys that it sends there. */
 
 import { KeyRelay } from '../input/key-relay';
+import { type DelayLine, isStale } from '../link/delay-line';
 import { el, setClass, setText } from '../panel/parts/dom';
+import { missionTime } from '../words/format';
 import { type PageState, tornOff, type WindowMessage, Windows } from './opened';
 
 /** Time between requests for the page's state [ms]. Without an answer for `SILENT_MS`, the page counts as closed. */
@@ -101,6 +103,12 @@ export class Tether {
     const gone = this.gone ? 'Its page is closed' : '';
     setText(this.state, lost || gone || (this.page?.takesKeys ? keys : alone));
     setClass(this.state, 'lost', lost !== '' || this.gone);
+  }
+
+  /** Shows the time of the frame that is due at `now` [ms]; `age`: age of what the window displays. */
+  showDue(line: DelayLine, now: number, age = line.age(now)): void {
+    const due = line.at(now);
+    if (due) this.show(missionTime(due.frame.time_s), isStale(age) ? 'Lost' : '');
   }
 
   dispose(): void {

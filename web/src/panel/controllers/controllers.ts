@@ -3,7 +3,7 @@
 import type { Controllers } from '../../input/controllers';
 import type { Device } from '../../input/device';
 import { type Kind, MOST_DEADBAND } from '../../input/mapping';
-import { zeroed } from '../../input/rebind';
+import { zeroWords } from '../../input/rebind';
 import { isDefault, mappingOf, restore, revision, save } from '../../input/store';
 import { button, el, setText } from '../parts/dom';
 import { range } from '../parts/range';
@@ -135,7 +135,7 @@ export class ControllersSheet {
     this.deadband.show(mapping.deadband, !keyboard);
     this.expo.show(mapping.expo, !keyboard);
     const { spaceMouse, pads, touch } = this.controllers;
-    this.connect.hidden = this.kind !== 'spacemouse' || !spaceMouse.possible || device?.state === 'flying';
+    this.connect.hidden = this.kind !== 'spacemouse' || !spaceMouse.possible || Boolean(device?.reading);
     this.show.hidden = this.kind !== 'touch' || touch.shown;
     this.swap.hidden = pads.devices.length < 2 || !/pad|joystick/.test(this.kind);
     this.zero.hidden = keyboard || this.kind === 'touch' || !device?.reading;
@@ -157,15 +157,8 @@ export class ControllersSheet {
   }
 
   private zeroNow(): void {
-    const reading = this.device?.reading;
-    if (!reading) return;
-    try {
-      save(this.kind, zeroed(this.kind, mappingOf(this.kind), reading.axes));
-      this.device?.rest.set();
-      this.assignment.end('The present positions of the axes are now zero.');
-    } catch (error) {
-      this.assignment.end(error instanceof Error ? error.message : String(error));
-    }
+    const { device } = this;
+    if (device?.reading) this.assignment.end(zeroWords(device.kind, device.setZero()));
   }
 
   private left(): void {
@@ -199,7 +192,9 @@ function stateWords(kind: Kind, device: Device | null, { spaceMouse }: Controlle
     return 'This browser has no WebHID, which a SpaceMouse needs; Chrome and Edge have it.';
   if (kind === 'spacemouse' && spaceMouse.problem) return spaceMouse.problem;
   if (device) {
-    const state = device.resting ? 'off centre; release it, then set zero' : STATES[device.state];
+    const state = device.resting
+      ? 'off centre; release it and set zero, or remove its assignment'
+      : STATES[device.state];
     return [`${device.short}: ${state}`, ...device.faults].join('. ');
   }
   if (kind === 'touch') return 'Touch sticks appear when the screen is touched.';

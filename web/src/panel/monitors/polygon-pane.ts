@@ -96,9 +96,10 @@ export class PolygonPane {
 
   /**
    * Returns the age of this picture at `now` [ms], if it is older than the scene's pictures with the age `scene`. The
-   * station's text that it has no pictures yet has no age.
+   * station's text that it has no pictures yet has no age, and a picture that nobody can see does not grow old.
    */
   ageOf(scene: Age, now: number): Age {
+    if (document.hidden) this.silence.end(now);
     const s = scene.set + this.silence.at(now) / 1000;
     const waits = this.hidden || (this.drawn !== null && this.drawn.tick < 0);
     return waits || s <= scene.s ? scene : { ...scene, s, undrawn: false };

@@ -1,6 +1,6 @@
 /** A button that acts after it has been held for a set time, by pointer, by Enter, or by its assigned key. */
 
-import { Hold, NOT_HELD } from '../../input/hold';
+import { Hold } from '../../input/hold';
 import type { Grip } from '../../input/keymap';
 import { keyOf } from '../../input/layout';
 import { onPress } from '../../input/press';
@@ -44,7 +44,7 @@ export function holdButton(
   let filled = 0;
   onPress(element, ({ timeStamp }) => {
     press(timeStamp);
-    return { ended: (lost) => hold.lift(lost ? NOT_HELD : performance.now()) };
+    return { ended: (at) => hold.lift(at) };
   });
   for (const ends of ['pointerleave', 'blur'] as const) {
     element.addEventListener(ends, ({ timeStamp }) => hold.lift(timeStamp));
