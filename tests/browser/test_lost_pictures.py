@@ -35,6 +35,7 @@ GRAPHICS = """
 PICTURES = "[...document.querySelectorAll('.picture')].filter((each) => each.checkVisibility())"
 OLD = f"{PICTURES}.every((each) => each.classList.contains('is-stale') && !/live|recorded/.test(each.innerText))"
 FRESH = f"{PICTURES}.every((each) => !each.classList.contains('is-stale') && /live|recorded/.test(each.innerText))"
+PREPARES = "/Preparing the full picture/.test(document.querySelector('.monitors').innerText)"
 CURE = f"{PICTURES}.every((each) => /reload the page/.test(each.innerText))"
 
 
@@ -66,6 +67,18 @@ def test_lost_pictures_are_old_in_the_page_and_its_window(open_page: OpenPage) -
     window = open_page(prepare=with_graphics)
     window.page.goto(f"{window.page.url}&view=mon1")
     loses_its_pictures_and_has_them_again(window)
+
+
+def test_full_profile_is_prepared_again_when_its_graphics_are_lost(open_page: OpenPage) -> None:
+    flight = open_page(prepare=with_graphics)
+    flight.page.goto(flight.page.url.replace("quality=low", "quality=full"))
+    flight.until(PREPARES)
+    flight.script("window.withdraw()")
+    flight.until(f"{OLD} && !{PREPARES}")
+    flight.script("window.giveBack()")
+    flight.until(PREPARES)
+    flight.script("window.low = document.querySelector('canvas.scene')")
+    flight.until(f"document.querySelector('canvas.scene') !== window.low && !{PREPARES} && {FRESH}")
 
 
 @pytest.fixture(scope="module")

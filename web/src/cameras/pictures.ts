@@ -22,8 +22,9 @@ import { Survey } from './coverage';
 import { Drawers } from './drawers';
 import { type Drawer, firstDrawer, fullDrawer } from './full-profile';
 import { Monitors } from './monitors';
+import { Offers } from './offers';
 import { overlay } from './overlay';
-import { type PairOffer, SituationWatch, situationOf, situationWords } from './pair-offer';
+import type { PairOffer } from './pair-offer';
 import { PACES, type Pane, Panes } from './panes';
 import { Preparation } from './preparation';
 import { Putting } from './putting';
@@ -71,6 +72,7 @@ export interface Views {
 export class Pictures {
   readonly monitors: Monitors;
   readonly matrix: Matrix;
+  readonly offers: Offers;
   readonly appearance = new Appearance(keeper, ({ night }) =>
     setClass(document.documentElement, 'night', night),
   );
@@ -94,10 +96,6 @@ export class Pictures {
   private orbits = 0;
   /** Centre of the engineering views; null for their initial centre. */
   private round: Subject | null = null;
-  private readonly watch: SituationWatch;
-  private offered: PairOffer | null = null;
-  /** Whether the next offer is shown at once, because the run starts again at a task phase. */
-  private reopening = false;
   /** Frame that was drawn last, and frame whose pictures are on the page. */
   private last: Frame | null = null;
   private onPage: Frame | null = null;
@@ -135,7 +133,7 @@ export class Pictures {
       (done) => this.setPreparing(done),
     );
     ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawers.present));
-    this.watch = new SituationWatch(cameras.length);
+    this.offers = new Offers(welcome, this.monitors, (offer) => this.listener.offered?.(offer));
   }
 
   /** The canvas behind the pictures. */
@@ -188,27 +186,6 @@ export class Pictures {
     this.survey.lookAll(this.last, drawnGap(this.last));
     const cameras = this.matrix.tiles.flatMap(({ camera }) => this.survey.of(camera) ?? []);
     return { monitors: this.monitors.shown, cameras };
-  }
-
-  /** Offers a pair of cameras, unless the monitors show it already; null ends an offer. */
-  offer(offer: PairOffer | null): void {
-    const shown = this.monitors.shown.map((names) => names.join());
-    const known = offer?.cameras.every((name) => shown.includes(name)) === true;
-    this.offered = known ? null : offer;
-    this.listener.offered?.(this.offered);
-  }
-
-  /** Shows the offered pair on the monitors. */
-  takeOffer(): void {
-    this.offered?.cameras.forEach((name, i) => {
-      this.monitors.show(i, [name]);
-    });
-    this.offer(null);
-  }
-
-  /** Shows the best pair as soon as the situation has changed, because the run starts again at a task phase. */
-  reopen(): void {
-    this.reopening = true;
   }
 
   /** Whether all cameras are shown in place of the monitors. */
@@ -324,7 +301,7 @@ export class Pictures {
     this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
     this.last = frame;
     this.begin(frame, gap);
-    if (this.listener.offered) this.watchSituation(frame, gap);
+    if (this.listener.offered) this.offers.look(frame, gap, this.survey);
     this.count += 1;
     this.own += 1;
     const all = this.panes.all(this.open, this.seventies);
@@ -405,26 +382,6 @@ export class Pictures {
     if (this.monitors.chosen) return;
     this.survey.open(frame, gap);
     this.monitors.begin(this.survey.first(frame));
-  }
-
-  /** After a change of situation, surveys one camera at each drawing, and then offers the best pair. */
-  private watchSituation(frame: Frame, gap: ClosestPoints | null): void {
-    const { watch, survey } = this;
-    watch.see(situationOf(frame, gap));
-    if (!watch.pending) return;
-    survey.look(frame, gap, 1);
-    if (!watch.surveyed()) return;
-    if (this.reopening) survey.open(frame, gap);
-    const [first, second] = survey.first(frame);
-    if (first && second && !this.stepHasCameras(frame))
-      this.offer({ cameras: [first.name, second.name], why: situationWords(frame) });
-    if (this.reopening) this.takeOffer();
-    this.reopening = false;
-  }
-
-  /** Whether the present step of the task names its own cameras, which the page offers when the step begins. */
-  private stepHasCameras({ display: { task } }: Frame): boolean {
-    return (this.welcome.steps[task?.at ?? -1]?.cameras.length ?? 0) > 0;
   }
 
   /** For each monitor, whether it has the look of 1972. */

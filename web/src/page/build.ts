@@ -73,8 +73,8 @@ export function buildParts(
     offered: (offer) => notice.show(offer),
   });
   const notice = pairNotice(
-    () => pictures.takeOffer(),
-    () => pictures.offer(null),
+    () => pictures.offers.take(),
+    () => pictures.offers.offer(null),
   );
   const operator = new Operator(latency, {
     acted: (action) => operations.act(action),
@@ -118,7 +118,7 @@ export function buildParts(
   const scenarios: ScenarioChoice = scenarioChoice(desk, (name) => task.chosen(name));
   const task = new Task(desk, controllers.inHand, {
     flyIt: (name) => scenarios.choose(name),
-    offer: (pair) => pictures.offer(pair),
+    offer: (pair) => pictures.offers.offer(pair),
   });
   const light = lightControl(desk, pictures);
   const [handOverParts, nameField] = [handOver(transmit), naming(keeper, transmit)];

@@ -69,7 +69,7 @@ export function act(action: Action, by: Acting): void {
       pictures.toggleMatrix();
       break;
     case 'offered pair':
-      pictures.takeOffer();
+      pictures.offers.take();
       break;
     case 'split':
       pictures.monitors.toggleSplit();

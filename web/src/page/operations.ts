@@ -23,7 +23,7 @@ export class Operations {
   send(command: Command): void {
     const { control, log } = this.parts;
     if (control.role.flying) {
-      if (command.type === 'initialise') this.parts.pictures.reopen();
+      if (command.type === 'initialise') this.parts.pictures.offers.reopen();
       this.transmit(command);
     } else log.say(OBSERVING);
   }
