@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import gc
 import importlib.util
 import random
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -63,6 +64,7 @@ class Laws:
         spec = importlib.util.spec_from_file_location("some_laws", source)
         assert spec is not None and spec.loader is not None
         self.module: ModuleType = importlib.util.module_from_spec(spec)
+        sys.modules[spec.name] = self.module  # the machine code names it
         spec.loader.exec_module(self.module)
 
     def was_compiled(self) -> bool:
@@ -72,6 +74,7 @@ class Laws:
         compiled: Any = numba.njit(self.module.hypotenuse)
         compiled._cache = LawCache(self.module.hypotenuse, self.folder)
         assert compiled(3.0, 4.0) == 5.0
+        gc.collect()  # nothing of an earlier compilation helps
         return bool(compiled.stats.cache_misses)
 
     def files(self) -> list[Path]:
@@ -80,11 +83,12 @@ class Laws:
 
 
 @pytest.fixture(scope="module")
-def laws(tmp_path_factory: pytest.TempPathFactory) -> Laws:
+def laws(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Laws]:
     """A law whose machine code is on disk."""
     laws = Laws(tmp_path_factory.mktemp("laws"))
     assert laws.was_compiled() and not laws.was_compiled()
-    return laws
+    yield laws
+    del sys.modules["some_laws"]
 
 
 @pytest.mark.parametrize("damage", DAMAGE)

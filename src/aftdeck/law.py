@@ -194,8 +194,10 @@ def load() -> None:
     with _loading:
         if _waiting is None:
             return
-        if _briefly and "numba" not in sys.modules and cache_folder() is None:
-            os.environ["NUMBA_DISABLE_JIT"] = "1"  # Numba reads it when it is imported; other processes inherit it
+        if _briefly and cache_folder() is None:
+            os.environ["NUMBA_DISABLE_JIT"] = "1"  # for processes that this one starts
+            config: Any = importlib.import_module("numba").config
+            config.DISABLE_JIT = 1
         compiled = {id(declared): declared.compiled for declared in _waiting}
         for module in list(sys.modules.values()):
             names = getattr(module, "__dict__", {})
