@@ -166,6 +166,7 @@ def test_a_folder_for_temporary_files_that_others_could_fill_is_not_used(
     assert str(usual) in line and str(own) in line and folders.OWN_CACHE in line
 
 
+@pytest.mark.slow
 def test_commands_work_if_no_folder_can_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     closed = str(tmp_path / "file")

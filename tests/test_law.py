@@ -166,6 +166,7 @@ def test_law_declared_after_loading_is_compiled_at_once() -> None:
     assert half(3.0) == 1.5
 
 
+@pytest.mark.slow
 def test_plain_python_gives_numbers_of_the_same_types_as_machine_code() -> None:
     """A frame of numbers of NumPy could neither be recorded nor sent to a page."""
     runs("""

@@ -39,7 +39,7 @@ def _is_hidden(scene: VisualScene, frame: Frame, eye: Array, tip: Array) -> bool
     return None if 0 < most < _THIN else most > 0
 
 
-@pytest.mark.parametrize("name", ["concept-1972-script", "srms-deploy"])
+@pytest.mark.parametrize("name", ["concept-1972-script"])
 def test_cameras_with_nothing_before_the_tip_come_first(name: str) -> None:
     loaded = scenario(name)
     scene, placed = VisualScene(loaded), SceneCameras(loaded)

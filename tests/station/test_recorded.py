@@ -81,6 +81,7 @@ def test_recording_is_played_in_a_page_that_links_to_the_station(tmp_path: Path)
         assert station.get("/") == (200, PAGE)
 
 
+@pytest.mark.slow
 def test_recording_whose_name_is_not_utf_8_is_listed_and_played(tmp_path: Path) -> None:
     folder = tmp_path / os.fsdecode(b"runs-\xff")
     record_run(folder / os.fsdecode(b"before-\xff.mcap"), 60)
