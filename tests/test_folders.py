@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from multiprocessing.connection import Connection
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ import pytest
 from aftdeck import folders
 from aftdeck.folders import Kind, user_folder
 from aftdeck.law import cache_folder
+from aftdeck.processes import Child
 from tests.study.studies import SHORT
 
 NAMELESS = """
@@ -60,6 +62,21 @@ def usual(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
+def ran(code: str, command: str, folder: Path, env: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    """Run Python code with the words of a command as arguments, in a folder; it must end without an error."""
+    done = subprocess.run(
+        [sys.executable, "-c", code, *command.split()],
+        cwd=folder,
+        env=env,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=600,
+    )
+    assert done.returncode == 0, (command, done.stderr)
+    return done
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "getuid"), reason="users without a name are those of Unix")
 def test_every_command_works_for_a_user_without_name_and_home(tmp_path: Path, temporary: Path) -> None:
@@ -70,16 +87,7 @@ def test_every_command_works_for_a_user_without_name_and_home(tmp_path: Path, te
     shutil.copytree(compiled, own / "cache" / compiled.name)
     env = {"PATH": os.environ["PATH"], "TMPDIR": str(temporary)}
     for command in COMMANDS:
-        done = subprocess.run(
-            [sys.executable, "-c", NAMELESS, *command.split()],
-            cwd=tmp_path,
-            env=env,
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=300,
-        )
-        assert done.returncode == 0, (command, done.stderr)
+        done = ran(NAMELESS, command, tmp_path, env)
         said = [line for line in done.stderr.splitlines() if not line.startswith("caution: ")]
         assert all(str(own) in line for line in said) and len(said) == len(set(said)) <= 2, (command, said)
         assert said or command in ("arms", "scenarios", "studies"), command
@@ -137,6 +145,23 @@ def test_there_may_be_no_folder_for_temporary_files(
     assert str(usual) in line
 
 
+def find_folder(pipe: Connection) -> None:
+    """Send the folder for compiled code that a process finds."""
+    pipe.send(user_folder("cache"))
+
+
+def test_a_sentence_is_left_to_the_first_process(
+    usual: Path, temporary: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    usual.touch()
+    children = [Child(find_folder) for _ in range(2)]
+    found = {child.pipe.recv() for child in children}
+    for child in children:
+        child.kill()
+    assert found == {user_folder("cache")}
+    assert len(capfd.readouterr().err.splitlines()) == 1
+
+
 @pytest.mark.parametrize("state", ["open to all", "open to read", "its cache is open to all", "a link", "a file"])
 def test_a_folder_for_temporary_files_that_others_could_fill_is_not_used(
     state: str, usual: Path, temporary: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -174,16 +199,7 @@ def test_commands_work_if_no_folder_can_be_written(tmp_path: Path) -> None:
     env = {**os.environ, "NUMBA_CACHE_DIR": closed, "XDG_DATA_HOME": closed}
 
     def printed(command: str, code: str = code) -> str:
-        done = subprocess.run(
-            [sys.executable, "-c", code, *command.split()],
-            cwd=tmp_path,
-            env=env,
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=600,
-        )
-        assert done.returncode == 0, (command, done.stderr)
+        done = ran(code, command, tmp_path, env)
         assert all(closed in line or "list of recordings" in line for line in done.stderr.splitlines()), done.stderr
         return done.stdout
 

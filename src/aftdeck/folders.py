@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import multiprocessing
 import os
 import stat
 import sys
@@ -14,6 +13,7 @@ from typing import Literal
 import platformdirs
 
 from aftdeck.lines import print_line
+from aftdeck.processes import CHILD
 
 Kind = Literal["cache", "data"]
 OWN_CACHE = "NUMBA_CACHE_DIR"
@@ -67,7 +67,7 @@ def usual_folder(kind: Kind) -> Path | None:
 @functools.cache
 def say_once(sentence: str) -> None:
     """Print a sentence once; a process that another one of this program has started leaves this to the first one."""
-    if multiprocessing.parent_process() is None:
+    if CHILD not in os.environ:
         print_line(sentence, sys.stderr)
 
 

@@ -2,7 +2,7 @@
 
 A damaged file is one that is not there: the law is compiled again, and the file written again. Numba's own cache raises
 errors of its format instead, and runs machine code that was damaged in the file. The digest in a file shows damage, not
-forgery: nobody else may be able to write into the folder.
+forgery: other users must not be able to write into the folder.
 """
 
 from __future__ import annotations

@@ -19,6 +19,10 @@ from typing import Any
 
 ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 """Variables that limit the threads of libraries: the processes already use all cores."""
+CHILD = "AFTDECK_CHILD"
+"""Variable that is set in each process that this program starts."""
+BACKGROUND = 10
+"""Difference between the priorities of a process that works in the background of a station, and of the station."""
 
 
 def cores() -> int:
@@ -49,7 +53,7 @@ class Child:
                 [sys.executable, "-m", __name__, str(theirs.fileno())],
                 stdin=subprocess.PIPE,
                 pass_fds=[theirs.fileno()],
-                env=os.environ | dict.fromkeys(ONE_THREAD, "1"),
+                env=os.environ | dict.fromkeys((*ONE_THREAD, CHILD), "1"),
                 # In a session of its own it would also be in a scheduling group of its own, and its priority would not
                 # count against this process.
                 process_group=0,
@@ -80,7 +84,7 @@ def main() -> None:
 
 
 def _end_with_parent() -> None:
-    """Wait until nobody has the other end of standard input, and end this process."""
+    """Wait until no process has the other end of standard input, and end this process."""
     os.read(sys.stdin.fileno(), 1)
     os._exit(1)
 

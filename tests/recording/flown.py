@@ -73,19 +73,23 @@ def record_random_run(
     return flown
 
 
-def record_every_channel(path: Path, steps: int) -> None:
-    """Record a run with at least one message in every channel."""
+STEPS = 12
+"""Number of steps of `record_every_channel`."""
+
+
+def record_every_channel(path: Path) -> None:
+    """Record a run of `STEPS` steps with at least one message in every channel."""
     made = bay()
     sim = aftdeck.Simulation(made)
     recorder = Recorder(path, made, sim.seed, real_time=True)
     recorder.light(0.0, Lighting("night", (), ()))
     recorder.controllers(0.0, (ControllerRecord("keyboard", "keys", 0.1, 0.3, ("KeyW +X",), (0.0,)),))
     recorder.shown(0.0, (("A",), ("B", "C")))
-    for k in range(steps):
+    for k in range(STEPS):
         inputs = Inputs((0.5, -0.2, 0.1), (0.0, 0.3, 0.0), mode="END EFF" if k == 3 else None)
         recorder.step(inputs, sim.step(inputs), 40.0)
     recorder.note(Event(0.2, "hand", "info", "manual control"))
-    recorder.delay(steps, 0.4, 0.4, 0.15)
+    recorder.delay(STEPS, 0.4, 0.4, 0.15)
     recorder.close("stopped")
     assert recorder.failure == "" and recorder.chain
     topics = {entry.channel.topic for entry in Recording(path).entries()}

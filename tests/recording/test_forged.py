@@ -14,7 +14,6 @@ from msgspec.structs import replace
 
 import aftdeck
 from aftdeck.errors import AftdeckError, RecordingError
-from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chain import Chain, Declared, without_head
 from aftdeck.recording.channels import DECLARED, VIEWED
 from aftdeck.recording.codec import encode
@@ -25,27 +24,11 @@ from aftdeck.recording.replay import Verdict, verify
 from aftdeck.recording.run import record
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
-from tests.recording.flown import bay, copied, messages, record_every_channel, rewritten
+from tests.recording.flown import STEPS, bay, copied, messages, rewritten
 
-STEPS = 12
+pytestmark = pytest.mark.usefixtures("scenarios_built_once")
 WALL = {"wall_s", "latency_ms"}
 """Fields of a frame that the simulation does not produce."""
-
-
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Recording with at least one message in every channel."""
-    path = tmp_path_factory.mktemp("forged") / "whole.mcap"
-    record_every_channel(path, STEPS)
-    return path
-
-
-@pytest.fixture(autouse=True)
-def _scenarios_built_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("aftdeck.recording.replay.scenario_of", _scenario)
-
-
-_scenario = functools.lru_cache(scenario_of)
 
 
 def refused(path: Path) -> bool:

@@ -12,35 +12,18 @@ from mcap.writer import CompressionType, IndexType
 
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.export.flight import read_flight
-from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.reader import Entry, Recording
 from aftdeck.recording.replay import Verdict, verify
 from aftdeck.station.playback.store import PlaybackStore
 from tests.each import each, seeds
 from tests.recording.damaging import check_flips, check_prefix, flipped, flips
-from tests.recording.flown import chunks, copied, messages, read_until_error, record_every_channel, rewritten
+from tests.recording.flown import STEPS, chunks, copied, messages, read_until_error, rewritten
 from tests.recording.writings import SDKS, each_setting, random_settings, written, written_by_sdk
 
-STEPS = 12
+pytestmark = pytest.mark.usefixtures("scenarios_built_once")
 WITHOUT_CHUNKS = {"use_chunking": False, "enable_data_crcs": True}
 WITHOUT_CRCS = {"use_chunking": False, "enable_crcs": False}
 LZ4 = {"compression": CompressionType.LZ4, "chunk_size": 20_000, "enable_data_crcs": True}
-
-
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Recording with at least one message in every channel."""
-    path = tmp_path_factory.mktemp("rewritten") / "whole.mcap"
-    record_every_channel(path, STEPS)
-    return path
-
-
-@pytest.fixture(autouse=True)
-def _scenarios_built_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("aftdeck.recording.replay.scenario_of", _scenario)
-
-
-_scenario = functools.lru_cache(scenario_of)
 _verify = functools.lru_cache(verify)
 
 

@@ -12,10 +12,11 @@ import msgspec
 import pytest
 
 from aftdeck.errors import RecordingError
+from aftdeck.processes import BACKGROUND
 from aftdeck.station.messages.playback import Block, PlaybackIndex
 from aftdeck.station.playback.answers import INDEX, VERDICT, Answers
 from aftdeck.station.playback.store import PlaybackStore
-from aftdeck.station.server.playback_process import NICE, PlaybackProcess
+from aftdeck.station.server.playback_process import PlaybackProcess
 from tests.station.pages import until
 from tests.station.recordings import record_run
 
@@ -40,7 +41,7 @@ def test_process_answers_like_a_store_and_has_a_lower_priority(recording: Path) 
             await process.close()
 
     index, block, priority = asyncio.run(asked())
-    assert priority == os.getpriority(os.PRIO_PROCESS, 0) + NICE
+    assert priority == os.getpriority(os.PRIO_PROCESS, 0) + BACKGROUND
     with PlaybackStore(recording) as store:
         answers = Answers(store, recording)
         assert answers.answer("1") == block

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from aftdeck.errors import InputError
+from aftdeck.processes import BACKGROUND
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
@@ -22,7 +23,7 @@ from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame as FrameMessage
 from aftdeck.station.server.pages import GATHER_S
 from aftdeck.station.session.painter import AT_ONCE, ENDED, PREPARING, Painter
-from aftdeck.station.session.painting import NICE, Painting, Sheet, Wanted
+from aftdeck.station.session.painting import Painting, Sheet, Wanted
 from aftdeck.station.session.session import Session
 from aftdeck.visual.diagram import sheet
 from aftdeck.visual.picture import picture_of
@@ -162,7 +163,7 @@ def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
 def test_process_draws_the_same_pictures_and_sheets() -> None:
     painting = Painting(scenario(NAME))
     painting.wait()
-    assert os.getpriority(os.PRIO_PROCESS, painting.pid) == os.getpriority(os.PRIO_PROCESS, 0) + NICE
+    assert os.getpriority(os.PRIO_PROCESS, painting.pid) == os.getpriority(os.PRIO_PROCESS, 0) + BACKGROUND
     there = painting.pictures(Wanted(frame(), LIGHT, {"A": ASPECT, "F": 1.0}))
     here = {"A": pictures().of(frame(), "A", ASPECT, LIGHT), "F": pictures().of(frame(), "F", 1.0, LIGHT)}
     assert there == {camera: msgspec.json.encode(picture) for camera, picture in here.items()}

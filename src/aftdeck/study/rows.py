@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from functools import cached_property
 from typing import get_args
 
 import msgspec
@@ -11,7 +12,7 @@ import msgspec
 from aftdeck.report.table import Cell, Row
 from aftdeck.simulation.summary import Ended
 from aftdeck.study.columns import NUMERIC, OUTCOME
-from aftdeck.study.design import cases
+from aftdeck.study.design import Case, cases
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of
 from aftdeck.study.result import GIVEN_UP, row_of
@@ -25,7 +26,11 @@ class RowCheck:
     """Check of the rows of one study."""
 
     def __init__(self, study: Study) -> None:
-        self._cases, self._plan = cases(study), plan_of(study)
+        self._study, self._plan = study, plan_of(study)
+
+    @cached_property
+    def _cases(self) -> list[Case]:
+        return cases(self._study)
 
     def problem(self, row: Row) -> str:
         """Return what is wrong with a row, in a few words; empty if nothing is."""

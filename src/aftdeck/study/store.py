@@ -66,7 +66,7 @@ class Store:
         """
         self.folder, self._study = folder, study
         self._outcomes: dict[int, Outcome] = {}
-        self._head = _first(study)
+        self._head: str
         try:
             folder.mkdir(parents=True, exist_ok=True)
             self._lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)

@@ -9,10 +9,10 @@ export interface Press {
   ended(at: number): void;
 }
 
-/** `begun` is called when a pointer presses the element, and returns null to ignore it. */
-export function onPress(element: HTMLElement, begun: (event: PointerEvent) => Press | null): void {
+/** `start` is called when a pointer presses the element, and returns null to ignore it. */
+export function onPress(element: HTMLElement, start: (event: PointerEvent) => Press | null): void {
   element.addEventListener('pointerdown', (event) => {
-    const press = begun(event);
+    const press = start(event);
     if (press) follow(event, press);
   });
 }

@@ -13,7 +13,7 @@ export class Freshness {
   /** Age of the oldest picture. */
   pictures: Age = { s: 0, set: 0, undrawn: false };
   /** Whether the log says that the pictures are not drawn. */
-  private told = false;
+  private logged = false;
   private readonly timer: number;
 
   constructor(
@@ -31,10 +31,10 @@ export class Freshness {
     this.pictures = this.drawn.setAge(arrivals.age('camera', now), now);
     setClass(document.body, 'stale', isStale(arrivals.age('telemetry', now)));
     const lost = isStale(this.pictures) && this.pictures.undrawn;
-    if (lost && !this.told)
+    if (lost && !this.logged)
       this.say('Pictures lost: the reason and what to do are in the pictures', 'caution');
-    if (this.told && !isStale(this.pictures)) this.say('Pictures are drawn again', 'info');
-    this.told = lost || (this.told && isStale(this.pictures));
+    if (this.logged && !isStale(this.pictures)) this.say('Pictures are drawn again', 'info');
+    this.logged = lost || (this.logged && isStale(this.pictures));
   }
 
   dispose(): void {

@@ -7,11 +7,8 @@ import contextlib
 from pathlib import Path
 
 from aftdeck.errors import RecordingError
-from aftdeck.processes import Child
+from aftdeck.processes import BACKGROUND, Child
 from aftdeck.station.playback.child import play
-
-NICE = 10
-"""Difference between the priorities of the process and of the station."""
 
 
 class PlaybackProcess:
@@ -19,7 +16,7 @@ class PlaybackProcess:
 
     def __init__(self, path: Path) -> None:
         """Start the process; it begins to read `path`."""
-        self._child = Child(play, path, nice=NICE)
+        self._child = Child(play, path, nice=BACKGROUND)
         self._lock = asyncio.Lock()
 
     @property
@@ -65,5 +62,5 @@ class PlaybackProcess:
     async def close(self) -> None:
         """End the process."""
         self._child.process.kill()
-        async with self._lock:  # nobody reads from the pipe
+        async with self._lock:  # no thread reads from the pipe
             self._child.kill()

@@ -18,7 +18,7 @@ import msgspec
 
 from aftdeck.errors import AftdeckError
 from aftdeck.law import compiled_before
-from aftdeck.processes import Child
+from aftdeck.processes import BACKGROUND, Child
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
@@ -26,9 +26,6 @@ from aftdeck.station.conversion.polygons_of import PolygonPictures
 from aftdeck.visual.diagram import sheet
 from aftdeck.visual.scene import VisualScene
 from aftdeck.visual.warm import warm_up
-
-NICE = 10
-"""Difference between the priorities of the process and of the station."""
 
 
 class Wanted(NamedTuple):
@@ -52,7 +49,7 @@ class Painting:
 
     def __init__(self, scenario: Scenario) -> None:
         """Start the process."""
-        self._child = Child(paint, scenario, nice=NICE)
+        self._child = Child(paint, scenario, nice=BACKGROUND)
         self._lock = threading.Lock()
 
     @property
