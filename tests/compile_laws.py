@@ -16,7 +16,7 @@ from collections.abc import Callable
 import numpy as np
 
 import aftdeck
-from aftdeck.law import cache_folder
+from aftdeck.law_folder import cache_folder
 from aftdeck.steering.batch import steer_batch
 from tests import loaded
 

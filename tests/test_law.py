@@ -16,7 +16,7 @@ from aftdeck import law
 
 def cache_folder(source: Path, home: Path) -> str:
     """Return the folder in which a copy of the package stores the machine code of its laws."""
-    code = "import aftdeck.law as law; print(law.cache_folder())"
+    code = "from aftdeck.law_folder import cache_folder; print(cache_folder())"
     env = {**os.environ, "PYTHONPATH": str(source), "NUMBA_CACHE_DIR": str(home)}
     done = subprocess.run(
         [sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True, timeout=300

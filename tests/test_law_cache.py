@@ -17,7 +17,7 @@ import pytest
 
 from aftdeck import law
 from aftdeck.folders import say_once
-from aftdeck.law_cache import LawCache
+from aftdeck.law_cache import LawCache, in_memory
 
 SOURCE = """
 def hypotenuse(a, b):
@@ -71,6 +71,7 @@ class Laws:
         """Call the law as a new process would; return whether it had to be compiled."""
         import numba  # noqa: PLC0415
 
+        in_memory.clear()
         compiled: Any = numba.njit(self.module.hypotenuse)
         compiled._cache = LawCache(self.module.hypotenuse, self.folder)
         assert compiled(3.0, 4.0) == 5.0
@@ -127,7 +128,7 @@ def test_another_source_has_machine_code_of_its_own(laws: Laws, tmp_path: Path) 
     code = (
         f"import sys; sys.path.insert(0, {str(source.parent)!r}); import some_laws, numba; from pathlib import Path; "
         + (
-            f"from aftdeck.law_cache import LawCache; law = numba.njit(some_laws.hypotenuse); "
+            f"from aftdeck.law_cache import LawCache, in_memory; law = numba.njit(some_laws.hypotenuse); "
             f"law._cache = LawCache(some_laws.hypotenuse, Path({str(laws.folder)!r})); print(law(3.0, 4.0))"
         )
     )

@@ -1,51 +1,48 @@
 """Decorator of the compiled laws.
 
 A *law* is a function that computes with one float at a time, and has few branches. The same source code is
-compiled by Numba (with a cache on disk), inlined in compiled loops over many arms, and run as plain Python under
-``NUMBA_DISABLE_JIT=1``. Numba is imported at the first call of any law, because importing Numba takes longer than
-loading an arm or a scenario. Loading an arm calls no law; loading a scenario runs them as plain Python (`interpreted`).
-In compiled code, division by zero gives infinity, as in hardware; a law
-whose divisor could be zero avoids that division.
+compiled by Numba (with a cache on disk, `law_cache.py`), inlined in compiled loops over many arms, and run as plain
+Python. Numba is imported at the first call of any law, because importing Numba takes longer than loading an arm or a
+scenario. Loading an arm calls no law; loading a scenario runs them as plain Python (`interpreted`). In compiled code,
+division by zero gives infinity, as in hardware; a law whose divisor could be zero avoids that division.
 
 A law gives the same result, to the last bit, on every processor and as plain Python. For this purpose the compiler may
 neither reorder sums nor fuse a product and a sum (only `fused` allows that), and a law calls no function of the C
 library, because libraries differ: `elementary.py` has the functions that laws need. `tests/test_machine_code.py`
 searches the machine code of all laws for such calls and instructions.
 
-Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. If a law
-changed in one file, the cached code of its callers would still contain the old version. The machine code is therefore
-in a folder whose name is a digest of all laws (`law_cache.py`). This folder is inside `NUMBA_CACHE_DIR` if that
-variable is set, otherwise inside the user's cache folder. Checkouts with the same laws share it.
+A process therefore may begin with plain Python while another one compiles, and change over between two calls
+(`run_plain`, `prepare`; `law_change.py`).
 """
 
 from __future__ import annotations
 
 import contextlib
 import functools
-import hashlib
 import importlib
 import inspect
 import os
-import re
-import shutil
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar, cast
+from typing import Any, Literal, ParamSpec, TypeVar, cast
 
 import numpy as np
 
-from aftdeck.folders import user_folder
-from aftdeck.law_cache import ENDING, LawCache
+from aftdeck.law_cache import LawCache, NotKept, here, only_kept
+from aftdeck.law_folder import cache_folder, compiled_before
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
 _loading = threading.RLock()
 _waiting: list[_Declared] | None = []
-"""Laws that are declared but not yet loaded; None after `load`."""
+"""Laws that are declared but not yet replaced by compiled functions; None after `load`."""
+_prepared: list[tuple[dict[str, Any], str, Any]] | None = None
+"""What the next call of a law replaces: namespaces, names in them, and compiled functions; None before `prepare`."""
+_way: Literal["compiled", "kept", "plain"] = "compiled"
+"""How this process runs laws until `load`: see `run_kept` and `run_plain`."""
 
 
 class _Here(threading.local):
@@ -55,13 +52,6 @@ class _Here(threading.local):
 
 
 _here = _Here()
-_briefly = False
-"""Whether this process calls laws for a short time only: see `use_briefly`."""
-
-_DECLARED = re.compile(rb"^@(elementary_|large_)?law$", re.MULTILINE)
-"""Decorator of a law, in a source file."""
-_KEPT = 30 * 86_400.0
-"""Time after which unused machine code of another version of the laws is deleted [s]."""
 
 
 class _Declared:
@@ -73,26 +63,43 @@ class _Declared:
 
     def __init__(self, function: Callable[..., Any], interpreted: bool, fused: bool, inlined: bool) -> None:
         functools.update_wrapper(self, function)
-        self._interpreted, self._fused, self._inlined = interpreted, fused, inlined
+        self._function, self._interpreted, self._fused, self._inlined = function, interpreted, fused, inlined
+        self._missing = False
 
     @functools.cached_property
     def compiled(self) -> Callable[..., Any]:
         """Law as a function that Numba compiles at its first call."""
-        function: Callable[..., Any] = self.__wrapped__  # type: ignore[attr-defined]
-        return _compiled(function, fused=self._fused, inlined=self._inlined)
+        return _compiled(self._function, fused=self._fused, inlined=self._inlined)
 
     def __call__(self, *given: Any) -> Any:
-        """Call an interpreted law, or any law inside `interpreted`, as plain Python; else load all laws first."""
-        function: Callable[..., Any] = self.__wrapped__  # type: ignore[attr-defined]
-        if _waiting is None or not (self._interpreted or _here.plain):
-            load()
+        """Call the law in the way of this process and thread."""
+        if _here.nested:
+            return self._function(*given)
+        if here.only_kept and not _here.plain:
             return self.compiled(*given)
-        return function(*given) if self._interpreted else _as_python(function, *given)
+        if _prepared is not None:
+            load()
+        if _waiting is not None:
+            if self._interpreted and not _here.plain:
+                return self._function(*given)
+            if _here.plain or _way == "plain" or (_way == "kept" and self._missing):
+                return _as_python(self._function, *given)
+            if _way == "kept":
+                return self._kept_or_plain(*given)
+            load()
+        return self.compiled(*given)
+
+    def _kept_or_plain(self, *given: Any) -> Any:
+        try:
+            with only_kept():
+                return self.compiled(*given)
+        except NotKept:
+            self._missing = True
+            return _as_python(self._function, *given)
 
     @property
     def _numba_type_(self) -> Any:
         """Numba's type of the law, for a compiled function that calls the law through this placeholder."""
-        load()
         typeof: Any = importlib.import_module("numba").typeof
         return typeof(self.compiled)
 
@@ -175,36 +182,65 @@ def _declared(
         return cast("Callable[_P, _R]", _waiting[-1])
 
 
-def use_briefly() -> None:
-    """Let the laws run as plain Python in this process if machine code cannot be kept on disk.
+def are_compiled() -> bool:
+    """Return whether Numba compiles laws in this process, as it does unless `NUMBA_DISABLE_JIT` is set."""
+    return os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0")
 
-    For one run this takes a fifth of the time that their compilation takes. Call this before the first law.
+
+def run_kept() -> None:
+    """Let this process take each law from the disk if its machine code is there, and else run it as plain Python.
+
+    It then compiles nothing, which is the quickest way to call laws for a short time.
     """
-    global _briefly  # noqa: PLW0603
-    _briefly = True
+    global _way  # noqa: PLW0603
+    if are_compiled():
+        _way = "kept" if compiled_before() else "plain"
+
+
+def run_plain() -> None:
+    """Let this process run the laws as plain Python until `load`, which may be called at any time after `prepare`."""
+    global _way  # noqa: PLW0603
+    if are_compiled():
+        _way = "plain"
+
+
+def is_plain() -> bool:
+    """Return whether this process runs the laws as plain Python for now, after `run_plain`."""
+    return _waiting is not None and _prepared is None and _way == "plain"
+
+
+def prepare() -> None:
+    """Let the next call of a law in any thread, outside other laws, call `load`, which then takes no time."""
+    global _prepared  # noqa: PLW0603
+    with _loading:
+        _prepared = None if _waiting is None else _replacements(_waiting)
 
 
 def load() -> None:
     """Import Numba, and replace each placeholder by its compiled law, in every module that has a name for it.
 
     Later calls then reach the compiled law directly, from Python and from other laws. The first call of any law calls
-    this function.
+    this function, unless `run_kept` or `run_plain` was called before.
     """
-    global _waiting  # noqa: PLW0603
+    global _waiting, _prepared  # noqa: PLW0603
     with _loading:
         if _waiting is None:
             return
-        if _briefly and cache_folder() is None:
-            os.environ["NUMBA_DISABLE_JIT"] = "1"  # for processes that this one starts
-            config: Any = importlib.import_module("numba").config
-            config.DISABLE_JIT = 1
-        compiled = {id(declared): declared.compiled for declared in _waiting}
-        for module in list(sys.modules.values()):
-            names = getattr(module, "__dict__", {})
-            for name, value in list(names.items()):
-                if type(value) is _Declared:  # `isinstance` would start lazy imports of other packages
-                    names[name] = compiled[id(value)]
-        _waiting = None
+        for names, name, compiled in _prepared or _replacements(_waiting):
+            names[name] = compiled
+        _waiting = _prepared = None
+
+
+def _replacements(declared: list[_Declared]) -> list[tuple[dict[str, Any], str, Any]]:
+    """Return the namespaces of all modules with names for laws, these names, and the compiled laws."""
+    compiled = {id(one): one.compiled for one in declared}
+    return [
+        (module.__dict__, name, compiled[id(value)])
+        for module in list(sys.modules.values())
+        if hasattr(module, "__dict__")
+        for name, value in list(module.__dict__.items())
+        if type(value) is _Declared  # `isinstance` would start lazy imports of other packages
+    ]
 
 
 def _compiled(function: Callable[_P, _R], *, fused: bool, inlined: bool) -> Callable[_P, _R]:
@@ -220,50 +256,6 @@ def _compiled(function: Callable[_P, _R], *, fused: bool, inlined: bool) -> Call
     compiled: Any = numba.njit(**options)(function)
     if compiled is function:  # NUMBA_DISABLE_JIT
         return cast("Callable[_P, _R]", functools.wraps(function)(functools.partial(_as_python, function)))
-    folder = None if fused else cache_folder()  # the cache does not distinguish the two versions of a law
-    if folder is not None and Path(function.__code__.co_filename).is_file():
-        compiled._cache = LawCache(function, folder)
+    if not fused and Path(function.__code__.co_filename).is_file():  # the cache does not distinguish the two versions
+        compiled._cache = LawCache(function, cache_folder())
     return cast("Callable[_P, _R]", compiled)
-
-
-def compiled_before(package: str = "") -> bool:
-    """Return whether the cache on disk contains machine code of this version of the laws.
-
-    Args:
-        package: name of the package whose laws count; if it is empty, all laws count.
-    """
-    folder = cache_folder()
-    return folder is not None and any(folder.glob(f"aftdeck.{package}*/*{ENDING}"))
-
-
-@functools.cache
-def state_of_the_laws() -> str:
-    """Return a 16-digit digest of this file and of the sources of every subpackage that contains a law."""
-    digest, home = hashlib.sha256(), Path(__file__).parent
-    sources = {path: path.read_bytes() for path in sorted(home.rglob("*.py"))}
-    packages = {path.relative_to(home).parts[0] for path, text in sources.items() if _DECLARED.search(text)}
-    packages.add(Path(__file__).name)
-    for path, text in sources.items():
-        if path.relative_to(home).parts[0] in packages:
-            digest.update(text)
-    return digest.hexdigest()[:16]
-
-
-@functools.cache
-def cache_folder() -> Path | None:
-    """Return the cache folder for this version of the laws; None if no folder can be written.
-
-    Also delete the folders of other versions that have been unused for more than `_KEPT`.
-    """
-    name = f"laws-{state_of_the_laws()}"
-    home = user_folder("cache", name)
-    if home is None:
-        return None
-    folder = home / name
-    with contextlib.suppress(OSError):
-        folder.mkdir(exist_ok=True)
-        folder.touch()
-        for other in home.glob("laws-*"):
-            if time.time() - other.stat().st_mtime > _KEPT:
-                shutil.rmtree(other, ignore_errors=True)
-    return folder

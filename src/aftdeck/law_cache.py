@@ -1,4 +1,4 @@
-"""Machine code of laws on disk.
+"""Machine code of laws on disk, or in memory if there is no folder for it.
 
 A damaged file is one that is not there: the law is compiled again, and the file written again. Numba's own cache raises
 errors of its format instead, and runs machine code that was damaged in the file. The digest in a file shows damage, not
@@ -7,23 +7,55 @@ forgery: other users must not be able to write into the folder.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import importlib
 import pickle
 import sys
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 from aftdeck.errors import InputError
 from aftdeck.folders import say_once
+from aftdeck.law_folder import ENDING
 from aftdeck.whole_file import write_whole
 
-ENDING = ".law"
-"""End of the names of the files."""
 _SEAL = hashlib.sha256().digest_size
 """Length of the digest with which a file begins [bytes]."""
+in_memory: dict[str, bytes] = {}
+"""Contents of the files of a process without a folder, by their names."""
+observers: list[Callable[[str], None]] = []
+"""Called with the name of each file that was read or written: a process that compiles for another one counts them."""
+
+
+class NotKept(Exception):
+    """There is no machine code of a law that was called inside `only_kept`."""
+
+
+class _Here(threading.local):
+    """State of a thread: `only_kept` is True inside the function of this name."""
+
+    only_kept = False
+
+
+here = _Here()
+
+
+@contextlib.contextmanager
+def only_kept() -> Iterator[None]:
+    """Call laws in this thread as machine code from the cache only.
+
+    Raises:
+        NotKept: a law was called whose machine code is not there.
+    """
+    before, here.only_kept = here.only_kept, True
+    try:
+        yield
+    finally:
+        here.only_kept = before
 
 
 class LawCache:
@@ -34,46 +66,45 @@ class LawCache:
     the machine code of one version of all laws.
     """
 
-    def __init__(self, law: Callable[..., Any], folder: Path) -> None:
+    def __init__(self, law: Callable[..., Any], folder: Path | None) -> None:
         """Prepare the cache.
 
         Args:
             law: function, from a file.
-            folder: folder for this version of all laws.
+            folder: folder for this version of all laws; None: the files are in memory.
         """
-        self._law, self._folder = law, folder / law.__module__
+        self._law, self._folder = law, folder
 
     @property
     def cache_path(self) -> str:
-        """Folder of the files."""
-        return str(self._folder)
+        """Folder of the files; empty if they are in memory."""
+        return str(self._folder or "")
 
     def load_overload(self, signature: Any, target: Any) -> Any:
-        """Return the result of the compilation for a signature; None if there is none, or if the file is damaged."""
+        """Return the result of the compilation for a signature; None if there is none, or if the file is damaged.
+
+        Raises:
+            NotKept: there is none, and the call is inside `only_kept`.
+        """
         target.refresh()
-        try:
-            data = self._path(signature, target.codegen()).read_bytes()
-        except OSError:
-            return None
-        if hashlib.sha256(data[_SEAL:]).digest() != data[:_SEAL]:
-            return None
-        try:
-            kept, result = pickle.loads(data[_SEAL:])  # not damaged
-            return _numba("compiler").CompileResult._rebuild(target, *result) if kept == signature else None
-        except Exception:  # whatever another version of Numba raises: compile again
-            return None
+        name = self._name(signature, target.codegen())
+        result = _result(self._read(name), signature, target)
+        if result is None and here.only_kept:
+            raise NotKept(name)
+        if result is not None:
+            _tell(name)
+        return result
 
     def save_overload(self, signature: Any, compiled: Any) -> None:
         """Write the result of a compilation for a signature. If this fails, one line of the process says so."""
         if compiled.lifted or compiled.library.has_dynamic_globals:  # it contains addresses of this process
             return
+        name = self._name(signature, compiled.codegen)
         data = _numba("serialize").dumps((signature, compiled._reduce()))
-        try:
-            write_whole(self._path(signature, compiled.codegen), hashlib.sha256(data).digest() + data)
-        except InputError:
-            say_once(f"compiled code cannot be written into {self._folder.parent}; it is compiled again at each start")
+        self._write(name, hashlib.sha256(data).digest() + data)
+        _tell(name)
 
-    def _path(self, signature: Any, codegen: Any) -> Path:
+    def _name(self, signature: Any, codegen: Any) -> str:
         cells = [cell.cell_contents for cell in self._law.__closure__ or ()]
         depends = (
             signature,
@@ -85,7 +116,38 @@ class LawCache:
             _numba("serialize").dumps(cells) if cells else b"",
         )
         digest = hashlib.sha256(repr(depends).encode()).hexdigest()[:16]
-        return self._folder / f"{self._law.__name__}-{digest}{ENDING}"
+        return f"{self._law.__module__}/{self._law.__name__}-{digest}{ENDING}"
+
+    def _read(self, name: str) -> bytes:
+        """Return the content of a file; empty if it is not there, or damaged."""
+        data = in_memory.get(name, b"")
+        if not data and self._folder is not None:
+            with contextlib.suppress(OSError):
+                data = (self._folder / name).read_bytes()
+        return data[_SEAL:] if hashlib.sha256(data[_SEAL:]).digest() == data[:_SEAL] else b""
+
+    def _write(self, name: str, data: bytes) -> None:
+        try:
+            if self._folder is not None:
+                return write_whole(self._folder / name, data)
+        except InputError:
+            say_once(f"compiled code cannot be written into {self._folder}; it is compiled again at each start")
+        in_memory[name] = data
+        return None
+
+
+def _tell(name: str) -> None:
+    for observer in observers:
+        observer(name)
+
+
+def _result(data: bytes, signature: Any, target: Any) -> Any:
+    """Return a result of Numba's compilation from a file's content; None if it is not one for this signature."""
+    try:
+        kept, result = pickle.loads(data)  # not damaged
+        return _numba("compiler").CompileResult._rebuild(target, *result) if kept == signature else None
+    except Exception:  # whatever another version of Numba raises: compile again
+        return None
 
 
 def _numba(module: str) -> Any:

@@ -9,12 +9,13 @@ from pathlib import Path
 import pytest
 
 from aftdeck.errors import CommandError
+from aftdeck.law_change import Laws
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.driver import Driver, Phase
-from aftdeck.station.session.pace import MAX_CATCH_UP
+from aftdeck.station.session.pace import MAX_CATCH_UP, PUNCTUAL, Delay
 from aftdeck.station.session.page_inputs import MAX_WAITING
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
@@ -98,3 +99,82 @@ def test_failing_step_is_reported_with_its_time_and_the_recording_is_kept(
     recording = Recording(path)
     list(recording.messages())
     assert verify(path).equal and recording.ended == "stopped"
+
+
+def _begun(driver: Driver) -> bool:
+    return driver.session.newest != b"" and shown(driver.session).tick > 1
+
+
+def test_run_waits_for_the_first_pictures_of_a_page_and_loses_no_time() -> None:
+    driver = Driver(Session(scenario()), for_page=True)
+    driver.start(lambda: None)
+    until(lambda: driver.waits_for == "page", "the run waits")
+    time.sleep(0.5)
+    assert shown(driver.session).tick == 1, "the page has a frame to draw"
+    driver.drawn()
+    until(lambda: _begun(driver) and driver.waits_for == "", "the run goes on")
+    driver.close()
+    assert driver.session.delays.lost_s == 0.0
+
+
+def test_run_without_a_page_begins_in_time_and_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("aftdeck.station.session.driver.PAGE_WITHIN", 0.3)
+    driver = Driver(Session(scenario()), for_page=True)
+    driver.start(lambda: None)
+    until(lambda: _begun(driver), "the run begins")
+    driver.close()
+    assert [event.kind for event in driver.session.log.since(0)] == ["page"]
+
+
+def test_closing_ends_the_wait_for_a_page() -> None:
+    driver = Driver(Session(scenario()), for_page=True)
+    driver.start(lambda: None)
+    until(lambda: driver.waits_for == "page", "the run waits")
+    begun = time.monotonic()
+    driver.close()
+    assert time.monotonic() - begun < 1.0 and driver.phase is Phase.CLOSED
+
+
+class _SlowLaws(Laws):
+    """Laws that are compiled when the test says so."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.compiled = threading.Event()
+
+    def wait(self, timeout: float) -> bool:
+        return self.compiled.wait(timeout)
+
+
+@pytest.mark.parametrize("busy", ["work", "sleep"])
+def test_run_waits_for_compiled_laws_if_its_own_work_is_too_slow(busy: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    laws = _SlowLaws()
+    session = Session(scenario(), laws=laws)
+    step = session.step
+
+    def slow(delay: Delay = PUNCTUAL) -> bool:
+        if not laws.compiled.is_set():
+            if busy == "work":
+                until_work = time.thread_time() + 0.05
+                while time.thread_time() < until_work:
+                    pass
+            else:
+                time.sleep(0.05)
+        return step(delay)
+
+    monkeypatch.setattr(session, "step", slow)
+    driver = Driver(session)
+    driver.start(lambda: None)
+    if busy == "sleep":  # a busy machine is no reason to wait
+        until(lambda: session.delays.lost_s > 0.0, "time is lost")
+        assert driver.waits_for == ""
+        driver.close()
+        return
+    until(lambda: driver.waits_for == "laws", "the run waits")
+    before = shown(session).tick
+    time.sleep(0.3)
+    assert shown(session).tick == before
+    laws.compiled.set()
+    until(lambda: shown(session).tick > before, "the run goes on")
+    driver.close()
+    assert session.delays.lost_s == 0.0

@@ -106,8 +106,28 @@ def test_small_delays_are_no_late_steps() -> None:
         assert session.delays == Delays()
 
 
+def give_command(session: Session) -> None:
+    """Give a command, after which lost time disturbs an operator."""
+    session.command(from_page.SelectRate(0, "vernier"))
+    steps(session, 1)
+
+
+def test_time_lost_before_the_first_command_is_a_number_and_no_caution(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        session.step(Delay(0.5, 0.5))
+        (lamp,) = (lamp for lamp in shown(session).display.lamps if lamp.name == TIME_LOST)
+        assert lamp.level == "info" and "0.50 s" in lamp.text
+        give_command(session)
+        steps(session, 5)
+        assert not [event for event in session.log.since(0) if event.level != "info"]
+        assert session.delays.lost_s == 0.5
+    (path,) = tmp_path.glob("*.mcap")
+    assert verify(path).delays == session.delays == Delays(1, 0.5, 0.5, None)
+
+
 def test_lost_time_is_logged_at_most_once_in_ten_seconds_with_its_sum() -> None:
     with flying() as session:
+        give_command(session)
         for _ in range(100):
             session.step(Delay(0.5, 0.5))
         logged = [event for event in session.log.since(0) if event.kind == "time lost"]
@@ -122,6 +142,7 @@ def test_lamp_is_lit_from_a_loss_to_the_end_of_the_run() -> None:
         return next((lamp.level for lamp in shown(session).display.lamps if lamp.name == TIME_LOST), "")
 
     with flying() as session:
+        give_command(session)
         session.step(Delay(0.1, 0.0))
         assert level(session) == ""
         session.step(Delay(0.5, 0.5))
@@ -138,7 +159,8 @@ def slow_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Recording with 3 late steps, of which one lost 0.5 s."""
     folder = tmp_path_factory.mktemp("slow")
     with flying(record=folder) as session:
-        steps(session, 50)
+        steps(session, 49)
+        give_command(session)
         for delay in (Delay(0.1, 0.0), Delay(0.03, 0.0), Delay(0.5, 0.5)):
             session.step(delay)
         steps(session, 20)

@@ -5,14 +5,16 @@ from __future__ import annotations
 import functools
 import os
 import signal
+import threading
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import msgspec
 import numpy as np
 import pytest
 
 from aftdeck.errors import InputError
+from aftdeck.law_change import Progress
 from aftdeck.processes import BACKGROUND
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
@@ -22,7 +24,7 @@ from aftdeck.station.conversion.polygons_of import HALF_WIDTH, PolygonPictures, 
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame as FrameMessage
 from aftdeck.station.server.pages import GATHER_S
-from aftdeck.station.session.painter import AT_ONCE, ENDED, PREPARING, Painter
+from aftdeck.station.session.painter import AT_ONCE, ENDED, Painter
 from aftdeck.station.session.painting import Painting, Sheet, Wanted
 from aftdeck.station.session.session import Session
 from aftdeck.visual.diagram import sheet
@@ -94,7 +96,7 @@ class Counted(Painting):
     def __init__(self, _: Scenario) -> None:
         self.count: dict[str, int] = {}
 
-    def wait(self) -> None:
+    def wait(self, tell: Callable[[Progress], None]) -> None:
         """Return at once."""
 
     def pictures(self, wanted: Wanted) -> dict[str, bytes]:
@@ -126,13 +128,30 @@ def test_without_a_wanted_picture_nothing_is_computed(monkeypatch: pytest.Monkey
 def test_painter_draws_the_wanted_cameras_of_the_newest_frame() -> None:
     painter = Painter(scenario(NAME), Counted)
     painter.want({"A": 1.5})
-    assert drawn(painter)["A"] == no_polygons("A", PREPARING)
     painter.show(frame(), LIGHT)
     until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
     assert drawn(painter)["A"].text == f"1.5 {LIGHT.name}"
     painter.want({"B": 1.0})
     painter.show(frame(), LIGHT)
     until(lambda: set(painter.drawn) == {"B"}, "a picture of the other camera")
+    painter.close()
+
+
+def test_the_time_until_the_first_picture_is_told() -> None:
+    go_on = threading.Event()
+
+    class Compiling(Counted):
+        def wait(self, tell: Callable[[Progress], None]) -> None:
+            tell(Progress(0.5, 12.0))
+            go_on.wait(WAIT_S)
+
+    painter = Painter(scenario(NAME), Compiling)
+    painter.want({"A": 1.5})
+    until(lambda: drawn(painter)["A"].share == 0.5, "progress")
+    assert "12 s" in drawn(painter)["A"].text
+    go_on.set()
+    painter.show(frame(), LIGHT)
+    until(lambda: drawn(painter)["A"].share is None, "a picture")
     painter.close()
 
 
@@ -162,7 +181,7 @@ def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
 
 def test_process_draws_the_same_pictures_and_sheets() -> None:
     painting = Painting(scenario(NAME))
-    painting.wait()
+    painting.wait(lambda _: None)
     assert os.getpriority(os.PRIO_PROCESS, painting.pid) == os.getpriority(os.PRIO_PROCESS, 0) + BACKGROUND
     there = painting.pictures(Wanted(frame(), LIGHT, {"A": ASPECT, "F": 1.0}))
     here = {"A": pictures().of(frame(), "A", ASPECT, LIGHT), "F": pictures().of(frame(), "F", 1.0, LIGHT)}

@@ -14,7 +14,7 @@ import pytest
 from aftdeck.errors import SimulationError
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.station.server import sheets
-from aftdeck.station.session.painter import PREPARING, Painter
+from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
 from tests.station.pages import WAIT_S, Station, served, until
@@ -53,7 +53,7 @@ def test_sheets_follow_the_run_and_name_unknown_cameras() -> None:
         names = ", ".join(camera.name for camera in cameras_of(scenario(NAME)))
         assert station.get("/planes/A9.svg") == (404, f"no camera is called 'A9'; cameras are {names}\n")
         station.session.painter.prepare = lambda: False  # type: ignore[method-assign]
-        assert station.get("/planes/A.svg") == (202, f"{PREPARING}\n")
+        assert station.get("/planes/A.svg") == (202, f"{station.session.painter.text}\n")
 
 
 def test_a_picture_that_cannot_be_drawn_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -20,6 +20,7 @@ import './panel/controllers/key-map.css';
 import './panel/target/control-page.css';
 import './panel/controllers/controllers.css';
 import './panel/controllers/touch.css';
+import './page/readiness.css';
 import './task/task.css';
 import './panel/calm/calm.css';
 import './cameras/all-cameras.css';

@@ -12,7 +12,7 @@ function picture(
 ): Polygons {
   const corners = polygons.flatMap(([, places]) => places.flat()).map((at) => Math.round(10_000 * at));
   return {
-    ...{ type: 'polygons', tick: 1, camera: 'A', text: '' },
+    ...{ type: 'polygons', tick: 1, camera: 'A', text: '', share: null },
     points: base64(new Uint8Array(Int16Array.from(corners).buffer)),
     corners: base64(Uint8Array.from(polygons, ([, { length }]) => length)),
     greys: base64(Uint8Array.from(polygons, ([grey]) => grey)),

@@ -45,8 +45,10 @@ def _print_version(requested: bool) -> None:
         raise typer.Exit
 
 
-_BRIEF = ("arm", "check", "run")
-"""Commands that call laws for so short a time that plain Python is quicker than a compilation that is not kept."""
+_BRIEF = ("arm", "check")
+"""Commands that call laws for so short a time that plain Python is quicker than their compilation."""
+_AT_ONCE = ("run", "replay", "render", "planes", "report", "export")
+"""Commands that begin with plain Python, and let another process compile (`cli/laws.py`)."""
 
 
 @app.callback()
@@ -57,6 +59,10 @@ def _options(
     ] = False,
 ) -> None:
     if context.invoked_subcommand in _BRIEF:
-        from aftdeck.law import use_briefly
+        from aftdeck.law import run_kept
 
-        use_briefly()
+        run_kept()
+    elif context.invoked_subcommand in _AT_ONCE:
+        from aftdeck.law import run_plain
+
+        run_plain()

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from aftdeck.errors import InputError
-from aftdeck.lines import print_error
 
 if TYPE_CHECKING:
     from aftdeck.scenario.light import LightCondition
@@ -27,14 +25,6 @@ WordsOf = Annotated[
 ]
 SIZE = (800, 600)
 """Default size of a picture [pixels]."""
-
-
-def announce_compilation() -> None:
-    """Tell the user in a terminal if the laws of the pictures have to be compiled first."""
-    from aftdeck.law import compiled_before
-
-    if sys.stderr.isatty() and not compiled_before("visual"):
-        print_error("compiling the laws that draw pictures; this takes a minute or two, once for each version")
 
 
 def not_negative(option: str, value: float | None) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from aftdeck.cli.app import Json, app
+from aftdeck.cli.laws import pictures_compiled_meanwhile
 from aftdeck.cli.printing import Progress, print_json
 from aftdeck.errors import InputError
 from aftdeck.lines import print_error, print_line
@@ -87,11 +89,10 @@ def export(
     chosen = plan(
         flights, fps=fps, columns=None if columns is None else columns.split(","), cameras=drawn, size=pixels, task=task
     )
-    if chosen.pictures:
-        from aftdeck.cli.drawing import announce_compilation
-
-        announce_compilation()
-    with Progress(f"{folder}") as progress:
+    with ExitStack() as meanwhile:
+        if chosen.pictures:
+            meanwhile.enter_context(pictures_compiled_meanwhile(bar=False))
+        progress = meanwhile.enter_context(Progress(f"{folder}"))
         episodes = write(flights, folder, chosen, progress)
     if as_json:
         print_json({"folder": str(folder), "plan": chosen, "episodes": episodes}, indent=2)

@@ -147,7 +147,9 @@ def run(
 
     The exit code is 1 if the run ended in a fault.
     """
+    from aftdeck.cli.laws import compiled_meanwhile
     from aftdeck.scenario.load import load_scenario
+    from aftdeck.simulation.warm import warm_up
 
     if out is not None and words is not None and out.resolve() == words.resolve():
         raise InputError(f"--out and --words name the same file {words}; name two different files")
@@ -160,7 +162,8 @@ def run(
             f"{loaded.name} has no script: it runs {loaded.duration:g} s without inputs; "
             f"operate it with `aftdeck fly {scenario}`"
         )
-    summary, recording_error = _run(loaded, out, channels, operator, words, seed)
+    with compiled_meanwhile(warm_up, loaded, bar=False):
+        summary, recording_error = _run(loaded, out, channels, operator, words, seed)
     if as_json:
         print_json(summary, indent=2)
     else:

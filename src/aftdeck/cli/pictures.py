@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import app
-from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative
+from aftdeck.cli.drawing import SIZE, Run, WordsOf, light_of, not_negative
+from aftdeck.cli.laws import pictures_compiled_meanwhile
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.lines import print_line
 from aftdeck.whole_file import write_whole
@@ -104,13 +105,14 @@ def render(
     pages = _pages(
         given.scenario, frames, camera, drawn_size, look, light_of(given.scenario, light), alone=step is None
     )
-    if numbered:
-        count = 0
-        for count, page in enumerate(pages, 1):
-            write_whole(_numbered(out, numbered, count), _encoded([page], out.suffix, 1.0, run))
-        print_line(f"{out}: {count} pictures")
-        return
-    kept = list(pages)
+    with pictures_compiled_meanwhile():
+        if numbered:
+            count = 0
+            for count, page in enumerate(pages, 1):
+                write_whole(_numbered(out, numbered, count), _encoded([page], out.suffix, 1.0, run))
+            print_line(f"{out}: {count} pictures")
+            return
+        kept = list(pages)
     write_whole(out, _encoded(kept, out.suffix, step or 1.0, run))
     print_line(f"{out}: {len(kept)} pictures" if step is not None else str(out))
 
@@ -133,7 +135,6 @@ def _pages(
     from aftdeck.visual.picture import failed_picture, picture_of, readouts
     from aftdeck.visual.scene import VisualScene
 
-    announce_compilation()
     scene = VisualScene(scenario)
     style: Look = "1972" if look is LookName.seventies else "colour"
     for frame in frames:

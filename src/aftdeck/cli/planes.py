@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Json, app
-from aftdeck.cli.drawing import SIZE, Run, WordsOf, announce_compilation, light_of, not_negative
+from aftdeck.cli.drawing import SIZE, Run, WordsOf, light_of, not_negative
+from aftdeck.cli.laws import pictures_compiled_meanwhile
 from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError
 from aftdeck.lines import print_line
@@ -45,13 +46,13 @@ def planes(
         raise InputError(f"-o: {out} has to end in .svg, and cannot be combined with --json")
     given = source(run, words_of)
     frame = at(given, time)
-    announce_compilation()
-    scene = VisualScene(given.scenario)
     title = given.scenario.title
-    if out is not None:
-        write_whole(out, sheet(scene, frame, camera, light_of(given.scenario, None), title))
-        return print_line(str(out))
-    found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
+    with pictures_compiled_meanwhile():
+        scene = VisualScene(given.scenario)
+        if out is not None:
+            write_whole(out, sheet(scene, frame, camera, light_of(given.scenario, None), title))
+            return print_line(str(out))
+        found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
     if as_json:
         print_json(_named(found))
     else:

@@ -96,18 +96,25 @@ def replay(
 
         serve_recording(file, host=host, port=port, names=tuple(names or ()), open_browser=not no_browser)
     elif html is not None:
+        from aftdeck.cli.laws import compiled_meanwhile
+        from aftdeck.recording.bundle import scenario_of
+        from aftdeck.recording.reader import Recording
         from aftdeck.station.playback.one_file import write_html
+        from aftdeck.station.session.warm import warm_up
 
-        write_html(file, html)
+        with compiled_meanwhile(warm_up, scenario_of(Recording(file).opening)):
+            write_html(file, html)
         print_line(f"{html}: {html.stat().st_size / 1e6:.2f} MB; open it in any browser")
     else:
         _verify(file, words, max_lost, as_json)
 
 
 def _verify(file: Path, words: Path | None, max_lost: float | None, as_json: bool) -> None:
+    from aftdeck.cli.laws import compiled_meanwhile
     from aftdeck.recording.bundle import scenario_of
     from aftdeck.recording.reader import Recording
     from aftdeck.recording.replay import verify
+    from aftdeck.simulation.warm import warm_up
 
     recording = Recording(file)
     with ExitStack() as open_files:
@@ -116,6 +123,7 @@ def _verify(file: Path, words: Path | None, max_lost: float | None, as_json: boo
             from aftdeck.cli.words import writing
 
             stepped = open_files.enter_context(writing(scenario_of(recording.opening), words))
+        open_files.enter_context(compiled_meanwhile(warm_up, scenario_of(recording.opening), bar=False))
         progress = open_files.enter_context(Progress(recording.opening.title))
         verdict = verify(file, progress, stepped, _listed(file))
     if as_json:
@@ -211,10 +219,18 @@ def _print_fields(fields: tuple[object, ...]) -> None:
 
 
 def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool) -> None:
+    from aftdeck.cli.laws import compiled_meanwhile
+    from aftdeck.recording.bundle import scenario_of
     from aftdeck.recording.changed import rerun
     from aftdeck.recording.index import Index
+    from aftdeck.recording.reader import Recording
+    from aftdeck.simulation.warm import warm_up
 
-    with Progress("with " + ", ".join(changes)) as progress:
+    scenario = scenario_of(Recording(file).opening)
+    with (
+        compiled_meanwhile(warm_up, scenario, bar=False),
+        Progress("with " + ", ".join(changes)) as progress,
+    ):
         outcome = rerun(file, changes, out, progress=progress, index=Index())
     if as_json:
         print_json(outcome, indent=2)

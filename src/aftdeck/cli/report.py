@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -59,14 +61,15 @@ def report(
     if out is None:
         rows = list(_read(files, "aftdeck.report.of_recording:recorded_row"))
     else:
-        runs: list[Gathered] = list(_read(files, "aftdeck.report.page.gather:gathered", _prepare_page))
-        from aftdeck.report.table import row_of
+        with ExitStack() as page:
+            prepare = partial(_prepare_page, page)
+            runs: list[Gathered] = list(_read(files, "aftdeck.report.page.gather:gathered", prepare))
+            from aftdeck.report.table import row_of
 
-        rows = [row_of(run.recording, run.metrics) for run in runs]
-        if runs:
-            text = _write_page(runs, out)
-            if not as_json:
-                print_line(text)
+            rows = [row_of(run.recording, run.metrics) for run in runs]
+            text = _write_page(runs, out) if runs else ""
+        if text and not as_json:
+            print_line(text)
     if not rows:
         raise typer.Exit(2)
     if table is not None:
@@ -94,24 +97,20 @@ def _read(files: Sequence[Path], read: str, meanwhile: Callable[[], object] = la
             yield found
 
 
-def _prepare_page() -> None:
-    """Load what draws the page, by a first chart and a first picture; this takes some seconds."""
-    from aftdeck.cli.drawing import announce_compilation
+def _prepare_page(page: ExitStack) -> None:
+    """Load what draws the page, which takes some seconds; `page` is closed when the page is drawn."""
+    from aftdeck.cli.laws import pictures_compiled_meanwhile
     from aftdeck.report.page.svg import chart
-    from aftdeck.visual.warm import warm_up
 
     chart(lambda _: None, "nothing")
-    announce_compilation()
-    warm_up()
+    page.enter_context(pictures_compiled_meanwhile())
     import_module("aftdeck.report.page.runs")
 
 
 def _write_page(runs: Sequence[Gathered], out: Path) -> str:
     """Write the page; return a text about it."""
-    from aftdeck.cli.drawing import announce_compilation
     from aftdeck.report.page.runs import page
 
-    announce_compilation()
     text = page(runs)
     write_new(out, text)
     return f"{out}: {len(runs)} {'run' if len(runs) == 1 else 'runs'}, {len(text) / 1e6:.1f} MB"

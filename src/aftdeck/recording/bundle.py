@@ -10,7 +10,7 @@ from typing import NamedTuple
 from aftdeck.arms.load import ArmModel, load_model, model_of
 from aftdeck.errors import InputError, RecordingError, ScenarioError
 from aftdeck.files import MOST_BYTES, Text, Where
-from aftdeck.law import state_of_the_laws
+from aftdeck.law_folder import state_of_the_laws
 from aftdeck.recording.environment import environment, machine
 from aftdeck.recording.records import FORMAT, Opening
 from aftdeck.recording.trial import NO_TRIAL, Trial

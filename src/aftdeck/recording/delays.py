@@ -19,22 +19,25 @@ class Delays(Message, frozen=True):
         float, field_meta("time that was not made up: by it, the simulated time is behind the wall time", "s")
     ] = 0.0
     lost_at_s: Annotated[
-        float | None, field_meta("simulated time at which time was lost last; null if no time was lost", "s")
+        float | None,
+        field_meta("simulated time at which time was lost last, after the first command; null if none was", "s"),
     ] = None
 
-    def after(self, time_s: float, late_s: float, lost_s: float) -> Delays:
+    def after(self, time_s: float, late_s: float, lost_s: float, *, commanded: bool) -> Delays:
         """Return the delays including one more late step.
 
         Args:
             time_s: simulated time at which the step began [s].
             late_s: delay of the step [s].
             lost_s: part of this delay that is not made up [s].
+            commanded: whether a command or a stick had moved the arm before. Until then a page may still be loading,
+                and lost time disturbs no operator.
         """
         return Delays(
             self.late_steps + 1,
             max(self.worst_s, late_s),
             self.lost_s + lost_s,
-            time_s if lost_s else self.lost_at_s,
+            time_s if lost_s and commanded else self.lost_at_s,
         )
 
     def text(self) -> str:

@@ -140,7 +140,9 @@ class Recording:
             if quiet > MAX_WITHOUT_STEP:
                 raise self._damaged(f"more than {MAX_WITHOUT_STEP} messages without a step")
             if isinstance(message, DelayRecord) and self.delays is not None:
-                self.delays = self.delays.after(message.time_s, message.late_s, message.lost_s)
+                self.delays = self.delays.after(
+                    message.time_s, message.late_s, message.lost_s, commanded=message.commanded
+                )
             if isinstance(message, Closing):
                 if message.ticks != tick:
                     raise self._misplaced(f"the file ends after step {tick} of {short(message.ticks)}")

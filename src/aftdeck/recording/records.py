@@ -149,6 +149,7 @@ class DelayRecord(Message, frozen=True):
         float, field_meta("part of the delay that was not made up: all later steps were postponed by it", "s")
     ]
     wall_s: Annotated[float, field_meta("wall time since the run began", "s")]
+    commanded: Annotated[bool, field_meta("whether an input had been given before")] = True
 
 
 class Closing(Message, frozen=True):

@@ -9,7 +9,7 @@ from typing import Literal
 import msgspec
 
 from aftdeck.errors import AftdeckError, RecordingError
-from aftdeck.law import state_of_the_laws
+from aftdeck.law_folder import state_of_the_laws
 from aftdeck.recording.apart import Apart, within_tolerance
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.check import ChannelChange, Check

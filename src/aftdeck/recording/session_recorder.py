@@ -89,10 +89,10 @@ class SessionRecorder:
         if self._recorder is not None:
             self._recorder.step(inputs, frame, latency_ms)
 
-    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float) -> None:
+    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float, *, commanded: bool) -> None:
         """Record a late step (`Recorder.delay`)."""
         if self._recorder is not None:
-            self._recorder.delay(tick, time_s, late_s, lost_s)
+            self._recorder.delay(tick, time_s, late_s, lost_s, commanded=commanded)
 
     def graded(self, grade: str) -> None:
         """Note the grade of the operator's task for the list of recordings."""

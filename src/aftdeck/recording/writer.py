@@ -156,7 +156,7 @@ class Recorder:
         if len(self._waiting) > MAX_WAITING:
             self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
 
-    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float) -> None:
+    def delay(self, tick: int, time_s: float, late_s: float, lost_s: float, *, commanded: bool = True) -> None:
         """Record a step that begins late.
 
         Args:
@@ -164,10 +164,11 @@ class Recorder:
             time_s: simulated time at which the step begins [s].
             late_s: delay of the step [s].
             lost_s: part of the delay that is not made up [s].
+            commanded: whether an input had been given before.
         """
         if not self.failure:
             wall = round(time.perf_counter() - self._began, 6)
-            self._waiting.append(DelayRecord(tick, time_s, round(late_s, 6), round(lost_s, 6), wall))
+            self._waiting.append(DelayRecord(tick, time_s, round(late_s, 6), round(lost_s, 6), wall, commanded))
 
     def note(self, event: Event) -> None:
         """Record a log line of the station."""
@@ -313,7 +314,7 @@ class Recorder:
             elif isinstance(item, _Ready):
                 log(_CHANNEL[type(item)], encode(item), now)
                 if isinstance(item, DelayRecord) and delays is not None:
-                    delays = self.delays = delays.after(item.time_s, item.late_s, item.lost_s)
+                    delays = self.delays = delays.after(item.time_s, item.late_s, item.lost_s, commanded=item.commanded)
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()

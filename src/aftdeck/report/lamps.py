@@ -91,7 +91,10 @@ LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
 TIME_LOST = "TIME LOST"
 """Lamp that is lit by lost time, from the loss to the end of the run."""
 NEW_LOSS_S = 10.0
-"""Simulated time after a loss for which TIME LOST is a caution [s]; after it, its level is info."""
+"""Simulated time after a loss for which TIME LOST is a caution [s]; after it, its level is info.
+
+A loss before the first command is no caution.
+"""
 
 if TYPE_CHECKING:
     FlightLamp = str
@@ -146,8 +149,9 @@ def lit_lamps(scenario: Scenario, frame: Frame, delays: Delays | None = None) ->
         delays: delays of the steps up to this frame; None if they are not known.
     """
     lit = [Lamp(name, *state) for name, holds in LAMPS.items() if (state := holds(scenario, frame)) is not None]
-    if delays is not None and delays.lost_at_s is not None:
-        level: Level = "caution" if frame.time_s - delays.lost_at_s < NEW_LOSS_S else "info"
+    if delays is not None and delays.lost_s:
+        recent = delays.lost_at_s is not None and frame.time_s - delays.lost_at_s < NEW_LOSS_S
+        level: Level = "caution" if recent else "info"
         lit.append(Lamp(TIME_LOST, level, delays.text(), standing=True))
     return tuple(lit)
 

@@ -11,7 +11,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from aftdeck.errors import AftdeckError
-from aftdeck.law import compiled_before
+from aftdeck.law_folder import compiled_before
 from aftdeck.processes import Child, cores
 
 ENOUGH = 2_000_000

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from typing import Any, NamedTuple
 
-from aftdeck.law import state_of_the_laws
+from aftdeck.law_folder import state_of_the_laws
 from aftdeck.processes import ONE_THREAD
 from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.design import Case

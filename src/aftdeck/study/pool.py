@@ -10,7 +10,7 @@ import time
 from collections import deque
 from collections.abc import Iterator, Sequence
 
-from aftdeck.law import compiled_before
+from aftdeck.law_folder import compiled_before
 from aftdeck.processes import Child
 from aftdeck.study.failures import Failures, Finished
 from aftdeck.study.plan import Plan

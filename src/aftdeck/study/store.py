@@ -18,7 +18,7 @@ from types import TracebackType
 import msgspec
 
 from aftdeck.errors import AftdeckError
-from aftdeck.law import state_of_the_laws
+from aftdeck.law_folder import state_of_the_laws
 from aftdeck.study.case import Outcome
 from aftdeck.study.file import Study
 from aftdeck.study.rows import RowCheck

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from aftdeck.law import state_of_the_laws
+from aftdeck.law_folder import state_of_the_laws
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.extra import needed
 from aftdeck.report.quantity import UNITS

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from aftdeck.errors import AftdeckError
-from aftdeck.law import compiled_before
+from aftdeck.law_folder import compiled_before
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.study.case import Outcome, Runner

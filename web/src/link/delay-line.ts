@@ -64,10 +64,16 @@ export class DelayLine {
     this.undrawn.end(now);
   }
 
-  /** Age at `now` [ms] of what the page displays: of the frame that is due, and at least the time without a drawing. */
-  age(now: number): Age {
+  /**
+   * Age at `now` [ms] of what the page displays: of the frame that is due, and at least the time without a drawing.
+   * While the run `stands`, there is no newer frame.
+   */
+  age(now: number, stands = false): Age {
     const seen = this.at(now);
-    const [arrived, undrawn] = [seen ? Math.max(0, now - seen.at) / 1000 : 0, this.undrawn.at(now) / 1000];
+    const [arrived, undrawn] = [
+      seen && !stands ? Math.max(0, now - seen.at) / 1000 : 0,
+      this.undrawn.at(now) / 1000,
+    ];
     const s = seen ? Math.max(arrived, this.delay + undrawn) : 0;
     return { s, set: this.delay, undrawn: s > arrived };
   }

@@ -18,6 +18,8 @@ interface Line {
 export class Arrivals {
   /** Number of restarts of the run. */
   restarts = 0;
+  /** Whether the run stands still, so that no frame is missing. */
+  stands = false;
   private newest: Seen | null = null;
   private readonly lines: Readonly<Record<Shows, Line>>;
   /** Lines of the log that are not due yet. */
@@ -50,12 +52,12 @@ export class Arrivals {
   }
 
   age(shows: Shows, now: number): Age {
-    return this.lines[shows].line.age(now);
+    return this.lines[shows].line.age(now, this.stands);
   }
 
   /** Time since the last frame [s]. */
   silence(now: number): number {
-    return (now - (this.newest?.at ?? now)) / 1000;
+    return this.stands ? 0 : (now - (this.newest?.at ?? now)) / 1000;
   }
 
   /** Records that a frame is displayed at `now` [ms]. A frame displayed before its delay is over does not count. */

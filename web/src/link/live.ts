@@ -106,6 +106,9 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
       case 'recent':
         station?.setRecent?.(received);
         break;
+      case 'readiness':
+        if (station instanceof Station) station.setReadiness(received);
+        break;
       case 'refused':
         if (station instanceof Station) station.refuse(received.text, received.seq);
         break;

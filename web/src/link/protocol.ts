@@ -16,15 +16,16 @@ export type LawChoice = 'position' | 'closed loop' | 'open loop';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
+export type WaitsFor = '' | 'page' | 'laws';
 export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type Six = readonly [number, number, number, number, number, number];
 export type Vec3 = readonly [number, number, number];
-export type FromPage = Sticks | Shown | ShowPolygons | Announce | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Drawn | Shown | ShowPolygons | Announce | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector' | 'limits' | 'singularity';
 export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'announce' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
 export type Grade = 'A' | 'B' | 'C' | 'D';
 export type AutopilotName = 'script' | 'policy' | 'synthetic operator';
-export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused;
+export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Refused;
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
 export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';
@@ -226,6 +227,12 @@ export interface Sticks {
   readonly telescope: number;
   /** Translation of the orbiter: forward, starboard, down, each in [-1, 1]. */
   readonly orbiter: Vec3;
+}
+
+/** Tell that the page has drawn its first pictures of the run: a run that waits for them goes on. */
+export interface Drawn {
+  readonly type: 'drawn';
+  readonly seq: number;
 }
 
 /**
@@ -1506,6 +1513,8 @@ export interface Polygons {
   readonly greys: string;
   /** Sentence that says why there are no polygons; empty if there are. */
   readonly text: string;
+  /** Part of the preparation of the first picture that is done, 0 to 1; null if none is in progress. */
+  readonly share: number | null;
 }
 
 /** New log lines, oldest first. The server may skip frames, but never a log line. */
@@ -1582,6 +1591,23 @@ export interface Stretch {
   /** State in this interval; empty if the lane shows nothing. */
   readonly label: string;
   readonly level: Level;
+}
+
+/**
+ * What is not ready yet, and whether the run waits for it. Sent on connection and whenever it changes.
+ *
+ * Until the laws are compiled, the run uses them as plain Python, and has no look-ahead.
+ */
+export interface Readiness {
+  readonly type: 'readiness';
+  /** What the run waits for: the first pictures of the page in control, or the laws; empty if it goes on. */
+  readonly waits_for: WaitsFor;
+  /** Part of the compilation of the laws that is done, 0 to 1 in steps of 0.01; null if none is in progress. */
+  readonly share: number | null;
+  /** Time until its end, in whole seconds [s]; null if it is not known. */
+  readonly left_s: number | null;
+  /** Sentence that says why the laws stay plain Python; empty if they are compiled or will be. */
+  readonly failure: string;
 }
 
 /** Rejection of a message or command. `text` gives the operator the reason, in one sentence. */

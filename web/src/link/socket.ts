@@ -133,6 +133,7 @@ export function parse(data: unknown): FromServer {
     case 'polygons':
     case 'events':
     case 'recent':
+    case 'readiness':
     case 'refused':
       return message;
     default:

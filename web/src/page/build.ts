@@ -36,6 +36,7 @@ import { Operations } from './operations';
 import { Operator } from './operator';
 import type { Parts } from './parts';
 import type { Drawing } from './quality';
+import { ReadinessNotice } from './readiness';
 import { Report } from './report';
 import { Sounds } from './sounds';
 import { Tones } from './tones';
@@ -159,6 +160,7 @@ export function buildParts(
     calm,
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     pairNotice: notice,
+    readiness: new ReadinessNotice(),
     freshness: new Freshness(arrivals, pictures, (text, level) => log.say(text, 'camera', level)),
     report: new Report(transmit),
     sounds: new Sounds(tones, spine),

@@ -27,6 +27,7 @@ import type { DeviceWatch } from './device-watch';
 import type { Freshness } from './freshness';
 import type { Log } from './log';
 import type { Operator } from './operator';
+import type { ReadinessNotice } from './readiness';
 import type { Report } from './report';
 import type { Sounds } from './sounds';
 import type { Tones } from './tones';
@@ -69,4 +70,5 @@ export interface Parts {
   readonly touch: TouchView;
   readonly task: Task;
   readonly pairNotice: PairNotice;
+  readonly readiness: ReadinessNotice;
 }

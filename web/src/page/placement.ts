@@ -17,6 +17,7 @@ export function place(root: HTMLElement, parts: Parts): void {
     task.said,
     pictures.canvas,
     el('main', { class: 'monitors' }, first.element, second.element, spine.element),
+    parts.readiness.element,
     pictures.matrix.element,
     desk,
     pictures.matrix.strip,

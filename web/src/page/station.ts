@@ -2,7 +2,7 @@
 
 import type { Views } from '../cameras/pictures';
 import type { PolygonPictures } from '../link/polygon-pictures';
-import type { Frame, Event as LogEvent, Role, Scenarios, Welcome } from '../link/protocol';
+import type { Frame, Event as LogEvent, Readiness, Role, Scenarios, Welcome } from '../link/protocol';
 import type { Command, LinkState } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
 import type { DrawnBody } from '../scene/bodies';
@@ -24,8 +24,15 @@ export class Station {
   private readonly loop: DrawLoop;
   private readonly ended = new AbortController();
   private request = 0;
+  /** Whether the station knows that this page has drawn its first pictures. */
+  private saidDrawn = false;
 
-  constructor(root: HTMLElement, welcome: Welcome, drawing: Drawing, transmit: (command: Command) => number) {
+  constructor(
+    root: HTMLElement,
+    welcome: Welcome,
+    drawing: Drawing,
+    private readonly transmit: (command: Command) => number,
+  ) {
     this.parts = buildParts(root, welcome, drawing, transmit);
     place(root, this.parts);
     const { tones, windows, arrivals, latency, operator } = this.parts;
@@ -109,6 +116,13 @@ export class Station {
     if (link.kind !== 'open') this.parts.latency.forget();
   }
 
+  /** Shows what is not ready. While the run stands still, the last frame is not old. */
+  setReadiness(state: Readiness): void {
+    const { readiness, arrivals } = this.parts;
+    readiness.set(state);
+    arrivals.stands = readiness.stands;
+  }
+
   /** Stores lines of the log. Each line appears when the numbers reach its time. */
   addEvents(events: readonly LogEvent[]): void {
     this.parts.arrivals.addEvents(events);
@@ -150,5 +164,9 @@ export class Station {
     devices.watch(control.role.flying, operator.flying);
     log.addDue(now);
     this.loop.draw(now);
+    if (!this.saidDrawn && this.loop.drawn > 0 && operator.flying) {
+      this.saidDrawn = true;
+      this.transmit({ type: 'drawn' });
+    }
   }
 }

@@ -51,6 +51,6 @@ class PolygonPictures:
         )
 
 
-def no_polygons(camera: str, text: str, tick: int = -1) -> Polygons:
-    """Return a picture without polygons; `text` says why there are none."""
-    return Polygons(tick, camera, b"", b"", b"", text)
+def no_polygons(camera: str, text: str, tick: int = -1, share: float | None = None) -> Polygons:
+    """Return a picture without polygons; `text` says why there are none, and `share` what is done of a preparation."""
+    return Polygons(tick, camera, b"", b"", b"", text, share)

@@ -119,6 +119,12 @@ class PositionHold(WireMessage, frozen=True, tag="position_hold"):
     on: bool
 
 
+class Drawn(WireMessage, frozen=True, tag="drawn"):
+    """Tell that the page has drawn its first pictures of the run: a run that waits for them goes on."""
+
+    seq: Seq
+
+
 class Announce(WireMessage, frozen=True, tag="announce"):
     """Announce a clearance problem that the operator or an observer has noticed; it is logged and recorded."""
 
@@ -365,6 +371,7 @@ class Controllers(WireMessage, frozen=True, tag="controllers"):
 
 FromPage = (
     Sticks
+    | Drawn
     | Shown
     | ShowPolygons
     | Announce

@@ -29,6 +29,7 @@ EffectorSwitch = Literal["stop", "close", "open"]
 ProblemPart = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
 ControllerKind = Literal["keyboard", "pad", "thc pad", "rhc pad", "thc joystick", "rhc joystick", "spacemouse", "touch"]
 Binding = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9+]{1,16} [A-Za-z0-9+ -]{1,16}$")]
+WaitsFor = Literal["", "page", "laws"]
 Offset = Annotated[float, msgspec.Meta(ge=-0.3, le=0.3)]
 Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
 """Sequence number of a page's message: an integer that JavaScript represents exactly."""

@@ -7,7 +7,7 @@ import msgspec
 from aftdeck.report.curves import Lane, Strip
 from aftdeck.simulation.frame import Event
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.messages.kinds import WireMessage
+from aftdeck.station.messages.kinds import WaitsFor, WireMessage
 from aftdeck.station.messages.welcome import Welcome
 
 
@@ -80,6 +80,22 @@ class Preparing(WireMessage, frozen=True, tag="preparing"):
     text: str
 
 
+class Readiness(WireMessage, frozen=True, tag="readiness"):
+    """What is not ready yet, and whether the run waits for it. Sent on connection and whenever it changes.
+
+    Until the laws are compiled, the run uses them as plain Python, and has no look-ahead.
+    """
+
+    waits_for: WaitsFor
+    """What the run waits for: the first pictures of the page in control, or the laws; empty if it goes on."""
+    share: float | None
+    """Part of the compilation of the laws that is done, 0 to 1 in steps of 0.01; null if none is in progress."""
+    left_s: float | None
+    """Time until its end, in whole seconds [s]; null if it is not known."""
+    failure: str
+    """Sentence that says why the laws stay plain Python; empty if they are compiled or will be."""
+
+
 class Refused(WireMessage, frozen=True, tag="refused"):
     """Rejection of a message or command. `text` gives the operator the reason, in one sentence."""
 
@@ -134,6 +150,8 @@ class Polygons(WireMessage, frozen=True, tag="polygons"):
     """Grey of each polygon, 0 to 255, a byte each."""
     text: str
     """Sentence that says why there are no polygons; empty if there are."""
+    share: float | None = None
+    """Part of the preparation of the first picture that is done, 0 to 1; null if none is in progress."""
 
 
-FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Refused
+FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Refused

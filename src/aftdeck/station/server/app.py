@@ -39,6 +39,8 @@ def make_app(
     access: Access = LOCAL,
     record: Path | None = None,
     failed: Callable[[], None] = lambda: None,
+    *,
+    for_page: bool = False,
 ) -> Starlette:
     """Return the station's web app.
 
@@ -50,8 +52,9 @@ def make_app(
         access: names under which pages may address the server, and the keys that they need.
         record: folder into which the runs are recorded; None: runs are not recorded.
         failed: called in the server's event loop if the preparation fails.
+        for_page: whether the first run waits until the page in control has drawn it.
     """
-    waiting = Waiting(preparation, failed)
+    waiting = Waiting(preparation, failed, for_page=for_page)
     recordings = Recordings(record, lambda: waiting.pages.session.file if waiting.pages else None) if record else None
 
     @contextlib.asynccontextmanager

@@ -44,6 +44,7 @@ _ACCEPTED_DURING_CHANGE = (
     | from_page.SetBrakes
     | from_page.SetSafing
     | from_page.HandsOff
+    | from_page.Drawn
     | from_page.Shown
     | from_page.Controllers
     | from_page.SetLight
@@ -216,6 +217,8 @@ class Page:
                 self.pages.answer(isinstance(message, from_page.GiveSticks))
             case from_page.Sticks():
                 session.steer(message)
+            case from_page.Drawn():
+                self.pages.drawn(self)
             case from_page.Shown():
                 session.shown(message)
             case from_page.Controllers():
@@ -246,7 +249,7 @@ class Page:
         A page that draws strips receives a frame only together with a new sample of the strips.
         """
         session = self.welcomed
-        scenarios, role, lines, sent = None, None, 0, b""
+        scenarios, role, readiness, lines, sent = None, None, None, 0, b""
         mark: Mark | None = None
         polygons: dict[str, bytes] = {}
         while self.pages.driver.phase is not Phase.CLOSED:
@@ -263,6 +266,9 @@ class Page:
             if new_role != role:
                 role = new_role
                 await self._send(new_role)
+            if (state := self.pages.readiness()) != readiness:
+                readiness = state
+                await self._send(state)
             if events := session.log.since(lines):
                 lines += len(events)
                 await self._send(to_page.Events(events))

@@ -52,8 +52,16 @@ class Pages:
         change: task that prepares another scenario; None before the first change.
     """
 
-    def __init__(self, session: Session, notify: Callable[[], None]) -> None:
-        self.driver, self._notify = Driver(session), notify
+    def __init__(self, session: Session, notify: Callable[[], None], *, for_page: bool = False) -> None:
+        """Prepare the pages of a session.
+
+        Args:
+            session: the session.
+            notify: called in the session's thread when there is something new to send.
+            for_page: whether the first run waits until the page in control has drawn it.
+        """
+        self.driver, self._notify = Driver(session, for_page=for_page), notify
+        self._drawing: set[Connected] = set()
         self.choice = ScenarioList(session.scenario)
         self.roles: ControlRoles[Connected] = ControlRoles()
         self.windows: set[Connected] = set()
@@ -95,6 +103,11 @@ class Pages:
         self.session.painter.want(aspects)
         self.wake()
 
+    def drawn(self, page: Connected) -> None:
+        """Let a run go on that waits for the first pictures of a page; later runs wait for this page, too."""
+        self._drawing.add(page)
+        self.driver.drawn()
+
     def fly(self, choice: from_page.FlyScenario, page: Connected) -> None:
         """Prepare another scenario, or the same one on another plant or with its script, and run it when it is ready.
 
@@ -115,7 +128,8 @@ class Pages:
             self.driver = Driver(
                 await _make_in_daemon_thread(
                     lambda: before.session.another(choice.load(number, wanted.plant), shown=wanted.demo)
-                )
+                ),
+                for_page=self.roles.operator in self._drawing,
             )
             self.polygons.clear()  # every page asks again after its welcome
             choice.flown, choice.plant = number, self.driver.session.scenario.plant
@@ -151,6 +165,7 @@ class Pages:
             page: page that leaves.
             cause: why the page leaves; one of `unattended.CAUSES`.
         """
+        self._drawing.discard(page)
         if page.shows:
             self.windows.remove(page)
             return
@@ -193,6 +208,17 @@ class Pages:
         """
         self.roles.give_name(page, name)
         self.wake()
+
+    def readiness(self) -> to_page.Readiness:
+        """Return the message about what is not ready yet."""
+        laws = self.session.laws
+        share, left_s = laws.progress or (None, None)
+        return to_page.Readiness(
+            waits_for=self.driver.waits_for,
+            share=None if share is None else round(share, 2),
+            left_s=None if left_s is None else math.ceil(left_s),
+            failure=laws.failure,
+        )
 
     def ask(self, page: Connected) -> None:
         """Request control for a page; when the request expires, wake the sender task of every page.

@@ -14,7 +14,8 @@ from pathlib import Path
 import uvicorn
 from starlette.applications import Starlette
 
-from aftdeck.law import compiled_before
+from aftdeck.law import run_plain
+from aftdeck.law_change import Laws
 from aftdeck.lines import print_line
 from aftdeck.recording.live import Live
 from aftdeck.recording.trial import NO_TRIAL, Trial
@@ -38,7 +39,6 @@ SEND_BUFFER = 65_536
 Without a limit it keeps seconds of frames: a slow page would fall behind by them, and each page costs time for them.
 """
 _PURPOSE = {"fly": ", to fly", "watch": ", to observe"}
-COMPILING = "Compiling the steering laws, on the first start only: about half a minute."
 FAREWELL = 3.0
 """Time for which the server runs after a failed preparation, so that the opened page can receive the reason [s]."""
 
@@ -90,14 +90,12 @@ def serve(
         print_line(f"Foxglove can attach at {live.address}")
 
     def make(report: Callable[[str], None]) -> Session:
-        if compiled_before():
-            report("Loading the scenario and the steering laws.")
-        else:
-            print_line(COMPILING)
-            report(COMPILING)
+        report("Loading the scenario.")
         scenario = load()
         report(f"Preparing {scenario.title!r}.")
-        session = Session(scenario, seed, demo=demo, autopilots=autopilots, record=record, trial=trial, live=live)
+        session = Session(
+            scenario, seed, demo=demo, autopilots=autopilots, record=record, trial=trial, live=live, laws=laws
+        )
         print_line(f"Flying {scenario.title!r}. End with Ctrl+C.")
         return session
 
@@ -107,10 +105,13 @@ def serve(
 
         asyncio.get_running_loop().call_later(FAREWELL if open_browser else 0.0, stop)
 
+    laws = Laws()
+    run_plain()
     preparation = Preparation(make)
     sys.setswitchinterval(SWITCH_S)
-    server = make_server(make_app(preparation, access, record, failed))
+    server = make_server(make_app(preparation, access, record, failed, for_page=open_browser))
     run_server(server, listener, addresses[0][1] if open_browser else None)
+    laws.close()
     if live is not None:
         live.close()
     if preparation.error is not None:

@@ -12,7 +12,6 @@ from starlette.routing import BaseRoute, Route
 
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.station.server.allowance import Allowance
-from aftdeck.station.session.painter import PREPARING
 from aftdeck.station.session.session import Session
 
 NO_FRAME = "The run has no frame yet."
@@ -50,9 +49,9 @@ class SheetRoutes:
             session = self._session()
             if session is None or session.painter.newest is None:
                 return _later(NO_FRAME)
-            if not session.painter.prepare():
-                failure = session.painter.failure
-                return PlainTextResponse(f"{failure}\n", 409) if failure else _later(PREPARING)
+            painter = session.painter
+            if not painter.prepare():
+                return PlainTextResponse(f"{painter.failure}\n", 409) if painter.failure else _later(painter.text)
             if self._waiting == MOST_WAITING:
                 return _later(BUSY)
             answer = await self._in_turn(session, request)

@@ -21,9 +21,9 @@ class Waiting:
         pages: pages of the session; None until the session is made.
     """
 
-    def __init__(self, preparation: Preparation, failed: Callable[[], None]) -> None:
+    def __init__(self, preparation: Preparation, failed: Callable[[], None], *, for_page: bool) -> None:
         self.pages: Pages | None = None
-        self._preparation, self._failed = preparation, failed
+        self._preparation, self._failed, self._for_page = preparation, failed, for_page
         self._number = 0
         self._fresh = asyncio.Event()
 
@@ -56,7 +56,7 @@ class Waiting:
                 with contextlib.suppress(RuntimeError):  # the loop is closing
                     loop.call_soon_threadsafe(pages.wake)
 
-            pages = self.pages = Pages(session, notify)
+            pages = self.pages = Pages(session, notify, for_page=self._for_page)
             pages.start()
         self._fresh.set()
         self._fresh = asyncio.Event()

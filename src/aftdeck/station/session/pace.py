@@ -48,6 +48,11 @@ class Pace:
         self._due += self._period + lost
         return Delay(late, lost)
 
+    @property
+    def late(self) -> float:
+        """Time since the next step was due [s]; 0 or less if it is not due yet."""
+        return self._clock() - self._due
+
     def wait(self) -> float:
         """Return the time until the next step is due [s]; 0 if it is late."""
         return max(0.0, self._due - self._clock())

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 
 import msgspec
 
+from aftdeck.law_change import Progress
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
@@ -20,8 +21,8 @@ from aftdeck.station.session.painting import Painting, Sheet, Wanted
 
 AT_ONCE = 4
 """Greatest number of pictures that are computed of one frame; if pages show more cameras, these are drawn in turn."""
-PREPARING = "Preparing the look of 1972. The first time takes a minute or two."
-"""Text on a monitor until the first picture."""
+PREPARING = "Preparing the look of 1972"
+"""Beginning of the text on a monitor until the first picture."""
 ENDED = "the process that draws has ended; is the memory full?"
 
 _log = logging.getLogger("aftdeck.station")
@@ -34,6 +35,7 @@ class Painter:
     Attributes:
         drawn: newest picture of each camera, encoded as JSON. Each new picture is a new object.
         newest: newest frame, and the light in it; None before the first frame.
+        text: sentence that says why there are no pictures; empty if there are.
         failure: sentence about the error that ended the thread; empty if there was none.
         notify: called in the thread after each round of pictures.
     """
@@ -45,7 +47,8 @@ class Painter:
         self._scenario, self._start = scenario, start
         self._wanted: Mapping[str, float] = {}
         self.failure = ""
-        self._text = PREPARING
+        self.text = f"{PREPARING}."
+        self._share: float | None = None
         self._lock = threading.Lock()
         self._fresh = threading.Event()
         self._ready = threading.Event()
@@ -101,7 +104,8 @@ class Painter:
                 self._painting, closed = painting, self._closed
             if closed:
                 return painting.close()
-            painting.wait()
+            painting.wait(self._tell)
+            self._share = None
             self._ready.set()
             turn = 0
             while True:
@@ -116,10 +120,21 @@ class Painter:
                 return None
             with self._lock:
                 why = ENDED if isinstance(error, EOFError) else error
-                self.failure = self._text = f"The look of 1972 has failed: {why}"
+                self.failure = self.text = f"The look of 1972 has failed: {why}"
                 self._publish({})
             self.notify()
             _log.exception("the look of 1972 has failed")
+
+    def _tell(self, progress: Progress) -> None:
+        """Show the progress of the compilation in place of pictures."""
+        with self._lock:
+            share, left = round(progress.share, 2), progress.left_s
+            text = f"{PREPARING}: {'a minute or two' if left is None else f'{left:.0f} s'}."
+            if (text, share) == (self.text, self._share):
+                return
+            self.text, self._share = text, share
+            self._publish({})
+        self.notify()
 
     def _draw(self, painting: Painting, turn: int) -> int:
         """Have at most `AT_ONCE` pictures drawn, beginning with camera number `turn`; return the next number."""
@@ -131,13 +146,13 @@ class Painter:
         chosen = [names[(turn + k) % len(names)] for k in range(count)]
         drawn = painting.pictures(Wanted(*newest, {name: wanted[name] for name in chosen}))
         with self._lock:
-            self._text = ""
+            self.text = ""
             self._publish(drawn)
         return (turn + count) % len(names)
 
     def _publish(self, drawn: Mapping[str, bytes]) -> None:
         """Publish new pictures and keep the others that are wanted; if there is a text, it replaces all pictures."""
-        if self._text:
-            self.drawn = {name: _encode(no_polygons(name, self._text)) for name in self._wanted}
+        if self.text:
+            self.drawn = {name: _encode(no_polygons(name, self.text, share=self._share)) for name in self._wanted}
         else:
             self.drawn = {name: picture for name, picture in {**self.drawn, **drawn}.items() if name in self._wanted}

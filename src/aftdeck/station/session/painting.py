@@ -7,17 +7,19 @@ tenth of a second.
 from __future__ import annotations
 
 import contextlib
-import os
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from multiprocessing.connection import Connection
 from typing import Any, NamedTuple
 
 import msgspec
 
+from aftdeck import law_cache
 from aftdeck.errors import AftdeckError
-from aftdeck.law import compiled_before
+from aftdeck.law import are_compiled
+from aftdeck.law_change import Counter, Progress
+from aftdeck.law_folder import compiled_before
 from aftdeck.processes import BACKGROUND, Child
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
@@ -25,7 +27,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.polygons_of import PolygonPictures
 from aftdeck.visual.diagram import sheet
 from aftdeck.visual.scene import VisualScene
-from aftdeck.visual.warm import warm_up
+from aftdeck.visual.warm import FILES, warm_up
 
 
 class Wanted(NamedTuple):
@@ -57,14 +59,15 @@ class Painting:
         """Number of the process in the operating system."""
         return self._child.process.pid
 
-    def wait(self) -> None:
-        """Wait until the process can draw, which may take minutes on the first start.
+    def wait(self, tell: Callable[[Progress], None]) -> None:
+        """Wait until the process can draw, which may take minutes on the first start; `tell` is called meanwhile.
 
         Raises:
             EOFError: the process has ended; so do the other methods.
         """
         with self._lock:
-            self._receive()
+            while (progress := self._receive()) is not None:
+                tell(progress)
 
     def pictures(self, wanted: Wanted) -> dict[str, bytes]:
         """Return the pictures of cameras, encoded as JSON."""
@@ -133,8 +136,11 @@ class Drawer:
 
 def paint(pipe: Connection, scenario: Scenario) -> None:
     """Compile the laws of pictures if this was never done; then answer requests. What the process runs."""
-    if not compiled_before("visual") and os.environ.get("NUMBA_DISABLE_JIT", "0") == "0":
+    if not compiled_before("aftdeck.visual") and are_compiled():
+        counter = Counter(FILES, pipe.send)
+        law_cache.observers.append(lambda _: counter.add_one())
         warm_up()
+        law_cache.observers.clear()
     drawer = Drawer(scenario)
     pipe.send(None)
     while True:

@@ -13,7 +13,7 @@ Make = Callable[[Callable[[str], None]], Session]
 
 
 class Preparation:
-    """Thread that makes a session. Loading the laws takes seconds; compiling them takes half a minute.
+    """Thread that makes a session, which takes seconds.
 
     Attributes:
         text: line of progress for the waiting pages.

@@ -15,6 +15,8 @@ from pathlib import Path
 import msgspec
 
 from aftdeck.errors import CommandError
+from aftdeck.law import is_plain
+from aftdeck.law_change import Laws
 from aftdeck.lines import print_error
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.index import Index
@@ -30,7 +32,6 @@ from aftdeck.simulation.frame import Event, Frame, Level
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
-from aftdeck.simulation.warm import warm_up
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
@@ -54,6 +55,7 @@ from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
 from aftdeck.station.session.task_run import TaskRun
 from aftdeck.station.session.unattended import safe_inputs
+from aftdeck.station.session.warm import warm_up
 
 LOOK_EVERY = 10
 """Steps from one look-ahead to the next."""
@@ -75,6 +77,7 @@ class Session:
         scenario: the scenario that is run.
         welcome: first message to a new page.
         recent: the last minutes of the present run.
+        laws: compiled laws of this process.
         log: events of all runs of the session.
         delays: delays of the control steps of the present run.
         newest: newest frame, encoded as JSON; empty before the first step.
@@ -92,9 +95,10 @@ class Session:
         record: Path | None = None,
         trial: Trial = NO_TRIAL,
         live: Live | None = None,
+        laws: Laws | None = None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        """Prepare a run, and compile or load all laws.
+        """Prepare a run; unless this process runs the laws as plain Python for now, compile or load them all.
 
         Args:
             scenario: the scenario to run.
@@ -105,6 +109,7 @@ class Session:
             record: folder into which each run is recorded; None: runs are not recorded.
             trial: participant and condition, stored in each recording.
             live: server for viewers of the run; None: viewers cannot attach.
+            laws: compiled laws of this process; None: new ones.
             clock: function that returns the time [s]; used to measure the age of the last message.
         """
         self.scenario, self._seed = scenario, seed
@@ -114,8 +119,8 @@ class Session:
         self._clock = clock
         self._displays = Displays(scenario)
         self.welcome = welcome_of(scenario, demo=demo or shown)
-        warm_up(scenario)
-        self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles the laws of `station.conversion`
+        self.laws = laws or Laws()
+        self.laws.want(warm_up, scenario)
         self._recorder = SessionRecorder(record, Index(), live, trial)
         self.log = Log()
         self.newest = b""
@@ -139,6 +144,7 @@ class Session:
         self._task = TaskRun(self.scenario)
         self._standing = StandingLamps()
         self._lost_logged = 0.0
+        self._commanded = False
         self._log_loss_from = -math.inf
         self._engaged = None if self._first is None else Engaged(self._first)
         self._ahead: Ahead | None = None
@@ -159,6 +165,7 @@ class Session:
             record=self._record,
             trial=self._trial,
             live=self._live,
+            laws=self.laws,
             clock=self._clock,
         )
 
@@ -304,10 +311,11 @@ class Session:
         if self._engaged is not None and (moved or command is not None or not self._engaged.fly(self._sim)):
             why = self._engaged.fault
             text = f"manual control: the {self._engaged.name} has stopped" + (f": {why}" if why else "")
-            self._note("hand", text, "caution" if why else "info")
+            self.note("hand", text, "caution" if why else "info")
             self._engaged = None
+        self._commanded |= moved or command is not None
         if taken.handed_over:
-            self._note("hand-over", taken.handed_over)
+            self.note("hand-over", taken.handed_over)
         if self._engaged is not None:
             inputs, flown = self._engaged.inputs, -1
         else:
@@ -320,10 +328,12 @@ class Session:
         self._note_reported(frame)
         self._recorder.step(inputs, frame, self._reported.latency_ms)
         for text in self._recorder.take_errors():
-            self._note("recording", text, "warning")
+            self.note("recording", text, "warning")
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
-            self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+            # as plain Python, a look-ahead takes several control periods
+            plain = is_plain()
+            self._ahead = None if plain else self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
         seq, running_s = taken.sticks.seq, self._recorder.running_s
         lit = self._reported.lit
         lamps = self._standing.marked(lit_lamps(self.scenario, frame, self.delays))
@@ -349,14 +359,14 @@ class Session:
     def _note_reported(self, frame: Frame) -> None:
         """Record what the page reports; log the light and announcements."""
         if text := self._reported.record(self._recorder, frame.time_s):
-            self._note("light", text)
+            self.note("light", text)
         if text := self._reported.announcement(frame):
-            self._note(ANNOUNCED, text)
+            self.note(ANNOUNCED, text)
 
     def _see_task(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """Update the task; log the steps that are done, and list the grade."""
         for i in self._task.see(frame, lamps, None if self._engaged is None else self._engaged.name):
-            self._note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
+            self.note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
             if (result := self._task.debrief) is not None:
                 self._recorder.graded(result.grade or "")
 
@@ -379,13 +389,15 @@ class Session:
         """Record a delay of more than one control period, and log lost time, at most every `LOSS_LOGGED_EVERY`."""
         time_s, tick = self.time_s, self._sim.frame.tick + 1 if self._sim.frame else 1
         if delay.late_s > self.scenario.control_period:
-            self.delays = self.delays.after(time_s, *delay)
-            self._recorder.delay(tick, time_s, delay.late_s, delay.lost_s)
+            self.delays = self.delays.after(time_s, *delay, commanded=self._commanded)
+            self._recorder.delay(tick, time_s, *delay, commanded=self._commanded)
+        if not self._commanded:
+            self._lost_logged = self.delays.lost_s
         if self.delays.lost_s > self._lost_logged and time_s >= self._log_loss_from:
             lost, self._lost_logged = self.delays.lost_s - self._lost_logged, self.delays.lost_s
             self._log_loss_from = time_s + LOSS_LOGGED_EVERY
             text = f"the computer was too slow: {lost:.2f} s lost ({self.delays.lost_s:.2f} s in this run)"
-            self._note("time lost", text, "caution")
+            self.note("time lost", text, "caution")
 
     def _rate_held(self, now: float) -> bool:
         """Return whether RATE HOLD keeps a rate.
@@ -403,7 +415,7 @@ class Session:
         if inputs.rate_hold and frame is not None and frame.rate_hold:
             self._cancelled_until = now + self.scenario.delay * self.scenario.control_period + SILENCE
         if text:
-            self._note("hands off", text, "caution")
+            self.note("hands off", text, "caution")
         return inputs
 
     def _restart(self) -> None:
@@ -413,9 +425,10 @@ class Session:
         self._reset()
         self._reported.begin_run(self.scenario.lighting)
         self.begin()
-        self._note("restart", f"{self.scenario.title}: restarted")
+        self.note("restart", f"{self.scenario.title}: restarted")
 
-    def _note(self, kind: str, text: str, level: Level = "info") -> None:
+    def note(self, kind: str, text: str, level: Level = "info") -> None:
+        """Log and record a line of the station's own."""
         event = Event(self.time_s, kind, level, text)
         self._recorder.note(event)
         self.log.add([event])

@@ -73,7 +73,9 @@ function places(base64: string): Int16Array {
 
 export class PolygonPane {
   private readonly canvas = el('canvas', { class: 'polygons', 'aria-hidden': 'true' });
-  private readonly text = el('p', { class: 'no-picture' });
+  private readonly bar = el('progress', { max: '1', hidden: '', 'aria-label': 'Preparation' });
+  private readonly words = el('span');
+  private readonly text = el('p', { class: 'no-picture' }, this.words, this.bar);
   readonly elements: readonly [HTMLElement, HTMLElement] = [this.canvas, this.text];
   private pen: CanvasRenderingContext2D | null = null;
   private drawn: Polygons | null = null;
@@ -110,7 +112,9 @@ export class PolygonPane {
     const { canvas, text } = this;
     if (this.hidden || picture !== this.drawn) this.silence.end();
     canvas.hidden = text.hidden = false;
-    setText(text, picture?.text ?? '');
+    setText(this.words, picture?.text ?? '');
+    this.bar.hidden = (picture?.share ?? null) === null;
+    this.bar.value = picture?.share ?? 0;
     const ratio = Math.min(window.devicePixelRatio, SHARPEST);
     const size = `${Math.round(width * ratio)} ${Math.round(height * ratio)}`;
     if (picture !== null && picture === this.drawn && size === this.size) return;
@@ -130,5 +134,5 @@ export class PolygonPane {
 
 const NOTHING: Polygons = {
   ...{ type: 'polygons', tick: -1, camera: '' },
-  ...{ points: '', corners: '', greys: '', text: '' },
+  ...{ points: '', corners: '', greys: '', text: '', share: null },
 };
