@@ -52,6 +52,7 @@ LAYERS = (
     ("historical",),
     ("scene",),
     ("visual",),
+    ("details",),
     ("task",),
     ("recording",),
     ("report",),

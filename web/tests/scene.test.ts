@@ -116,7 +116,7 @@ test('a mirrored surface still faces outwards', () => {
 const box = { ...solid, kind: 'box', size: [0.2, 0.2, 0.2] } as const;
 
 function bodyOf(shapes: readonly Shape[]): Body {
-  const info: BodyInfo = { name: 'thing', shapes };
+  const info: BodyInfo = { name: 'thing', shapes, details: [] };
   return new Body(info, new Materials('low', new LambertLight(0)), 'low');
 }
 

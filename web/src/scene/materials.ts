@@ -30,8 +30,12 @@ const LOOKS: Record<Material, Look> = {
   dark: look('#101113', 0.35, 0.3),
   glass: look('#07090c', 0.12, 0.4),
   metal: look('#b9bcbf', 0.38, 0.85),
-  foil: look('#c9973f', 0.3, 0.9, 'quilt', 2.4),
+  foil: look('#c9973f', 0.3, 0.9, 'crinkle', 2.4),
   structure: look('#9a978e', 0.75, 0.2),
+  silver: look('#c3c7cc', 0.3, 0.9, 'crinkle', 2.4),
+  solar: look('#6d86c9', 0.25, 0.3, 'cells'),
+  rail: look('#d6a52c', 0.5, 0.1),
+  scuffed: look('#d9d5cb', 0.6, 0, 'scuffed', 0.4),
   glow: look('#fff4de', 1),
 };
 
@@ -67,7 +71,8 @@ export class Materials {
     const tint = new Color(colour);
     if (substance === 'glow') return { batch: GLOW + lamps, colour: tint };
     if (this.quality === 'full') return { batch: substance, colour: tint };
-    return { batch: pattern, colour: tint.multiplyScalar(1 - DULL * metalness * metalness) };
+    const dull = pattern === 'crinkle' ? 0 : DULL * metalness * metalness; // creases have their own reflections
+    return { batch: pattern, colour: tint.multiplyScalar(1 - dull) };
   }
 
   /** Return whether a batch casts and receives shadows. */

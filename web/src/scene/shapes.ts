@@ -18,16 +18,10 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/**
- * Pairs of a radius [m] and a number of sides. In the low profile, a circle has the sides of the first pair with a
- * larger radius than its own, or `MOST` sides if there is none.
- */
-const SIDES = [
-  [0.06, 6],
-  [0.15, 10],
-  [1, 16],
-] as const;
-const MOST = 32;
+/** Greatest distance between a circle and its sides in the low profile [m]: less than a pixel, except at close range. */
+const ROUNDNESS = 0.0015;
+/** Fewest and most sides of a circle in the low profile. */
+const SIDES = [8, 64] as const;
 const TURN = 2 * Math.PI;
 
 /** Make the surface of a shape, relative to its own origin. */
@@ -58,7 +52,9 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
 
 /** Return the number of sides with which a circle of this radius [m] is drawn. */
 function sides(radius: number, quality: Quality): number {
-  if (quality === 'low') return SIDES.find(([below]) => radius < below)?.[1] ?? MOST;
+  const [fewest, most] = SIDES;
+  if (quality === 'low')
+    return Math.round(Math.min(most, Math.max(fewest, Math.PI * Math.sqrt(radius / (2 * ROUNDNESS)))));
   return Math.round(Math.min(96, 24 + 60 * radius));
 }
 
