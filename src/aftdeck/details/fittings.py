@@ -13,7 +13,7 @@ from math import pi, tau
 from aftdeck.details.hull import Strip
 from aftdeck.details.skin import Skin
 from aftdeck.elementary import sincos
-from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Shell, Sphere
+from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Shell
 
 RAIL = (0.032, 0.019, 0.045)
 """Width and thickness of a handrail, and its height above the skin, within `skin.PROUD` [m]."""
@@ -54,6 +54,7 @@ class End:
     def __init__(self, skin: Skin, side: int) -> None:
         self.skin, self.side, self.radius = skin, side, skin.hull.distance
         self._face = skin.hull.ends[side > 0]
+        self._taken: list[tuple[float, float, float]] = []
 
     def placed(self, y: float, z: float, shapes: tuple[Shape, ...], roll: float = 0.0) -> Shape:
         """Return shapes whose x axis points out of the end, with their origin on it at (y, z) [m]."""
@@ -61,8 +62,13 @@ class End:
         return Group(position=(self._face, y, z), rotation=(roll, turn[1], turn[2]), shapes=shapes)
 
     def free(self, y: float, z: float, radius: float) -> bool:
-        """Return whether no fixture is before a disc on the end [m]."""
-        return self.skin.end_is_free(self.side, y, z, radius)
+        """Return whether neither a fixture nor an earlier fitting is before a disc on the end [m]."""
+        apart = all((y - at_y) ** 2 + (z - at_z) ** 2 >= (radius + room) ** 2 for at_y, at_z, room in self._taken)
+        return apart and self.skin.end_is_free(self.side, y, z, radius)
+
+    def take(self, y: float, z: float, radius: float) -> None:
+        """Leave a disc on the end to the fitting that is now placed there [m]."""
+        self._taken.append((y, z, radius))
 
     def around(self, count: int, radius: float, room: float, shapes: tuple[Shape, ...]) -> Iterator[Shape]:
         """Yield copies of shapes at equal angles on a circle, turned so that most find a free disc of radius `room`."""
@@ -74,6 +80,7 @@ class End:
             found = [point for point in points if self.free(point[0], point[1], room)]
             best = max(best, found, key=len)
         for y, z, angle in best:
+            self.take(y, z, room)
             yield self.placed(y, z, shapes, angle - pi / 2 if self.side > 0 else pi / 2 - angle)
 
 
@@ -123,15 +130,12 @@ def engine(radius: float) -> tuple[Shape, ...]:
 
 
 def thrusters() -> tuple[Shape, ...]:
-    """Return a block of four nozzles: two outwards along x, two away from the hull's axis along z."""
-    nozzle = Shell(
-        material="bright", position=(0.0, 0.0, 0.0), length=0.06, radius=0.015, radius_end=0.03, thickness=0.008
+    """Return a block with two nozzles that point outwards along x."""
+    nozzle = Cylinder(material="housing", length=0.06, radius=0.012, radius_end=0.03)
+    return (
+        Box(material="silver", position=(0.04, 0.0, 0.0), size=(0.08, 0.24, 0.09)),
+        Group(position=(0.11, -0.06, 0.0), shapes=(nozzle,), count=2, step=(0.0, 0.12, 0.0)),
     )
-    out = Group(position=(0.11, -0.06, 0.0), shapes=(nozzle,), count=2, step=(0.0, 0.12, 0.0))
-    up = Group(
-        position=(0.045, -0.06, 0.07), rotation=(0.0, -pi / 2, 0.0), shapes=(nozzle,), count=2, step=(0.0, 0.12, 0.0)
-    )
-    return (Box(material="silver", position=(0.04, 0.0, 0.0), size=(0.08, 0.24, 0.09)), out, up)
 
 
 def equipment(size: tuple[float, float, float], material: Material) -> tuple[Shape, ...]:
@@ -145,8 +149,8 @@ def equipment(size: tuple[float, float, float], material: Material) -> tuple[Sha
 
 
 def tank(radius: float) -> tuple[Shape, ...]:
-    """Return a foil-covered pressure tank of which a cap stands out of an end."""
+    """Return a foil-covered pressure tank of which a cap stands out of an end; `radius` of the cap [m]."""
     return (
-        Sphere(material="foil", position=(0.12 - radius, 0.0, 0.0), radius=radius),
-        Ring(material="bright", position=(0.01, 0.0, 0.0), radius=(radius**2 - (radius - 0.12) ** 2) ** 0.5, bar=0.015),
+        Cylinder(material="bright", position=(0.01, 0.0, 0.0), length=0.02, radius=1.1 * radius),
+        Cylinder(material="foil", position=(0.06, 0.0, 0.0), length=0.1, radius=radius, radius_end=0.5 * radius),
     )

@@ -20,6 +20,8 @@ UP = pi / 2
 """Direction of the top, from y towards z [rad]."""
 _GAP = 0.015
 """Half of the gap between two panels [m]."""
+_WIDEST = 0.95
+"""Greatest radius of an antenna or engine on an end [m]."""
 _RAIL = 0.9
 """Length of a handrail [m]."""
 
@@ -37,7 +39,7 @@ class Zone(NamedTuple):
 
     until: float
     material: Material | None
-    panel: tuple[float, float] = (1.0, 2.0)
+    panel: tuple[float, float] = (2.8, 2.0)
     part: float = 0.93
     thickness: float = 0.012
 
@@ -52,8 +54,8 @@ class Kind(NamedTuple):
         rails: places of handrails on both sides of the top, as parts of half the length.
         fore: fitting in the middle of the end at -x, and its radius as a part of the hull's.
         aft: likewise at +x.
-        ring: number of equal fittings round both ends, their distance from the axis as a part of the hull's, the radius
-            of the room that each needs [m], and their shapes.
+        rings: equal fittings in rings round both ends: their number, their distance from the axis as a part of the
+            hull's, the radius of the room that each needs [m], and their shapes.
     """
 
     least: float
@@ -62,44 +64,44 @@ class Kind(NamedTuple):
     rails: tuple[float, ...]
     fore: tuple[str, float]
     aft: tuple[str, float]
-    ring: tuple[int, float, float, tuple[Shape, ...]]
+    rings: tuple[tuple[int, float, float, tuple[Shape, ...]], ...]
 
 
 _OBSERVATORY = Kind(
     least=10e3,  # observatories that the Shuttle deployed had 11 to 17 t (assumed)
     zones=(
         Zone(radians(20.0), "silver"),
-        Zone(radians(70.0), "solar", (1.0, 0.6), 0.8, 0.03),
+        Zone(radians(70.0), "solar", (1.8, 1.2), 0.8, 0.03),
         Zone(inf, "silver"),
     ),
     belt=0.0,
     rails=(-0.7, 0.0, 0.7),
     fore=("dish", 0.42),
     aft=("engine", 0.2),
-    ring=(8, 0.74, 0.2, equipment((0.09, 0.34, 0.3), "padding")),
+    rings=((8, 0.74, 0.2, equipment((0.09, 0.34, 0.3), "padding")), (4, 0.62, 0.16, tank(0.15))),
 )
 _PLATFORM = Kind(
     least=4e3,  # platforms and pallets of the Shuttle had 3 to 8 t (assumed)
     zones=(
         Zone(radians(20.0), None),
-        Zone(radians(80.0), "solar", (1.5, 0.75), 0.86, 0.03),
-        Zone(radians(140.0), "radiator", (1.5, 2.0), 0.86, 0.02),
+        Zone(radians(80.0), "solar", (2.0, 1.2), 0.86, 0.03),
+        Zone(radians(140.0), "radiator", (2.6, 2.0), 0.86, 0.02),
         Zone(inf, None),
     ),
     belt=0.0,
     rails=(-0.75, 0.75),
     fore=("engine", 0.3),
     aft=("dish", 0.45),
-    ring=(6, 0.66, 0.24, tank(0.3)),
+    rings=((6, 0.66, 0.24, tank(0.22)), (4, 0.8, 0.16, equipment((0.08, 0.26, 0.2), "silver"))),
 )
 _COMMUNICATIONS = Kind(
     least=0.0,
-    zones=(Zone(inf, "solar", (1.1, 0.9), 0.95, 0.02),),
+    zones=(Zone(inf, "solar", (2.1, 1.2), 0.95, 0.02),),
     belt=0.16,
     rails=(),
     fore=("dish", 0.55),
     aft=("engine", 0.24),
-    ring=(6, 0.72, 0.2, tank(0.24)),
+    rings=((8, 0.72, 0.22, tank(0.2)), (8, 0.8, 0.16, equipment((0.08, 0.26, 0.22), "radiator"))),
 )
 KINDS = (_OBSERVATORY, _PLATFORM, _COMMUNICATIONS)
 """Kinds of spacecraft, the heaviest first."""
@@ -139,14 +141,15 @@ def _covered(skin: Skin, strip: Strip, kind: Kind) -> Iterator[Shape]:
 
 
 def _end(end: End, middle: tuple[str, float], kind: Kind) -> Iterator[Shape]:
-    """Yield the fittings of an end: one in its middle if this is free, thrusters at its rim, and a ring of others."""
+    """Yield the fittings of an end: one in its middle if this is free, thrusters at its rim, and rings of others."""
     name, part = middle
-    radius = min(part * end.radius, 1.0)
-    if end.free(0.0, 0.0, 1.25 * radius):
+    radius = min(part * end.radius, _WIDEST)
+    if end.free(0.0, 0.0, 1.2 * radius):
+        end.take(0.0, 0.0, 1.2 * radius)
         yield end.placed(0.0, 0.0, dish(radius) if name == "dish" else engine(radius))
     yield from end.around(4, 0.88 * end.radius, 0.14, thrusters())
-    count, out, room, shapes = kind.ring
-    yield from end.around(count, out * end.radius, room, shapes)
+    for count, out, room, shapes in kind.rings:
+        yield from end.around(count, out * end.radius, room, shapes)
 
 
 def _rows(span: tuple[float, float], size: float) -> list[tuple[float, float]]:

@@ -36,7 +36,7 @@ class Skin:
     def cover(
         self, strip: Strip, x: tuple[float, float], s: tuple[float, float], material: Material, thickness: float = 0.012
     ) -> Iterator[Shape]:
-        """Yield patches that together cover a rectangle of a strip, except for the parts near fixtures.
+        """Yield patches that together cover a rectangle of a strip, cut out around the fixtures on it.
 
         Args:
             strip: strip of the hull.
@@ -45,16 +45,20 @@ class Skin:
             material: material of the patches.
             thickness: distance of the patches' outer side from the skin [m].
         """
-        if self.free(strip, x, s):
+        blocked = self._blocked(strip, x, s)
+        if blocked is None:
             yield self.patch(strip, x, s, material, thickness)
             return
-        halves_x, halves_s = _halved(x), _halved(s)
-        if x[1] - x[0] >= s[1] - s[0] and x[1] - x[0] >= 2.0 * SMALLEST:
-            for half in halves_x:
-                yield from self.cover(strip, half, s, material, thickness)
-        elif s[1] - s[0] >= 2.0 * SMALLEST:
-            for half in halves_s:
-                yield from self.cover(strip, x, half, material, thickness)
+        (low, high), (first, last) = blocked
+        between = (max(low, x[0]), min(high, x[1]))
+        for part_x, part_s in (
+            ((x[0], low), s),
+            ((high, x[1]), s),
+            (between, (s[0], first)),
+            (between, (last, s[1])),
+        ):
+            if part_x[1] - part_x[0] >= SMALLEST and part_s[1] - part_s[0] >= SMALLEST:
+                yield from self.cover(strip, part_x, part_s, material, thickness)
 
     def patch(
         self, strip: Strip, x: tuple[float, float], s: tuple[float, float], material: Material, thickness: float
@@ -97,13 +101,20 @@ class Skin:
 
     def free(self, strip: Strip, x: tuple[float, float], s: tuple[float, float]) -> bool:
         """Return whether no fixture is on a rectangle of a strip, nor nearer to it than `CLEAR`."""
+        return self._blocked(strip, x, s) is None
+
+    def _blocked(
+        self, strip: Strip, x: tuple[float, float], s: tuple[float, float]
+    ) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """Return the room that a fixture on a rectangle needs, along and across the strip [m]; None if it is free."""
         for low, high in self.hull.fixtures.tolist():
-            if high[0] < x[0] - CLEAR or low[0] > x[1] + CLEAR:
+            begin, end = low[0] - CLEAR, high[0] + CLEAR
+            if end <= x[0] or begin >= x[1]:
                 continue
             outmost, first, last = self._across(strip, low, high)
-            if outmost > self.hull.distance - CLEAR and first < s[1] + CLEAR and last > s[0] - CLEAR:
-                return False
-        return True
+            if outmost > self.hull.distance - CLEAR and first - CLEAR < s[1] and last + CLEAR > s[0]:
+                return (begin, end), (first - CLEAR, last + CLEAR)
+        return None
 
     def _across(self, strip: Strip, low: list[float], high: list[float]) -> tuple[float, float, float]:
         """Return a box's greatest distance from the axis towards a strip, and its extent across the strip [m]."""
@@ -131,11 +142,6 @@ class Skin:
             if off_y**2 + off_z**2 < (radius + 0.5 * CLEAR) ** 2:
                 return False
         return True
-
-
-def _halved(span: tuple[float, float]) -> tuple[tuple[float, float], tuple[float, float]]:
-    middle = 0.5 * (span[0] + span[1])
-    return (span[0], middle), (middle, span[1])
 
 
 def _wrapped(angle: float) -> float:

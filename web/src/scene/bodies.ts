@@ -11,6 +11,8 @@ const MIRROR = new Matrix4().makeScale(1, -1, 1);
 const place = new Vector3();
 const turn = new Quaternion();
 
+/** Render order before all other meshes: details cover shapes, whose hidden pixels are then not computed. */
+const FIRST = -0.5;
 /** Render order after all other bodies, but before the sky. */
 const LAST = 0.5;
 
@@ -36,8 +38,17 @@ export class Body {
   /** Positions of the vertices of each mesh while the body is straight; empty if it is rigid. */
   private readonly straight: Float32Array[] = [];
 
-  /** `end`: end of the boom, if the body bends; null if it is rigid. */
-  constructor(info: BodyInfo, materials: Materials, quality: Quality, end: Vec3 | null = null) {
+  /**
+   * `end`: end of the boom, if the body bends; null if it is rigid. `shaded`: whether the shadow of the hand falls on it
+   * in the low profile.
+   */
+  constructor(
+    info: BodyInfo,
+    materials: Materials,
+    quality: Quality,
+    end: Vec3 | null = null,
+    shaded = false,
+  ) {
     this.group.name = info.name;
     this.group.matrixAutoUpdate = false;
     const batches = new Map<string, Batch>();
@@ -56,7 +67,7 @@ export class Body {
     }
     for (const [name, batch] of batches) {
       const { whole, plain } = batch.geometries(end && new Vector3(...end).normalize());
-      const mesh = new Mesh(whole, materials.material(name));
+      const mesh = new Mesh(whole, materials.material(name, shaded));
       if (end) {
         this.straight.push(mesh.geometry.getAttribute('position').array.slice() as Float32Array);
         mesh.frustumCulled = false; // its bounds are those of the straight boom
@@ -64,6 +75,7 @@ export class Body {
       mesh.name = name;
       mesh.castShadow = mesh.receiveShadow = materials.solid(name);
       mesh.matrixAutoUpdate = false;
+      if (2 * (plain.index?.count ?? 0) < (whole.index?.count ?? 0)) mesh.renderOrder = FIRST;
       this.group.add(mesh);
       if (plain.index?.count) this.plain.push(twin(mesh, plain));
     }

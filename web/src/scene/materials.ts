@@ -43,12 +43,14 @@ const LOOKS: Record<Material, Look> = {
 const DULL = 0.55;
 /** Prefix of the batch names of glowing faces; the name of the switch follows. */
 const GLOW = 'glow ';
+/** End of the names of materials on which the hand's shadow falls. */
+const SHADED = ' shaded';
 /** Brightness of the face of a lamp that is off. */
 const UNLIT = 0.08;
 
 /** Makes the materials of the low profile. */
 export interface Shading {
-  material(pattern: Texture | null): Drawn;
+  material(pattern: Texture | null, shaded: boolean): Drawn;
 }
 
 /** Materials of one profile, each made at its first use. */
@@ -88,12 +90,13 @@ export class Materials {
     }
   }
 
-  /** Return the material of a batch. */
-  material(batch: string): Drawn {
-    const known = this.made.get(batch);
+  /** Return the material of a batch. `shaded`: whether the shadow of the hand falls on it in the low profile. */
+  material(batch: string, shaded = false): Drawn {
+    const name = shaded ? `${batch}${SHADED}` : batch;
+    const known = this.made.get(name);
     if (known) return known;
-    const made = this.make(batch);
-    this.made.set(batch, made);
+    const made = this.make(batch, shaded);
+    this.made.set(name, made);
     return made;
   }
 
@@ -102,9 +105,9 @@ export class Materials {
     for (const texture of this.textures.values()) texture.dispose();
   }
 
-  private make(batch: string): Drawn {
+  private make(batch: string, shaded: boolean): Drawn {
     if (batch.startsWith(GLOW)) return new MeshBasicMaterial({ vertexColors: true });
-    if (this.quality === 'low') return this.light.material(this.pattern(batch as Pattern));
+    if (this.quality === 'low') return this.light.material(this.pattern(batch as Pattern), shaded);
     const { pattern, roughness, metalness, relief } = present(LOOKS[batch as Material], `material ${batch}`);
     return new MeshStandardMaterial({
       vertexColors: true,

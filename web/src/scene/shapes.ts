@@ -18,10 +18,19 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** Greatest distance between a circle and its sides in the low profile [m]: less than a pixel, except at close range. */
-const ROUNDNESS = 0.0015;
-/** Fewest and most sides of a circle in the low profile. */
-const SIDES = [8, 64] as const;
+/**
+ * Pairs of a radius [m] and a number of sides. In the low profile, a circle has the sides of the first pair with a
+ * larger radius than its own, or `MOST` sides if there is none.
+ */
+const SIDES = [
+  [0.045, 8],
+  [0.16, 12],
+  [0.3, 20],
+  [1, 24],
+] as const;
+const MOST = 32;
+/** Fewest sides of a sphere: the ball of a target is small, but an operator aims at it from near. */
+const ROUNDEST = 12;
 const TURN = 2 * Math.PI;
 
 /** Make the surface of a shape, relative to its own origin. */
@@ -52,9 +61,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
 
 /** Return the number of sides with which a circle of this radius [m] is drawn. */
 function sides(radius: number, quality: Quality): number {
-  const [fewest, most] = SIDES;
-  if (quality === 'low')
-    return Math.round(Math.min(most, Math.max(fewest, Math.PI * Math.sqrt(radius / (2 * ROUNDNESS)))));
+  if (quality === 'low') return SIDES.find(([below]) => radius < below)?.[1] ?? MOST;
   return Math.round(Math.min(96, 24 + 60 * radius));
 }
 
@@ -157,7 +164,7 @@ function ring(shape: Ring, quality: Quality): Surface {
 }
 
 function sphere({ radius }: Sphere, quality: Quality): Surface {
-  const round = sides(radius, quality);
+  const round = Math.max(ROUNDEST, sides(radius, quality));
   const profile = steps(round / 2, (t): Vec2 => {
     return [-radius * Math.cos(Math.PI * t), radius * Math.sin(Math.PI * t)];
   });
@@ -166,7 +173,7 @@ function sphere({ radius }: Sphere, quality: Quality): Surface {
 
 /** Return the number of sides of a partial turn. */
 function part(sweep: number, radius: number, quality: Quality): number {
-  return Math.max(4, Math.ceil((sides(radius, quality) * sweep) / TURN));
+  return Math.max(1, Math.ceil((sides(radius, quality) * sweep) / TURN));
 }
 
 /** Return one strip for each edge of an angular profile, so that the corners stay sharp. */
