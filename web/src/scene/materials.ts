@@ -32,7 +32,7 @@ const LOOKS: Record<Material, Look> = {
   metal: look('#b9bcbf', 0.38, 0.85),
   foil: look('#c9973f', 0.3, 0.9, 'crinkle', 2.4),
   structure: look('#9a978e', 0.75, 0.2),
-  silver: look('#c3c7cc', 0.3, 0.9, 'crinkle', 2.4),
+  silver: look('#c3c7cc', 0.35, 0.6, 'crinkle', 2.4),
   solar: look('#6d86c9', 0.25, 0.3, 'cells'),
   rail: look('#d6a52c', 0.5, 0.1),
   scuffed: look('#d9d5cb', 0.6, 0, 'scuffed', 0.4),

@@ -24,7 +24,7 @@ import { Surface } from './surface';
  */
 const SIDES = [
   [0.045, 8],
-  [0.16, 12],
+  [0.16, 16],
   [0.3, 20],
   [1, 24],
 ] as const;
