@@ -54,6 +54,7 @@ LAYERS = (
     ("historical",),
     ("scene",),
     ("visual",),
+    ("details",),
     ("task",),
     ("recording",),
     ("report",),

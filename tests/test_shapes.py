@@ -15,6 +15,7 @@ import pytest
 import aftdeck.arms.shapes as arm_shapes
 from aftdeck.arms.load import load_model
 from aftdeck.arms.shapes import ArmShapes, shapes_of
+from aftdeck.details.details_of import details_of
 from aftdeck.errors import ScenarioError
 from aftdeck.files import read
 from aftdeck.scenario.load import built_in, load_scenario
@@ -136,6 +137,7 @@ def test_shapes_round_trip_through_json(srms: ArmShapes) -> None:
 
 def test_every_material_is_used(srms: ArmShapes) -> None:
     bodies = [*srms.bodies.values(), *(body.shapes for body in load_worksite("orbiter").bodies)]
+    bodies += details_of(load_scenario("srms-deploy"))
     payloads = [load_scenario(name).payload for name in built_in()]
     bodies += [payload.shapes for payload in payloads if payload is not None]
     used = {

@@ -40,6 +40,10 @@ Material = Literal[
     "metal",
     "foil",  # crinkled gold foil
     "structure",  # painted frames and brackets
+    "silver",  # crinkled silver foil
+    "solar",  # solar cells
+    "rail",  # handrails, anodised yellow
+    "scuffed",  # white paint with scratches
     "glow",  # a lamp's face
 ]
 
@@ -283,6 +287,12 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
 
 
 Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group
+
+
+def without_lamps(details: Iterable[Shape]) -> None:
+    """Raise ValueError if one of the shapes is a lamp: what only decorates a body does not light it."""
+    if found := switches(details):
+        raise ValueError(f"details cannot be lamps, and these have a lamp of switch {found[0]!r}; list it in shapes")
 
 
 def switches(shapes: Iterable[Shape]) -> tuple[str, ...]:

@@ -104,7 +104,7 @@ test('a refined surface has the same volume, no long edges, and no gaps', () => 
 describe('the drawn arm', () => {
   const materials = new Materials('low', new LambertLight(0));
   const box = { kind: 'box', material: 'metal', size: [1, 1, 1], position: [0, 0, 0], rotation: [0, 0, 0] };
-  const info = (name: string): BodyInfo => ({ name, shapes: [box] }) as never;
+  const info = (name: string): BodyInfo => ({ name, shapes: [box], details: [] }) as never;
   const welcome = {
     flexures: [
       { body: 1, end: [0, 0, 0] },
@@ -157,7 +157,7 @@ describe('the drawn arm', () => {
 test('colours of a bent body are those of its shapes', () => {
   const materials = new Materials('low', new LambertLight(0));
   const shape = { kind: 'box', material: 'metal', size: [6, 1, 1], position: [3, 0, 0], rotation: [0, 0, 0] };
-  const body = new Body({ name: 'boom', shapes: [shape] } as never, materials, 'low', END);
+  const body = new Body({ name: 'boom', shapes: [shape], details: [] } as never, materials, 'low', END);
   body.bend(END, bend);
   const mesh = body.group.children[0] as never as {
     geometry: { getAttribute(name: string): { array: Float32Array } };

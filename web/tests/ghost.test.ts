@@ -15,7 +15,7 @@ const BOX = {
 
 function ghostOf(names: readonly string[]): { ghost: Ghost; parts: readonly Object3D[] } {
   const materials = new Materials('low', new LambertLight(0));
-  const bodies = names.map((name) => new Body({ name, shapes: [BOX] }, materials, 'low'));
+  const bodies = names.map((name) => new Body({ name, shapes: [BOX], details: [] }, materials, 'low'));
   for (const body of bodies) body.setPose([0, 0, 0, 1, 0, 0, 0], 0);
   const stage = new Scene();
   const ghost = new Ghost(stage, bodies, '#ffffff', { fill: 0.1, rim: 0.9 });

@@ -31,7 +31,7 @@ const FLOOD = { ...lamp, position: [1, 2, 3], cone: Math.PI, switch: 'floods' } 
 const SPOT = { ...lamp, rotation: [0, 0, Math.PI / 2], cone: 0.6, switch: 'spot' } as const;
 
 function lighted(): { light: LambertLight; body: Body; materials: Materials } {
-  const info = { name: 'lamp body', shapes: [FLOOD, SPOT] };
+  const info = { name: 'lamp body', shapes: [FLOOD, SPOT], details: [] };
   const light = new LambertLight(lampCount([info]));
   const materials = new Materials('low', light);
   const body = new Body(info, materials, 'low');

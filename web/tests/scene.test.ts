@@ -1,4 +1,4 @@
-import { Matrix4, Vector3 } from 'three';
+import { Matrix4, Raycaster, type ShaderMaterial, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import type { BodyInfo, Camera, Group, Shape } from '../src/link/protocol';
 import { Body } from '../src/scene/bodies';
@@ -116,7 +116,7 @@ test('a mirrored surface still faces outwards', () => {
 const box = { ...solid, kind: 'box', size: [0.2, 0.2, 0.2] } as const;
 
 function bodyOf(shapes: readonly Shape[]): Body {
-  const info: BodyInfo = { name: 'thing', shapes };
+  const info: BodyInfo = { name: 'thing', shapes, details: [] };
   return new Body(info, new Materials('low', new LambertLight(0)), 'low');
 }
 
@@ -204,4 +204,48 @@ test('a camera moves with its body', () => {
   expect(x).toEqual([1, 0, 0].map((c) => expect.closeTo(c, 5)));
   expect(y).toEqual([0, 0, -1].map((c) => expect.closeTo(c, 5)));
   expect(z).toEqual([0, 1, 0].map((c) => expect.closeTo(c, 5)));
+});
+
+test('details are drawn, but neither enlarge the box of a body nor belong to what hides others', () => {
+  const far = { ...box, position: [5, 0, 0] } as const;
+  const info: BodyInfo = { name: 'thing', shapes: [box], details: [far] };
+  const body = new Body(info, new Materials('low', new LambertLight(0)), 'low');
+  expect(body.drawn.triangles).toBe(24);
+  expect(body.box().max.x).toBeCloseTo(0.1, 5);
+  expect(body.plain.map(({ geometry }) => geometry.index?.count)).toEqual([36]);
+  const ray = new Raycaster(new Vector3(5, 0, 9), new Vector3(0, 0, -1));
+  expect(ray.intersectObjects(body.plain)).toEqual([]);
+  expect(ray.intersectObjects(body.group.children)).not.toEqual([]);
+});
+
+test('a body of details alone has an empty box', () => {
+  const info: BodyInfo = { name: 'thing', shapes: [], details: [box] };
+  const body = new Body(info, new Materials('low', new LambertLight(0)), 'low');
+  expect(body.box().isEmpty()).toBe(true);
+  expect(body.plain).toEqual([]);
+  expect(body.drawn.triangles).toBe(12);
+});
+
+test('what hides others moves with its body', () => {
+  const body = bodyOf([box]);
+  body.setPose([7, 0, 0, 1, 0, 0, 0], 0);
+  const ray = new Raycaster(new Vector3(7, 0, 9), new Vector3(0, 0, -1));
+  expect(ray.intersectObjects(body.plain)).not.toEqual([]);
+});
+
+test('the details of a boom bend with it', () => {
+  const info: BodyInfo = { name: 'boom', shapes: [box], details: [{ ...box, size: [6, 0.1, 0.1] }] };
+  const body = new Body(info, new Materials('low', new LambertLight(0)), 'low', [6, 0, 0]);
+  const across = body.mesh('plain')?.geometry.getAttribute('position');
+  const before = across?.array.slice();
+  body.bend([6, 0, 0], { displacement: [0, 0.5, 0], rotation: [0, 0, 0.1] });
+  expect(across?.array).not.toEqual(before);
+});
+
+test('the shadow of the hand falls on a material only in the low profile, and only where it is asked for', () => {
+  const materials = new Materials('low', new LambertLight(0));
+  const [plain, shaded] = [materials.material('plain'), materials.material('plain', true)];
+  expect(plain).not.toBe(shaded);
+  expect((shaded as ShaderMaterial).defines).toHaveProperty('SHADED');
+  expect((plain as ShaderMaterial).defines).not.toHaveProperty('SHADED');
 });

@@ -11,7 +11,7 @@ const placed = { position: [0, 0, 0], rotation: [0, 0, 0] } as const;
 
 function body(name: string, at: Vec3, size: Vec3 = [1, 1, 1]): Body {
   const box: Shape = { ...placed, kind: 'box', material: 'metal', size };
-  const info: BodyInfo = { name, shapes: [box] };
+  const info: BodyInfo = { name, shapes: [box], details: [] };
   const made = new Body(info, new Materials('low', new LambertLight(0)), 'low');
   made.setPose([...at, 1, 0, 0, 0], 0);
   return made;

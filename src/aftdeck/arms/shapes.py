@@ -9,13 +9,14 @@ from typing import NamedTuple
 import msgspec
 
 from aftdeck.arms.blocks import Block, blocks_of
+from aftdeck.arms.fairings import fairings_of
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.model import HeadingArmFile
 from aftdeck.bodies.camera_file import CameraFile, DriveFile, cameras_of
 from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Problem, Text, parse, sentences
-from aftdeck.shapes import Box, Shape
+from aftdeck.shapes import Box, Shape, without_lamps
 
 
 class ArmShapes(NamedTuple):
@@ -23,6 +24,8 @@ class ArmShapes(NamedTuple):
 
     bodies: dict[str, tuple[Shape, ...]]
     """Shapes by the name of their frame, in the order from the foot to the tip."""
+    details: dict[str, tuple[Shape, ...]]
+    """Shapes that only decorate the arm (`worksite.model.Body.details`), by the same names."""
     cameras: tuple[Camera, ...]
 
 
@@ -31,6 +34,12 @@ class _Frame(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     name: str
     shapes: tuple[Shape, ...]
+    details: tuple[Shape, ...] = ()
+    """Shapes that only decorate the arm. Only the station's page draws them. They cannot be lamps."""
+
+    def __post_init__(self) -> None:
+        """Reject a lamp among the details (ValueError)."""
+        without_lamps(self.details)
 
 
 class ShapesFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -57,10 +66,16 @@ def shapes_of(model: ArmModel) -> ArmShapes:
         problems += _problems(file, model.frames)
         if problems:
             raise ScenarioError(sentences(problems, *model.shapes))
-        return ArmShapes({body.name: body.shapes for body in file.body}, cameras)
-    blocks = blocks_of(model.source, model.linkage.frames) if isinstance(model.source, HeadingArmFile) else ()
+        details = {body.name: body.details for body in file.body}
+        return ArmShapes({body.name: body.shapes for body in file.body}, details, cameras)
+    if not isinstance(model.source, HeadingArmFile):
+        return ArmShapes(dict.fromkeys(model.frames, ()), dict.fromkeys(model.frames, ()), ())
+    blocks = blocks_of(model.source, model.linkage.frames)
+    fairings = fairings_of(model.source, model.linkage.frames)
     return ArmShapes(
-        {frame: tuple(_box(block) for block in blocks if block.frame == frame) for frame in model.frames}, ()
+        {frame: tuple(_box(block) for block in blocks if block.frame == frame) for frame in model.frames},
+        {frame: fairings.get(frame, ()) for frame in model.frames},
+        (),
     )
 
 

@@ -20,6 +20,10 @@ COLOURS: dict[Material, str] = {
     "metal": "#b9bcbf",
     "foil": "#c9973f",
     "structure": "#9a978e",
+    "silver": "#c3c7cc",
+    "solar": "#6d86c9",
+    "rail": "#d6a52c",
+    "scuffed": "#d9d5cb",
     "glow": "#fff4de",
 }
 """sRGB colours, equal to the page's colours (web/src/scene/materials.ts). The page adds gloss and patterns."""

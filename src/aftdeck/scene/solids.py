@@ -1,6 +1,6 @@
 """Triangle meshes of shapes, each in the shape's own frame.
 
-The numbers of sides are those that the page uses with its low graphics profile.
+The page has its own numbers of sides (`web/src/scene/shapes.ts`).
 """
 
 from __future__ import annotations

@@ -30,6 +30,9 @@ class Body(msgspec.Struct, frozen=True):
     """Name by which cameras and the scene refer to the body, for example ``orbiter``."""
     shapes: tuple[Shape, ...]
     """Shapes that draw the body, in its own frame."""
+    details: tuple[Shape, ...] = ()
+    """Shapes that only decorate the body, in its own frame. The station's page draws them. Nothing else uses them:
+    neither contacts, nor what cameras see, nor the pictures without a depth buffer."""
     fixed_to: Frame = "orbiter"
     """Coordinate frame to which the body is fixed."""
     position: Vec3 = (0.0, 0.0, 0.0)
@@ -167,6 +170,8 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     ``keel``. For any other number of pairs, the pairs are numbered: ``1 port``, ``1 starboard``."""
     start: Start
     limit_cycle: LimitCycle | None
+    details: tuple[Shape, ...]
+    """Shapes that only decorate the payload's fixture, as `Body.details`. `aftdeck.details` adds those of its hull."""
 
 
 class BarAcquisition(msgspec.Struct, frozen=True):

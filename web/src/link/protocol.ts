@@ -5,7 +5,7 @@ export const PROTOCOL = 6;
 
 export type Vec2 = readonly [number, number];
 export type Axis = 'x' | 'y' | 'z';
-export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
+export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'silver' | 'solar' | 'rail' | 'scuffed' | 'glow';
 export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
 export type Level = 'info' | 'caution' | 'warning';
 export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE' | 'CONTR ERR' | 'TIME LOST';
@@ -662,6 +662,8 @@ export interface ModeInfo {
 export interface BodyInfo {
   readonly name: string;
   readonly shapes: readonly Shape[];
+  /** Shapes that only decorate the body: they hide nothing in the survey of cameras, and ghosts do not have them. */
+  readonly details: readonly Shape[];
 }
 
 /** Part of the arm that bends: the base or a boom; its bend is in `Dynamics.bends`, at the same index. */

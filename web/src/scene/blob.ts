@@ -1,11 +1,9 @@
 import { Mesh, type Scene, ShaderMaterial, Vector2, Vector3 } from 'three';
 import type { Body } from './bodies';
 import type { Daylight } from './daylight';
+import { acrossRays, type Rod, rodOf } from './rod';
 
-/** Length of the shortest body that casts a shadow [m]. */
-const SHORTEST = 0.8;
 const point = new Vector3();
-const ABEAM = new Vector3(0, 1, 0);
 
 const vertexShader = /* glsl */ `
   uniform vec3 across, up;
@@ -29,14 +27,6 @@ const fragmentShader = /* glsl */ `
     }
     gl_FragColor = vec4(0.0, 0.0, 0.02, 0.62 * (1.0 - smoothstep(0.5, 1.0, clear)));
   }`;
-
-/** Simplified moving body that casts the shadow: a rod through the centre of its box. */
-interface Rod {
-  readonly body: Body;
-  readonly from: Vector3;
-  readonly to: Vector3;
-  readonly radius: number;
-}
 
 /** Shadow in the low profile: each moving body casts the soft shadow of a rod, along the sun's rays. */
 export class Blob {
@@ -77,8 +67,7 @@ export class Blob {
 
   /** Set the sun. Without sunlight there is no shadow. */
   set({ toSun, sun }: Daylight): void {
-    this.across.crossVectors(toSun, ABEAM).normalize();
-    this.up.crossVectors(this.across, toSun);
+    acrossRays(toSun, this.across, this.up);
     this.mesh.visible = sun.r > 0;
     this.update();
   }
@@ -99,20 +88,4 @@ export class Blob {
     this.mesh.removeFromParent();
     this.material.dispose();
   }
-}
-
-/** Return the rod in a body's box, or an empty array for a body shorter than `SHORTEST`. */
-function rodOf(body: Body): Rod[] {
-  const { min, max } = body.box();
-  const size = new Vector3().subVectors(max, min);
-  const long = [0, 1, 2].reduce((best, axis) => {
-    return size.getComponent(axis) > size.getComponent(best) ? axis : best;
-  }, 0);
-  const radius = Math.min(size.x, size.y, size.z) * 0.6;
-  if (size.getComponent(long) < SHORTEST) return [];
-  const middle = new Vector3().addVectors(min, max).multiplyScalar(0.5);
-  const [from, to] = [middle.clone(), middle.clone()];
-  from.setComponent(long, min.getComponent(long) + radius / 2);
-  to.setComponent(long, max.getComponent(long) - radius / 2);
-  return [{ body, from, to, radius }];
 }

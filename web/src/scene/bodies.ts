@@ -1,28 +1,18 @@
-import {
-  Box3,
-  BufferGeometry,
-  type Color,
-  Euler,
-  Float32BufferAttribute,
-  Matrix4,
-  Mesh,
-  Object3D,
-  Quaternion,
-  Vector3,
-} from 'three';
+import { Box3, type BufferGeometry, Euler, Matrix4, Mesh, Object3D, Quaternion, Vector3 } from 'three';
 import type { BodyInfo, Group, Light, Shape, Vec3 } from '../link/protocol';
+import { Batch } from './batch';
 import { type Bend, bendPoints } from './bend';
 import type { Quality } from './drawn';
 import type { Materials } from './materials';
-import { refine } from './refine';
 import { surfaceOf } from './shapes';
-import { Surface } from './surface';
 
 const ONE = new Vector3(1, 1, 1);
 const MIRROR = new Matrix4().makeScale(1, -1, 1);
 const place = new Vector3();
 const turn = new Quaternion();
 
+/** Render order before all other meshes: details cover shapes, whose hidden pixels are then not computed. */
+const FIRST = -0.5;
 /** Render order after all other bodies, but before the sky. */
 const LAST = 0.5;
 
@@ -39,53 +29,45 @@ export interface DrawnBody {
   readonly at: Vec3;
 }
 
-/** Shapes of a body that share one material. */
-class Batch {
-  readonly surface = new Surface();
-  readonly colours: number[] = [];
-
-  add(surface: Surface, motion: Matrix4, colour: Color): void {
-    this.surface.append(surface, motion);
-    for (let i = 0; i < surface.positions.length; i += 3) this.colours.push(colour.r, colour.g, colour.b);
-  }
-
-  /** `along`: direction in which the surface will bend; null if it is rigid. */
-  geometry(along: Vector3 | null): BufferGeometry {
-    if (along) refine(this.surface, this.colours, along);
-    const { positions, normals, uvs, indices } = this.surface;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
-    geometry.setAttribute('normal', new Float32BufferAttribute(normals, 3));
-    geometry.setAttribute('uv', new Float32BufferAttribute(uvs, 2));
-    geometry.setAttribute('color', new Float32BufferAttribute(this.colours, 3));
-    geometry.setIndex(indices);
-    geometry.computeBoundingBox();
-    return geometry;
-  }
-}
-
-/** A body: its shapes merged into one mesh for each material. It is rigid, or a boom that bends. */
+/** A body: its shapes and details merged into one mesh for each material. It is rigid, or a boom that bends. */
 export class Body {
   readonly group = new Object3D();
   readonly lights: PlacedLight[] = [];
+  /** The meshes without details, which are not drawn: what hides other bodies, and what a ghost is made of. */
+  readonly plain: Mesh[] = [];
   /** Positions of the vertices of each mesh while the body is straight; empty if it is rigid. */
   private readonly straight: Float32Array[] = [];
 
-  /** `end`: end of the boom, if the body bends; null if it is rigid. */
-  constructor(info: BodyInfo, materials: Materials, quality: Quality, end: Vec3 | null = null) {
+  /**
+   * `end`: end of the boom, if the body bends; null if it is rigid. `shaded`: whether the shadow of the hand falls on it
+   * in the low profile.
+   */
+  constructor(
+    info: BodyInfo,
+    materials: Materials,
+    quality: Quality,
+    end: Vec3 | null = null,
+    shaded = false,
+  ) {
     this.group.name = info.name;
     this.group.matrixAutoUpdate = false;
     const batches = new Map<string, Batch>();
-    for (const [shape, motion] of placed(info.shapes, new Matrix4())) {
-      if (shape.kind === 'light') this.lights.push({ light: shape, place: motion });
-      const look =
-        shape.kind === 'light' ? materials.look('glow', shape.switch) : materials.look(shape.material);
-      const batch = batches.get(look.batch) ?? new Batch();
-      batches.set(look.batch, batch);
-      batch.add(surfaceOf(shape, quality), motion, look.colour);
+    const batchOf = ({ batch: name }: { batch: string }) => {
+      const batch = batches.get(name) ?? new Batch();
+      batches.set(name, batch);
+      return batch;
+    };
+    for (const layer of ['shapes', 'details'] as const) {
+      for (const [shape, motion] of placed(info[layer], new Matrix4())) {
+        if (shape.kind === 'light') this.lights.push({ light: shape, place: motion });
+        const look =
+          shape.kind === 'light' ? materials.look('glow', shape.switch) : materials.look(shape.material);
+        batchOf(look)[layer].add(surfaceOf(shape, quality), motion, look.colour);
+      }
     }
     for (const [name, batch] of batches) {
-      const mesh = new Mesh(batch.geometry(end && new Vector3(...end).normalize()), materials.material(name));
+      const { whole, plain } = batch.geometries(end && new Vector3(...end).normalize());
+      const mesh = new Mesh(whole, materials.material(name, shaded));
       if (end) {
         this.straight.push(mesh.geometry.getAttribute('position').array.slice() as Float32Array);
         mesh.frustumCulled = false; // its bounds are those of the straight boom
@@ -93,7 +75,9 @@ export class Body {
       mesh.name = name;
       mesh.castShadow = mesh.receiveShadow = materials.solid(name);
       mesh.matrixAutoUpdate = false;
+      if (2 * (plain.index?.count ?? 0) < (whole.index?.count ?? 0)) mesh.renderOrder = FIRST;
       this.group.add(mesh);
+      if (plain.index?.count) this.plain.push(twin(mesh, plain));
     }
   }
 
@@ -142,18 +126,26 @@ export class Body {
     return this.group.children.find((child): child is Mesh => child instanceof Mesh && child.name === batch);
   }
 
-  /** Return the bounding box of all meshes, in the body's frame. */
+  /** Return the bounding box of all shapes, without details, in the body's frame. */
   box(): Box3 {
     const box = new Box3();
-    for (const child of this.group.children) {
-      if (child instanceof Mesh && child.geometry.boundingBox) box.union(child.geometry.boundingBox);
-    }
+    for (const { geometry } of this.plain) if (geometry.boundingBox) box.union(geometry.boundingBox);
     return box;
   }
 
   dispose(): void {
-    for (const child of this.group.children) if (child instanceof Mesh) child.geometry.dispose();
+    for (const child of [...this.group.children, ...this.plain])
+      if (child instanceof Mesh) child.geometry.dispose();
   }
+}
+
+/** Return a mesh with another geometry that moves with `mesh`, but is not drawn. */
+function twin(mesh: Mesh, geometry: BufferGeometry): Mesh {
+  const made = new Mesh(geometry, mesh.material);
+  made.name = mesh.name;
+  made.parent = mesh.parent;
+  made.matrixWorld = mesh.matrixWorld;
+  return made;
 }
 
 /** Yield every drawn shape with its pose in the body's frame. A shape in a group is yielded once for each copy. */

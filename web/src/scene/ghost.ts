@@ -92,7 +92,7 @@ export class Ghost {
     this.parts = bodies.map((body) => {
       const part = new Object3D();
       part.matrixAutoUpdate = false;
-      for (const child of body.group.children) if (child instanceof Mesh) this.add(part, child);
+      for (const mesh of body.plain) this.add(part, mesh);
       stage.add(part);
       return { part, body, moves: false };
     });

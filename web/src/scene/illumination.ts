@@ -18,10 +18,14 @@ import type { LambertLight } from './lambert';
 import { Lights } from './lights';
 import { Lit } from './lit';
 import type { Materials } from './materials';
+import { rodOf } from './rod';
 import { Sun } from './sun';
 
 /** Factor by which light is multiplied at an exposure of 0 stops. */
 const EXPOSED = 1.1;
+
+/** Body whose shadow falls on payloads: operators judge by it how near the end effector is. */
+const HAND = 'arm.wrist_roll';
 
 /** Sun, Earth and lamps, with the shadow and the reflections that they cause. */
 export class Illumination {
@@ -49,11 +53,12 @@ export class Illumination {
     lambert.take(lamps);
     this.lit = new Lit(lamps);
     this.lights = quality === 'full' ? new Lights(stage, lamps) : null;
-    this.earth = new Earth(stage, quality, lambert.exposure);
+    this.earth = new Earth(stage, renderer, quality, lambert.exposure);
     this.sun = new Sun(stage);
     stage.environmentIntensity = 0.4;
     const [fixed, ...moving] = bodies;
     fixed?.drawLast();
+    lambert.cast(bodies.filter(({ group }) => group.name === HAND).flatMap(rodOf)[0] ?? null);
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(stage, ground, moving) : null;
   }

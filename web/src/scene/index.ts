@@ -76,7 +76,10 @@ export class Scene {
     const lambert = new LambertLight(lampCount(welcome.bodies));
     const materials = new Materials(quality, lambert);
     const booms = new Map(welcome.flexures.map(({ body, end }) => [body, end]));
-    const bodies = welcome.bodies.map((body, i) => new Body(body, materials, quality, booms.get(i)));
+    const payloads = new Set(welcome.work.cargo);
+    const bodies = welcome.bodies.map(
+      (body, i) => new Body(body, materials, quality, booms.get(i), payloads.has(body.name)),
+    );
     for (const { group } of bodies) stage.add(group);
     stage.matrixWorldAutoUpdate = false;
     this.materials = materials;
@@ -101,7 +104,7 @@ export class Scene {
     this.gap = new Gap(stage, bodies);
     const ghosts = welcome.ghost.flatMap((i) => bodies[i] ?? []);
     this.ghost = new Ghost(stage, ghosts, COMMANDED, { fill: 0.16, rim: 0.9 });
-    this.goal = new GoalGhost(stage, bodies, new Set(welcome.work.cargo));
+    this.goal = new GoalGhost(stage, bodies, payloads);
     const carried = new Set(ghosts.map(({ group }) => group.name));
     this.onArm = new Set(welcome.cameras.filter(({ body }) => carried.has(body)).map(({ name }) => name));
   }

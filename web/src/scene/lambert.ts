@@ -1,7 +1,13 @@
 import { Color, type IUniform, ShaderMaterial, type Texture, Vector2, Vector3, Vector4 } from 'three';
 import type { Daylight } from './daylight';
 import { isSpot, type Lamp, lampPose, PENUMBRA } from './floodlights';
+import { acrossRays, type Rod } from './rod';
 
+/**
+ * Least brightness in the hand's shadow, as a fraction of that in sunlight: more than the blankets around it scatter, so
+ * that a target in the shadow stays legible.
+ */
+const SHADE = '0.62';
 /**
  * Sums the light of sun, Earth and sky at each vertex. Without lamps it also computes the displayed colour at the
  * vertex, so that a pixel costs only a texture look-up and a product.
@@ -14,6 +20,11 @@ const vertexShader = /* glsl */ `
   #ifdef PATTERN
     varying vec2 place;
   #endif
+  #ifdef SHADED
+    uniform vec3 across, up;
+    varying vec3 inRays;
+    varying float shade;
+  #endif
   #if LAMPS > 0
     varying vec3 tint, at, n;
   #else
@@ -21,12 +32,17 @@ const vertexShader = /* glsl */ `
   #endif
   void main() {
     n = normalize(mat3(modelMatrix) * normal);
-    vec3 light = sun * max(dot(n, toSun), 0.0) + earthshine * max(dot(n, nadir), 0.0);
-    light += mix(below, above, 0.5 + 0.5 * n.z);
+    vec3 direct = sun * max(dot(n, toSun), 0.0);
+    vec3 light = earthshine * max(dot(n, nadir), 0.0) + mix(below, above, 0.5 + 0.5 * n.z);
     #ifdef PATTERN
       place = uv * repeat;
     #endif
     vec4 world = modelMatrix * vec4(position, 1.0);
+    #ifdef SHADED
+      inRays = vec3(dot(world.xyz, across), dot(world.xyz, up), dot(world.xyz, toSun));
+      shade = max(sqrt(light.g / (light.g + direct.g)), SHADE);
+    #endif
+    light += direct;
     #if LAMPS > 0
       lit = color * light;
       tint = color;
@@ -43,6 +59,13 @@ const fragmentShader = /* glsl */ `
   #ifdef PATTERN
     uniform sampler2D pattern;
     varying vec2 place;
+  #endif
+  #ifdef SHADED
+    uniform vec3 rodStart, rodAlong;
+    uniform vec2 rodShare;
+    uniform float rodRadius;
+    varying vec3 inRays;
+    varying float shade;
   #endif
   #if LAMPS > 0
     uniform float exposure;
@@ -64,6 +87,11 @@ const fragmentShader = /* glsl */ `
         sum += glows[i] * (max(dot(to, n), 0.0) * by * by * by * reach * reach * beam);
       }
       shown = sqrt(exposure * (lit + tint * sum));
+    #endif
+    #ifdef SHADED
+      vec3 off = inRays - rodStart;
+      off -= clamp(dot(off.xy, rodShare), 0.0, 1.0) * rodAlong;
+      shown *= off.z < 0.0 ? mix(shade, 1.0, smoothstep(0.64, 1.0, dot(off.xy, off.xy) * rodRadius)) : 1.0;
     #endif
     #ifdef PATTERN
       shown *= 0.3 + 0.7 * texture2D(pattern, place).rgb;
@@ -95,6 +123,18 @@ export class LambertLight {
   private readonly materials: ShaderMaterial[] = [];
   private shaded = 0;
 
+  /** Two directions normal to the sun's rays. */
+  private readonly across = new Vector3();
+  private readonly up = new Vector3();
+  /** The rod that casts a shadow, from its start: coordinates across the rays (x, y) and towards the sun (z) [m]. */
+  private readonly start = new Vector3();
+  private readonly along = new Vector3();
+  /** Factor of a place across the rays that gives its share of the rod's length [1/m]. */
+  private readonly share = new Vector2();
+  /** Reciprocal of the rod's squared radius [1/m2]. */
+  private readonly radius = { value: 1 };
+  private rod: Rod | null = null;
+
   /** `room`: greatest number of lamps. */
   constructor(readonly room: number) {
     const each = Array.from({ length: room });
@@ -111,14 +151,27 @@ export class LambertLight {
       lamps: { value: places },
       beams: { value: beams },
       glows: { value: glows },
+      across: { value: this.across },
+      up: { value: this.up },
+      rodStart: { value: this.start },
+      rodAlong: { value: this.along },
+      rodShare: { value: this.share },
+      rodRadius: this.radius,
     };
   }
 
-  /** Make a material that this light illuminates, with vertex colours that a pattern dims. */
-  material(pattern: Texture | null): ShaderMaterial {
+  /**
+   * Make a material that this light illuminates, with vertex colours that a pattern dims. `shaded`: whether the shadow
+   * of the rod falls on it.
+   */
+  material(pattern: Texture | null, shaded: boolean): ShaderMaterial {
     const made = new ShaderMaterial({
       vertexColors: true,
-      defines: { LAMPS: this.shaded, ...(pattern ? { PATTERN: '' } : {}) },
+      defines: {
+        LAMPS: this.shaded,
+        ...(pattern ? { PATTERN: '' } : {}),
+        ...(shaded ? { SHADED: '', SHADE } : {}),
+      },
       uniforms: {
         ...this.uniforms,
         pattern: { value: pattern },
@@ -129,6 +182,12 @@ export class LambertLight {
     });
     this.materials.push(made);
     return made;
+  }
+
+  /** Set the rod that casts a shadow. */
+  cast(rod: Rod | null): void {
+    this.rod = rod;
+    this.radius.value = rod ? 1 / rod.radius ** 2 : 1;
   }
 
   /** Set the lamps. */
@@ -143,6 +202,7 @@ export class LambertLight {
   set(daylight: Daylight, on: ReadonlySet<string>): void {
     const { toSun, nadir, sun, earthshine, above, below } = daylight;
     this.toSun.copy(toSun);
+    acrossRays(toSun, this.across, this.up);
     this.nadir.copy(nadir);
     // The radiance of a matt surface is its irradiance divided by pi.
     for (const [name, colour] of Object.entries({ sun, earthshine, above, below }))
@@ -164,8 +224,17 @@ export class LambertLight {
     }
   }
 
-  /** Move the lamps with their bodies. */
+  /** Move the lamps and the rod with their bodies. */
   follow(): void {
+    const { rod, start, along: length, across, up, toSun } = this;
+    if (rod) {
+      for (const [place, end] of [[start, rod.from] as const, [length, rod.to] as const]) {
+        at.copy(end).applyMatrix4(rod.body.group.matrixWorld);
+        place.set(at.dot(across), at.dot(up), at.dot(toSun));
+      }
+      length.sub(start);
+      this.share.set(length.x, length.y).divideScalar(Math.max(length.x ** 2 + length.y ** 2, 1e-9));
+    }
     this.lit.forEach((lamp, i) => {
       const [place, beam] = [this.places[i], this.beams[i]];
       if (!place || !beam) return;

@@ -30,8 +30,12 @@ const LOOKS: Record<Material, Look> = {
   dark: look('#101113', 0.35, 0.3),
   glass: look('#07090c', 0.12, 0.4),
   metal: look('#b9bcbf', 0.38, 0.85),
-  foil: look('#c9973f', 0.3, 0.9, 'quilt', 2.4),
+  foil: look('#c9973f', 0.3, 0.9, 'crinkle', 2.4),
   structure: look('#9a978e', 0.75, 0.2),
+  silver: look('#c3c7cc', 0.35, 0.6, 'crinkle', 2.4),
+  solar: look('#6d86c9', 0.25, 0.3, 'cells'),
+  rail: look('#d6a52c', 0.5, 0.1),
+  scuffed: look('#d9d5cb', 0.6, 0, 'scuffed', 0.4),
   glow: look('#fff4de', 1),
 };
 
@@ -39,12 +43,14 @@ const LOOKS: Record<Material, Look> = {
 const DULL = 0.55;
 /** Prefix of the batch names of glowing faces; the name of the switch follows. */
 const GLOW = 'glow ';
+/** End of the names of materials on which the hand's shadow falls. */
+const SHADED = ' shaded';
 /** Brightness of the face of a lamp that is off. */
 const UNLIT = 0.08;
 
 /** Makes the materials of the low profile. */
 export interface Shading {
-  material(pattern: Texture | null): Drawn;
+  material(pattern: Texture | null, shaded: boolean): Drawn;
 }
 
 /** Materials of one profile, each made at its first use. */
@@ -67,7 +73,8 @@ export class Materials {
     const tint = new Color(colour);
     if (substance === 'glow') return { batch: GLOW + lamps, colour: tint };
     if (this.quality === 'full') return { batch: substance, colour: tint };
-    return { batch: pattern, colour: tint.multiplyScalar(1 - DULL * metalness * metalness) };
+    const dull = pattern === 'crinkle' ? 0 : DULL * metalness * metalness; // creases have their own reflections
+    return { batch: pattern, colour: tint.multiplyScalar(1 - dull) };
   }
 
   /** Return whether a batch casts and receives shadows. */
@@ -83,12 +90,13 @@ export class Materials {
     }
   }
 
-  /** Return the material of a batch. */
-  material(batch: string): Drawn {
-    const known = this.made.get(batch);
+  /** Return the material of a batch. `shaded`: whether the shadow of the hand falls on it in the low profile. */
+  material(batch: string, shaded = false): Drawn {
+    const name = shaded ? `${batch}${SHADED}` : batch;
+    const known = this.made.get(name);
     if (known) return known;
-    const made = this.make(batch);
-    this.made.set(batch, made);
+    const made = this.make(batch, shaded);
+    this.made.set(name, made);
     return made;
   }
 
@@ -97,9 +105,9 @@ export class Materials {
     for (const texture of this.textures.values()) texture.dispose();
   }
 
-  private make(batch: string): Drawn {
+  private make(batch: string, shaded: boolean): Drawn {
     if (batch.startsWith(GLOW)) return new MeshBasicMaterial({ vertexColors: true });
-    if (this.quality === 'low') return this.light.material(this.pattern(batch as Pattern));
+    if (this.quality === 'low') return this.light.material(this.pattern(batch as Pattern), shaded);
     const { pattern, roughness, metalness, relief } = present(LOOKS[batch as Material], `material ${batch}`);
     return new MeshStandardMaterial({
       vertexColors: true,

@@ -23,11 +23,14 @@ import { Surface } from './surface';
  * larger radius than its own, or `MOST` sides if there is none.
  */
 const SIDES = [
-  [0.06, 6],
-  [0.15, 10],
-  [1, 16],
+  [0.045, 8],
+  [0.16, 16],
+  [0.3, 20],
+  [1, 24],
 ] as const;
 const MOST = 32;
+/** Fewest sides of a sphere: the ball of a target is small, but an operator aims at it from near. */
+const ROUNDEST = 12;
 const TURN = 2 * Math.PI;
 
 /** Make the surface of a shape, relative to its own origin. */
@@ -161,7 +164,7 @@ function ring(shape: Ring, quality: Quality): Surface {
 }
 
 function sphere({ radius }: Sphere, quality: Quality): Surface {
-  const round = sides(radius, quality);
+  const round = Math.max(ROUNDEST, sides(radius, quality));
   const profile = steps(round / 2, (t): Vec2 => {
     return [-radius * Math.cos(Math.PI * t), radius * Math.sin(Math.PI * t)];
   });
@@ -170,7 +173,7 @@ function sphere({ radius }: Sphere, quality: Quality): Surface {
 
 /** Return the number of sides of a partial turn. */
 function part(sweep: number, radius: number, quality: Quality): number {
-  return Math.max(4, Math.ceil((sides(radius, quality) * sweep) / TURN));
+  return Math.max(1, Math.ceil((sides(radius, quality) * sweep) / TURN));
 }
 
 /** Return one strip for each edge of an angular profile, so that the corners stay sharp. */

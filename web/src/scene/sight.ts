@@ -27,9 +27,7 @@ export class Sight {
     private readonly cameras: Cameras,
     private readonly bodies: readonly Body[],
   ) {
-    this.meshes = bodies.flatMap(
-      ({ group }) => group.children.filter((child) => child.type === 'Mesh') as Mesh[],
-    );
+    this.meshes = bodies.flatMap(({ plain }) => plain);
   }
 
   /**

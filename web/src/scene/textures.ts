@@ -3,7 +3,16 @@ import { present } from '../basics/assert';
 import type { Quality } from './drawn';
 
 /** Grey pattern that dims the colour of a surface; `plain` is no pattern. */
-export type Pattern = 'plain' | 'quilt' | 'liner' | 'seams' | 'tiles' | 'panel';
+export type Pattern =
+  | 'plain'
+  | 'quilt'
+  | 'liner'
+  | 'seams'
+  | 'tiles'
+  | 'panel'
+  | 'crinkle'
+  | 'cells'
+  | 'scuffed';
 
 type Painter = (pen: CanvasRenderingContext2D, size: number, random: () => number) => void;
 
@@ -14,13 +23,16 @@ const PATTERNS: Record<Exclude<Pattern, 'plain'>, { repeat: [number, number]; pa
   seams: { repeat: [2.8, 1.2], paint: wrapped },
   tiles: { repeat: [2.4, 2.4], paint: tiled },
   panel: { repeat: [2.24, 1], paint: panelled },
+  crinkle: { repeat: [1.5, 1.5], paint: crinkled },
+  cells: { repeat: [0.8, 0.8], paint: celled },
+  scuffed: { repeat: [1.2, 1.2], paint: scuffed },
 };
 
 /** Make the texture of a pattern, identical in every run. The low profile reads one mipmap level for each pixel. */
 export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Quality): Texture {
   const { repeat, paint } = PATTERNS[pattern];
   const full = quality === 'full';
-  const texture = repeated(full ? 512 : 128, paint, repeat);
+  const texture = repeated(full ? 512 : 256, paint, repeat);
   if (full) texture.anisotropy = 8;
   else texture.minFilter = LinearMipmapNearestFilter;
   return texture;
@@ -156,5 +168,79 @@ function crumpled(pen: CanvasRenderingContext2D, size: number, random: () => num
         pen.stroke();
       }
     }
+  }
+}
+
+/** Paint foil: facets between random creases, each as bright as what it reflects, and stitched seams. */
+function crinkled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
+  const n = 30;
+  const cell = size / n;
+  const nodes = Array.from({ length: n * n }, () => [random() - 0.5, random() - 0.5] as const);
+  const node = (i: number, j: number): readonly [number, number] => {
+    const [dx, dy] = nodes[(i % n) + n * (j % n)] ?? [0, 0];
+    return [(i + 0.9 * dx) * cell, (j + 0.9 * dy) * cell];
+  };
+  for (let i = 0; i < n; i++) {
+    for (let j = 0; j < n; j++) {
+      const [a, b, c, d] = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
+      for (const corners of random() < 0.5
+        ? [[a, b, c] as const, [a, c, d] as const]
+        : [[a, b, d] as const, [b, c, d] as const]) {
+        const [[u0, v0], [u1, v1]] = [corners[0], corners[Math.floor(1 + 2 * random())] ?? corners[1]];
+        const levels = [0.55 + 0.35 * random(), 0.6 + 0.4 * random() ** 2] as const;
+        for (const x of [0, -size]) {
+          for (const y of [0, -size]) {
+            const slope = pen.createLinearGradient(u0 + x, v0 + y, u1 + x, v1 + y);
+            levels.forEach((level, k) => {
+              slope.addColorStop(k, grey(level));
+            });
+            pen.fillStyle = pen.strokeStyle = slope;
+            pen.beginPath();
+            for (const [u, v] of corners) pen.lineTo(u + x, v + y);
+            pen.closePath();
+            pen.fill();
+            pen.stroke();
+          }
+        }
+      }
+    }
+  }
+  pen.fillStyle = grey(0.15, 0.45);
+  for (let i = 0; i < 2; i++) {
+    pen.fillRect((i * size) / 2, 0, Math.max(1, size / 150), size);
+    pen.fillRect(0, (i * size) / 2, size, Math.max(1, size / 150));
+  }
+}
+
+/** Paint 8 x 8 solar cells with bright bars between strings. */
+function celled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
+  pen.fillStyle = grey(0.8);
+  pen.fillRect(0, 0, size, size);
+  const cell = size / 8;
+  for (let i = 0; i < 8; i++) {
+    for (let j = 0; j < 8; j++) {
+      pen.fillStyle = grey(0.08 + 0.12 * random());
+      pen.fillRect(i * cell + cell / 20, j * cell + cell / 20, cell * 0.92, cell * 0.92);
+    }
+  }
+  pen.fillStyle = grey(0.5, 0.35);
+  for (let i = 0; i < 24; i++) pen.fillRect(0, (i * size) / 24, size, size / 250);
+}
+
+/** Paint white paint with dark scratches along it, worn places and smears. */
+function scuffed(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
+  pen.fillStyle = grey(0.95);
+  pen.fillRect(0, 0, size, size);
+  stain(pen, size, random, 500);
+  for (let i = 0; i < 90; i++) {
+    pen.fillStyle = grey(random() < 0.7 ? 0.1 : 1, 0.15 + 0.35 * random());
+    const [x, y, w] = [random() * size, random() * size, size * (0.01 + 0.12 * random() ** 2)];
+    for (const dx of [0, -size]) pen.fillRect(x + dx, y, w, Math.max(1, size * 0.004 * random()));
+  }
+  for (let i = 0; i < 14; i++) {
+    pen.fillStyle = grey(0.25, 0.1 + 0.15 * random());
+    const [x, y, w] = [random() * size, random() * size, size * (0.02 + 0.05 * random())];
+    for (const dx of [0, -size])
+      for (const dy of [0, -size]) pen.fillRect(x + dx, y + dy, w, w * (0.2 + 0.5 * random()));
   }
 }

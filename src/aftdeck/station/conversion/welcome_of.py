@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from aftdeck.arrays import Array
+from aftdeck.details.details_of import details_of
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
@@ -32,7 +33,10 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
     """Return the welcome message; `demo` is True if the session begins with the scenario's script."""
     model = scenario.arm.model
     torques = None if scenario.plant == "kinematic" or model.servo is None else model.servo.torque_limit
-    bodies = tuple(BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
+    bodies = tuple(
+        BodyInfo(body.name, body.shapes, details)
+        for body, details in zip(bodies_of(scenario), details_of(scenario), strict=True)
+    )
     joints = tuple(
         JointInfo(
             name,

@@ -62,6 +62,8 @@ class BodyInfo(msgspec.Struct, frozen=True):
 
     name: str
     shapes: tuple[Shape, ...]
+    details: tuple[Shape, ...]
+    """Shapes that only decorate the body: they hide nothing in the survey of cameras, and ghosts do not have them."""
 
 
 class FlexureInfo(msgspec.Struct, frozen=True):

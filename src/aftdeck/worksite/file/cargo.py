@@ -73,6 +73,7 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
         limit_cycle=None
         if file.limit_cycle is None
         else LimitCycle(*map(frozen, (file.limit_cycle.deadband, file.limit_cycle.rate, file.limit_cycle.start))),
+        details=() if file.grapple is None else _in_fixture(file.grapple, file.grapple.details),
     )
 
 
@@ -160,10 +161,16 @@ def _fixture(grapple: GrappleFile) -> _Piece:
     The pin and the ramps around it enter the end effector and are therefore not solid.
     """
     base = prism(grapple.radius, grapple.depth) + np.array([grapple.depth / 2.0, 0.0, 0.0])
-    position, rotation = _plain(grapple.position), _plain(grapple.rotation)
-    shapes = (Group(position=position, rotation=rotation, shapes=grapple.shapes),) if grapple.shapes else ()
+    shapes = _in_fixture(grapple, grapple.shapes)
     bodies = np.concatenate([base, *_target(grapple.shapes)])
     return _Piece("grapple fixture", moved(bodies, _pose(grapple)), shapes)
+
+
+def _in_fixture(grapple: GrappleFile, shapes: tuple[Shape, ...]) -> tuple[Shape, ...]:
+    """Return shapes in a fixture's axes as shapes in the payload's axes."""
+    if not shapes:
+        return ()
+    return (Group(position=_plain(grapple.position), rotation=_plain(grapple.rotation), shapes=shapes),)
 
 
 def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:

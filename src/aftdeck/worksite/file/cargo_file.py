@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from aftdeck.arms.model import Sides
 from aftdeck.bodies.mass_properties import impossible
-from aftdeck.shapes import Material, Shape
+from aftdeck.shapes import Material, Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed
 from aftdeck.worksite.file.tables import Inertia, Placed, Range, Table, Text, Turn, ordered, positive
 
@@ -82,10 +82,13 @@ class GrappleFile(Placed, frozen=True, kw_only=True):
     shapes: tuple[Shape, ...] = ()
     """Shapes that draw the fixture, in the fixture's axes. Boxes, cylinders, rings and spheres whose positions are not
     on the x axis form the target and collide. Groups only draw marks on the target and do not collide."""
+    details: tuple[Shape, ...] = ()
+    """Shapes that only decorate the fixture, in its axes. Only the station's page draws them. They cannot be lamps."""
 
     def __post_init__(self) -> None:
-        """Reject sizes that are not above zero (ValueError)."""
+        """Reject sizes that are not above zero, and a lamp among the details (ValueError)."""
         positive(radius=self.radius, depth=self.depth)
+        without_lamps(self.details)
 
 
 class TrunnionsFile(Table, frozen=True, kw_only=True):

@@ -194,7 +194,7 @@ def _body(
 ) -> tuple[Body, tuple[Solid, ...]]:
     """Return a body, and its solids in the coordinate frame to which the body is fixed."""
     shapes = [*file.shapes, *ports, *cameras.shapes]
-    body = Body(file.name, (), file.fixed_to, _plain(file.position), _plain(file.rotation))
+    body = Body(file.name, (), file.details, file.fixed_to, _plain(file.position), _plain(file.rotation))
     solids: list[Solid] = []
     for part, own in cameras.solids.items():
         solids += as_solids(part, file.fixed_to, frozen(moved(own, body.pose)))
@@ -208,7 +208,7 @@ def _body(
             solids += as_solids(part, file.fixed_to, frozen(moved(own, body.pose)))
             if solid.material is not None:
                 shapes += drawn(own, solid.material)
-    return Body(body.name, tuple(shapes), body.fixed_to, body.position, body.rotation), tuple(solids)
+    return msgspec.structs.replace(body, shapes=tuple(shapes)), tuple(solids)
 
 
 def _seats(

@@ -14,7 +14,7 @@ import msgspec
 from aftdeck.bodies.camera_file import CameraFile, DriveFile
 from aftdeck.bodies.mass_properties import impossible
 from aftdeck.bounds import Bounds
-from aftdeck.shapes import Material, Shape
+from aftdeck.shapes import Material, Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, MomentOfInertia, Speed, Time, Torque
 from aftdeck.worksite.file.cargo_file import CargoFile
 from aftdeck.worksite.file.solid_file import SolidFile
@@ -38,7 +38,13 @@ class BodyFile(Placed, frozen=True, kw_only=True):
     source: Text
     shapes: tuple[Shape, ...] = ()
     """Shapes that draw the body, in addition to the solids that have a material."""
+    details: tuple[Shape, ...] = ()
+    """Shapes that only decorate the body. Only the station's page draws them. They cannot be lamps."""
     solids: tuple[SolidFile, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Reject a lamp among the details (ValueError)."""
+        without_lamps(self.details)
 
 
 class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
