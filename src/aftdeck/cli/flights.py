@@ -252,8 +252,9 @@ def check(scenario: ScenarioName, as_json: Json = False) -> None:
     try:
         loaded = load_scenario(scenario)
         from aftdeck.simulation.survey.pairs import survey
+        from aftdeck.task.step_cameras import turned_pictures
 
-        cautions = _cautions(loaded, survey(loaded))
+        cautions = _cautions(loaded, [*survey(loaded), *turned_pictures(loaded)])
     except AftdeckError as error:
         problems = error.problems if isinstance(error, ScenarioError) else (str(error),)
     if as_json:
