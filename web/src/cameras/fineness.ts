@@ -1,6 +1,6 @@
 /**
- * Chooses how finely the pictures are drawn. In the low profile, moving pictures are as fine as their speed allows, and
- * still ones are as sharp as the screen. In the full profile, all pictures are.
+ * Chooses how finely the pictures are drawn. In the low profile without a graphics card, moving pictures are as fine as
+ * their speed allows, and still ones are as sharp as the screen. Otherwise all pictures are.
  */
 
 import type { ClosestPoints, Frame } from '../link/protocol';
@@ -21,7 +21,7 @@ export interface Sharpness {
 const LEAST_STOPS = 0.1;
 
 export class Fineness {
-  /** Sharpness of the pictures on the page; null in the full profile and before the first pictures. */
+  /** Sharpness of the pictures on the page; null if all are as sharp as the screen, and before the first pictures. */
   sharpness: Sharpness | null = null;
   private readonly resolution = new Resolution();
   private readonly rest = new Rest();

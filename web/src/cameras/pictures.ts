@@ -12,6 +12,7 @@ import { setClass } from '../panel/parts/dom';
 import type { View as DeskView } from '../panel/parts/part';
 import type { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
+import { ASPECT } from '../scene/cameras';
 import type { View } from '../scene/drawn';
 import { SLOWEST_MS, TooSlow } from '../scene/trial';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
@@ -92,9 +93,15 @@ export class Pictures {
   private readonly putting = new Putting(
     () => this.scene.put(),
     (error) => this.fail(error),
-    () => this.simplify(SLOWEST_MS),
+    // The low profile is slow only while it compiles its shaders, and a hidden page is not drawn.
+    (begun) => {
+      const seen = !document.hidden && begun > this.seenAt;
+      if (seen && this.drawers.present.quality === 'full') this.simplify(SLOWEST_MS);
+    },
   );
   private readonly fineness = new Fineness();
+  /** Time at which the page was last hidden or shown again [ms]. */
+  private seenAt = 0;
   /** Whether the full profile was too slow. */
   private simple = false;
   private plane = false;
@@ -133,7 +140,12 @@ export class Pictures {
       chosen: (camera) => this.monitors.choose(camera),
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
     });
-    this.appearance.follow(this.ended.signal);
+    const { signal } = this.ended;
+    this.appearance.follow(signal);
+    const seen = () => {
+      this.seenAt = performance.now();
+    };
+    document.addEventListener('visibilitychange', seen, { signal });
     this.drawers = new Drawers(
       () => firstDrawer(welcome, profile),
       (former) => this.change(former),
@@ -319,7 +331,7 @@ export class Pictures {
 
   /** Gives the full profile up for good, because a picture took, or would take, as long as `ms` [ms]. */
   private simplify(ms: number): void {
-    if (this.profile.quality === 'low' || this.simple) return;
+    if (this.simple) return;
     this.simple = true;
     this.full.end();
     if (this.drawers.present.quality === 'full') {
@@ -477,7 +489,7 @@ export class Pictures {
     const shown = flat.map((pane) => [pane.camera.name, this.panes.rectOf(pane.element)] as const);
     const sized = shown.filter(([, { width, height }]) => width >= 1 && height >= 1);
     this.listener.polygons?.want(
-      sized.map(([camera, { width, height }]) => ({ camera, aspect: width / height })),
+      sized.map(([camera, { width, height }]) => ({ camera, aspect: Math.min(width / height, ASPECT) })),
     );
   }
 

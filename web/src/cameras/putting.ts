@@ -15,12 +15,13 @@ export class Putting {
 
   /**
    * `put` puts the pictures on the page if they are complete; `failed` is called with an error, or with the reason;
-   * `slow` is called when the pictures have taken longer than `SLOWEST_MS`: it may give them up.
+   * `slow` is called when the pictures have taken longer than `SLOWEST_MS`, with the time at which their drawing began
+   * [ms]: it may give them up.
    */
   constructor(
     private readonly put: () => Put,
     private readonly failed: (error: unknown) => void,
-    private readonly slow: () => void,
+    private readonly slow: (begun: number) => void,
   ) {}
 
   /** Whether the pictures drawn last are not on the page yet. */
@@ -57,7 +58,7 @@ export class Putting {
     if (!show) return false;
     try {
       const put = this.put();
-      if (performance.now() - this.begun > SLOWEST_MS) this.slow();
+      if (performance.now() - this.begun > SLOWEST_MS) this.slow(this.begun);
       if (!this.show) return false;
       if (put === 'pending') {
         this.timer = window.setTimeout(() => this.look(done), LOOK_MS);

@@ -47,7 +47,7 @@ export class Scene {
   /** Computes what each camera sees. */
   readonly sight: Sight;
   private readonly renderer: WebGLRenderer;
-  /** Transfers the pictures to the page if the processor draws them, and in the low profile; null otherwise. */
+  /** Transfers the pictures to the page if the processor draws them; null with a graphics card. */
   private readonly relay: Relay | null;
   private readonly stage = new Stage();
   private readonly materials: Materials;
@@ -61,7 +61,7 @@ export class Scene {
   /** Cameras on the arm. Their pictures do not show the ghosts, because these would fill them. */
   private readonly onArm: ReadonlySet<string>;
   private readonly television: Television;
-  /** Smooths the edges of moving pictures in the low profile; null in the full one, which draws smooth edges. */
+  /** Smooths the edges of moving pictures if the processor draws them; null if edges are smooth when drawn. */
   private readonly smoothing: PicturePass | null;
   private readonly overhead = new Overhead();
   private readonly firstCamera: string;
@@ -78,12 +78,11 @@ export class Scene {
   ) {
     const { stage } = this;
     const { quality, software } = drawing;
-    const relayed = software || quality === 'low';
-    this.renderer = rendererFor(relayed ? document.createElement('canvas') : canvas, drawing);
+    this.renderer = rendererFor(software ? document.createElement('canvas') : canvas, drawing);
     this.renderer.domElement.addEventListener('webglcontextlost', () => {
       this.lost = true;
     });
-    this.relay = relayed ? new Relay(this.renderer, canvas) : null;
+    this.relay = software ? new Relay(this.renderer, canvas) : null;
     const lambert = new LambertLight(lampCount(welcome.bodies));
     const materials = new Materials(quality, lambert);
     const booms = new Map(welcome.flexures.map(({ body, end }) => [body, end]));
@@ -109,7 +108,7 @@ export class Scene {
     this.firstCamera = names[0] ?? '';
     this.exposures = new Exposures(names, this.renderer, quality);
     this.television = new Television(this.renderer);
-    this.smoothing = quality === 'low' ? smoothing(this.renderer) : null;
+    this.smoothing = software && quality === 'low' ? smoothing(this.renderer) : null;
     this.gap = new Gap(stage, bodies);
     const ghosts = welcome.ghost.flatMap((i) => bodies[i] ?? []);
     this.ghost = new Ghost(stage, ghosts, COMMANDED, { fill: 0.16, rim: 0.9 });
@@ -203,7 +202,7 @@ export class Scene {
     this.relay?.wipe(MARGIN);
   }
 
-  /** Whether `refine` draws still pictures. The full profile always draws its best picture. */
+  /** Whether `refine` draws still pictures. The full profile, and a graphics card, always draw the best picture. */
   get refines(): boolean {
     return this.smoothing !== null;
   }

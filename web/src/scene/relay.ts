@@ -1,4 +1,4 @@
-/** Reads the pictures of the low profile back when they are drawn, and puts them on the page. */
+/** Without a graphics card, reads the pictures back when they are drawn, and puts them on the page. */
 
 import type { WebGLRenderer } from 'three';
 import { present } from '../basics/assert';

@@ -10,7 +10,7 @@ export function rendererFor(
   const full = quality === 'full';
   const context = canvas.getContext('webgl2', {
     alpha: false, // saves the browser from blending the canvas with the page behind it
-    antialias: full, // the low profile smooths its pictures by itself
+    antialias: full || !software, // without a graphics card, the low profile smooths its pictures by itself
     powerPreference: 'high-performance',
     preserveDrawingBuffer: true, // pictures that are not drawn again must stay
   });
