@@ -25,12 +25,16 @@ NAMED = """(name) => {
 }"""
 """Number of the elements with this text, and whether one of them is visible."""
 FITS = """(() => {
-    const [words, mode, ways, numbers, caps] = ['.words', '.elsewhere', '.ways', '.to-go', '.caps'].map((part) =>
-        document.querySelector(`.task ${part}`).getBoundingClientRect());
-    const fits = (part) => part.height === 0 || (part.top >= numbers.bottom - 1 && part.bottom <= ways.top + 1);
-    return words.height > 0 && Math.max(words.bottom, mode.bottom) <= ways.top + 1 && fits(caps);
+    const box = (part) => document.querySelector(part).getBoundingClientRect();
+    const [card, room] = [box('.task'), document.querySelector('.task .instruction')];
+    const parts = ['.words', '.elsewhere', '.ways', '.to-go', '.caps'].map((part) => box(`.task ${part}`))
+        .filter(({ height }) => height > 0);
+    const inside = parts.every((p) => p.top >= card.top - 1 && p.bottom <= card.bottom + 1);
+    const apart = parts.every((p, i) => parts.slice(i + 1).every((q) => p.bottom <= q.top + 1 || q.bottom <= p.top + 1
+        || p.right <= q.left + 1 || q.right <= p.left + 1));
+    return box('.task .words').height > 0 && inside && apart && room.scrollHeight <= room.clientHeight + 1;
 })()"""
-"""JavaScript condition: the text of the step and the keys are within their parts of the card."""
+"""JavaScript condition: the text of the step and the keys are whole, within the card, and apart from each other."""
 STEP = "document.querySelector('.task .steps span').textContent"
 
 

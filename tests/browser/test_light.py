@@ -112,7 +112,13 @@ def brightest(flight: Flight, selector: str) -> int:
 
 
 def test_dim_reduces_page_and_picture_brightness_and_is_stored(flight: Flight) -> None:
-    parts = (".rail h1", ".group.mode", ".joints thead", ".selector", ".burned.name")  # no lamps: they may light up
+    parts = (
+        ".rail h1",
+        ".group.mode",
+        ".joints thead",
+        ".selector [aria-pressed='true']",
+        ".burned.name",
+    )  # no lamps: they may light up
     lit = [brightest(flight, part) for part in parts]
     flight.page.get_by_role("button", name="Dim", exact=True).click()
     flight.page.reload()

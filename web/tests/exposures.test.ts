@@ -14,7 +14,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-const PICTURE = { left: 0, top: 0, width: 400, height: 300 };
+const PICTURE = { x: 0, y: 0, width: 400, height: 300 };
 const NONE: Lighting['locked'] = [];
 
 /** Exposures of the cameras A and B; every pixel of a picture has the byte `light`. */
@@ -31,7 +31,7 @@ function metering(quality: Quality = 'full') {
     clientWaitSync: () => (picture.ready ? 0 : 1),
     getBufferSubData: (_target: number, _offset: number, bytes: Uint8Array) => bytes.fill(picture.light),
   };
-  const renderer = { getContext: () => gl, getPixelRatio: () => 1 } as unknown as WebGLRenderer;
+  const renderer = { getContext: () => gl } as unknown as WebGLRenderer;
   const exposures = new Exposures(['A', 'B'], renderer, quality);
   let time = 0;
   const follow = (locked = NONE, base = 0) => {
@@ -41,7 +41,7 @@ function metering(quality: Quality = 'full') {
   /** Draws a picture; returns whether its metering starts. */
   const draw = (camera: string, factor = 1) => {
     const before = rows.mock.calls.length;
-    exposures.measure(camera, PICTURE, 300, factor);
+    exposures.measure(camera, PICTURE, factor);
     return rows.mock.calls.length > before;
   };
   /** Draws a picture, then collects its light by `follow`; returns whether its metering started. */

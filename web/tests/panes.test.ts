@@ -50,42 +50,35 @@ const names = (all: readonly Pane[]) => all.map((pane) => pane.camera.name).join
 const paces = (all: readonly Pane[]) => all.map(({ pace }) => pace);
 
 describe('pictures on the page', () => {
-  it.each<Quality>(['full', 'low'])('are on monitors, each with its monitor’s pace: %s', (quality) => {
-    const { panes, both } = page(quality);
-    const all = panes.all(false);
-    const [first, second] = PACES[quality];
-    expect(names(all)).toBe('ABC');
-    expect(paces(all)).toEqual([first, first, second]);
-    expect(all.map(({ picture }) => picture)).toEqual(both.flatMap(({ pictures }) => pictures));
-  });
+  it.each<Quality>(['full', 'low'])(
+    'are on monitors, and drawn at each drawing of the page: %s',
+    (quality) => {
+      const { panes, both } = page(quality);
+      const all = panes.all(false);
+      expect(names(all)).toBe('ABC');
+      expect(paces(all)).toEqual([1, 1, 1]);
+      expect(all.map(({ picture }) => picture)).toEqual(both.flatMap(({ pictures }) => pictures));
+    },
+  );
 
   it.each<Quality>(['full', 'low'])('are the tiles while all cameras are shown: %s', (quality) => {
     const { panes, tiles } = page(quality);
     const all = panes.all(true);
     expect(all.map(({ element }) => element)).toEqual(tiles.map(({ picture }) => picture));
-    expect(all.every(({ pace, picture }) => pace === PACES[quality][2] && picture === null)).toBe(true);
+    expect(all.every(({ pace, picture }) => pace === PACES[quality].tile && picture === null)).toBe(true);
   });
 
-  it('exclude a monitor in a secondary window; the other monitor has the pace of MON 1', () => {
+  it('exclude a monitor in a secondary window', () => {
     const { first, panes } = page();
     first.isConnected = false;
     const all = panes.all(false);
     expect(names(all)).toBe('C');
-    expect(paces(all)).toEqual([PACES.low[0]]);
   });
 
   it('have the look of 1972 if their monitor has it, but not as tiles', () => {
     const { panes } = page();
     expect(panes.all(false, [true, false]).map(({ polygons }) => polygons)).toEqual([true, true, false]);
     expect(panes.all(true, [true, true]).some(({ polygons }) => polygons)).toBe(false);
-  });
-
-  it('have one pace if MON 2 is in a corner of MON 1', () => {
-    narrow = true;
-    const { second, panes } = page();
-    expect(paces(panes.all(false))).toEqual([1, 1, 1]);
-    second.isConnected = false;
-    expect(names(panes.all(false))).toBe('AB');
   });
 });
 
@@ -107,18 +100,6 @@ describe('a picture', () => {
     const { draw } = drawn();
     expect([draw('1', 0), draw('1', 1), draw('1', 2)]).toEqual(['ABC true', ' true', ' true']);
     expect(draw('2', 4)).toBe('ABC true');
-  });
-
-  it('of MON 2 waits for its turn; until then the pictures are not complete', () => {
-    const { draw } = drawn();
-    expect(draw('1', 1)).toBe('AB false');
-    expect(draw('1', 2)).toBe('C true');
-  });
-
-  it('that was skipped shows the newest state at its turn', () => {
-    const { draw } = drawn();
-    draw('1', 1);
-    expect([draw('2', 3), draw('3', 5), draw('3', 6)]).toEqual(['AB false', 'AB false', 'C true']);
   });
 
   it('is drawn again when its exposure changes; other pictures are not', () => {

@@ -9,6 +9,7 @@ let put: Put;
 let failed: unknown[];
 let later: () => void;
 let putting: Putting;
+let slow: () => void;
 
 beforeEach(() => {
   vi.stubGlobal('window', {
@@ -17,10 +18,11 @@ beforeEach(() => {
       return 0;
     },
   });
-  [put, failed] = ['drawn', []];
+  [put, failed, slow] = ['drawn', [], () => {}];
   putting = new Putting(
     () => put,
     (error) => failed.push(error),
+    () => slow(),
   );
 });
 
@@ -31,7 +33,7 @@ function breaks(): never {
 test('pictures that are pending are put later, and then counted once', () => {
   const done = vi.fn();
   put = 'pending';
-  putting.start(() => true, done);
+  putting.start(0, () => true, done);
   later();
   expect([putting.waits, done.mock.calls.length]).toEqual([true, 0]);
   put = 'drawn';
@@ -42,12 +44,12 @@ test('pictures that are pending are put later, and then counted once', () => {
 
 test('pictures that show nothing, are lost or given up are not counted', () => {
   const done = vi.fn();
-  putting.start(() => false, done);
+  putting.start(0, () => false, done);
   put = 'lost';
-  putting.start(() => true, done);
+  putting.start(0, () => true, done);
   expect([failed, putting.waits]).toEqual([[LOST], false]);
   put = 'pending';
-  putting.start(() => true, done);
+  putting.start(0, () => true, done);
   putting.stop();
   put = 'drawn';
   later();
@@ -63,9 +65,9 @@ test.each(['drawn', 'pending'] as const)('an error of the page is not blamed on 
     put = 'drawn';
     return later;
   };
-  expect(run(() => true, breaks)).toThrow(FAULT);
+  expect(run(0, () => true, breaks)).toThrow(FAULT);
   expect([failed, putting.waits]).toEqual([[], false]);
-  run(breaks, () => {})();
+  run(0, breaks, () => {})();
   expect([failed, putting.waits]).toEqual([[FAULT], false]);
 });
 
@@ -73,10 +75,12 @@ test('the next pictures can be drawn when the last ones are counted', () => {
   const counted: string[] = [];
   const next = () =>
     putting.start(
+      0,
       () => true,
       () => counted.push('second'),
     );
   putting.start(
+    0,
     () => true,
     () => {
       counted.push('first');
@@ -84,4 +88,20 @@ test('the next pictures can be drawn when the last ones are counted', () => {
     },
   );
   expect(counted).toEqual(['first', 'second']);
+});
+
+test('pictures that take more than two seconds are slow, and can be given up', () => {
+  vi.spyOn(performance, 'now').mockReturnValueOnce(1900).mockReturnValueOnce(2100);
+  const [done, gaveUp] = [vi.fn(), vi.fn()];
+  slow = () => {
+    gaveUp();
+    putting.stop();
+  };
+  put = 'pending';
+  putting.start(0, () => true, done);
+  expect(gaveUp).not.toHaveBeenCalled();
+  put = 'drawn';
+  later();
+  expect([gaveUp.mock.calls.length, done.mock.calls.length, putting.waits]).toEqual([1, 0, false]);
+  vi.restoreAllMocks();
 });

@@ -2,7 +2,7 @@ import { Matrix4, Raycaster, type ShaderMaterial, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import type { BodyInfo, Camera, Group, Shape } from '../src/link/protocol';
 import { Body } from '../src/scene/bodies';
-import { Cameras } from '../src/scene/cameras';
+import { ASPECT, Cameras } from '../src/scene/cameras';
 import { LambertLight } from '../src/scene/lambert';
 import { Materials } from '../src/scene/materials';
 import { surfaceOf } from '../src/scene/shapes';
@@ -159,9 +159,9 @@ function cameraAt(pose: readonly number[]): Cameras {
   return new Cameras([camera], [body]);
 }
 
-test('the field of view is the horizontal one at every aspect ratio', () => {
+test('the field of view is the horizontal one of pictures that are not low', () => {
   const cameras = cameraAt([0, 0, 0, 1, 0, 0, 0]);
-  for (const aspect of [4 / 3, 5 / 3]) {
+  for (const aspect of [1 / 2, 4 / 3, ASPECT]) {
     // The camera looks aft with its upper side up. Port is then on the right; y is starboard.
     expect(cameras.project('X', aspect, [10, -9.99, 1])).toMatchObject({
       x: expect.closeTo(1, 2),
@@ -171,6 +171,23 @@ test('the field of view is the horizontal one at every aspect ratio', () => {
     expect(cameras.project('X', aspect, [10, 0, 1 + 10 / aspect]).y).toBeCloseTo(0, 5);
   }
 });
+
+test.each([2, 3.7, 8])(
+  'a picture %d times as wide as high shows what a higher one does, and more at its sides',
+  (aspect) => {
+    const cameras = cameraAt([0, 0, 0, 1, 0, 0, 0]);
+    for (const [y, z] of [
+      [-9.9, 1],
+      [9.9, 1 + 9.9 / ASPECT],
+      [0, 1 - 9.9 / ASPECT],
+    ] as const) {
+      const [low, high] = [aspect, ASPECT].map((shape) => cameras.project('X', shape, [10, y, z]));
+      expect(low?.visible).toBe(true);
+      expect(low?.y).toBeCloseTo(high?.y ?? 0, 9);
+      expect(((low?.x ?? 0) - 0.5) * aspect).toBeCloseTo(((high?.x ?? 0) - 0.5) * ASPECT, 9);
+    }
+  },
+);
 
 test('a point behind a camera is not visible', () => {
   expect(cameraAt([0, 0, 0, 1, 0, 0, 0]).project('X', 1, [-10, 0, 1]).visible).toBe(false);

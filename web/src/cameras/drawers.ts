@@ -40,12 +40,17 @@ export class Drawers {
     this.changed(former);
   }
 
+  /** Draws with a new drawer, as at the start of the page. */
+  renew(): void {
+    this.change(this.make());
+  }
+
   /** Returns at `now` [ms] whether there is a drawer to draw with; after a failure, tries to make a new one. */
   ready(now: number): boolean {
     if (!this.failing) return true;
     if (now < this.dueAt) return false;
     try {
-      this.change(this.make());
+      this.renew();
     } catch (error) {
       this.postpone(now);
       this.fault = reasonOf(error);

@@ -29,11 +29,13 @@ export function firstDrawer(welcome: Welcome, drawing: Drawing): Drawer {
 /**
  * Returns the drawer of the full profile when its first picture is ready; throws if `signal` is aborted.
  *
+ * @param area area of the pictures that it will draw [px].
  * @param progress called with the fraction that is done, 0 to 1.
  */
 export async function fullDrawer(
   welcome: Welcome,
   drawing: Drawing,
+  area: number,
   frame: Frame,
   signal: AbortSignal,
   progress: (done: number) => void,
@@ -45,7 +47,7 @@ export async function fullDrawer(
   try {
     full.scene.setPoses(frame, false);
     full.scene.setLighting(frame.display.lighting, frame.time_s);
-    await full.scene.prepare(signal, progress);
+    await full.scene.prepare(area, signal, progress);
   } catch (error) {
     full.scene.dispose();
     throw error;

@@ -7,8 +7,8 @@ import type { Picture } from '../panel/monitors/picture';
 import type { Quality, Rect } from '../scene/drawn';
 import type { Monitors } from './monitors';
 
-/** How often MON 1, MON 2, a tile and the plan are drawn: 3 means at every third drawing of the page. */
-export const PACES = { full: [1, 1, 3, 8], low: [1, 2, 6, 24] } as const;
+/** How often a tile and the plan are drawn: 3 means at every third drawing of the page. A monitor always is. */
+export const PACES = { full: { tile: 3, plan: 8 }, low: { tile: 6, plan: 24 } } as const;
 
 /** A picture on the canvas. */
 export interface Pane {
@@ -22,7 +22,7 @@ export interface Pane {
 }
 
 export class Panes {
-  private readonly paces: readonly [number, number, number, number];
+  private readonly tile: number;
   private readonly stamps = new WeakMap<HTMLElement, string>();
   private layout = '';
 
@@ -32,7 +32,7 @@ export class Panes {
     private readonly matrix: Matrix,
     quality: Quality,
   ) {
-    this.paces = PACES[quality];
+    this.tile = PACES[quality].tile;
   }
 
   /**
@@ -40,25 +40,21 @@ export class Panes {
    * whether it has the look of 1972, in which an engineering view is never drawn.
    */
   all(open: boolean, seventies: readonly boolean[] = []): readonly Pane[] {
-    const [first, second, tile] = this.paces;
     if (open) {
       return this.matrix.tiles.map(({ camera, picture }) => ({
         camera,
         element: picture,
-        pace: tile,
+        pace: this.tile,
         picture: null,
         polygons: false,
       }));
     }
-    const { both } = this.monitors;
-    return both.flatMap(({ element, pictures }, i) =>
+    return this.monitors.both.flatMap(({ element, pictures }, i) =>
       element.isConnected
         ? pictures.map((picture) => {
-            const alone = i === 0 || !both[0].element.isConnected;
-            const pace = alone || this.inset(open) ? first : second;
             const { camera, element: area } = picture;
             const polygons = seventies[i] === true && camera.kind !== 'engineering';
-            return { camera, element: area, pace, picture, polygons };
+            return { camera, element: area, pace: 1, picture, polygons };
           })
         : [],
     );

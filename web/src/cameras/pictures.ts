@@ -12,7 +12,9 @@ import { setClass } from '../panel/parts/dom';
 import type { View as DeskView } from '../panel/parts/part';
 import type { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
+import { ASPECT } from '../scene/cameras';
 import type { View } from '../scene/drawn';
+import { SLOWEST_MS, TooSlow } from '../scene/trial';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
 import { showAges } from './ages';
@@ -20,6 +22,7 @@ import { AllCameras } from './all-cameras';
 import type { Sighting, Subject } from './best-pair';
 import { Survey } from './coverage';
 import { Drawers } from './drawers';
+import { Fineness, type Sharpness } from './fineness';
 import { type Drawer, firstDrawer, fullDrawer } from './full-profile';
 import { Monitors } from './monitors';
 import { Offers } from './offers';
@@ -35,6 +38,8 @@ const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
 const SHOWN = 3;
 /** Centres of the engineering views, besides their initial centre. */
 const CENTRES: readonly Subject[] = ['tip', 'payload', 'gap'];
+/** Time for which the pictures say that the full profile was given up [ms]. */
+const NOTICE_MS = 15_000;
 /** A page whose drawers have failed more often than this keeps the low profile. */
 const MOST_FAILURES = 1;
 
@@ -51,6 +56,8 @@ export interface PicturesListener {
   offered?: (offer: PairOffer | null) => void;
   /** Called when a monitor shows another camera, or was split. */
   changed?: () => void;
+  /** Called with the reason when the full profile is given up because it is too slow. */
+  simplified?: (why: string) => void;
   /** Whether the pictures show a recording, not a live run. */
   recorded?: boolean;
 }
@@ -86,7 +93,17 @@ export class Pictures {
   private readonly putting = new Putting(
     () => this.scene.put(),
     (error) => this.fail(error),
+    // The low profile is slow only while it compiles its shaders, and a hidden page is not drawn.
+    (begun) => {
+      const seen = !document.hidden && begun > this.seenAt;
+      if (seen && this.drawers.present.quality === 'full') this.simplify(SLOWEST_MS);
+    },
   );
+  private readonly fineness = new Fineness();
+  /** Time at which the page was last hidden or shown again [ms]. */
+  private seenAt = 0;
+  /** Whether the full profile was too slow. */
+  private simple = false;
   private plane = false;
   private exaggerated = false;
   private open = false;
@@ -123,13 +140,18 @@ export class Pictures {
       chosen: (camera) => this.monitors.choose(camera),
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
     });
-    this.appearance.follow(this.ended.signal);
+    const { signal } = this.ended;
+    this.appearance.follow(signal);
+    const seen = () => {
+      this.seenAt = performance.now();
+    };
+    document.addEventListener('visibilitychange', seen, { signal });
     this.drawers = new Drawers(
       () => firstDrawer(welcome, profile),
       (former) => this.change(former),
     );
     this.full = new Preparation(
-      (...given) => fullDrawer(welcome, profile, ...given),
+      (...given) => fullDrawer(welcome, profile, this.area, ...given),
       (done) => this.setPreparing(done),
     );
     ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(this.drawers.present));
@@ -145,11 +167,22 @@ export class Pictures {
     return this.drawers.present.scene;
   }
 
+  /** Area of the canvas in pixels of the screen. */
+  private get area(): number {
+    const { clientWidth, clientHeight } = this.canvas;
+    return clientWidth * clientHeight * this.scene.finest ** 2;
+  }
+
+  /** Sharpness of the pictures on the page; null in the full profile and before the first pictures. */
+  get sharpness(): Sharpness | null {
+    return this.fineness.sharpness;
+  }
+
   /** Makes the parts that depend on the drawer. */
   private partsOf({ scene, canvas, quality }: Drawer) {
     const { welcome, matrix, monitors } = this;
     const survey = new Survey(scene, welcome);
-    const all = new AllCameras(matrix, scene, survey, welcome.cameras, PACES[quality][3]);
+    const all = new AllCameras(matrix, scene, survey, welcome.cameras, PACES[quality].plan);
     return { survey, all, panes: new Panes(canvas, monitors, matrix, quality) };
   }
 
@@ -159,6 +192,7 @@ export class Pictures {
     present.scene.cameras.takeOrbits(former.scene.cameras);
     former.canvas.replaceWith(present.canvas);
     this.own = 0;
+    this.fineness.forget();
     ({ survey: this.survey, all: this.all, panes: this.panes } = this.partsOf(present));
     former.scene.dispose();
     this.setPreparing(null);
@@ -268,16 +302,17 @@ export class Pictures {
     const { drawers, full } = this;
     const next = full.take();
     if (next) drawers.change(next);
-    if (!drawers.ready(performance.now())) return false;
+    const begun = performance.now();
+    if (!drawers.ready(begun)) return false;
     let drawn: Drawn;
     try {
-      drawn = this.drawNow(frame, clearance);
+      drawn = this.drawNow(frame, clearance, begun);
     } catch (error) {
       this.fail(error);
       return false;
     }
-    if (this.wantsFull) void full.start(frame);
-    this.putting.start(drawn.show, done);
+    if (this.wantsFull) void full.start(frame).catch((error: unknown) => this.keepLow(error));
+    this.putting.start(begun, drawn.show, done);
     return drawn.complete && !drawers.fault;
   }
 
@@ -285,10 +320,31 @@ export class Pictures {
   private get wantsFull(): boolean {
     const { profile, drawers } = this;
     const low = profile.quality === 'full' && drawers.present.quality === 'low';
-    return low && this.own === SHOWN && drawers.failures <= MOST_FAILURES;
+    return low && this.own === SHOWN && drawers.failures <= MOST_FAILURES && !this.simple;
   }
 
-  private drawNow(frame: Frame, clearance: Level): Drawn {
+  /** Keeps the low profile because the full one could not be prepared. */
+  private keepLow(error: unknown): void {
+    if (!(error instanceof TooSlow)) throw error;
+    this.simplify(error.ms);
+  }
+
+  /** Gives the full profile up for good, because a picture took, or would take, as long as `ms` [ms]. */
+  private simplify(ms: number): void {
+    if (this.simple) return;
+    this.simple = true;
+    this.full.end();
+    if (this.drawers.present.quality === 'full') {
+      this.putting.stop();
+      this.drawers.renew();
+    }
+    const why = `Low detail: a full picture takes ${(ms / 1000).toFixed(1)} s here`;
+    for (const picture of this.monitors.both.flatMap(({ halves }) => halves)) picture.setPreparing(why);
+    setTimeout(() => this.setPreparing(null), NOTICE_MS);
+    this.listener.simplified?.(why);
+  }
+
+  private drawNow(frame: Frame, clearance: Level, begun: number): Drawn {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
     this.scene.setPoses(frame, this.exaggerated);
@@ -308,20 +364,30 @@ export class Pictures {
     const [panes, flat] = [all.filter(({ polygons }) => !polygons), all.filter(({ polygons }) => polygons)];
     this.wantPolygons(flat);
     const wiped = this.panes.takeLayout(all, this.open);
-    if (wiped) this.scene.wipe();
-    const state = `${frame.tick} ${this.orbits} ${this.plane} ${this.exaggerated} ${this.appearance.early} ${this.seventies}`;
-    const stops = (name: string) => this.scene.stops(name);
-    const drawn = this.panes.due(panes, state, stops, this.open, this.count, wiped);
-    const due = drawn.due.map((pane) => [pane, this.viewOf(pane)] as const);
+    if (wiped) {
+      this.scene.wipe();
+      this.fineness.forget();
+    }
     const metered = panes.every(({ camera }) => !this.scene.metering(camera.name));
-    this.scene.draw(due.map(([, view]) => view));
+    const { refines } = this.scene;
+    const stops = (name: string) => (refines ? 0 : this.scene.stops(name)); // `state` contains those of the low profile
+    const state = this.stateOf(frame, gap, panes, metered, begun);
+    const drawn = this.panes.due(panes, state, stops, this.open, this.count, wiped);
+    const [due, views] = [drawn.due, panes].map((some) => some.map((pane) => this.viewOf(pane))) as [
+      View[],
+      View[],
+    ];
+    const final = this.fineness.draw(this.scene, state, due, views, this.appearance.early);
     if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
     const show = () => {
+      const now = performance.now();
+      this.fineness.shown(begun, now);
       if (!this.panes.isLaidOut(all, this.open)) return false; // the layout has changed: all will be drawn again
-      const shown = [...due, ...flat.map((pane) => [pane, this.viewOf(pane)] as const)];
-      for (const [{ picture, polygons }, view] of shown) {
+      for (const pane of all) {
+        const { picture, polygons } = pane;
         if (!picture) continue;
+        const view = this.viewOf(pane);
         overlay(this.scene, picture, view, {
           frame,
           gap,
@@ -339,7 +405,28 @@ export class Pictures {
       this.drawers.drawn(visible && canvas.clientWidth > 0 && canvas.clientHeight > 0);
       return !this.drawers.fault;
     };
-    return { complete: drawn.complete && metered, show };
+    return { complete: drawn.complete && metered && final, show };
+  }
+
+  /** Returns a text that changes with everything in the pictures; in the full profile not with exposures. */
+  private stateOf(
+    frame: Frame,
+    gap: ClosestPoints | null,
+    panes: readonly Pane[],
+    metered: boolean,
+    now: number,
+  ): string {
+    const { early } = this.appearance;
+    const look = `${this.orbits} ${this.plane} ${this.exaggerated} ${early} ${this.seventies}`;
+    if (!this.scene.refines) return `${frame.tick} ${look}`;
+    // Television has noise, and a picture without a metered exposure changes when it has one: neither is at rest.
+    const moment = early || !metered ? frame.tick : '';
+    const { lighting, ahead } = frame.display;
+    const { clearance_level } = frame.work;
+    const cameras = panes.map(({ camera: { name } }) => name);
+    const stops = cameras.map((name) => this.scene.stops(name));
+    const rest = [look, moment, clearance_level, JSON.stringify(lighting), this.scene.haunting, ahead?.held];
+    return this.fineness.look(frame, gap, stops, [...rest, ...cameras].join(), now);
   }
 
   /** Gives the present drawer up. */
@@ -402,7 +489,7 @@ export class Pictures {
     const shown = flat.map((pane) => [pane.camera.name, this.panes.rectOf(pane.element)] as const);
     const sized = shown.filter(([, { width, height }]) => width >= 1 && height >= 1);
     this.listener.polygons?.want(
-      sized.map(([camera, { width, height }]) => ({ camera, aspect: width / height })),
+      sized.map(([camera, { width, height }]) => ({ camera, aspect: Math.min(width / height, ASPECT) })),
     );
   }
 

@@ -1,6 +1,7 @@
 /** Puts drawn pictures on the page as soon as they are complete. */
 
 import type { Put } from '../scene';
+import { SLOWEST_MS } from '../scene/trial';
 import { LOST } from './drawers';
 
 /** Time between two attempts [ms]. */
@@ -10,11 +11,17 @@ export class Putting {
   /** Completes the pictures that are not on the page yet; null if all are there. */
   private show: (() => boolean) | null = null;
   private timer = 0;
+  private begun = 0;
 
-  /** `put` puts the pictures on the page if they are complete; `failed` is called with an error, or with the reason. */
+  /**
+   * `put` puts the pictures on the page if they are complete; `failed` is called with an error, or with the reason;
+   * `slow` is called when the pictures have taken longer than `SLOWEST_MS`, with the time at which their drawing began
+   * [ms]: it may give them up.
+   */
   constructor(
     private readonly put: () => Put,
     private readonly failed: (error: unknown) => void,
+    private readonly slow: (begun: number) => void,
   ) {}
 
   /** Whether the pictures drawn last are not on the page yet. */
@@ -25,10 +32,12 @@ export class Putting {
   /**
    * Puts pictures on the page, now or when they are complete.
    *
+   * @param begun time at which their drawing began [ms].
    * @param show completes the pictures when they are on the page; returns whether they are visible there.
    * @param done called after `show` has returned true. Its errors are not those of the pictures: they are thrown.
    */
-  start(show: () => boolean, done: () => void): void {
+  start(begun: number, show: () => boolean, done: () => void): void {
+    this.begun = begun;
     this.show = show;
     this.look(done);
   }
@@ -49,6 +58,8 @@ export class Putting {
     if (!show) return false;
     try {
       const put = this.put();
+      if (performance.now() - this.begun > SLOWEST_MS) this.slow(this.begun);
+      if (!this.show) return false;
       if (put === 'pending') {
         this.timer = window.setTimeout(() => this.look(done), LOOK_MS);
         return false;

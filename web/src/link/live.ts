@@ -1,6 +1,7 @@
 /** A live run: connects to the station's server, and gives every message to the page. */
 
 import { assertUnreachable } from '../basics/assert';
+import type { Sharpness } from '../cameras/fineness';
 import { publish } from '../page/hook';
 import { notice, startOrNotice } from '../page/notice';
 import type { Drawing } from '../page/quality';
@@ -29,6 +30,7 @@ interface Content {
   readonly drawn: number;
   readonly shown: { readonly frame: Frame | null; readonly restarts: number };
   readonly bodies: readonly DrawnBody[];
+  readonly sharpness: Sharpness | null;
   /** Pictures in the look of 1972; absent if none are shown. */
   readonly polygons?: PolygonPictures | null;
   setFrame(frame: Frame): void;
@@ -146,6 +148,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
       lastFrame: station?.shown.frame ?? null,
       restarts: station?.shown.restarts ?? 0,
       bodies: station?.bodies ?? [],
+      sharpness: station?.sharpness ?? null,
       latency95: station instanceof Station ? station.latency95 : null,
     }),
     () => (station instanceof Station ? station.views : null),

@@ -21,7 +21,7 @@ import type { Desk } from '../panel/parts/part';
 import { handOver } from '../panel/rail/hand-over';
 import { lightControl } from '../panel/rail/light';
 import { naming } from '../panel/rail/naming';
-import { rail } from '../panel/rail/rail';
+import { type Rail, rail } from '../panel/rail/rail';
 import { type ScenarioChoice, scenarioChoice } from '../panel/rail/scenarios';
 import { Spine } from '../panel/spine/spine';
 import { ControlPage } from '../panel/target/control-page';
@@ -72,6 +72,10 @@ export function buildParts(
     opened: (matrix) => operations.showMatrix(matrix),
     changed: () => windows.update(),
     offered: (offer) => notice.show(offer),
+    simplified: (why) => {
+      topRail.simplified(why);
+      log.say(why, 'camera', 'caution');
+    },
   });
   const notice = pairNotice(
     () => pictures.offers.take(),
@@ -135,7 +139,7 @@ export function buildParts(
     guide: task.key,
     full: calm.key,
   };
-  const topRail = rail(desk, drawing.software && drawing.quality === 'low', railParts, {
+  const topRail: Rail = rail(desk, drawing.software && drawing.quality === 'low', railParts, {
     units: () => operations.changeUnits(),
     restart: () => operations.send({ type: 'restart' }),
     keys: () => keys.toggle(),

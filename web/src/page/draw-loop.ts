@@ -74,7 +74,7 @@ export class DrawLoop {
     this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
     this.operator.sticks.driving = this.modes.get(telemetry.frame.mode) === 'single';
-    // If the bars move at every second turn, they move when MON 2 is not drawn; they move even if no picture is drawn.
+    // The bars move even if no picture is drawn.
     this.turns += 1;
     const barsMove = this.turns % this.barPace === 0;
     this.fresh = false;

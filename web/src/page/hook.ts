@@ -1,5 +1,6 @@
 /** `window.__aftdeck`, for tests and measurements. */
 
+import type { Sharpness } from '../cameras/fineness';
 import type { Views } from '../cameras/pictures';
 import type { Frame } from '../link/protocol';
 import type { DrawnBody } from '../scene/bodies';
@@ -14,6 +15,8 @@ export interface Hook {
   restarts: number;
   /** Latency from a stick to its picture, 95th percentile of the last 10 s [ms]; null if no stick moved. */
   latency95: number | null;
+  /** Sharpness of the pictures on the page; null in the full profile and before the first pictures. */
+  sharpness: Sharpness | null;
   /** The bodies of the scene as they are drawn now. */
   readonly bodies: readonly DrawnBody[];
   /** Result of a survey of each camera at the frame drawn last, and the cameras of the two monitors. */
@@ -56,6 +59,9 @@ export function publish(
     },
     get latency95() {
       return read().latency95;
+    },
+    get sharpness() {
+      return read().sharpness;
     },
     get bodies() {
       return read().bodies;

@@ -1,5 +1,6 @@
 /** The operator's station: applies the server's messages to the parts of the page, and draws these parts. */
 
+import type { Sharpness } from '../cameras/fineness';
 import type { Views } from '../cameras/pictures';
 import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Frame, Event as LogEvent, Readiness, Role, Scenarios, Welcome } from '../link/protocol';
@@ -58,6 +59,10 @@ export class Station {
 
   get bodies(): readonly DrawnBody[] {
     return this.parts.pictures.bodies;
+  }
+
+  get sharpness(): Sharpness | null {
+    return this.parts.pictures.sharpness;
   }
 
   /** Survey of all cameras at the frame drawn last. */

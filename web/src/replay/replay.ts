@@ -134,6 +134,7 @@ export class Replay {
       lastFrame: this.shown,
       restarts: 0,
       bodies: this.pictures.bodies,
+      sharpness: this.pictures.sharpness,
       latency95: null,
     }));
     setInterval(() => this.showAge(performance.now()), VALUES_MS);

@@ -55,6 +55,7 @@ function showPictures(
     lastFrame: display.shown.frame,
     restarts: 0,
     bodies: display.bodies,
+    sharpness: display.sharpness,
     latency95: null,
   }));
 }
@@ -103,6 +104,7 @@ function showStrips(
   });
   root.classList.add('torn-off');
   root.replaceChildren(tether.rail, strips.element);
-  publish(drawing.renderer, () => ({ frames, lastFrame: shown, restarts: 0, bodies: [], latency95: null }));
+  const none = { restarts: 0, bodies: [], sharpness: null, latency95: null };
+  publish(drawing.renderer, () => ({ frames, lastFrame: shown, ...none }));
   next();
 }

@@ -8,6 +8,11 @@ import { settingOf, type View, viewOf } from './view';
 /** Near plane [m]. For a camera behind a window, the near plane is beyond the window's pane. */
 const NEAR = 0.01;
 const FAR = 400;
+/**
+ * A wider picture shows the camera's field of view in its middle, as high as a picture of this width over its height
+ * would. Assumed: half-way between television (4:3) and a wide monitor (5:3).
+ */
+export const ASPECT = 1.5;
 const ORIGIN = new Vector3();
 const point = new Vector3();
 const [start, end] = [new Vector3(), new Vector3()];
@@ -65,11 +70,14 @@ class Mounted {
     this.angle = angle;
   }
 
-  /** Returns the camera at its body's present pose. Its horizontal field of view does not depend on the aspect. */
+  /**
+   * Returns the camera at its body's present pose. Its horizontal field of view does not depend on the aspect, unless
+   * the picture is low: it then shows more at its sides, and nothing less above and below.
+   */
   at(aspect: number): PerspectiveCamera {
     const { picture } = this;
     if (this.aspect !== aspect) {
-      const half = Math.atan(Math.tan(this.angle / 2) / aspect);
+      const half = Math.atan(Math.tan(this.angle / 2) / Math.min(aspect, ASPECT));
       picture.fov = MathUtils.radToDeg(2 * half);
       this.aspect = picture.aspect = aspect;
       picture.updateProjectionMatrix();

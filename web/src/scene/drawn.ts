@@ -17,3 +17,30 @@ export interface View {
   /** Black and white, with noise. */
   readonly early: boolean;
 }
+
+/** Part of a still picture, drawn with one of its samples. */
+export interface Piece {
+  readonly view: View;
+  /** Rectangle within the picture's. */
+  readonly part: Rect;
+  /** Index in `SAMPLES`. */
+  readonly sample: number;
+}
+
+/** Part of a canvas [px from its bottom left, as in WebGL]. */
+export interface Area {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Returns the pixels of a rectangle; `height`: height of the canvas [CSS px]; `scale`: pixels for each CSS px. */
+export function areaOf({ left, top, width, height: high }: Rect, height: number, scale: number): Area {
+  const [x, right] = [left, left + width].map((side) => Math.round(scale * side)) as [number, number];
+  const [y, above] = [height - top - high, height - top].map((side) => Math.round(scale * side)) as [
+    number,
+    number,
+  ];
+  return { x, y, width: right - x, height: above - y };
+}

@@ -1,7 +1,7 @@
 import type { WebGLRenderer } from 'three';
 import type { Lighting } from '../link/protocol';
 import { LIGHT_OF } from './agx';
-import type { Quality, Rect } from './drawn';
+import type { Area, Quality } from './drawn';
 import { Exposure, metered } from './exposure';
 import { Meter } from './meter';
 
@@ -54,16 +54,19 @@ export class Exposures {
   }
 
   /**
-   * If a metering is due, starts it for the picture that was just drawn; `height`: height of the canvas [CSS px];
-   * `factor`: factor by which the picture multiplies light.
+   * If a metering is due, starts it for the picture that was just drawn.
+   *
+   * @param factor factor by which the picture multiplies light.
+   * @param last whether no other picture follows: it is then metered even if others were metered just before.
    */
-  measure(camera: string, rect: Rect, height: number, factor: number): void {
+  measure(camera: string, area: Area, factor: number, last = false): void {
     const due = this.cameras.get(camera);
     if (!due || !this.meter.free) return;
     const [now, interval] = [performance.now(), this.interval];
-    if (due.exposure.settled && (now - this.meteredAt < interval || now - due.at < 2 * interval)) return;
+    const early = now - this.meteredAt < interval || now - due.at < 2 * interval;
+    if (due.exposure.settled && early && !last) return;
     this.meteredAt = due.at = now;
-    this.meter.ask(camera, rect, height, factor);
+    this.meter.ask(camera, area, factor);
   }
 
   dispose(): void {

@@ -99,6 +99,11 @@ export class Ghost {
     this.setVisible(false);
   }
 
+  /** Present opacity: 0 is invisible. */
+  get opacity(): number {
+    return this.shown;
+  }
+
   /** Sets the poses: seven numbers for each body, as in `Display.poses`; null lets the ghost fade. */
   set(poses: readonly number[] | null, now: number): void {
     const step = Math.max(0, now - this.at) / 1000 / FADE_S;

@@ -45,6 +45,11 @@ export class GoalGhost {
     this.ghost.set(poses, now);
   }
 
+  /** Present opacity: 0 is invisible. */
+  get opacity(): number {
+    return this.ghost.opacity;
+  }
+
   setVisible(on: boolean): void {
     this.ghost.setVisible(on);
   }

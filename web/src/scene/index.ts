@@ -4,7 +4,7 @@ import type { Drawing } from '../page/quality';
 import { Bending, EXAGGERATION } from './bending';
 import { Body, type DrawnBody, lampCount } from './bodies';
 import { Cameras } from './cameras';
-import type { Rect, View } from './drawn';
+import { type Area, areaOf, type Piece, type Rect, type View } from './drawn';
 import { Exposures } from './exposures';
 import { Gap } from './gap';
 import { Ghost } from './ghost';
@@ -14,10 +14,13 @@ import { LambertLight } from './lambert';
 import type { Lit } from './lit';
 import { Materials } from './materials';
 import { type Extent, Overhead } from './overhead';
+import type { PicturePass } from './picture-pass';
 import { prepare } from './prepare';
 import { Relay } from './relay';
 import { rendererFor } from './renderer';
+import { SAMPLES } from './samples';
 import { Sight } from './sight';
+import { smoothing } from './smoothing';
 import { Television } from './television';
 
 /** Number of values for each body in `Display.poses`. */
@@ -32,6 +35,8 @@ const MARGIN_COLOUR = new Color(MARGIN);
 const SPACE = new Color('#000000');
 /** Background of the plan, equal to the colour of the desk's plate. */
 const PLATE = new Color('#161719');
+/** Greatest number of pixels of the pictures for each CSS px; a screen with more does not look sharper. */
+const FINEST = 2;
 
 /** Whether pictures are on the page, are not complete yet, or are lost because the browser has withdrawn the graphics. */
 export type Put = 'drawn' | 'pending' | 'lost';
@@ -56,19 +61,24 @@ export class Scene {
   /** Cameras on the arm. Their pictures do not show the ghosts, because these would fill them. */
   private readonly onArm: ReadonlySet<string>;
   private readonly television: Television;
+  /** Smooths the edges of moving pictures if the processor draws them; null if edges are smooth when drawn. */
+  private readonly smoothing: PicturePass | null;
   private readonly overhead = new Overhead();
   private readonly firstCamera: string;
   private width = 0;
   private height = 0;
+  /** Pixels of the screen for each CSS px. */
+  private ratio = 1;
   private lost = false;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
     welcome: Welcome,
-    { quality, software }: Drawing,
+    drawing: Drawing,
   ) {
     const { stage } = this;
-    this.renderer = rendererFor(software ? document.createElement('canvas') : canvas, quality);
+    const { quality, software } = drawing;
+    this.renderer = rendererFor(software ? document.createElement('canvas') : canvas, drawing);
     this.renderer.domElement.addEventListener('webglcontextlost', () => {
       this.lost = true;
     });
@@ -101,6 +111,7 @@ export class Scene {
     this.firstCamera = names[0] ?? '';
     this.exposures = new Exposures(names, this.renderer, quality);
     this.television = new Television(this.renderer);
+    this.smoothing = software && quality === 'low' ? smoothing(this.renderer) : null;
     this.gap = new Gap(stage, bodies);
     const ghosts = welcome.ghost.flatMap((i) => bodies[i] ?? []);
     this.ghost = new Ghost(stage, ghosts, COMMANDED, { fill: 0.16, rim: 0.9 });
@@ -174,9 +185,12 @@ export class Scene {
     this.ghost.set(poses, performance.now());
   }
 
-  /** Prepares the first picture; `progress` receives the fraction that is done. */
-  prepare(signal: AbortSignal, progress: (done: number) => void): Promise<void> {
-    return prepare(this.renderer, this.stage, this.cameras.at(this.firstCamera, 1), signal, progress);
+  /**
+   * Prepares pictures of an area [px]; `progress` receives the fraction that is done. Throws `TooSlow` if they would take
+   * too long.
+   */
+  prepare(area: number, signal: AbortSignal, progress: (done: number) => void): Promise<void> {
+    return prepare(this.renderer, this.stage, this.cameras.at(this.firstCamera, 1), area, signal, progress);
   }
 
   /** Clears the canvas, because its pictures have new positions. */
@@ -187,38 +201,69 @@ export class Scene {
     renderer.setClearColor(MARGIN_COLOUR);
     renderer.clear();
     this.television.forget();
+    this.smoothing?.forget();
     this.relay?.wipe(MARGIN);
   }
 
-  /** Redraws these views; all other views keep their pictures. */
-  draw(views: readonly View[]): void {
+  /** Whether `refine` draws still pictures. The full profile, and a graphics card, always draw the best picture. */
+  get refines(): boolean {
+    return this.smoothing !== null;
+  }
+
+  /** Total opacity of the ghosts: it changes while they appear and disappear. */
+  get haunting(): number {
+    return this.ghost.opacity + this.goal.opacity;
+  }
+
+  /** Pixels of the screen for each CSS px. */
+  get finest(): number {
+    return this.ratio;
+  }
+
+  /** Redraws these views; all other views keep their pictures. `scale`: their resolution, as a share of the screen's. */
+  draw(views: readonly View[], scale = 1): void {
     const { renderer } = this;
-    renderer.setScissorTest(true);
-    renderer.setClearColor(SPACE);
     renderer.shadowMap.needsUpdate = true;
     for (const { camera, rect, early } of views) {
-      if (!this.aim(rect)) continue;
-      this.gap.fit(rect.width, rect.height);
-      for (const ghost of [this.ghost, this.goal]) ghost.setVisible(!this.onArm.has(camera));
-      const factor = this.illumination.expose(this.stops(camera));
+      const area = this.aim(rect, rect, scale);
+      if (!area) continue;
+      const factor = this.show(camera, rect);
       renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
-      this.exposures.measure(camera, rect, this.height, factor); // before noise is added
-      if (early) this.television.show(rect, this.height);
-      this.relay?.add(rect, this.height);
+      this.exposures.measure(camera, area, factor); // before noise is added
+      this.smoothing?.show(area);
+      if (early) this.television.show(area);
+      this.relay?.add(area, this.areaOf(rect));
+    }
+  }
+
+  /** Draws parts of still pictures in the screen's resolution; `last`: whether these parts complete them. */
+  refine(pieces: readonly Piece[], last: boolean): void {
+    for (const { view, part, sample } of pieces) {
+      const { camera, rect } = view;
+      const area = this.aim(rect, part, 1);
+      if (!area) continue;
+      const factor = this.show(camera, rect);
+      const lens = this.cameras.at(camera, rect.width / rect.height);
+      const [x, y] = SAMPLES[sample] ?? [0, 0];
+      const whole = this.areaOf(rect);
+      lens.setViewOffset(whole.width, whole.height, x, y, whole.width, whole.height);
+      this.renderer.render(this.stage, lens);
+      lens.clearViewOffset();
+      if (sample === SAMPLES.length - 1) this.exposures.measure(camera, whole, factor, last);
+      this.relay?.add(area, area, sample);
     }
   }
 
   /** Draws an extent of the scene from above. */
   drawPlan(rect: Rect, extent: Extent): void {
     const { renderer, illumination } = this;
-    renderer.setScissorTest(true);
-    renderer.setClearColor(PLATE);
-    if (!this.aim(rect)) return;
+    const area = this.aim(rect, rect, 1, PLATE);
+    if (!area) return;
     illumination.showEarth(false);
     for (const ghost of [this.ghost, this.goal]) ghost.setVisible(false);
     illumination.expose(illumination.stops);
     renderer.render(this.stage, this.overhead.over(extent));
-    this.relay?.add(rect, this.height);
+    this.relay?.add(area, area);
     illumination.showEarth(true);
   }
 
@@ -236,7 +281,7 @@ export class Scene {
   /** Puts the drawn pictures on the page if they are complete. A scene that was lost stays lost. */
   put(): Put {
     if (this.isLost) return 'lost';
-    return (this.relay?.put() ?? true) ? 'drawn' : 'pending';
+    return (this.relay?.transfer() ?? true) ? 'drawn' : 'pending';
   }
 
   dispose(): void {
@@ -246,28 +291,48 @@ export class Scene {
     this.goal.dispose();
     this.exposures.dispose();
     this.television.dispose();
+    this.smoothing?.dispose();
     this.illumination.dispose();
     for (const body of this.bodies) body.dispose();
     this.materials.dispose();
     this.renderer.dispose();
   }
 
-  /** Directs drawing to a part of the canvas and clears this part; returns false if it is too small. */
-  private aim({ left, top, width, height }: Rect): boolean {
-    if (width < 1 || height < 1) return false;
-    const bottom = this.height - top - height;
-    this.renderer.setViewport(left, bottom, width, height);
-    this.renderer.setScissor(left, bottom, width, height);
-    this.renderer.clear();
-    return true;
+  /** Prepares the stage for a camera's picture; returns the factor by which the picture multiplies light. */
+  private show(camera: string, { width, height }: Rect): number {
+    this.gap.fit(width, height);
+    for (const ghost of [this.ghost, this.goal]) ghost.setVisible(!this.onArm.has(camera));
+    return this.illumination.expose(this.stops(camera));
+  }
+
+  /**
+   * Directs drawing to a picture, and clears a part of it; returns this part, or null if the picture is too small.
+   * `scale`: resolution, as a share of the screen's.
+   */
+  private aim(rect: Rect, part: Rect, scale: number, colour = SPACE): Area | null {
+    if (rect.width < 1 || rect.height < 1) return null;
+    const { renderer } = this;
+    const [whole, area] = [this.areaOf(rect, scale), this.areaOf(part, scale)];
+    renderer.setViewport(whole.x, whole.y, whole.width, whole.height);
+    renderer.setScissor(area.x, area.y, area.width, area.height);
+    renderer.setScissorTest(true);
+    renderer.setClearColor(colour);
+    renderer.clear();
+    return area;
+  }
+
+  private areaOf(rect: Rect, scale = 1): Area {
+    return areaOf(rect, this.height, this.ratio * scale);
   }
 
   /** Adapts the renderer's size to the size of the canvas on the page. */
   private fit(): void {
     const { clientWidth, clientHeight } = this.canvas;
-    if (clientWidth === this.width && clientHeight === this.height) return;
+    const ratio = Math.min(window.devicePixelRatio, FINEST);
+    if (clientWidth === this.width && clientHeight === this.height && ratio === this.ratio) return;
     this.width = clientWidth;
     this.height = clientHeight;
-    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.ratio = ratio;
+    this.renderer.setSize(Math.round(ratio * clientWidth), Math.round(ratio * clientHeight), false);
   }
 }

@@ -1,5 +1,5 @@
 import type { WebGLRenderer } from 'three';
-import type { Rect } from './drawn';
+import type { Area } from './drawn';
 
 /** Metered middle part of a picture, as a fraction of its width and of its height. */
 const MIDDLE = 0.6;
@@ -32,7 +32,7 @@ export class Meter {
 
   /** `lightOf`: for each byte, 0 to 255, the product of light and exposure that a picture displays as this byte. */
   constructor(
-    private readonly renderer: WebGLRenderer,
+    renderer: WebGLRenderer,
     private readonly lightOf: readonly number[],
   ) {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
@@ -43,16 +43,12 @@ export class Meter {
     return this.look === null;
   }
 
-  /** Requests the rows of the picture just drawn at `rect`; `canvas`: height of the canvas [CSS px]. */
-  ask(camera: string, { left, top, width, height }: Rect, canvas: number, factor: number): void {
+  /** Requests the rows of the picture just drawn. */
+  ask(camera: string, area: Area, factor: number): void {
     const { gl } = this;
-    const ratio = this.renderer.getPixelRatio();
-    const [wide, high] = [MIDDLE * width * ratio, MIDDLE * height * ratio].map(Math.floor) as [
-      number,
-      number,
-    ];
-    const x = Math.round((left + ((1 - MIDDLE) / 2) * width) * ratio);
-    const y = Math.round((canvas - top - ((1 + MIDDLE) / 2) * height) * ratio);
+    const [wide, high] = [Math.floor(MIDDLE * area.width), Math.floor(MIDDLE * area.height)];
+    const x = Math.round(area.x + ((1 - MIDDLE) / 2) * area.width);
+    const y = Math.round(area.y + ((1 - MIDDLE) / 2) * area.height);
     if (wide < PLACES || high < ROWS || gl.isContextLost()) return;
     this.buffer ??= gl.createBuffer();
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);

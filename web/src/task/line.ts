@@ -33,6 +33,14 @@ export class Line {
         ...(open ? [button({ title: OPEN }, ['Open the guide'], open)] : []),
       ),
     );
+    // The pictures begin below this line, which is as high as its text.
+    new ResizeObserver(() => {
+      const { offsetHeight, parentElement } = this.element;
+      parentElement?.style.setProperty(
+        '--task-line',
+        offsetHeight > 0 ? `calc(${offsetHeight}px + 0.3rem)` : '0rem',
+      );
+    }).observe(this.element);
   }
 
   set(count: string, title: string, words: readonly Piece[]): void {

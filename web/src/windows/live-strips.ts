@@ -21,6 +21,7 @@ const FIRST = 2;
 export class LiveStrips {
   readonly drawn = 0;
   readonly bodies = [];
+  readonly sharpness = null;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   private newest: Frame | null = null;
   private restarts = 0;

@@ -1,5 +1,6 @@
 /** A secondary window with pictures: one monitor or all cameras, of a live run or of a replay. */
 
+import type { Sharpness } from '../cameras/fineness';
 import { Pictures } from '../cameras/pictures';
 import { Keyboard } from '../input/keyboard';
 import type { Action } from '../input/keymap';
@@ -85,6 +86,10 @@ export class Display {
 
   get bodies(): readonly DrawnBody[] {
     return this.pictures.bodies;
+  }
+
+  get sharpness(): Sharpness | null {
+    return this.pictures.sharpness;
   }
 
   setFrame(frame: Frame): void {

@@ -14,6 +14,7 @@ const NO_ANSWER = 'The station does not answer.';
 export class PlanesWindow {
   drawn = 0;
   readonly bodies = [];
+  readonly sharpness = null;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   private readonly line: DelayLine;
   private readonly tether: Tether;

@@ -109,7 +109,7 @@ export class Matrix {
     const part = this.parts[index];
     if (!part) return;
     const { tile, words, tags: shown, camera, pane, picture } = part;
-    fitPane(pane, camera, picture.clientWidth);
+    fitPane(pane, camera, { width: picture.clientWidth, height: picture.clientHeight });
     const text = sees.join(' ');
     setText(words, text);
     if (shown.textContent !== tags.join('')) shown.replaceChildren(...tags.map((tag) => el('em', {}, tag)));

@@ -7,6 +7,7 @@ import { type Age, isStale } from '../../link/delay-line';
 import type { Camera, Frame, Vec3 } from '../../link/protocol';
 import { inset } from '../../page/room';
 import { EXAGGERATION } from '../../scene/bending';
+import { ASPECT } from '../../scene/cameras';
 import { timeCode } from '../../words/format';
 import { lensWords } from '../../words/lens';
 import { el, setAttribute, setClass, setStyle, setText, svg } from '../parts/dom';
@@ -112,9 +113,9 @@ export class Picture {
   }
 
   /** Writes the settings of the camera's drives, at picture rate: pan, tilt, field of view [rad]. */
-  setLens(setting: Vec3, { width }: Size): void {
+  setLens(setting: Vec3, size: Size): void {
     setText(this.lens, lensWords(this.shown, setting));
-    fitPane(this.pane, this.shown, width);
+    fitPane(this.pane, this.shown, size);
   }
 
   /** Deflections of this camera's switches, commanded by a drag, a pinch or the mouse wheel. */
@@ -272,9 +273,13 @@ function drives({ drive }: Camera): keyof typeof HINTS {
 }
 
 /** Fits the outline of a window's pane to a picture of this width [px]. */
-export function fitPane(element: HTMLElement, { pane, field_of_view }: Camera, width: number): void {
+export function fitPane(
+  element: HTMLElement,
+  { pane, field_of_view }: Camera,
+  { width, height }: Size,
+): void {
   if (!pane) return;
-  const perMetre = width / (2 * Math.tan(field_of_view / 2) * pane.distance);
+  const perMetre = Math.min(width, ASPECT * height) / (2 * Math.tan(field_of_view / 2) * pane.distance);
   const [wide, high] = [pane.width, pane.height].map((size) => `${(size * perMetre).toFixed(1)}px`);
   setStyle(element, `width: ${wide}; height: ${high}`);
 }

@@ -3,6 +3,7 @@
 import { Silence } from '../../basics/silence';
 import type { Age } from '../../link/delay-line';
 import type { Polygons } from '../../link/protocol';
+import { ASPECT } from '../../scene/cameras';
 import { el, setText } from '../parts/dom';
 import type { Size } from './label-place';
 
@@ -108,8 +109,10 @@ export class PolygonPane {
   }
 
   /** Draws a picture, or its text in place of polygons; null: no picture has arrived. */
-  show(picture: Polygons | null, { width, height }: Size): void {
+  show(picture: Polygons | null, place: Size): void {
     const { canvas, text } = this;
+    const { height } = place;
+    const width = Math.min(place.width, ASPECT * height); // the station's pictures show no more at their sides
     if (this.hidden || picture !== this.drawn) this.silence.end();
     canvas.hidden = text.hidden = false;
     setText(this.words, picture?.text ?? '');
@@ -124,6 +127,7 @@ export class PolygonPane {
     if (!this.pen) return;
     if (size !== this.size) {
       this.size = size;
+      canvas.style.width = `${width}px`;
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
     }

@@ -50,6 +50,8 @@ export interface Measured {
 export interface Rail {
   readonly element: HTMLElement;
   values(view: View, measured: Measured, who: string, link: LinkState): void;
+  /** Shows that the pictures have low detail, and why. */
+  simplified(why: string): void;
   /** Closes all open lists. */
   close(): void;
 }
@@ -71,6 +73,8 @@ export function rail(
   setAttribute(parts.element, 'data-calm', 'full');
   setAttribute(light.element, 'data-calm', 'light');
   const heard = sound(tones);
+  const simple = el('span', { class: 'note', title: SOFTWARE, 'data-calm': 'full' }, 'Low detail');
+  simple.hidden = !software;
   const lag = el('b');
   const met = el('b');
   const recorded = recordings();
@@ -90,7 +94,7 @@ export function rail(
     ...(welcome.plant === 'kinematic'
       ? []
       : [el('span', { class: 'note plant', title: PLANTS[welcome.plant] }, `${welcome.plant} arm`)]),
-    ...(software ? [el('span', { class: 'note', title: SOFTWARE, 'data-calm': 'full' }, 'Low detail')] : []),
+    simple,
     el(
       'span',
       { class: 'times', 'data-calm': 'delays' },
@@ -147,6 +151,10 @@ export function rail(
       naming.say(linkWords(link) ?? controlText);
       setClass(naming.key, 'lost', lost);
       setClass(naming.key, 'flying', flying && !lost);
+    },
+    simplified(why) {
+      simple.hidden = false;
+      setAttribute(simple, 'title', why);
     },
     close() {
       parts.close();
