@@ -51,7 +51,7 @@ export class Readouts implements Drawn {
     parts.spine.show(lamps, test);
     parts.task.values(view);
     parts.calm.values(view, {
-      lamps: lamps.filter(({ level }) => level !== 'info').map(({ name }) => name),
+      lamps: lamps.filter(({ level, standing }) => level !== 'info' && !standing).map(({ name }) => name),
       selected: parts.groups.mode.inView(),
       cameras: parts.pictures.monitors.shown.flat(),
     });

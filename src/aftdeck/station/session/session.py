@@ -353,7 +353,7 @@ class Session:
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
         self.painter.show(frame, self._lights[shown.display.lighting.condition])
-        self.log.add(frame.events)
+        self.log.add(frame.events if frame.tick > 1 else map(_from_the_start, frame.events))
         return restarted
 
     def _note_reported(self, frame: Frame) -> None:
@@ -432,6 +432,15 @@ class Session:
         event = Event(self.time_s, kind, level, text)
         self._recorder.note(event)
         self.log.add([event])
+
+
+def _from_the_start(event: Event) -> Event:
+    """Return an event of the first step as information: it tells the state in which the scenario begins."""
+    return (
+        event
+        if event.level == "info"
+        else msgspec.structs.replace(event, level="info", text=f"from the start: {event.text}")
+    )
 
 
 def _deflected(frame: Frame) -> Axis | None:
