@@ -28,6 +28,8 @@ LAYERS = (
         "law_cache",
         "law",
         "law_change",
+        "progress_bar",
+        "compiled_first",
         "elementary",
         "matrices",
         "lines",

@@ -32,7 +32,7 @@ def runs(code: str, folder: Path, cwd: Path | None = None, *, closed: bool = Fal
         (folder / "sitecustomize.py").write_text(f"import tempfile; tempfile.tempdir = {__file__!r}")
         env |= {"NUMBA_CACHE_DIR": __file__, "PYTHONPATH": os.pathsep.join((str(folder), env["PYTHONPATH"]))}
     done = subprocess.run(
-        [sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=300, env=env, cwd=cwd
+        [sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=900, env=env, cwd=cwd
     )
     assert done.returncode == 0, done.stderr
 

@@ -1,25 +1,20 @@
 import { expect, test } from 'vitest';
 import { Arrivals } from '../src/link/delayed-messages';
 import type { Frame, Readiness } from '../src/link/protocol';
-import { readinessText } from '../src/page/readiness';
+import { waitingText } from '../src/page/readiness';
 
 const READY: Readiness = { type: 'readiness', waits_for: '', share: null, left_s: null, failure: '' };
 
-test('nothing is said when all is ready', () => {
-  expect(readinessText(READY)).toBe('');
+test('a run that goes on has no notice', () => {
+  expect(waitingText(READY)).toBe('');
+  expect(waitingText({ ...READY, share: 0.5, left_s: 31 })).toBe('');
 });
 
-test('the time left is named, while the arm flies and while the run waits', () => {
-  const half = { ...READY, share: 0.5, left_s: 31 };
-  expect(readinessText(half)).toContain('31 s');
-  expect(readinessText({ ...half, waits_for: 'laws' })).toContain('31 s');
-  expect(readinessText({ ...half, left_s: null })).not.toContain('null');
-});
-
-test('a failure is named with its consequence', () => {
-  expect(readinessText({ ...READY, failure: 'the memory is full' })).toMatch(
-    /look-ahead.*the memory is full/,
-  );
+test('a run that waits says for what, and how long', () => {
+  expect(waitingText({ ...READY, waits_for: 'page' })).not.toBe('');
+  const half: Readiness = { ...READY, waits_for: 'laws', share: 0.5, left_s: 31 };
+  expect(waitingText(half)).toContain('31 s');
+  expect(waitingText({ ...half, left_s: null })).not.toContain('null');
 });
 
 test('while the run stands still, its last frame is not old', () => {

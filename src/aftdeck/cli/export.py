@@ -11,9 +11,10 @@ import typer
 
 from aftdeck.cli.app import Json, app
 from aftdeck.cli.laws import pictures_compiled_meanwhile
-from aftdeck.cli.printing import Progress, print_json
+from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError
 from aftdeck.lines import print_error, print_line
+from aftdeck.progress_bar import ProgressBar
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -92,7 +93,7 @@ def export(
     with ExitStack() as meanwhile:
         if chosen.pictures:
             meanwhile.enter_context(pictures_compiled_meanwhile(bar=False))
-        progress = meanwhile.enter_context(Progress(f"{folder}"))
+        progress = meanwhile.enter_context(ProgressBar(f"{folder}"))
         episodes = write(flights, folder, chosen, progress)
     if as_json:
         print_json({"folder": str(folder), "plan": chosen, "episodes": episodes}, indent=2)
@@ -129,7 +130,7 @@ def _read(files: Sequence[Path]) -> list[Flight]:
 
     flights = []
     for file in files:
-        with Progress(f"reading {file}") as progress:
+        with ProgressBar(f"reading {file}") as progress:
             flights.append(read_flight(file, progress))
     return flights
 

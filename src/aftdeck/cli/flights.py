@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Host, Json, Names, NoBrowser, PlantName, Port, ScenarioName, Seed, app
-from aftdeck.cli.printing import Progress, print_cautions, print_json, print_summary, print_table
+from aftdeck.cli.printing import print_cautions, print_json, print_summary, print_table
 from aftdeck.errors import AftdeckError, InputError
 from aftdeck.lines import print_error, print_line
+from aftdeck.progress_bar import ProgressBar
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -208,7 +209,7 @@ def _run(
             from aftdeck.cli.words import writing
 
             stepped = open_files.enter_context(writing(scenario, words))
-        progress = open_files.enter_context(Progress(scenario.title))
+        progress = open_files.enter_context(ProgressBar(scenario.title))
         if out is None:
             done = run_scenario(scenario, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=stepped)
             return done.summary, None

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any
 
-from aftdeck.cli.printing import Progress
+from aftdeck.progress_bar import ProgressBar
 
 if TYPE_CHECKING:
-    from aftdeck.law_change import Progress as Share
+    from aftdeck.law_change import Progress
 
 
 @contextmanager
@@ -24,9 +24,9 @@ def compiled_meanwhile(call: Callable[..., None], *given: Any, bar: bool = True)
     from aftdeck.law_change import Laws
 
     with ExitStack() as shown:
-        update = shown.enter_context(Progress("Compiling the laws")) if bar else None
+        update = shown.enter_context(ProgressBar("Compiling the laws")) if bar else None
 
-        def tell(progress: Share | None) -> None:
+        def tell(progress: Progress | None) -> None:
             if progress is None:
                 shown.close()
             elif update is not None:

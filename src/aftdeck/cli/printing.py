@@ -1,4 +1,4 @@
-"""Output of the commands: JSON, tables, summaries, a progress bar.
+"""Output of the commands: JSON, tables, summaries.
 
 The commands print only by these functions and those of `aftdeck.lines`, because texts may come from a stranger's file.
 """
@@ -15,9 +15,7 @@ from aftdeck.encodable import encodable
 from aftdeck.lines import print_line, visible
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping, Sequence
-
-    from rich.progress import Progress as Bar
+    from collections.abc import Iterable, Mapping, Sequence
 
     from aftdeck.simulation.summary import Summary
 
@@ -100,31 +98,3 @@ def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], 
             print_line(f"{start}  {lines.pop(0)}")
         for line in lines:
             print_line(" " * before + line)
-
-
-class Progress:
-    """Progress bar; it is shown only if standard error is a terminal."""
-
-    def __init__(self, title: str) -> None:
-        self._title = title
-        self._bar: Bar | None = None
-
-    def __enter__(self) -> Callable[[float], None] | None:
-        if not sys.stderr.isatty():
-            return None
-        from rich.console import Console
-        from rich.markup import escape
-        from rich.progress import Progress as Bar
-
-        bar = self._bar = Bar(console=Console(stderr=True), transient=True)
-        bar.start()
-        task = bar.add_task(escape(visible(self._title)), total=1.0)
-
-        def update(share: float) -> None:
-            bar.update(task, completed=share)
-
-        return update
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar is not None:
-            self._bar.stop()

@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Host, Json, Names, NoBrowser, Port, app
-from aftdeck.cli.printing import Progress, print_json
+from aftdeck.cli.printing import print_json
 from aftdeck.errors import InputError, RecordingError
 from aftdeck.lines import print_error, print_line, visible
+from aftdeck.progress_bar import ProgressBar
 
 if TYPE_CHECKING:
     from aftdeck.recording.changed import Outcome
@@ -124,7 +125,7 @@ def _verify(file: Path, words: Path | None, max_lost: float | None, as_json: boo
 
             stepped = open_files.enter_context(writing(scenario_of(recording.opening), words))
         open_files.enter_context(compiled_meanwhile(warm_up, scenario_of(recording.opening), bar=False))
-        progress = open_files.enter_context(Progress(recording.opening.title))
+        progress = open_files.enter_context(ProgressBar(recording.opening.title))
         verdict = verify(file, progress, stepped, _listed(file))
     if as_json:
         print_json(verdict, indent=2)
@@ -229,7 +230,7 @@ def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool
     scenario = scenario_of(Recording(file).opening)
     with (
         compiled_meanwhile(warm_up, scenario, bar=False),
-        Progress("with " + ", ".join(changes)) as progress,
+        ProgressBar("with " + ", ".join(changes)) as progress,
     ):
         outcome = rerun(file, changes, out, progress=progress, index=Index())
     if as_json:

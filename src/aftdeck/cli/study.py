@@ -87,6 +87,7 @@ def studies(as_json: Json = False) -> None:
 def _run(loaded: Study, folder: Path, jobs: int | None, ray: str | None, retry: bool, as_json: bool) -> None:
     from aftdeck.study.run import run_study
 
+    _compile_first(loaded)
     try:
         with StudyProgress(loaded.spec.title) as progress:
             outcomes = run_study(loaded, folder, jobs=jobs, ray=ray, retry=retry, progress=progress)
@@ -108,9 +109,18 @@ def _run(loaded: Study, folder: Path, jobs: int | None, ray: str | None, retry: 
         raise typer.Exit(1)
 
 
+def _compile_first(loaded: Study) -> None:
+    """Compile the laws of the study's scenario, if nothing was compiled before; workers would each do it."""
+    from aftdeck.compiled_first import compiled_first
+    from aftdeck.simulation.warm import warm_up
+
+    compiled_first(warm_up, loaded.carried.scenario(()))
+
+
 def _only(loaded: Study, folder: Path, index: int, as_json: bool) -> None:
     from aftdeck.study.run import run_only
 
+    _compile_first(loaded)
     outcome, path = run_only(loaded, folder, index)
     if as_json:
         print_json({**outcome.row, "recording": str(path)}, indent=2)

@@ -129,6 +129,7 @@ export function buildParts(
   const [handOverParts, nameField] = [handOver(transmit), naming(keeper, transmit)];
   const { appearance } = pictures;
   const calm = new Calm(welcome, keeper);
+  const readiness = new ReadinessNotice();
   const railParts = {
     tones,
     light,
@@ -138,6 +139,7 @@ export function buildParts(
     ask: handOverParts.ask,
     guide: task.key,
     full: calm.key,
+    compiling: readiness.compiling,
   };
   const topRail: Rail = rail(desk, drawing.software && drawing.quality === 'low', railParts, {
     units: () => operations.changeUnits(),
@@ -164,7 +166,7 @@ export function buildParts(
     calm,
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     pairNotice: notice,
-    readiness: new ReadinessNotice(),
+    readiness,
     freshness: new Freshness(arrivals, pictures, (text, level) => log.say(text, 'camera', level)),
     report: new Report(transmit),
     sounds: new Sounds(tones, spine),

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.compiled_first import compiled_first
 from aftdeck.frames import Pose
 from aftdeck.gym.actions import outside, shaped
 from aftdeck.gym.philox import MASK
@@ -24,6 +25,7 @@ from aftdeck.gym.reach.layout import (
     MOST_STEPS,
     NEAR,
     NEAR_CHORD,
+    NEXT_STEP,
     OBSERVATIONS,
     PER_CHORD,
     PER_METRE,
@@ -71,10 +73,15 @@ class Step(NamedTuple):
     ended: int
 
 
+FILES = 120
+"""Number of files with the machine code of a batch, roughly."""
+
+
 class ReachBatch:
     """State of `count` environments on the kinematic plant."""
 
     def __init__(self, count: int, most_steps: int = UNLIMITED) -> None:
+        compiled_first(_call_laws, package="aftdeck.gym", files=FILES)
         arm = load_arm("srms")
         rules = rules_of(arm.model, arm.model.por_limits(0.0), task.PERIOD)["ORB UNL", "coarse", 4]
         hard = arm.limits.hard
@@ -135,6 +142,14 @@ class ReachBatch:
         """Return the pose in L that each tip has to reach."""
         rows = self._fields[:, GOAL : GOAL + 12].swapaxes(1, 2).reshape(-1, 12)[: self._count]
         return [Pose(row[:3].copy(), row[3:].reshape(3, 3).copy()) for row in rows]
+
+
+def _call_laws() -> None:
+    """Call every law of a batch."""
+    batch = ReachBatch(1)
+    batch.seed([0])
+    batch.begin(np.ones(1, np.bool_))
+    batch.step(np.zeros((1, 6)), NEXT_STEP)
 
 
 def _constants(arm: Arm, rules: Array, most_steps: int) -> Array:

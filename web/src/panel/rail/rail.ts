@@ -38,6 +38,8 @@ export interface RailParts {
   readonly full: HTMLElement;
   /** The observer's button that asks for control. */
   readonly ask: HTMLElement;
+  /** Progress of the compilation of the laws. */
+  readonly compiling: HTMLElement;
 }
 
 /** Measurements of the last 10 s. */
@@ -59,7 +61,7 @@ export interface Rail {
 export function rail(
   desk: Desk,
   software: boolean,
-  { tones, light, ask, appearance, scenarios, naming, guide, full }: RailParts,
+  { tones, light, ask, appearance, scenarios, naming, guide, full, compiling }: RailParts,
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
@@ -91,6 +93,7 @@ export function rail(
     scenarios.element,
     el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases.map(({ step }) => step)),
     el('span', { class: 'space' }),
+    compiling,
     ...(welcome.plant === 'kinematic'
       ? []
       : [el('span', { class: 'note plant', title: PLANTS[welcome.plant] }, `${welcome.plant} arm`)]),

@@ -1,0 +1,44 @@
+"""Laws for which plain Python is too slow: they are compiled first, and a terminal shows how long that takes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import Any
+
+from aftdeck.law import are_compiled
+from aftdeck.law_change import FILES, Laws, Progress
+from aftdeck.law_folder import compiled_before
+from aftdeck.lines import print_error
+from aftdeck.processes import CHILD
+from aftdeck.progress_bar import ProgressBar
+
+COMPILING = "Compiling the laws"
+
+
+def compiled_first(call: Callable[..., None], *given: Any, package: str = "", files: int = FILES) -> None:
+    """Wait until another process has compiled the laws that a call needs, unless this was done before.
+
+    A terminal shows a bar with the time left; elsewhere, one line on standard error says what is waited for. A process
+    that this program has started compiles by itself.
+
+    Args:
+        call: function of a module; it calls the laws.
+        given: its arguments.
+        package: name of the package whose laws show whether this was done before; empty: any package.
+        files: number of files with their machine code, roughly.
+
+    Raises:
+        CompilationError: the laws cannot be compiled.
+    """
+    if not are_compiled() or CHILD in os.environ or compiled_before(package):
+        return
+    with ProgressBar(COMPILING) as update:
+        if update is None:
+            print_error(f"{COMPILING}, once for each version of them; this takes a minute or two")
+
+        def tell(progress: Progress | None) -> None:
+            if update is not None and progress is not None:
+                update(progress.share)
+
+        Laws(background=False, tell=tell).want(call, *given, files=files)
