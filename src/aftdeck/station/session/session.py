@@ -52,6 +52,7 @@ from aftdeck.station.session.pace import PUNCTUAL, Delay
 from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs
 from aftdeck.station.session.painter import Painter
 from aftdeck.station.session.recent import RecentRun
+from aftdeck.station.session.release import ReleaseQuestion
 from aftdeck.station.session.reported import Reported
 from aftdeck.station.session.task_run import TaskRun
 from aftdeck.station.session.unattended import safe_inputs
@@ -142,6 +143,7 @@ class Session:
         self.recent = RecentRun(self.scenario)
         self.delays = Delays()
         self._task = TaskRun(self.scenario)
+        self._release = ReleaseQuestion()
         self._standing = StandingLamps()
         self._lost_logged = 0.0
         self._commanded = False
@@ -371,7 +373,10 @@ class Session:
                 self._recorder.graded(result.grade or "")
 
     def _for_simulation(self, command: from_page.FromPage | None) -> from_page.FromPage | None:
-        """Do a command that concerns the session only; return any other command."""
+        """Do a command that concerns the session only; return any other command, unless it must be confirmed."""
+        if question := self._release.question(command, self._sim.frame, self._task.progress.present):
+            self.note("release", question, "caution")
+            return None
         match command:
             case from_page.LookAhead(seconds=seconds):
                 self._look_s = seconds
