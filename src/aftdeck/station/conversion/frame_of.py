@@ -100,7 +100,7 @@ class Displays:
             actual=self._resolution(shown, frame.twist),
             commanded=self._resolution(self._commanded(frame, tip, shown), frame.twist_demanded),
             aim=self._aim(frame.goal),
-            payload_id=_payload_id(frame),
+            payload_id=payload_id(frame),
             por_offset=self._por_offset(frame, tip),
             to_go=None if left is None else to_go(left, frame, self._poses, self._sticks.in_l(frame), closing),
             task=None
@@ -167,7 +167,7 @@ class Displays:
         return ClosestPoints(a, b, middle, self._poses.vector(near.normal))
 
 
-def _payload_id(frame: sim.Frame) -> int:
+def payload_id(frame: sim.Frame) -> int:
     """Return the PL ID of the captured payload; 0 if there is none."""
     return frame.attached or next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 0)
 

@@ -49,8 +49,9 @@ from aftdeck.station.session.commands import (
 )
 from aftdeck.station.session.log import Log
 from aftdeck.station.session.pace import PUNCTUAL, Delay
-from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs
+from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs, Taken
 from aftdeck.station.session.painter import Painter
+from aftdeck.station.session.pulses import Pulses
 from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.release import ReleaseQuestion
 from aftdeck.station.session.reported import Reported
@@ -144,6 +145,7 @@ class Session:
         self.delays = Delays()
         self._task = TaskRun(self.scenario)
         self._release = ReleaseQuestion()
+        self._pulses = Pulses(self.scenario)
         self._standing = StandingLamps()
         self._lost_logged = 0.0
         self._commanded = False
@@ -309,7 +311,8 @@ class Session:
         if taken.controllers is not self._controllers_recorded:
             self._controllers_recorded = taken.controllers
             self._recorder.controllers(self.time_s, controller_records(taken.controllers))
-        moved = any(abs(s) > MOVED for s in travel(taken.sticks))
+        sticks = self._sticks(taken, cause)
+        moved = any(abs(s) > MOVED for s in travel(sticks))
         if self._engaged is not None and (moved or command is not None or not self._engaged.fly(self._sim)):
             why = self._engaged.fault
             text = f"manual control: the {self._engaged.name} has stopped" + (f": {why}" if why else "")
@@ -321,7 +324,7 @@ class Session:
         if self._engaged is not None:
             inputs, flown = self._engaged.inputs, -1
         else:
-            inputs, flown = inputs_of(taken.sticks, command, self.scenario.arm), taken.flown()
+            inputs, flown = inputs_of(sticks, command, self.scenario.arm), taken.flown()
             if cause:
                 inputs = self._make_safe(inputs, cause, now)
             if taken.camera.pan or taken.camera.tilt or taken.camera.zoom:
@@ -358,6 +361,12 @@ class Session:
         self.log.add(frame.events)
         return restarted
 
+    def _sticks(self, taken: Taken, cause: str) -> from_page.Sticks:
+        """Return the sticks with the pulses' deflections; end all pulses if the page no longer has the sticks."""
+        if cause or taken.handed_over:
+            self._pulses.clear()
+        return self._pulses.deflected(taken.sticks, self._sim.frame)
+
     def _note_reported(self, frame: Frame) -> None:
         """Record what the page reports; log the light and announcements."""
         if text := self._reported.record(self._recorder, frame.time_s):
@@ -378,6 +387,12 @@ class Session:
             self.note("release", question, "caution")
             return None
         match command:
+            case from_page.Pulse():
+                if reason := self._pulses.press(command, self._sim.frame):
+                    self.note("refused", reason, "caution")
+            case from_page.Stop() | from_page.EnterMode():
+                self._pulses.clear()
+                return command
             case from_page.LookAhead(seconds=seconds):
                 self._look_s = seconds
             case from_page.TurnStep(to="next"):
