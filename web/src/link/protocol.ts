@@ -1341,6 +1341,8 @@ export interface Display {
   readonly payload_id: number;
   /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
   readonly por_offset: Vec3;
+  /** Newest pair that the present step of the task brings together, or takes apart; null if there is none. */
+  readonly task_pair: TaskPair | null;
   /** Remaining motion; null if there is no place to move to. */
   readonly to_go: ToGo | null;
   /** Progress through the task; null in a replay. */
@@ -1381,6 +1383,14 @@ export interface Resolution {
 export interface Aim {
   readonly position: Vec3;
   readonly attitude: Vec3;
+}
+
+/** Two parts that the present step of the task brings together, or takes apart. */
+export interface TaskPair {
+  readonly a: string;
+  readonly b: string;
+  /** Distance of the two parts [m]; negative if they overlap. */
+  readonly clearance: number;
 }
 
 /** Remaining motion to the place where the task needs the tip or the held payload. */

@@ -35,7 +35,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
-from aftdeck.station.messages.frame import Ahead
+from aftdeck.station.messages.frame import Ahead, TaskPair
 from aftdeck.station.session.autopilot import SCRIPT, Autopilots, Engaged
 from aftdeck.station.session.commands import (
     check_camera,
@@ -60,7 +60,7 @@ from aftdeck.station.session.unattended import safe_inputs
 from aftdeck.station.session.warm import warm_up
 
 LOOK_EVERY = 10
-"""Steps from one look-ahead to the next."""
+"""Steps from one look-ahead to the next, and from one search for the task's pair to the next."""
 LOOK_S = 5.0
 """Time span of the look-ahead at the start of a session [s]; a page can set another one."""
 MOVED = 1e-3
@@ -152,6 +152,7 @@ class Session:
         self._log_loss_from = -math.inf
         self._engaged = None if self._first is None else Engaged(self._first)
         self._ahead: Ahead | None = None
+        self._pair: TaskPair | None = None
         self._axis: Axis | None = None
         self._controllers_recorded = NO_CONTROLLERS
 
@@ -334,11 +335,7 @@ class Session:
         self._recorder.step(inputs, frame, self._reported.latency_ms)
         for text in self._recorder.take_errors():
             self.note("recording", text, "warning")
-        if frame.tick % LOOK_EVERY == 1:
-            self._axis = _deflected(frame) or self._axis
-            # as plain Python, a look-ahead takes several control periods
-            plain = is_plain()
-            self._ahead = None if plain else self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        self._look(frame)
         seq, running_s = taken.sticks.seq, self._recorder.running_s
         lit = self._reported.lit
         lamps = self._standing.marked(lit_lamps(self.scenario, frame, self.delays))
@@ -349,6 +346,7 @@ class Session:
             running_s,
             self._ahead,
             lit,
+            pair=self._pair,
             flown_seq=flown,
             lamps=lamps,
             progress=self._task.progress,
@@ -360,6 +358,19 @@ class Session:
         self.painter.show(frame, self._lights[shown.display.lighting.condition])
         self.log.add(frame.events)
         return restarted
+
+    def _look(self, frame: Frame) -> None:
+        """Compute the look-ahead and the task's pair, in different steps, when they are due.
+
+        As plain Python, each takes several control periods: then there are none.
+        """
+        if is_plain():
+            self._ahead, self._pair = None, None
+        elif frame.tick % LOOK_EVERY == 1:
+            self._axis = _deflected(frame) or self._axis
+            self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        elif frame.tick % LOOK_EVERY == 1 + LOOK_EVERY // 2:
+            self._pair = self._displays.pair(self._sim.watched, frame, self._task.progress)
 
     def _sticks(self, taken: Taken, cause: str) -> from_page.Sticks:
         """Return the sticks with the pulses' deflections; end all pulses if the page no longer has the sticks."""
