@@ -2,6 +2,7 @@ import { expect, test } from 'vitest';
 import { drawnGap } from '../src/cameras/pictures';
 import { KEYS } from '../src/input/active-device';
 import type { ClosestPoints, Frame, Near, Objective, WayOut } from '../src/link/protocol';
+import { taskPairWords } from '../src/panel/clearance/clearance';
 import { ConditionBars } from '../src/panel/clearance/condition-bar';
 import { figures, shortened, whatNow } from '../src/panel/clearance/conditions';
 import { linesOf } from '../src/panel/clearance/contacts';
@@ -180,4 +181,12 @@ test('the fingers close last: the condition named first is the one to meet first
   expect(failureText([open, high, along], SI)).toBe('palm high');
   expect(failureText([open, along], SI)).toBe('fingers apart');
   expect(failureText([along], SI)).toBe('');
+});
+
+test('the pair that the task brings together has its own number, unless it is the minimum clearance already', () => {
+  const task = { a: 'prong', b: 'receptacle', clearance: 0.254 };
+  expect(taskPairWords(task, { a: 'palm', b: 'wall' }, FEET)).toMatch(/10.* in, prong to receptacle$/);
+  expect(taskPairWords(task, null, SI)).toContain('25');
+  expect(taskPairWords(task, task, FEET)).toBe('');
+  expect(taskPairWords(null, task, FEET)).toBe('');
 });

@@ -71,25 +71,14 @@ test('an axis is rejected for a button function, and also if it already has anot
 
 test('keys of the browser and Space cannot be assigned', () => {
   const alone = { ctrlKey: false, altKey: false, metaKey: false };
-  for (const code of [
-    'Tab',
-    'Backspace',
-    'Slash',
-    'Quote',
-    'F1',
-    'F5',
-    'F12',
-    'ShiftLeft',
-    'AltRight',
-    'MetaLeft',
-  ]) {
+  for (const code of ['Tab', 'Backspace', 'Slash', 'Quote', 'F1', 'F5', 'F12', 'AltRight', 'MetaLeft']) {
     expect(keyRefusal({ code, ...alone })).toContain('belongs to the browser');
   }
   for (const part of ['ctrlKey', 'altKey', 'metaKey']) {
     expect(keyRefusal({ code: 'Insert', ...alone, [part]: true })).toContain('belong to the browser');
   }
   expect(keyRefusal({ code: 'Space', ...alone })).toContain('always stops');
-  for (const code of ['Digit1', 'Numpad0', 'Insert', 'ArrowUp']) {
+  for (const code of ['Digit1', 'Numpad0', 'Insert', 'ArrowUp', 'ShiftLeft']) {
     expect(keyRefusal({ code, ...alone })).toBeNull();
   }
 });

@@ -31,6 +31,7 @@ describe('stick to picture', () => {
     const controllers = {
       poll: () => at.value,
       release() {},
+      pulses: { asks: false },
       get moved() {
         return at.moved;
       },

@@ -34,6 +34,7 @@ Use = Literal[
     "stop",
     "rate",
     "rate hold",
+    "pulse",
     "close",
     "open",
     "latch",

@@ -78,11 +78,10 @@ class Aims:
         if step is not None and step.joint is not None:
             angle = step.joint_at - frame.angles[step.joint]
             return Remaining(self._joints[step.joint].replace("_", " "), None, None, 0.0, angle, self._near(step))
-        aimed = step is not None and step.target is not None
-        if not aimed and frame.goal is not None and MODES[frame.mode].kind == "automatic":
+        target = self.target(frame, step)
+        if target is None and frame.goal is not None and MODES[frame.mode].kind == "automatic":
             goal = Pose(np.array(frame.goal.position), np.array(frame.goal.rotation))
             return self._to(frame, "target", goal, self._near(step))
-        target = self._objective(frame) if step is None or step.target is None else step.target
         pose = None if target is None else self.places.target(frame, target)
         if target is None or pose is None:
             return None
@@ -99,6 +98,16 @@ class Aims:
                 return left if above > _AWAY_M else _ready(left, frame)
             case _:
                 return self._to(frame, "target", pose, self._near(step))
+
+    def target(self, frame: Frame, step: TaskStep | None) -> Target | RelativeTarget | None:
+        """Return the target of the present step, or else of the present objective; None if there is none.
+
+        A joint that has to move, and an automatic mode without a step's target, have none.
+        """
+        if step is not None and (step.joint is not None or step.target is not None):
+            return None if step.joint is not None else step.target
+        automatic = frame.goal is not None and MODES[frame.mode].kind == "automatic"
+        return None if automatic else self._objective(frame)
 
     def _objective(self, frame: Frame) -> Target | RelativeTarget | None:
         if (k := self.places.held(frame)) is None:

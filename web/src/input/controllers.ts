@@ -8,6 +8,7 @@ import { Keyboard, type KeyboardListener } from './keyboard';
 import type { Action } from './keymap';
 import type { Kind } from './mapping';
 import { Pads } from './pads';
+import { Pulses } from './pulses';
 import { SpaceMouse } from './spacemouse';
 import { mappingOf, revision } from './store';
 import { TouchSticks } from './touch';
@@ -25,6 +26,8 @@ export interface ControllersShown {
   readonly deadband: Readonly<Record<Hand, number>>;
   /** Names of keys, buttons and axes on the device in use. */
   readonly names: Names;
+  /** Whether PULSE is on. */
+  readonly pulsing: boolean;
 }
 
 /** Description for the desk if its page is not in control. */
@@ -33,6 +36,7 @@ export const NO_CONTROLLERS: ControllersShown = {
   gone: { thc: null, rhc: null },
   deadband: { thc: 0, rhc: 0 },
   names: KEYS,
+  pulsing: false,
 };
 
 export class Controllers {
@@ -40,6 +44,7 @@ export class Controllers {
   readonly pads: Pads;
   readonly spaceMouse = new SpaceMouse();
   readonly touch = new TouchSticks();
+  readonly pulses = new Pulses();
   /** The device in use. */
   readonly inHand: InHand;
   /** Whether the sheet of controllers is open, so that all sticks are centred. */
@@ -96,7 +101,7 @@ export class Controllers {
     this.moved = !equal(others, this.before);
     this.before = others;
     this.inHand.look();
-    return this.paused ? ZERO : sum(keys, others);
+    return this.pulses.take(this.paused ? ZERO : sum(keys, others), this.keyboard.pulsing);
   }
 
   /** Centres all devices. Then a key acts only when pressed again, and another device only after it was at zero. */
@@ -121,6 +126,7 @@ export class Controllers {
       gone: { thc: this.lostOf('thc'), rhc: this.lostOf('rhc') },
       deadband: { thc: this.deadband('thc'), rhc: this.deadband('rhc') },
       names: this.inHand,
+      pulsing: this.pulses.active,
     };
   }
 

@@ -35,6 +35,7 @@ const KEYBOARD = {
   Space: 'stop',
   KeyV: 'rate',
   KeyH: 'rate hold',
+  ShiftLeft: 'pulse',
   KeyG: 'close',
   KeyR: 'open',
   KeyT: 'latch',
@@ -108,6 +109,7 @@ const PAD = {
   'b9+b3': 'open',
   'b9+b0': 'latch',
   'b9+b2': 'plane',
+  'b9+b4': 'pulse',
   'b9+b8': 'fly orbiter',
   ...PAD_CAMERAS,
   ...PAD_PANEL,
@@ -119,6 +121,7 @@ const THC_PAD = {
   a3: '+Z',
   b7: '+Z',
   b6: '-Z',
+  b0: 'pulse',
   b1: 'stop',
   'b9+b12': '+telescope',
   'b9+b13': '-telescope',
@@ -137,13 +140,22 @@ const RHC_PAD = {
   b5: 'rate',
   b1: 'stop',
   b3: 'latch',
+  b4: 'pulse',
   ...PAD_CAMERAS,
   ...PAD_PANEL,
 };
 
 /** Joysticks have no standard mapping. Most begin with the axes x, y, twist and the buttons trigger, thumb, pinkie. */
-const THC_JOYSTICK = { a1: '-X', a0: '+Y', a2: '+Z', b1: 'stop' };
-const RHC_JOYSTICK = { a1: '-pitch', a0: '+roll', a2: '+yaw', b0: 'close', b1: 'rate hold', b2: 'rate' };
+const THC_JOYSTICK = { a1: '-X', a0: '+Y', a2: '+Z', b0: 'pulse', b1: 'stop' };
+const RHC_JOYSTICK = {
+  a1: '-pitch',
+  a0: '+roll',
+  a2: '+yaw',
+  b0: 'close',
+  b1: 'rate hold',
+  b2: 'rate',
+  b3: 'pulse',
+};
 
 /** Axes: x to the right, y to the operator, z down, and right-handed rotations about them (HID Usage Tables, 4.2). */
 const SPACEMOUSE = {
@@ -155,6 +167,7 @@ const SPACEMOUSE = {
   a5: '+yaw',
   b0: 'stop',
   b1: 'rate',
+  b2: 'pulse',
 };
 
 /** Touch sticks: left stick and slider, right stick and slider. Their axes are positive to the right and downwards. */

@@ -169,6 +169,7 @@ export class Device {
     const does = use === undefined ? undefined : USES.get(use)?.does;
     if (does?.kind === 'once') this.acted(does.action);
     else if (does?.kind === 'grip') this.grip(does.grip, true, at);
+    else if (does?.kind === 'pulse') this.acted({ name: 'pulse' });
   }
 
   private end(use: string | undefined, at: number): void {

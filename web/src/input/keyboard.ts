@@ -57,6 +57,11 @@ export class Keyboard {
     return target.map((value) => clamp(value));
   }
 
+  /** Whether the key of PULSE is held. */
+  get pulsing(): boolean {
+    return [...this.held].some((code) => useOf(code)?.does.kind === 'pulse');
+  }
+
   /** Whether the held keys command the arm. */
   get commandsArm(): boolean {
     return !isZero(this.target.slice(0, PAN));
@@ -70,7 +75,10 @@ export class Keyboard {
       this.grip(stopped, false, NOT_HELD);
     }
     const { target } = this;
-    this.value = ZERO.map((_, axis) => ramp(this.value[axis] ?? 0, target[axis] ?? 0, dt));
+    // A tap with PULSE must ask for its pulse, however short it is.
+    this.value = this.pulsing
+      ? target
+      : ZERO.map((_, axis) => ramp(this.value[axis] ?? 0, target[axis] ?? 0, dt));
     return this.value;
   }
 

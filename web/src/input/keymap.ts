@@ -15,6 +15,7 @@ export type Action =
         | 'stop'
         | 'rate'
         | 'rate hold'
+        | 'pulse'
         | 'safing'
         | 'position hold'
         | 'proceed'
@@ -48,11 +49,15 @@ export interface GripAction {
   readonly at: number;
 }
 
-/** Effect of a function: it deflects an axis to one side, acts once at each press, or acts after a hold (`Grip`). */
+/**
+ * Effect of a function: it deflects an axis to one side, acts once at each press, acts after a hold (`Grip`), or is
+ * PULSE: a key switches it on while it is held, and each press of a button switches it on or off.
+ */
 export type Does =
   | { readonly kind: 'axis'; readonly axis: number; readonly sign: 1 | -1 }
   | { readonly kind: 'once'; readonly action: Exclude<Action, GripAction> }
-  | { readonly kind: 'grip'; readonly grip: Grip };
+  | { readonly kind: 'grip'; readonly grip: Grip }
+  | { readonly kind: 'pulse' };
 
 export interface Use {
   /** Name in a mapping: `+X`, `rate hold`, `camera 3`. */
@@ -100,6 +105,7 @@ const ACTIONS: readonly Use[] = [
   once('stop', 'stop', { name: 'stop' }),
   once('rate', 'coarse, vernier', { name: 'rate' }),
   once('rate hold', 'rate hold', { name: 'rate hold' }),
+  { name: 'pulse', label: 'pulse', does: { kind: 'pulse' } },
   held('close', 'capture, close'),
   held('open', 'release, open'),
   held('latch', 'latch, unlatch'),

@@ -16,6 +16,8 @@ const NAMES: Readonly<Record<string, string>> = {
   NumpadDivide: 'Num /',
   NumpadDecimal: 'Num .',
   Escape: 'Esc',
+  ShiftLeft: 'Shift',
+  ShiftRight: 'R Shift',
   Insert: 'Ins',
   Delete: 'Del',
   Minus: '−',

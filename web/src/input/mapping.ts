@@ -34,7 +34,7 @@ export const MOST_DEADBAND = 0.5;
 /** Greatest distance of a rest position from 0. */
 export const MOST_OFFSET = 0.3;
 /** Greatest number of bindings that the station accepts. */
-export const MOST_BINDINGS = 64;
+export const MOST_BINDINGS = 96;
 
 const SOURCE = /^(?:[ab]\d{1,2}|b\d{1,2}\+b\d{1,2}|[A-Z][A-Za-z0-9]{1,15})$/;
 

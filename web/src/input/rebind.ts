@@ -30,7 +30,7 @@ const BROWSERS = new Set([
   'ContextMenu',
 ]);
 const BROWSERS_PATTERN =
-  /^(?:F\d{1,2}|(?:Control|Alt|Meta|OS|Shift)(?:Left|Right)?|Print.*|Pause|Browser.*|Media.*|Audio.*)$/;
+  /^(?:F\d{1,2}|(?:Control|Alt|Meta|OS)(?:Left|Right)?|Print.*|Pause|Browser.*|Media.*|Audio.*)$/;
 
 /** Returns whether the keys of a function are fixed, so that no other key can have this function. */
 export function isFixed(kind: Kind, use: string): boolean {

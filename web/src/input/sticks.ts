@@ -82,6 +82,8 @@ export class Sticks {
     const all = this.controllers.poll(now, dt).map((part) => Math.round(part * 1000) / 1000);
     this.camera = { pan: all[PAN] ?? 0, tilt: all[TILT] ?? 0, zoom: all[ZOOM] ?? 0 };
     const value = all.slice(0, PAN);
+    const { pulses } = this.controllers;
+    if (pulses.asks) this.send({ type: 'pulse', ...routed(pulses.pushed, this.driving, this.orbiter) });
     const changed = !equal(value, this.sent);
     const speaks = this.kept || !isZero(value);
     if (!changed && !(speaks && now - this.sentAt >= REPEAT_MS)) return;

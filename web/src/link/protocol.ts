@@ -20,9 +20,9 @@ export type WaitsFor = '' | 'page' | 'laws';
 export type Plant = 'kinematic' | 'rigid' | 'flexible';
 export type Six = readonly [number, number, number, number, number, number];
 export type Vec3 = readonly [number, number, number];
-export type FromPage = Sticks | Drawn | Shown | ShowPolygons | Announce | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Drawn | Shown | ShowPolygons | Announce | Controllers | DriveCamera | SetLight | Pulse | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector' | 'limits' | 'singularity';
-export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'announce' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
+export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'pulse' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'announce' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
 export type Grade = 'A' | 'B' | 'C' | 'D';
 export type AutopilotName = 'script' | 'policy' | 'synthetic operator';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Refused;
@@ -335,6 +335,21 @@ export interface LockedExposure {
   readonly camera: string;
   /** Exposure of the camera [photographic stops above the exposure for full sunlight]. */
   readonly stops: number;
+}
+
+/**
+ * Deflect sticks for one pulse, which moves the arm by a small fixed distance or angle: each axis is -1, 0 or 1.
+ *
+ * The fields are those of `Sticks`. The server computes the deflection and its duration.
+ */
+export interface Pulse {
+  readonly type: 'pulse';
+  readonly seq: number;
+  readonly translation: Vec3;
+  readonly rotation: Vec3;
+  readonly drive: number;
+  readonly telescope: number;
+  readonly orbiter: Vec3;
 }
 
 /** Turn the MODE rotary to a position and press ENTER. */
@@ -1326,6 +1341,8 @@ export interface Display {
   readonly payload_id: number;
   /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
   readonly por_offset: Vec3;
+  /** Newest pair that the present step of the task brings together, or takes apart; null if there is none. */
+  readonly task_pair: TaskPair | null;
   /** Remaining motion; null if there is no place to move to. */
   readonly to_go: ToGo | null;
   /** Progress through the task; null in a replay. */
@@ -1366,6 +1383,14 @@ export interface Resolution {
 export interface Aim {
   readonly position: Vec3;
   readonly attitude: Vec3;
+}
+
+/** Two parts that the present step of the task brings together, or takes apart. */
+export interface TaskPair {
+  readonly a: string;
+  readonly b: string;
+  /** Distance of the two parts [m]; negative if they overlap. */
+  readonly clearance: number;
 }
 
 /** Remaining motion to the place where the task needs the tip or the held payload. */

@@ -118,6 +118,7 @@ export function buildParts(
     bending: () => operations.toggleBending(),
     controlPage: () => controlPage.toggle(),
     flyOrbiter: (on) => operations.flyOrbiter(on),
+    pulse: () => operations.togglePulse(),
     strips: () => operations.tearOff('strips'),
   });
   const scenarios: ScenarioChoice = scenarioChoice(desk, (name) => task.chosen(name));
@@ -171,7 +172,7 @@ export function buildParts(
     report: new Report(transmit),
     sounds: new Sounds(tones, spine),
     swap: swapQuestion(controllers.pads),
-    touch: touchView(controllers.touch),
+    touch: touchView(controllers.touch, controllers.pulses),
   };
   const operations: Operations = new Operations(root, parts, transmit);
   return parts;

@@ -23,6 +23,8 @@ export interface Acting {
   /** Enters the selected mode or, if none is selected, the mode that the task needs. */
   enterMode(): void;
   holdRate(): void;
+  /** Switches PULSE on or off. */
+  pulse(): void;
   acknowledge(): void;
   /** Announces a clearance problem. */
   announce(): void;
@@ -43,6 +45,9 @@ export function act(action: Action, by: Acting): void {
       break;
     case 'rate hold':
       by.holdRate();
+      break;
+    case 'pulse':
+      by.pulse();
       break;
     case 'proceed':
       groups.target.proceed();

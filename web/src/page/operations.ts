@@ -55,6 +55,12 @@ export class Operations {
     this.send({ type: 'select_rate', rate: coarse ? 'vernier' : 'coarse' });
   }
 
+  /** Switches PULSE on or off for all devices of this page. */
+  togglePulse(): void {
+    const { pulses } = this.parts.operator.controllers;
+    pulses.on = !pulses.on;
+  }
+
   changeUnits(): void {
     this.parts.units.toggle();
     this.parts.windows.update();
@@ -122,6 +128,7 @@ export class Operations {
       changeRate: () => this.changeRate(),
       enterMode: () => groups.mode.enter() || task.enterMode(),
       holdRate: () => this.send({ type: 'rate_hold' }),
+      pulse: () => this.togglePulse(),
       acknowledge: () => this.acknowledge(),
       announce: () => this.send({ type: 'announce' }),
       mute: () => tones.set({ muted: !tones.muted }),

@@ -1,12 +1,12 @@
 /** The card of the present step. It covers those groups of the desk that the step does not need. */
 
 import type { InHand } from '../input/active-device';
-import type { Debrief, ToGo, UseInfo, Welcome } from '../link/protocol';
+import type { Debrief, UseInfo, Welcome } from '../link/protocol';
 import { button, el, setClass, setText } from '../panel/parts/dom';
 import type { Units } from '../words/units';
 import { type DebriefListener, DebriefView } from './debrief';
 import { padDrawing } from './pad';
-import { goElement } from './to-go';
+import { goElement, type Left } from './to-go';
 import { keyElement, MarkedText, type Piece } from './words';
 
 export interface CardListener extends DebriefListener {
@@ -123,8 +123,8 @@ export class Card {
     this.skip.disabled = over;
   }
 
-  setGo(go: ToGo | null, units: Units): void {
-    this.go.set(go, units, this.inHand);
+  setGo(left: Left, units: Units): void {
+    this.go.set(left, units, this.inHand);
   }
 
   /** Shows the result of the run in place of the key caps; null if there is none. */

@@ -11,6 +11,7 @@ import { durationText } from '../words/format';
 import { Card, countWords } from './card';
 import { Line } from './line';
 import { barred, modeHint, moving } from './state-words';
+import { NOTHING_LEFT } from './to-go';
 import { type Piece, pieces, present, saidText } from './words';
 
 /** Built-in scenario for beginners. */
@@ -90,7 +91,7 @@ export class Task {
   }
 
   values({ frame, flying, units }: View): void {
-    const { task, to_go, recording_s } = frame.display;
+    const { task, recording_s } = frame.display;
     if (!task) return;
     if (this.unasked && flying) this.show(true);
     const { welcome } = this.desk;
@@ -108,12 +109,12 @@ export class Task {
     const way = barred(frame, welcome.joints, this.inHand);
     const said = way.length > 0 ? way : [...pieces(words, marked), ...moving(frame.motions)];
     // The numbers are along the sticks of the present mode: not of use before the step's own mode is entered.
-    const go = this.needs === '' ? to_go : null;
+    const left = this.needs === '' ? frame.display : NOTHING_LEFT;
     const all = [...(this.needs === '' ? [] : modeHint(this.needs)), ...said];
     this.announce(`${task.at} ${task.hint} ${this.needs} ${way.length}`, title, all);
     if (!this.open) {
       this.line.set(this.exists ? countWords(task.at, done) : '', title, all);
-      this.line.setGo(go, units);
+      this.line.setGo(left, units);
       return;
     }
     if (shown) this.drawCaps(task, this.needs === '' ? shown : { ...shown, uses: [enterUse(this.needs)] });
@@ -127,7 +128,7 @@ export class Task {
       needs: this.needs,
       mode: frame.mode,
     });
-    this.card.setGo(step ? go : null, units);
+    this.card.setGo(step ? left : NOTHING_LEFT, units);
     this.card.setDebrief(task.debrief, units, recording_s !== null, flying);
   }
 

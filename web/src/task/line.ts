@@ -1,10 +1,9 @@
 /** The present step of the task in one line below the rail, while the card is closed. */
 
 import type { InHand } from '../input/active-device';
-import type { ToGo } from '../link/protocol';
 import { button, el, setAttribute, setText } from '../panel/parts/dom';
 import type { Units } from '../words/units';
-import { goElement } from './to-go';
+import { goElement, type Left } from './to-go';
 import { MarkedText, type Piece } from './words';
 
 const OPEN = 'Show this step with its controls';
@@ -51,7 +50,7 @@ export class Line {
     setAttribute(element, 'title', element.textContent);
   }
 
-  setGo(go: ToGo | null, units: Units): void {
-    this.go.set(go, units, this.inHand);
+  setGo(left: Left, units: Units): void {
+    this.go.set(left, units, this.inHand);
   }
 }

@@ -4,9 +4,9 @@
  */
 
 import type { Names } from '../input/active-device';
-import type { ToGo, Vec3 } from '../link/protocol';
+import type { Display, TaskPair, ToGo, Vec3 } from '../link/protocol';
 import { el, setAttribute, setClass, setText } from '../panel/parts/dom';
-import { degrees, fixed, lengthText } from '../words/format';
+import { degrees, fixed, lengthText, small } from '../words/format';
 import type { Units } from '../words/units';
 
 const MOVES = ['X', 'Y', 'Z'] as const;
@@ -84,6 +84,15 @@ function angle(size: number): string {
   return `${degrees(size, 1, false)}°`;
 }
 
+/** Clearance of the pair that the task brings together, as a text: `clearance 3.1 in`. */
+export function apartWords({ clearance }: Pick<TaskPair, 'clearance'>, { gap }: Pick<Units, 'gap'>): string {
+  return `clearance ${small(clearance, gap)} ${gap.name}`;
+}
+
+/** What is left of a step: the remaining motion, and the pair of parts that it brings together. */
+export type Left = Pick<Display, 'to_go' | 'task_pair'>;
+export const NOTHING_LEFT: Left = { to_go: null, task_pair: null };
+
 /** Element with the remaining motion: a head, and a cell for each component. */
 export function goElement() {
   const cells = Array.from({ length: 6 }, () => {
@@ -91,22 +100,25 @@ export function goElement() {
     return { element: el('li', {}, handle, value), handle, value };
   });
   const [head, total, speed] = [el('span', { class: 'head' }), el('b'), el('span', { class: 'closing' })];
+  const apart = el('span', { class: 'apart' });
   const list = el('ol', {}, ...cells.map((cell) => cell.element));
   const element = el(
     'div',
     { class: 'to-go', role: 'group' },
-    el('p', {}, head, ' ', total, ' ', speed),
+    el('p', {}, head, ' ', total, ' ', el('span', { class: 'rates' }, speed, ' ', apart)),
     list,
   );
   return {
     element,
-    set(go: ToGo | null, units: Units, names: Names) {
+    set({ to_go: go, task_pair }: Left, units: Units, names: Names) {
       element.hidden = go === null;
       if (!go) return;
       const parts = goParts(go, units, names);
       setText(head, `to ${go.to}`);
       setText(total, goWords(go, units));
       setText(speed, closingWords(go, units));
+      setText(apart, task_pair ? apartWords(task_pair, units) : '');
+      setAttribute(apart, 'title', task_pair ? `${task_pair.a} to ${task_pair.b}` : '');
       setClass(element, 'there', isThere(go));
       const sentence = goSentence(go, units, names);
       setAttribute(element, 'aria-label', sentence);

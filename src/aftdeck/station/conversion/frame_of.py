@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import cast
 
 import numpy as np
@@ -28,9 +29,11 @@ from aftdeck.station.messages.frame import (
     Push,
     Resolution,
     TaskNow,
+    TaskPair,
     with_display,
 )
 from aftdeck.steering.mode import MODES
+from aftdeck.task.pair import TaskPairs
 from aftdeck.task.progress import Progress
 from aftdeck.task.remaining import Aims
 from aftdeck.tuples import Six, Vec3
@@ -47,7 +50,7 @@ class Displays:
         self._mount = mount
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
         self._poses, self._sticks = ScenePoses(scenario), StickAxes(scenario)
-        self._aims = Aims(scenario)
+        self._aims, self._pairs = Aims(scenario), TaskPairs(scenario)
 
     def ahead(self, ahead: look_ahead.Ahead, frame: sim.Frame) -> Ahead:
         """Return the message about a look-ahead, which was computed from `frame`."""
@@ -66,6 +69,14 @@ class Displays:
             poses=tuple(self._poses.then(ahead, self._poses.prong(frame))),
         )
 
+    def pair(self, watched: Callable[[], tuple[Near, ...]], frame: sim.Frame, progress: Progress) -> TaskPair | None:
+        """Return the pair that the present step brings together or takes apart; None if there is none.
+
+        `watched` returns all monitored pairs of the frame's step (`Simulation.watched`); it is only called if needed.
+        """
+        near = self._pairs.nearest(watched, frame, progress.present)
+        return None if near is None else TaskPair(near.a, near.b, near.clearance)
+
     def frame(
         self,
         frame: sim.Frame,
@@ -78,13 +89,14 @@ class Displays:
         progress: Progress | None = None,
         debrief: Debrief | None = None,
         autopilot: AutopilotName | None = None,
+        pair: TaskPair | None = None,
     ) -> Frame:
         """Return a frame as a message to a page.
 
         If `lighting` is None, the message has the scenario's lighting; if `lamps` is None, the lamps that this frame
         lights. `progress` is the progress through the task, which has seen this frame, and `debrief` its result;
         both are None in a replay. `autopilot` is what flies; the script is
-        known from the frame.
+        known from the frame. `pair` is the newest result of the method `pair`.
         """
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
@@ -100,8 +112,9 @@ class Displays:
             actual=self._resolution(shown, frame.twist),
             commanded=self._resolution(self._commanded(frame, tip, shown), frame.twist_demanded),
             aim=self._aim(frame.goal),
-            payload_id=_payload_id(frame),
+            payload_id=payload_id(frame),
             por_offset=self._por_offset(frame, tip),
+            task_pair=pair,
             to_go=None if left is None else to_go(left, frame, self._poses, self._sticks.in_l(frame), closing),
             task=None
             if progress is None
@@ -167,7 +180,7 @@ class Displays:
         return ClosestPoints(a, b, middle, self._poses.vector(near.normal))
 
 
-def _payload_id(frame: sim.Frame) -> int:
+def payload_id(frame: sim.Frame) -> int:
     """Return the PL ID of the captured payload; 0 if there is none."""
     return frame.attached or next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 0)
 

@@ -18,9 +18,13 @@ def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:
 
     PL ID 0 means "no payload". The next IDs are the payloads that the scenario attaches, then the worksite's payloads.
     """
+    return tuple(_row(scenario, number, name, mass) for number, (name, mass) in enumerate(loads(scenario)))
+
+
+def loads(scenario: Scenario) -> tuple[tuple[str, float], ...]:
+    """Return name and mass [kg] of the payload with each PL ID."""
     own = [("payload" if k == 1 else f"payload {k}", load.mass) for k, load in enumerate(scenario.own_payloads, 1)]
-    loads = (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
-    return tuple(_row(scenario, number, name, mass) for number, (name, mass) in enumerate(loads))
+    return (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
 
 
 def _row(scenario: Scenario, number: int, name: str, mass: float) -> PayloadInfo:

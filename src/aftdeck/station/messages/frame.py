@@ -93,6 +93,15 @@ AutopilotName = Literal["script", "policy", "synthetic operator"]
 """What flies until a stick moves, named for the operator."""
 
 
+class TaskPair(msgspec.Struct, frozen=True, gc=False):
+    """Two parts that the present step of the task brings together, or takes apart."""
+
+    a: str
+    b: str
+    clearance: float
+    """Distance of the two parts [m]; negative if they overlap."""
+
+
 class ToGo(msgspec.Struct, frozen=True, gc=False):
     """Remaining motion to the place where the task needs the tip or the held payload."""
 
@@ -162,6 +171,8 @@ class Display(msgspec.Struct, frozen=True):
     """PL ID of the captured payload, as in `Welcome.payloads`; 0 if there is none."""
     por_offset: Vec3
     """Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
+    task_pair: TaskPair | None
+    """Newest pair that the present step of the task brings together, or takes apart; null if there is none."""
     to_go: ToGo | None
     """Remaining motion; null if there is no place to move to."""
     task: TaskNow | None

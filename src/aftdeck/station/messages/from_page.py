@@ -59,6 +59,20 @@ class Sticks(WireMessage, frozen=True, tag="sticks"):
     """Translation of the orbiter: forward, starboard, down, each in [-1, 1]."""
 
 
+class Pulse(WireMessage, frozen=True, tag="pulse"):
+    """Deflect sticks for one pulse, which moves the arm by a small fixed distance or angle: each axis is -1, 0 or 1.
+
+    The fields are those of `Sticks`. The server computes the deflection and its duration.
+    """
+
+    seq: Seq
+    translation: Vec3
+    rotation: Vec3
+    drive: float
+    telescope: float
+    orbiter: Vec3
+
+
 class EnterMode(WireMessage, frozen=True, tag="enter_mode"):
     """Turn the MODE rotary to a position and press ENTER."""
 
@@ -353,7 +367,7 @@ class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Fraction of an axis' travel, about its centre, that counts as zero."""
     expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
     """0 linear, 1 cubic. The output is (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
-    bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
+    bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=96)]
     """Key, button or axis, and its function: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
     centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
     """Rest position of each axis, as the operator has confirmed it; an axis without an entry rests at 0."""
@@ -378,6 +392,7 @@ FromPage = (
     | Controllers
     | DriveCamera
     | SetLight
+    | Pulse
     | EnterMode
     | SelectJoint
     | SelectRate

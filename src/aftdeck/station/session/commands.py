@@ -39,7 +39,7 @@ _SWITCHES: dict[type, tuple[str, str]] = {
 """Messages that set one switch. For each: the field of `Inputs`, and the field of the message that holds the value."""
 
 
-def travel(sticks: from_page.Sticks) -> tuple[float, ...]:
+def travel(sticks: from_page.Sticks | from_page.Pulse) -> tuple[float, ...]:
     """Return the deflections of all sticks, and of all switches that spring back to their centre."""
     return (*sticks.translation, *sticks.rotation, sticks.drive, sticks.telescope, *sticks.orbiter)
 
@@ -78,8 +78,13 @@ def check_light(lighting: Lighting, welcome: Welcome) -> None:
 
 
 def check_switch(message: from_page.FromPage, welcome: Welcome) -> None:
-    """Raise `CommandError` if a switch position does not exist or a target exceeds `MAX_COMPONENT` or `MAX_ANGLE`."""
+    """Raise `CommandError` if a switch position does not exist or a target exceeds `MAX_COMPONENT` or `MAX_ANGLE`.
+
+    The axes of a pulse have to be -1, 0 or 1.
+    """
     match message:
+        case from_page.Pulse() if not all(s in (-1.0, 0.0, 1.0) for s in travel(message)):
+            raise CommandError(f"the axes of a pulse must be -1, 0 or 1, got {travel(message)}")
         case from_page.SelectJoint(joint=joint) if not 0 <= joint < len(welcome.joints):
             raise CommandError(f"joints are numbered 0 to {len(welcome.joints) - 1}, got {joint}")
         case from_page.EnterMode(mode=mode) if mode not in {m.position for m in welcome.modes}:

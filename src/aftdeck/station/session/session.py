@@ -35,7 +35,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
-from aftdeck.station.messages.frame import Ahead
+from aftdeck.station.messages.frame import Ahead, TaskPair
 from aftdeck.station.session.autopilot import SCRIPT, Autopilots, Engaged
 from aftdeck.station.session.commands import (
     check_camera,
@@ -49,16 +49,18 @@ from aftdeck.station.session.commands import (
 )
 from aftdeck.station.session.log import Log
 from aftdeck.station.session.pace import PUNCTUAL, Delay
-from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs
+from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs, Taken
 from aftdeck.station.session.painter import Painter
+from aftdeck.station.session.pulses import Pulses
 from aftdeck.station.session.recent import RecentRun
+from aftdeck.station.session.release import ReleaseQuestion
 from aftdeck.station.session.reported import Reported
 from aftdeck.station.session.task_run import TaskRun
 from aftdeck.station.session.unattended import safe_inputs
 from aftdeck.station.session.warm import warm_up
 
 LOOK_EVERY = 10
-"""Steps from one look-ahead to the next."""
+"""Steps from one look-ahead to the next, and from one search for the task's pair to the next."""
 LOOK_S = 5.0
 """Time span of the look-ahead at the start of a session [s]; a page can set another one."""
 MOVED = 1e-3
@@ -142,12 +144,15 @@ class Session:
         self.recent = RecentRun(self.scenario)
         self.delays = Delays()
         self._task = TaskRun(self.scenario)
+        self._release = ReleaseQuestion()
+        self._pulses = Pulses(self.scenario)
         self._standing = StandingLamps()
         self._lost_logged = 0.0
         self._commanded = False
         self._log_loss_from = -math.inf
         self._engaged = None if self._first is None else Engaged(self._first)
         self._ahead: Ahead | None = None
+        self._pair: TaskPair | None = None
         self._axis: Axis | None = None
         self._controllers_recorded = NO_CONTROLLERS
 
@@ -307,7 +312,8 @@ class Session:
         if taken.controllers is not self._controllers_recorded:
             self._controllers_recorded = taken.controllers
             self._recorder.controllers(self.time_s, controller_records(taken.controllers))
-        moved = any(abs(s) > MOVED for s in travel(taken.sticks))
+        sticks = self._sticks(taken, cause)
+        moved = any(abs(s) > MOVED for s in travel(sticks))
         if self._engaged is not None and (moved or command is not None or not self._engaged.fly(self._sim)):
             why = self._engaged.fault
             text = f"manual control: the {self._engaged.name} has stopped" + (f": {why}" if why else "")
@@ -319,7 +325,7 @@ class Session:
         if self._engaged is not None:
             inputs, flown = self._engaged.inputs, -1
         else:
-            inputs, flown = inputs_of(taken.sticks, command, self.scenario.arm), taken.flown()
+            inputs, flown = inputs_of(sticks, command, self.scenario.arm), taken.flown()
             if cause:
                 inputs = self._make_safe(inputs, cause, now)
             if taken.camera.pan or taken.camera.tilt or taken.camera.zoom:
@@ -329,11 +335,7 @@ class Session:
         self._recorder.step(inputs, frame, self._reported.latency_ms)
         for text in self._recorder.take_errors():
             self.note("recording", text, "warning")
-        if frame.tick % LOOK_EVERY == 1:
-            self._axis = _deflected(frame) or self._axis
-            # as plain Python, a look-ahead takes several control periods
-            plain = is_plain()
-            self._ahead = None if plain else self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        self._look(frame)
         seq, running_s = taken.sticks.seq, self._recorder.running_s
         lit = self._reported.lit
         lamps = self._standing.marked(lit_lamps(self.scenario, frame, self.delays))
@@ -344,6 +346,7 @@ class Session:
             running_s,
             self._ahead,
             lit,
+            pair=self._pair,
             flown_seq=flown,
             lamps=lamps,
             progress=self._task.progress,
@@ -355,6 +358,25 @@ class Session:
         self.painter.show(frame, self._lights[shown.display.lighting.condition])
         self.log.add(frame.events if frame.tick > 1 else map(_from_the_start, frame.events))
         return restarted
+
+    def _look(self, frame: Frame) -> None:
+        """Compute the look-ahead and the task's pair, in different steps, when they are due.
+
+        As plain Python, each takes several control periods: then there are none.
+        """
+        if is_plain():
+            self._ahead, self._pair = None, None
+        elif frame.tick % LOOK_EVERY == 1:
+            self._axis = _deflected(frame) or self._axis
+            self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        elif frame.tick % LOOK_EVERY == 1 + LOOK_EVERY // 2:
+            self._pair = self._displays.pair(self._sim.watched, frame, self._task.progress)
+
+    def _sticks(self, taken: Taken, cause: str) -> from_page.Sticks:
+        """Return the sticks with the pulses' deflections; end all pulses if the page no longer has the sticks."""
+        if cause or taken.handed_over:
+            self._pulses.clear()
+        return self._pulses.deflected(taken.sticks, self._sim.frame)
 
     def _note_reported(self, frame: Frame) -> None:
         """Record what the page reports; log the light and announcements."""
@@ -371,8 +393,17 @@ class Session:
                 self._recorder.graded(result.grade or "")
 
     def _for_simulation(self, command: from_page.FromPage | None) -> from_page.FromPage | None:
-        """Do a command that concerns the session only; return any other command."""
+        """Do a command that concerns the session only; return any other command, unless it must be confirmed."""
+        if question := self._release.question(command, self._sim.frame, self._task.progress.present):
+            self.note("release", question, "caution")
+            return None
         match command:
+            case from_page.Pulse():
+                if reason := self._pulses.press(command, self._sim.frame):
+                    self.note("refused", reason, "caution")
+            case from_page.Stop() | from_page.EnterMode():
+                self._pulses.clear()
+                return command
             case from_page.LookAhead(seconds=seconds):
                 self._look_s = seconds
             case from_page.TurnStep(to="next"):

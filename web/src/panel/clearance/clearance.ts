@@ -1,7 +1,7 @@
 /** The minimum clearance: its parts, rate of change, and curve over the last minute. Also ARM and FINGER INHIBIT. */
 
 import { keyOf } from '../../input/layout';
-import type { Near } from '../../link/protocol';
+import type { Near, TaskPair } from '../../link/protocol';
 import { small } from '../../words/format';
 import type { Unit, Units } from '../../words/units';
 import { button, el, group, setAttribute, setClass, setLit, setPressed, setText } from '../parts/dom';
@@ -25,6 +25,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
   const closing = el('span');
   const contact = el('span');
   const pair = el('p', { class: 'pair' });
+  const task = el('p', { class: 'pair task-pair' });
   const gauge = gapGauge(work);
   const history = lastMinute(work);
   const contacts = touching(welcome);
@@ -41,6 +42,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       el('p', { class: 'closing' }, closing, contact),
     ),
     pair,
+    task,
     gauge.element,
     history.element,
     contacts.element,
@@ -70,6 +72,8 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setText(contact, seconds ? `contact in ${Math.max(1, Math.round(seconds))} s` : '');
       setText(pair, nearest ? pairWords(nearest) : 'No pair is monitored');
       setAttribute(pair, 'title', pair.textContent);
+      setText(task, taskPairWords(frame.display.task_pair, nearest, units));
+      setAttribute(task, 'title', task.textContent && TASK_PAIR);
       gauge.setUnits(units);
       // Contacts replace the curve of the last minute.
       history.element.hidden = contacts.set(frame, units, controllers.names);
@@ -83,6 +87,19 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
 
 function pairWords({ a, b }: Pick<Near, 'a' | 'b'>): string {
   return `${a.charAt(0).toUpperCase()}${a.slice(1)} to ${b}`;
+}
+
+const TASK_PAIR =
+  'The parts that this step of the task brings together; they light no lamp while the approach goes well';
+
+/** Returns the clearance of the pair that the task brings together; empty if this pair is shown already, or none is. */
+export function taskPairWords(
+  task: TaskPair | null,
+  nearest: Pick<Near, 'a' | 'b'> | null,
+  { gap }: Pick<Units, 'gap'>,
+): string {
+  if (!task || (task.a === nearest?.a && task.b === nearest.b)) return '';
+  return `Task: ${small(task.clearance, gap)} ${gap.name}, ${task.a} to ${task.b}`;
 }
 
 function closingWords({ closing, clearance }: Near, creep: Unit): string {

@@ -34,6 +34,7 @@ const FLYING: readonly Row[] = [
   [['brakes'], 'brakes on; held 0.5 s: off'],
   [['rate'], 'coarse or vernier'],
   [['rate hold'], 'rate hold: keep the rates, or cancel'],
+  [['pulse'], 'held, or a button: each push moves 0.1 in, 0.1°'],
   [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],
   [['joint -', 'joint +'], 'joint in SINGLE, DIRECT; THC X drives it'],
   [['proceed'], 'proceed: start, or continue after a pause'],

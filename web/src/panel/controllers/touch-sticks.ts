@@ -1,8 +1,9 @@
 /** The touch sticks: two sticks and two sliders over the lower corners of the pictures. Only a drag moves them. */
 
 import { onPress } from '../../input/press';
+import type { Pulses } from '../../input/pulses';
 import type { TouchSticks } from '../../input/touch';
-import { button, el } from '../parts/dom';
+import { button, el, setPressed } from '../parts/dom';
 
 /** Travel of a finger for full deflection [rem]. */
 const TRAVEL = 3;
@@ -18,7 +19,7 @@ export interface TouchView {
   draw(): void;
 }
 
-export function touchView(sticks: TouchSticks): TouchView {
+export function touchView(sticks: TouchSticks, pulses: Pulses): TouchView {
   const left = knob(sticks, 0, 1, 'round');
   const height = knob(sticks, null, 2, 'upright');
   const right = knob(sticks, 3, 4, 'round');
@@ -27,6 +28,9 @@ export function touchView(sticks: TouchSticks): TouchView {
   const close = button({ class: 'away', 'aria-label': 'Hide the touch sticks' }, ['Hide'], () =>
     sticks.hide(),
   );
+  const pulse = button({ class: 'away' }, ['Pulse'], () => {
+    pulses.on = !pulses.on;
+  });
   const element = el(
     'div',
     { class: 'touch', role: 'group', 'aria-label': 'Touch sticks', hidden: '' },
@@ -34,7 +38,7 @@ export function touchView(sticks: TouchSticks): TouchView {
     el(
       'div',
       { class: 'right' },
-      el('div', { class: 'over' }, close, named('roll', roll.element)),
+      el('div', { class: 'over' }, close, pulse, named('roll', roll.element)),
       named('RHC: pitch, yaw', right.element),
     ),
   );
@@ -43,6 +47,7 @@ export function touchView(sticks: TouchSticks): TouchView {
     element,
     draw() {
       if (element.hidden === sticks.shown) element.hidden = !sticks.shown;
+      setPressed(pulse, pulses.active);
       if (sticks.shown) for (const each of knobs) each.draw();
     },
   };

@@ -29,6 +29,8 @@ export interface DeskListener {
   controlPage(): void;
   /** Assigns the THC to the orbiter, or to the arm. */
   flyOrbiter(on: boolean): void;
+  /** Switches PULSE on or off; undefined in a replay. */
+  pulse?(): void;
   /** Shows the last minutes as strips in a secondary window; undefined in a replay. */
   strips?(): void;
 }
@@ -64,7 +66,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const ahead = lookAhead(desk);
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
   const still = brakesSafing(desk);
-  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc()];
+  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on), listener.pulse), rhc()];
   const own = joints(desk, () => listener.bending());
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
   const last = singularity(desk);

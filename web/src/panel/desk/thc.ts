@@ -6,8 +6,8 @@ import type { Desk, Part } from '../parts/part';
 import { isMoving, orbiterReading } from './orbiter';
 import { gone, mark, setHand, triple } from './sticks';
 
-/** `flyOrbiter` assigns the THC to the orbiter, or to the arm. */
-export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
+/** `flyOrbiter` assigns the THC to the orbiter, or to the arm; `pulse` switches PULSE, undefined in a replay. */
+export function thc(desk: Desk, flyOrbiter: (on: boolean) => void, pulse?: () => void): Part {
   const [up, down] = [el('span'), el('span')];
   const [lift, drop] = [el('span'), el('span')];
   const device = gone('M-49 -49 L49 49 M-49 49 L49 -49');
@@ -23,6 +23,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
     ['Rate hold'],
     () => desk.send({ type: 'rate_hold' }),
   );
+  const pulses = button({ class: 'hold', title: PULSE, 'data-calm': 'pulse' }, ['Pulse'], () => pulse?.());
   const arm = button({}, ['Arm'], () => flyOrbiter(false));
   const orbiter = button({ title: 'Translate the orbiter with the THC' }, ['Orbiter'], () =>
     flyOrbiter(true),
@@ -78,7 +79,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
     assignment,
     reading.element,
     rates,
-    hold,
+    el('div', { class: 'holds' }, hold, ...(pulse ? [pulses] : [])),
   );
   return {
     element,
@@ -114,11 +115,14 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       setAttribute(numbers.element, 'aria-label', 'Translation sticks');
       setClass(element, 'holding', frame.rate_hold && !orbiting);
       setPressed(hold, frame.rate_hold);
+      setPressed(pulses, controllers.pulsing);
       setPressed(coarse, frame.rate === 'coarse');
       setPressed(vernier, frame.rate === 'vernier');
     },
   };
 }
+
+const PULSE = 'Each push of a stick or key moves the arm by 0.1 in or 0.1°';
 
 /** Positive directions of the THC while it moves the orbiter. */
 const ORBITER_AXES = ['+X fwd', '+Y stbd', '+Z down'] as const;
