@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from aftdeck.law import are_compiled
+from aftdeck.law_cache import here
 from aftdeck.law_change import FILES, Laws, Progress
 from aftdeck.law_folder import compiled_before
 from aftdeck.lines import print_error
@@ -31,7 +32,8 @@ def compiled_first(call: Callable[..., None], *given: Any, package: str = "", fi
     Raises:
         CompilationError: the laws cannot be compiled.
     """
-    if not are_compiled() or CHILD in os.environ or compiled_before(package):
+    within = here.only_kept or CHILD in os.environ  # the call itself, here or in the process that compiles
+    if within or not are_compiled() or compiled_before(package):
         return
     with ProgressBar(COMPILING) as update:
         if update is None:
