@@ -22,8 +22,9 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.steering.mode import MODES
 from aftdeck.task.remaining import Aims
 
-CROSSED = math.pi / 2 + 0.01
-"""Greatest angle between picture and sticks that is easy to use: a little over 90°, for a view straight down [rad]."""
+CROSSED = math.radians(100.0)
+"""Greatest angle between picture and sticks that is easy to use [rad]: a quarter turn, and the tilt of a camera that
+looks down, as in `web/src/cameras/best-pair.ts`."""
 
 
 class StepCameras:
@@ -60,7 +61,7 @@ class StepCameras:
 
 
 def turned_pictures(scenario: Scenario) -> Iterator[Problem]:
-    """Yield a problem for each camera of a step whose picture is turned by more than 90° against the sticks."""
+    """Yield a problem for each camera of a step whose picture is turned by more than 100° against the sticks."""
     if not any(step.cameras for step in scenario.steps):
         return
     cameras = StepCameras(scenario)
@@ -68,4 +69,4 @@ def turned_pictures(scenario: Scenario) -> Iterator[Problem]:
         for name in step.cameras:
             if (angle := cameras.turned(step, name)) > CROSSED:
                 what = f"the picture of camera {name} is turned by {math.degrees(angle):.0f}° against the sticks"
-                yield Problem(("step", i, "cameras"), f"{what}; the station avoids more than 90°")
+                yield Problem(("step", i, "cameras"), f"{what}; the station avoids more than 100°")

@@ -4,7 +4,7 @@
  * A picture has to show the *subjects* of the work: the tip, the payload, the target and the minimum clearance. The
  * rule compares all pairs of cameras that each show a subject, in this order:
  *
- * 1. Fewest cameras whose picture is turned by more than 90° against the sticks. Such a camera is chosen only if no
+ * 1. Fewest cameras whose picture is turned by more than 100° against the sticks. Such a camera is chosen only if no
  *    other camera shows a subject.
  * 2. Fewest missing needs: the hand and what it works on (`Subjects.needs`).
  * 3. Kind: television cameras before windows, windows before engineering views.
@@ -52,8 +52,8 @@ export type Need = readonly Subject[];
 const WEIGHT: Readonly<Record<Subject, number>> = { tip: 3, payload: 3, target: 3, gap: 2 };
 /** All angles between lines of sight above this count as equally good [rad]. */
 const GOOD = (70 * Math.PI) / 180;
-/** The greatest `turned` of a picture that is easy to use: a little over 90°, for a view straight down [rad]. */
-export const CROSSED = Math.PI / 2 + 0.01;
+/** The greatest `turned` of a picture that is easy to use: a quarter turn, and the tilt of a camera that looks down [rad]. */
+export const CROSSED = (100 * Math.PI) / 180;
 /** Part of its score that a pair loses if a picture is turned by 180°. */
 const TURNED = 0.8;
 /** Factor for the picture of a camera on the arm. */

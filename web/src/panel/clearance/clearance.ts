@@ -75,8 +75,8 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setText(task, taskPairWords(frame.display.task_pair, nearest, units));
       setAttribute(task, 'title', task.textContent && TASK_PAIR);
       gauge.setUnits(units);
-      // Contacts replace the curve of the last minute.
-      history.element.hidden = contacts.set(frame, units, controllers.names);
+      // Contacts, and the task's pair, take the room of the curve of the last minute.
+      history.element.hidden = contacts.set(frame, units, controllers.names) || task.textContent !== '';
       history.draw(trend, frame.time_s, units);
       setLit(arm, arm_inhibit);
       setLit(finger, finger_inhibit);
