@@ -56,12 +56,12 @@ test('no pair without two cameras that show a subject', () => {
   expect(bestPair([], at, needs)).toBeNull();
 });
 
-test('a picture turned by more than 90° is chosen only if no other picture shows a subject', () => {
+test('a picture turned by more than 100° is chosen only if no other picture shows a subject', () => {
   const [a, b] = [sighting('A', [10, 0, 0], both), sighting('B', [0, 10, 0], { gap: 0.1 })];
-  const turned = sighting('C', [0, 10, 0], { ...both, gap: 1 }, { turned: 91 * degree });
+  const turned = sighting('C', [0, 10, 0], { ...both, gap: 1 }, { turned: 101 * degree });
   expect(names(a, b, turned)).toEqual(['A', 'B']);
   expect(names(a, turned)).toEqual(['A', 'C']);
-  const straightDown = { ...turned, turned: 90 * degree };
+  const straightDown = { ...turned, turned: 99 * degree };
   expect(names(a, b, straightDown)).toEqual(['A', 'C']);
 });
 
