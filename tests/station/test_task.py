@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from aftdeck.recording.index import Index
+from aftdeck.report.metrics.desk import LOST
 from aftdeck.scenario.load import load_scenario
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import TaskNow
+from aftdeck.station.session.pace import Delay
 from aftdeck.station.session.session import Session
 from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
@@ -83,3 +85,16 @@ def test_grade_is_in_the_list_of_recordings(tmp_path: Path) -> None:
     assert result is not None
     assert result.grade == "A"
     assert sorted(entry.grade for entry in Index().entries("one")) == ["", "A"]
+
+
+def test_result_counts_the_time_that_was_lost(tmp_path: Path) -> None:
+    file = tmp_path / "one.toml"
+    file.write_text(ONE)
+    with flying(made=load_scenario(file)) as session:
+        session.steer(from_page.Sticks(1, (0.0, 0.0, -1.0), (0.0, 0.0, 0.0), 0.0))
+        session.step(Delay(late_s=0.9, lost_s=0.65))
+        step_until(session, lambda frame: frame.display.task is not None and frame.display.task.at == 1, "the end")
+        result = task(session).debrief
+    assert result is not None
+    (lost,) = [figure for figure in result.figures if figure.name == LOST.title]
+    assert (lost.value, lost.level, result.grade) == (0.65, "caution", "A")

@@ -1,4 +1,5 @@
 import { beforeEach, expect, test, vi } from 'vitest';
+import { KEYS } from '../src/input/active-device';
 import { Device } from '../src/input/device';
 import { type HoldButton, holdButton } from '../src/panel/parts/hold-button';
 import { NO_AXES, reading } from './gamepads';
@@ -66,9 +67,9 @@ function hold(way: string, released: number): void {
   const button = made();
   const release = WAYS[way]?.(button);
   now = STALL_MS;
-  button.tick(); // the page may draw before it handles the release
+  button.tick(KEYS); // the page may draw before it handles the release
   release?.(released);
-  button.tick();
+  button.tick(KEYS);
 }
 
 test.each(Object.keys(WAYS))('a hold by %s that ended during a stall of the page does not act', (way) => {

@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest';
 import { KEYS } from '../src/input/active-device';
 import type { WayOut } from '../src/link/protocol';
-import { barred, moving } from '../src/task/state-words';
+import { barred, moving, rateHoldHint } from '../src/task/state-words';
+import { toGo } from './worksite';
 
 const way = (cause: string): WayOut => ({
   cause,
@@ -27,4 +28,19 @@ test('mechanisms in motion are named with their whole seconds', () => {
   expect(moving([])).toEqual([]);
   const [piece] = moving([{ text: 'latches open', remaining_s: 11.2 }]);
   expect(piece?.text).toContain('latches open, 12 s');
+});
+
+test('RATE HOLD is offered for a leg of more than 20 s, unless it is on or the text names it', () => {
+  const leg = (distance: number, speed: number, rate_hold = false, uses: readonly string[] = []) =>
+    rateHoldHint(
+      { rate_hold, por_limits: [speed, 1], display: { to_go: { ...toGo({}), distance } } },
+      uses,
+    ).map(({ kind, text }) => (kind === 'use' ? text : ''));
+  expect(leg(21, 1)).toContain('rate hold');
+  expect(leg(2.1, 0.1)).toContain('rate hold');
+  expect(leg(20, 1)).toEqual([]);
+  expect(leg(21, 1, true)).toEqual([]);
+  expect(leg(21, 1, false, ['rate hold'])).toEqual([]);
+  expect(leg(21, 0)).toEqual([]);
+  expect(rateHoldHint({ rate_hold: false, por_limits: [1, 1], display: { to_go: null } }, [])).toEqual([]);
 });

@@ -53,9 +53,17 @@ test('the mark {wanting} is the first failing condition, the depth last', () => 
 
 test('a screen reader says the names of keys, also of marks of punctuation', () => {
   const names: Record<string, string> = { '-Z': 'Q', 'cameraStep +': '.' };
-  const inHand = { name: (use: string) => names[use] ?? '' };
+  const inHand = { name: (use: string) => names[use] ?? '', kinds: ['keyboard'] as const };
   const text = pieces('Hold {-Z} for {1 m}, then {cameraStep +}: *RIGID*', NOTHING);
   expect(saidText(text, inHand)).toBe('Hold Q for 1 m, then full stop: RIGID');
+});
+
+test('words for keys and for sticks follow the device in use', () => {
+  const text = pieces('Release the {key|stick} and the {left hand|left stick}.', NOTHING);
+  const said = (kind: 'keyboard' | 'pad' | 'touch') => saidText(text, { name: () => '', kinds: [kind] });
+  expect(said('keyboard')).toBe('Release the key and the left hand.');
+  for (const kind of ['pad', 'touch'] as const)
+    expect(said(kind)).toBe('Release the stick and the left stick.');
 });
 
 test('a hint that applies replaces the text and the functions of its step', () => {
@@ -68,12 +76,12 @@ test('a hint that applies replaces the text and the functions of its step', () =
 test('each component that is left has the stick and key that reduce it', () => {
   const go = toGo({ translation: [1.99, 0.3, -0.254], rotation: [0.005, -0.1, 0] });
   expect(goParts(go, FEET, KEYS)).toEqual([
-    { stick: '+X', handle: 'W', value: '6.5 ft', near: false },
-    { stick: '+Y', handle: 'D', value: '12 in', near: false },
-    { stick: '−Z', handle: 'Q', value: '10 in', near: false },
-    { stick: 'roll', handle: '', value: '0.3°', near: true },
-    { stick: '−pitch', handle: 'K', value: '5.7°', near: false },
-    { stick: 'yaw', handle: '', value: '0.0°', near: true },
+    { axis: 'X', stick: '+X', handle: 'W', value: '6.5 ft', near: false },
+    { axis: 'Y', stick: '+Y', handle: 'D', value: '12 in', near: false },
+    { axis: 'Z', stick: '−Z', handle: 'Q', value: '10 in', near: false },
+    { axis: 'roll', stick: 'roll', handle: '', value: '0.3°', near: true },
+    { axis: 'pitch', stick: '−pitch', handle: 'K', value: '5.7°', near: false },
+    { axis: 'yaw', stick: 'yaw', handle: '', value: '0.0°', near: true },
   ]);
 });
 
@@ -101,7 +109,7 @@ test('without a condition, {wanting} depends on what the end effector holds', ()
 
 test('a joint has one component, without a key', () => {
   const go = toGo({ to: 'elbow pitch', distance: 0, angle: -0.2, shift: [] });
-  expect(goParts(go, SI, KEYS)).toEqual([{ stick: '−', handle: '', value: '11.5°', near: false }]);
+  expect(goParts(go, SI, KEYS)).toEqual([{ axis: '', stick: '−', handle: '', value: '11.5°', near: false }]);
   expect(goWords(go, SI)).toBe('11.5°');
 });
 

@@ -336,7 +336,8 @@ class StepSpec(_Part, frozen=True):
     """One step of the operator's task, which the station explains until it is done.
 
     In `text`, `{+X}` stands for the operator's key or button with this function (`task_file.Use`), `{2 in}` for a
-    length in the operator's units, `{wanting}` for the first condition that fails, and `*...*` quotes the desk.
+    length in the operator's units, `{wanting}` for the first condition that fails, `{keys|sticks}` for words that fit
+    the device in use, and `*...*` quotes the desk.
     The first `hint` whose state holds replaces the text.
 
     `done` is the state that completes the step. If it names `held`, `fixed` or `berth`, it also completes the earlier

@@ -26,6 +26,8 @@ USES: tuple[str, ...] = get_args(Use)
 """All functions that a step can name."""
 WANTING = "wanting"
 """Mark that stands for the first condition that fails."""
+_EITHER = re.compile(r"[^{}|*]+\|[^{}|*]+")
+"""Mark with words for a keyboard, and words for a device with sticks: ``{keys|sticks}``."""
 _MARK = re.compile(r"\{([^{}]*)\}")
 
 
@@ -128,11 +130,14 @@ def _marked(problems: Problems, text: str, where: Where) -> str:
 
     def mark(match: re.Match[str]) -> str:
         inside = match[1]
-        if inside == WANTING or inside in USES:
+        if inside == WANTING or inside in USES or _EITHER.fullmatch(inside):
             return match[0]
         if not inside[:1].isdigit():
             functions = ", ".join(USES)
-            what = f"no mark {match[0]!r}: allowed are a length such as {{2 in}}, {{{WANTING}}}, or one of {functions}"
+            what = (
+                f"no mark {match[0]!r}: allowed are a length such as {{2 in}}, {{{WANTING}}}, words for a keyboard and "
+                f"for sticks such as {{keys|sticks}}, or one of {functions}"
+            )
             problems.add(where, what)
             return match[0]
         try:

@@ -81,6 +81,7 @@ export function buildParts(
   const notice = pairNotice(
     () => pictures.offers.take(),
     () => pictures.offers.offer(null),
+    () => operator.controllers.inHand,
   );
   const operator = new Operator(latency, {
     acted: (action) => operations.act(action),

@@ -48,7 +48,7 @@ export class Readouts implements Drawn {
     const test = view.frame.mode === 'TEST';
     parts.controlPage.values(view);
     const lamps = [...inUnits(view), ...this.ownLamps(measured.delays, now)];
-    parts.spine.show(lamps, test);
+    parts.spine.show(lamps, test, view.controllers.names);
     parts.task.values(view);
     parts.calm.values(view, {
       lamps: lamps.filter(({ level, standing }) => level !== 'info' && !standing).map(({ name }) => name),

@@ -10,7 +10,7 @@ import type { Desk, View } from '../panel/parts/part';
 import { durationText } from '../words/format';
 import { Card, countWords } from './card';
 import { Line } from './line';
-import { barred, modeHint, moving } from './state-words';
+import { barred, modeHint, moving, rateHoldHint } from './state-words';
 import { NOTHING_LEFT } from './to-go';
 import { type Piece, pieces, present, saidText } from './words';
 
@@ -111,11 +111,19 @@ export class Task {
       step && shown ? [step.title, shown.text] : this.exists ? ending(task) : ['', welcome.text];
     this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
     const way = barred(frame, welcome.joints, this.inHand);
-    const said = way.length > 0 ? way : [...pieces(words, marked), ...moving(frame.motions)];
+    const manual = welcome.modes.find(({ position }) => position === frame.mode)?.kind === 'manual';
+    const leg =
+      shown && manual
+        ? rateHoldHint(
+            frame,
+            shown.uses.map(({ use }) => use),
+          )
+        : [];
+    const said = way.length > 0 ? way : [...pieces(words, marked), ...leg, ...moving(frame.motions)];
     // The numbers are along the sticks of the present mode: not of use before the step's own mode is entered.
     const left = this.needs === '' ? frame.display : NOTHING_LEFT;
     const all = [...(this.needs === '' ? [] : modeHint(this.needs)), ...said];
-    this.announce(`${task.at} ${task.hint} ${this.needs} ${way.length}`, title, all);
+    this.announce(`${task.at} ${task.hint} ${this.needs} ${way.length} ${leg.length}`, title, all);
     if (!this.open) {
       this.line.set(this.exists ? countWords(task.at, done) : '', title, all);
       this.line.setGo(left, units);

@@ -23,6 +23,33 @@ export function moving(motions: readonly Motion[]): readonly Piece[] {
   return motions.length === 0 ? [] : [{ kind: 'text', text: ` Now: ${motionWords(motions)}.` }];
 }
 
+/** Time of a leg from which on the operator is offered RATE HOLD [s]. */
+const LONG_S = 20;
+
+/**
+ * `This leg takes 40 s: [H] keeps the rate.` if the remaining motion takes long at the speed limit, else nothing. A text
+ * whose functions (`uses`) include RATE HOLD is enough.
+ */
+export function rateHoldHint(
+  {
+    rate_hold,
+    por_limits,
+    display,
+  }: Pick<Frame, 'rate_hold' | 'por_limits'> & {
+    readonly display: Pick<Frame['display'], 'to_go'>;
+  },
+  uses: readonly string[],
+): readonly Piece[] {
+  const go = display.to_go;
+  const seconds = go && go.shift.length > 0 && por_limits[0] > 0 ? go.distance / por_limits[0] : 0;
+  if (rate_hold || seconds <= LONG_S || uses.includes('rate hold')) return [];
+  return [
+    { kind: 'text', text: ` This leg takes ${10 * Math.round(seconds / 10)} s or more: ` },
+    { kind: 'use', text: 'rate hold' },
+    { kind: 'text', text: ' keeps the rate while you let go.' },
+  ];
+}
+
 /** `[Enter] for ORB LD.` */
 export function modeHint(mode: string): readonly Piece[] {
   return [

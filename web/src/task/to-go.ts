@@ -17,7 +17,9 @@ const LEAST = 0.2;
 const AT_REST = 0.002;
 
 export interface GoPart {
-  /** Axis and direction of the stick: `−Z`, `+yaw`. */
+  /** Axis of the stick: `Z`, `yaw`. */
+  readonly axis: string;
+  /** Axis and direction of the stick: `−Z`, `+yaw`; without a direction if no motion is needed. */
   readonly stick: string;
   /** Key, button or axis; empty if no motion is needed. */
   readonly handle: string;
@@ -73,6 +75,7 @@ function part(
   const still = Math.abs(size) < LEAST * near;
   const share = label === '' ? 1 : 1 / Math.sqrt(3); // three such components together are within the tolerance
   return {
+    axis: label,
     stick: still ? label : `${sign === '-' ? '−' : '+'}${label}`,
     handle: still || axis === '' ? '' : names.short(`${sign}${axis}`),
     value: write(Math.abs(size)),
@@ -128,7 +131,8 @@ export function goElement() {
         const each = parts[i];
         cell.element.hidden = each === undefined;
         if (!each) return;
-        setText(cell.handle, each.handle);
+        setText(cell.handle, each.handle || each.axis);
+        setClass(cell.handle, 'axis', each.handle === '');
         setText(cell.value, each.value);
         setAttribute(cell.element, 'title', each.near ? `${each.stick}, within tolerance` : each.stick);
         setClass(cell.element, 'near', each.near);

@@ -1,6 +1,6 @@
 /**
  * Texts of a step, with marks: `{+X}` stands for a key or a stick, `{0.05 m}` for a length, `{wanting}` for the first
- * condition that fails; `*RIGID*` quotes a text on the desk.
+ * condition that fails, `{keys|sticks}` for words that fit the device in use; `*RIGID*` quotes a text on the desk.
  */
 
 import type { InHand } from '../input/active-device';
@@ -12,7 +12,8 @@ import { lengthText } from '../words/format';
 import type { Units } from '../words/units';
 
 export interface Piece {
-  readonly kind: 'text' | 'use' | 'shown';
+  /** `either`: words for the keyboard and for a device with sticks, `keys|sticks`. */
+  readonly kind: 'text' | 'use' | 'shown' | 'either';
   readonly text: string;
 }
 
@@ -52,6 +53,7 @@ export function pieces(words: string, { units, conditions, held }: Marked): read
       const inside = part.slice(1, -1);
       if (part.startsWith('*')) return { kind: 'shown', text: inside };
       if (!part.startsWith('{')) return { kind: 'text', text: part };
+      if (inside.includes('|')) return { kind: 'either', text: inside };
       const metres = LENGTH.exec(inside)?.[1];
       if (metres) return { kind: 'text', text: shortLength(Number(metres), units) };
       return inside === 'wanting'
@@ -79,17 +81,25 @@ export class MarkedText {
   /** Returns a piece as a node: keys and quoted texts are emphasised. */
   private node({ kind, text }: Piece): Node | string {
     if (kind === 'text') return text;
+    if (kind === 'either') return wordsFor(text, this.inHand);
     return kind === 'use' ? keyElement(this.inHand.name(text) || '–') : el('em', {}, text);
   }
 }
 
 /** Returns a text as a screen reader says it. */
-export function saidText(text: readonly Piece[], inHand: Pick<InHand, 'name'>): string {
+export function saidText(text: readonly Piece[], inHand: Pick<InHand, 'name' | 'kinds'>): string {
   const said = ({ kind, text }: Piece) => {
+    if (kind === 'either') return wordsFor(text, inHand);
     const name = kind === 'use' ? inHand.name(text) : text;
     return kind === 'use' ? (SPOKEN[name] ?? name) : name;
   };
   return text.map(said).join('');
+}
+
+/** Returns those of the words `keys|sticks` that fit the device in use. */
+function wordsFor(text: string, { kinds }: Pick<InHand, 'kinds'>): string {
+  const [keys = '', sticks = ''] = text.split('|');
+  return kinds[0] === 'keyboard' ? keys : sticks;
 }
 
 /** Makes an element with the name of a key, button or axis. */

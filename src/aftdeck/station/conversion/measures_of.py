@@ -19,7 +19,7 @@ from aftdeck.report.metrics import (
 )
 from aftdeck.station.messages.measure import Measure
 
-RESULT = (times.RUN, moments.CAPTURE.offset, clearance.LEAST, alarms.RAISED, path.PATH)
+RESULT = (times.RUN, moments.CAPTURE.offset, clearance.LEAST, alarms.RAISED, path.PATH, desk.LOST)
 """Metrics in the result of a task."""
 REPLAY = (
     times.RUN,

@@ -387,7 +387,8 @@ class Session:
 
     def _see_task(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """Update the task; log the steps that are done, and list the grade."""
-        for i in self._task.see(frame, lamps, None if self._engaged is None else self._engaged.name):
+        autopilot = None if self._engaged is None else self._engaged.name
+        for i in self._task.see(frame, lamps, autopilot, self.delays):
             self.note("task", f"step {i + 1} of {len(self.scenario.steps)} done: {self.scenario.steps[i].title}")
             if (result := self._task.debrief) is not None:
                 self._recorder.graded(result.grade or "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from aftdeck.recording.delays import Delays
 from aftdeck.report.grade import faults, grade
 from aftdeck.report.lamps import Lamp
 from aftdeck.report.run_metrics import RunMetrics
@@ -29,9 +30,13 @@ class TaskRun:
         self.debrief: Debrief | None = None
         self._flown_by: str | None = None
 
-    def see(self, frame: Frame, lamps: tuple[Lamp, ...], autopilot: str | None = None) -> tuple[int, ...]:
+    def see(
+        self, frame: Frame, lamps: tuple[Lamp, ...], autopilot: str | None = None, delays: Delays | None = None
+    ) -> tuple[int, ...]:
         """Add the next frame and its lamps; return the indices of the steps that it completes.
 
+        `delays` are those of the run's control steps, from which the result tells the time that was lost; None if they
+        are not known.
         `autopilot` is the autopilot that flies, if it is not the script.
         """
         done = self.progress.see(frame)
@@ -45,11 +50,11 @@ class TaskRun:
         if self.debrief is None:
             self._flown_by = "script" if frame.by == "script" else autopilot or self._flown_by
         if self.progress.present is None and self.debrief is None:
-            self.debrief = self._result()
+            self.debrief = self._result(delays)
         return done
 
-    def _result(self) -> Debrief:
-        skipped, found = len(self.progress.skipped), self._metrics.found()
+    def _result(self, delays: Delays | None) -> Debrief:
+        skipped, found = len(self.progress.skipped), self._metrics.found(delays)
         kinds = faults(found)
         others = [f"{skipped} step skipped" if skipped == 1 else f"{skipped} steps skipped"] if skipped else []
         others += [f"flown by the {self._flown_by}"] if self._flown_by else []

@@ -1,6 +1,5 @@
 /** The minimum clearance: its parts, rate of change, and curve over the last minute. Also ARM and FINGER INHIBIT. */
 
-import { keyOf } from '../../input/layout';
 import type { Near, TaskPair } from '../../link/protocol';
 import { small } from '../../words/format';
 import type { Unit, Units } from '../../words/units';
@@ -62,7 +61,11 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
     },
     values({ frame, units, controllers }) {
       const { nearest, clearance_level, arm_inhibit, finger_inhibit } = frame.work;
-      setAttribute(planeKey, 'title', `Show the plane that separates the two parts: ${keyOf('plane')}`);
+      setAttribute(
+        planeKey,
+        'title',
+        `Show the plane that separates the two parts: ${controllers.names.name('plane')}`,
+      );
       setClass(element, 'caution', clearance_level === 'caution');
       setClass(element, 'warning', clearance_level === 'warning');
       setText(number, nearest ? small(nearest.clearance, units.gap) : '–');

@@ -9,21 +9,21 @@ import { button, el, setClass } from '../parts/dom';
 type Cap = readonly [use: string, does: string];
 
 const LEFT: readonly Cap[] = [
-  ['-Z', 'up'],
-  ['+X', '+X'],
-  ['+Z', 'down'],
-  ['-Y', 'left'],
-  ['-X', '−X'],
-  ['+Y', 'right'],
+  ['-Z', '−Z up'],
+  ['+X', '+X fwd'],
+  ['+Z', '+Z down'],
+  ['-Y', '−Y left'],
+  ['-X', '−X aft'],
+  ['+Y', '+Y right'],
 ];
 
 const RIGHT: readonly Cap[] = [
-  ['-roll', 'roll −'],
-  ['+pitch', 'nose up'],
-  ['+roll', 'roll +'],
-  ['-yaw', 'left'],
-  ['-pitch', 'nose dn'],
-  ['+yaw', 'right'],
+  ['-roll', '−roll'],
+  ['+pitch', '+pitch up'],
+  ['+roll', '+roll'],
+  ['-yaw', '−yaw left'],
+  ['-pitch', '−pitch dn'],
+  ['+yaw', '+yaw right'],
 ];
 
 type Row = readonly [uses: readonly string[], does: string, pad?: 'no pad'];
@@ -32,8 +32,7 @@ type Row = readonly [uses: readonly string[], does: string, pad?: 'no pad'];
 const FLYING: readonly Row[] = [
   [['stop'], 'stop: centre the sticks, stop a sequence'],
   [['brakes'], 'brakes on; held 0.5 s: off'],
-  [['rate'], 'coarse or vernier'],
-  [['rate hold'], 'rate hold: keep the rates, or cancel'],
+  [['rate', 'rate hold'], 'coarse or vernier; rate hold, or cancel'],
   [['pulse'], 'held, or a button: each push moves 0.1 in, 0.1°'],
   [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],
   [['joint -', 'joint +'], 'joint in SINGLE, DIRECT; THC X drives it'],

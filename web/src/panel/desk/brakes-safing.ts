@@ -1,7 +1,6 @@
 /** BRAKES, SAFING and POSITION HOLD, and above them the name of the device or operator that moves the sticks. */
 
 import type { GripAction } from '../../input/keymap';
-import { keyOf } from '../../input/layout';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
 import { holdButton } from '../parts/hold-button';
 import type { Desk, View } from '../parts/part';
@@ -17,7 +16,7 @@ export interface BrakesSafing {
   safe(): void;
   /** Switches POSITION HOLD on or off. */
   hold(): void;
-  bars(): void;
+  bars(view: View): void;
   values(view: View): void;
 }
 
@@ -61,7 +60,7 @@ export function brakesSafing(desk: Desk): BrakesSafing {
     },
     safe,
     hold,
-    bars: () => brakes.tick(),
+    bars: ({ controllers }) => brakes.tick(controllers.names),
     values({ frame, flying, flier, controllers }) {
       const lost = controllers.gone.thc ?? controllers.gone.rhc;
       const moved = frame.display.autopilot === null ? controllers.words : 'Move a stick to take over';
@@ -75,8 +74,8 @@ export function brakesSafing(desk: Desk): BrakesSafing {
       setPressed(brakes.element, on);
       setPressed(safing, safed);
       setPressed(positionHold, holding);
-      setText(safingKey, keyOf('safing'));
-      setText(holdKey, keyOf('position hold'));
+      setText(safingKey, controllers.names.short('safing'));
+      setText(holdKey, controllers.names.short('position hold'));
       setClass(brakes.element, 'caution', on);
       setClass(safing, 'caution', safed);
       setAttribute(

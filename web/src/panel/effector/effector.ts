@@ -44,10 +44,10 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   return {
     element,
     grip,
-    bars({ frame }) {
+    bars({ frame, controllers: { names } }) {
       latest = frame.work;
-      hand.bars(frame.work.hand);
-      seats?.tick();
+      hand.bars(frame.work.hand, names);
+      seats?.tick(names);
     },
     values({ frame, units }) {
       hand.set(frame.work.hand, units);

@@ -1,5 +1,6 @@
 /** Interface of the two kinds of end effector on the desk. */
 
+import type { Names } from '../../input/active-device';
 import type { Hand as HandState } from '../../link/protocol';
 import type { Units } from '../../words/units';
 import type { HoldButton } from '../parts/hold-button';
@@ -16,6 +17,7 @@ export interface Hand {
   readonly open: HoldButton;
   /** Returns whether the end effector moves. A press of either button then stops it at once. */
   moves(hand: HandState): boolean;
-  bars(hand: HandState): void;
+  /** `names`: those of the device in use. */
+  bars(hand: HandState, names: Names): void;
   set(hand: HandState, units: Units): void;
 }

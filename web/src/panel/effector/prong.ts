@@ -48,9 +48,9 @@ export function prong(desk: Desk): Hand {
     close,
     open,
     moves: isMoving,
-    bars(hand) {
-      close.tick();
-      open.tick();
+    bars(hand, names) {
+      close.tick(names);
+      open.tick(names);
       setAttribute(finger, 'transform', `translate(${(hand.opening * LENGTH).toFixed(1)} 0)`);
     },
     set(hand, { gap }) {

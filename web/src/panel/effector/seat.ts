@@ -1,5 +1,6 @@
 /** The buttons that latch a payload in its berth and unlatch it, for retention latches and docking ports. */
 
+import type { Names } from '../../input/active-device';
 import type { Work, WorkInfo } from '../../link/protocol';
 import { el, setAttribute, setClass, setText } from '../parts/dom';
 import { type HoldButton, holdButton } from '../parts/hold-button';
@@ -14,7 +15,8 @@ export interface Seat {
   keyed(): HoldButton;
   /** Called when the key is released: releases both buttons, because `keyed` may have changed since the press. */
   lift(at: number): void;
-  tick(): void;
+  /** `names`: those of the device in use. */
+  tick(names: Names): void;
   set(work: Work): void;
 }
 
@@ -32,9 +34,9 @@ export function seat(desk: Desk): Seat {
       latch.lift(at);
       unlatch.lift(at);
     },
-    tick() {
-      latch.tick();
-      unlatch.tick();
+    tick(names) {
+      latch.tick(names);
+      unlatch.tick(names);
     },
     set(work) {
       const at = seatTitle(desk.welcome.work, seatNow(work));

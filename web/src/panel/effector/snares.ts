@@ -47,9 +47,9 @@ export function snares(desk: Desk): Hand {
     close,
     open,
     moves: () => false,
-    bars() {
-      close.tick();
-      open.tick();
+    bars(_, names) {
+      close.tick(names);
+      open.tick(names);
     },
     set(hand) {
       FLAGS.forEach((name, i) => {

@@ -89,8 +89,8 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
         bar.set((frame.rates[i] ?? 0) / limit, (frame.rates_commanded[i] ?? 0) / limit);
       });
     },
-    values({ frame, units }) {
-      stand?.set(frame.work.stand ?? 0, units);
+    values({ frame, units, controllers }) {
+      stand?.set(frame.work.stand ?? 0, units, controllers.names);
       const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
       const single = mode?.kind === 'single';
       setClass(element, 'single', single);

@@ -78,8 +78,8 @@ export function masterGroup(desk: Desk): MasterGroup {
         bar.set(frame.angles[i] ?? 0, goal[i] ?? 0);
       });
     },
-    values({ frame, units }) {
-      stand?.set(frame.work.stand ?? 0, units);
+    values({ frame, units, controllers }) {
+      stand?.set(frame.work.stand ?? 0, units, controllers.names);
       const goal = master(frame);
       rows.forEach(({ actual, commanded }, i) => {
         setText(actual, degrees(frame.angles[i] ?? 0));

@@ -1,6 +1,6 @@
 /** The telescope under the arm: a row below the joints. */
 
-import { keyOf } from '../../input/layout';
+import type { Names } from '../../input/active-device';
 import type { StandInfo } from '../../link/protocol';
 import { fixed } from '../../words/format';
 import type { Units } from '../../words/units';
@@ -11,7 +11,8 @@ export interface StandRow {
   readonly element: HTMLElement;
   /** Sets the length [m], at picture rate. */
   point(length: number): void;
-  set(length: number, units: Units): void;
+  /** `names`: those of the device in use. */
+  set(length: number, units: Units, names: Names): void;
 }
 
 export function standRow({ least, greatest }: StandInfo): StandRow {
@@ -44,13 +45,13 @@ export function standRow({ least, greatest }: StandInfo): StandRow {
       const part = (length - least) / (greatest - least);
       setAttribute(pointer, 'transform', `translate(${(part * BAR).toFixed(2)} 0)`);
     },
-    set(length, units) {
+    set(length, units, names) {
       const shown = (metres: number) => fixed(metres * units.length.perSi, units.length.decimals, false);
       setText(unit, units.length.name);
       setText(value, shown(length));
       setAttribute(scale, 'title', `Telescope: ${shown(least)} to ${shown(greatest)} ${units.length.name}`);
-      setText(keys[0], `${keyOf('+telescope')} longer`);
-      setText(keys[1], `${keyOf('-telescope')} shorter`);
+      setText(keys[0], `${names.short('+telescope')} longer`);
+      setText(keys[1], `${names.short('-telescope')} shorter`);
     },
   };
 }

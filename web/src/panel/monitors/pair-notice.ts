@@ -1,7 +1,7 @@
 /** Notice over MON 1 that offers a pair of cameras, with the button that shows it. */
 
 import type { PairOffer } from '../../cameras/pair-offer';
-import { keyOf } from '../../input/layout';
+import type { Names } from '../../input/active-device';
 import { button, el, setAttribute, setText } from '../parts/dom';
 
 export interface PairNotice {
@@ -10,8 +10,8 @@ export interface PairNotice {
   show(offer: PairOffer | null): void;
 }
 
-/** `take` shows the offered pair; `leave` rejects it. */
-export function pairNotice(take: () => void, leave: () => void): PairNotice {
+/** `take` shows the offered pair; `leave` rejects it; `inUse` returns those of the device in use. */
+export function pairNotice(take: () => void, leave: () => void, inUse: () => Names): PairNotice {
   const words = el('span');
   const names = el('span');
   const key = el('kbd');
@@ -30,7 +30,7 @@ export function pairNotice(take: () => void, leave: () => void): PairNotice {
       setText(words, 'Suggested views:');
       setAttribute(words, 'title', offer.why);
       setText(names, `Cameras ${offer.cameras.join(', ')}`);
-      setText(key, keyOf('offered pair'));
+      setText(key, inUse().short('offered pair'));
     },
   };
 }

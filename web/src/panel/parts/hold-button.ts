@@ -1,8 +1,8 @@
 /** A button that acts after it has been held for a set time, by pointer, by Enter, or by its assigned key. */
 
+import type { Names } from '../../input/active-device';
 import { Hold } from '../../input/hold';
 import type { Grip } from '../../input/keymap';
-import { keyOf } from '../../input/layout';
 import { onPress } from '../../input/press';
 import { el, setAttribute, setText } from './dom';
 
@@ -11,8 +11,8 @@ export interface HoldButton {
   /** Called when the assigned key is pressed or released at `at` [ms, as performance.now()]. */
   press(at: number): void;
   lift(at: number): void;
-  /** Fills the button's bar with the elapsed time; acts when the time is over. */
-  tick(): void;
+  /** Fills the button's bar with the elapsed time; acts when the time is over. `names`: those of the device in use. */
+  tick(names: Names): void;
 }
 
 /** `grip`: function of the assigned key; `begins`, called at a press, returns whether holding has an effect now. */
@@ -65,12 +65,16 @@ export function holdButton(
     element,
     press,
     lift: (at) => hold.lift(at),
-    tick() {
+    tick(names) {
       const part = hold.tick(performance.now());
       if (part !== filled) fill.style.transform = `scaleX(${part.toFixed(3)})`;
       filled = part;
-      setText(key, keyOf(grip));
-      setAttribute(element, 'aria-label', `${label} ${keyOf(grip)}, hold ${seconds} s`.replace(' ,', ','));
+      setText(key, names.short(grip));
+      setAttribute(
+        element,
+        'aria-label',
+        `${label} ${names.name(grip)}, hold ${seconds} s`.replace(' ,', ','),
+      );
     },
   };
 }

@@ -1,6 +1,6 @@
 /** Key that opens the list “Light”, and this list: sun and Earth, lamps, exposure lock, and early television. */
 
-import { keyOf } from '../../input/layout';
+import type { Names } from '../../input/active-device';
 import type { Camera, Frame, Lighting } from '../../link/protocol';
 import type { Appearance } from '../../page/appearance';
 import { button, el, setAttribute, setPressed, setText } from '../parts/dom';
@@ -9,7 +9,8 @@ import type { Desk } from '../parts/part';
 
 export interface LightControl {
   readonly element: HTMLElement;
-  values(frame: Frame): void;
+  /** `names`: those of the device in use. */
+  values(frame: Frame, names: Names): void;
   /** Opens the list, with the focus on its first key, or closes it. */
   toggle(): void;
   /** Locks the exposure of the selected picture, or unlocks it. */
@@ -67,10 +68,14 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
 
   return {
     element: drop.element,
-    values(frame) {
+    values(frame, names) {
       lighting = frame.display.lighting;
-      setAttribute(drop.key, 'title', `Set sun, lamps and exposure: ${keyOf('light')}`);
-      setAttribute(lockKey, 'title', `Lock the exposure of the selected picture: ${keyOf('lock exposure')}`);
+      setAttribute(drop.key, 'title', `Set sun, lamps and exposure: ${names.name('light')}`);
+      setAttribute(
+        lockKey,
+        'title',
+        `Lock the exposure of the selected picture: ${names.name('lock exposure')}`,
+      );
       conditions.forEach((each, i) => {
         setPressed(each, welcome.conditions[i]?.name === lighting.condition);
       });

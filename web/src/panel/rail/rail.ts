@@ -129,8 +129,8 @@ export function rail(
   );
   return {
     element,
-    values({ frame, flying, units: shown }, { picture, delays }, controlText, link) {
-      light.values(frame);
+    values({ frame, flying, controllers, units: shown }, { picture, delays }, controlText, link) {
+      light.values(frame, controllers.names);
       scenarios.values(frame);
       const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
       phases.forEach(({ name, step }, i) => {

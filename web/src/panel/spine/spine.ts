@@ -1,6 +1,6 @@
 /** The lamps between the monitors, below the master alarm. Lamps show their cause. */
 
-import { keyOf } from '../../input/layout';
+import { KEYS, type Names } from '../../input/active-device';
 import type { Alarm } from '../../page/tones';
 import { button, el, setAttribute, setClass, setText } from '../parts/dom';
 import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
@@ -23,6 +23,7 @@ export class Spine {
   private readonly alert = el('p', { class: 'unseen', role: 'alert' });
   private lit = new Map<LampName, SpineLamp>();
   private unseen = new Set<LampName>();
+  private names: Names = KEYS;
   private raised = false;
   private readonly silent = el('p', { class: 'silent' }, 'Tones muted');
 
@@ -44,8 +45,12 @@ export class Spine {
     this.show([]);
   }
 
-  /** Lights exactly these lamps. `test`: also lights all other lamps, but raises no alarm for them. */
-  show(lamps: readonly SpineLamp[], test = false): void {
+  /**
+   * Lights exactly these lamps. `test`: also lights all other lamps, but raises no alarm for them. `names`: those of the
+   * device in use.
+   */
+  show(lamps: readonly SpineLamp[], test = false, names = this.names): void {
+    this.names = names;
     const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
     for (const [name, lamp] of now) {
       const rises = RANK[lamp.level] > RANK[this.lit.get(name)?.level ?? 'info'];
@@ -70,7 +75,11 @@ export class Spine {
     else
       setText(
         this.words,
-        count === '' ? 'clear' : this.unseen.size > 0 ? `${count} · press ${keyOf('acknowledge')}` : count,
+        count === ''
+          ? 'clear'
+          : this.unseen.size > 0
+            ? `${count} · press ${names.name('acknowledge')}`
+            : count,
       );
   }
 
