@@ -53,7 +53,7 @@ class Shot(NamedTuple):
 
 
 SHOTS = {
-    "concept-1972-script": Shot(seconds=40.0),
+    "concept-1972-script": Shot(seconds=12.0),
     "flight-test": Shot("C"),
     "loaded": Shot("C"),
     "sequence": Shot("C", 14.0),
