@@ -79,9 +79,9 @@ def main() -> None:
 
 
 @contextmanager
-def station(scenario: str) -> Iterator[str]:
-    """Run `aftdeck fly` inside the `with` block; yields its address."""
-    command = [sys.executable, "-m", "aftdeck.cli", "fly", scenario, "--no-browser", "--port", "0"]
+def station(scenario: str, *options: str) -> Iterator[str]:
+    """Run `aftdeck fly` with these options inside the `with` block; yields its address."""
+    command = [sys.executable, "-m", "aftdeck.cli", "fly", scenario, *options, "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         try:
             assert process.stdout is not None

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from aftdeck.scenario.load import built_in
 from tests.browser.conftest import SIZES, OpenPage, running_station
 from tests.browser.flight import FLIES, TITLE, Flight
 from tests.browser.layout_checks import assert_readable
@@ -18,6 +19,12 @@ FITS = """() => {
     const { left, right, top, bottom } = document.querySelector('.choices.scenarios').getBoundingClientRect();
     return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
 }"""
+
+PICTURED = """[...document.querySelectorAll('.scenarios section .choice img')]
+    .filter((picture) => picture.complete && picture.naturalWidth > 0).length"""
+"""JavaScript: number of scenarios in the groups of the list whose picture is loaded."""
+OFFERED = "document.querySelector('.task-line button').checkVisibility()"
+"""JavaScript condition: the line of the task has a button."""
 
 
 @pytest.fixture(scope="module")
@@ -68,6 +75,17 @@ def test_script_flies_a_scenario_until_a_stick_moves(flight: Flight) -> None:
     flight.release("s")
 
 
+def test_scenario_without_steps_offers_to_let_its_script_fly(flight: Flight) -> None:
+    choose(flight, "Flight test: without payload")
+    flight.until(f"frame && {TITLE} === 'Flight test: without payload' && frame.by === 'hand' && {OFFERED}")
+    flight.page.locator(".task-line button").click()
+    flight.until(f"frame && frame.by === 'script' && !{OFFERED}")
+    flight.until("frame.rates.some((rate) => Math.abs(rate) > 1e-4)")
+    flight.hold("s")
+    flight.until(f"frame.by === 'hand' && {OFFERED}")
+    flight.release("s")
+
+
 def test_tutorial_key_opens_the_tutorial_scenario_and_its_guide(flight: Flight) -> None:
     flight.press_key("Tutorial")
     flight.until(f"frame && {TITLE} === 'Tutorial' && {GUIDED}")
@@ -93,4 +111,5 @@ def test_scenario_list_fits_and_is_readable(flight: Flight) -> None:
         flight.page.set_viewport_size({"width": width, "height": height})
         flight.until(f"innerWidth === {width} && innerHeight === {height}")
         assert flight.script(FITS)
+        assert flight.script(PICTURED) == len(built_in())
         assert_readable(flight, ".scenarios", least=20)

@@ -21,6 +21,7 @@ from aftdeck.simulation.run import Run as Flight
 from aftdeck.simulation.run import run as fly
 from tests.commands import Run
 from tests.loaded import names_with
+from tests.scenario.missions import takes_its_minutes
 
 TASKS = names_with("step")
 WITH_PAYLOAD = ("tutorial", "srms-deploy", "srms-berth", "concept-1972", "free-flyer")
@@ -49,6 +50,7 @@ def completes(name: str, kind: Kind, plant: str = "kinematic") -> None:
     assert result.summary.ended == "completed"
     assert operator.progress.skipped == ()
     assert not inhibited
+    assert kind == "perfect" or takes_its_minutes(result.scenario, result.summary.time_s)
 
 
 @pytest.mark.parametrize("name", QUICK)

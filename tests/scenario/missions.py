@@ -30,6 +30,12 @@ def but_very_long(names: Iterable[str]) -> list[str | ParameterSet]:
     return [pytest.param(name, marks=pytest.mark.long) if name == VERY_LONG else name for name in names]
 
 
+def takes_its_minutes(scenario: Scenario, time_s: float) -> bool:
+    """Return whether a run took the minutes of the scenario's file, rounded up; a fifth of a minute is allowed."""
+    assert scenario.minutes is not None
+    return scenario.minutes - 1.2 < time_s / 60.0 <= scenario.minutes
+
+
 LONG = {*MISSIONS, "flight-test", VERY_LONG}
 FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SCRIPTED if name != VERY_LONG]
 """The scripted scenarios as test parameters; missions and the flight test are marked slow."""

@@ -7,6 +7,7 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
@@ -16,7 +17,7 @@ from aftdeck.recording.replay import verify
 from aftdeck.scenario.build import BUILT_IN
 from aftdeck.scenario.load import about, built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.schema import Plant
+from aftdeck.scenario.schema import Plant, ScenarioGroup
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
@@ -55,14 +56,31 @@ def own_file() -> Scenario:
     return parse_scenario(text, "first-flight", "first-flight.toml", BUILT_IN)
 
 
-def test_list_has_every_built_in_scenario_with_title_and_description() -> None:
+def test_list_says_of_each_built_in_scenario_what_its_file_says() -> None:
     choice = ScenarioList(scenario())
     assert {info.name for info in choice.scenarios} == set(built_in())
     assert choice.scenarios[choice.flown].name == "first-flight"
     assert not any(info.given for info in choice.scenarios)
-    for name in ("first-flight", OTHER):
-        info = choice.scenarios[number(choice.message(), name)]
-        assert (info.title, info.text) == (load_scenario(name).title, load_scenario(name).description)
+    for info in choice.scenarios:
+        loaded = scenario(info.name)
+        assert (info.title, info.text) == (loaded.title, loaded.description)
+        assert (info.group, info.minutes) == (loaded.group, loaded.minutes)
+        assert info.minutes is not None and info.scripted == bool(loaded.phases)
+
+
+def test_each_group_has_scenarios_and_each_scenario_precedes_its_next() -> None:
+    infos = ScenarioList(scenario()).scenarios
+    assert {info.group for info in infos} == set(get_args(ScenarioGroup))
+    names = [info.name for info in infos]
+    following = [(name, about(name).next) for name in names]
+    assert all(names.index(name) < names.index(after) for name, after in following if after is not None)
+
+
+def test_own_scenario_that_names_no_group_is_to_fly() -> None:
+    text = about("singular").file.replace('group = "learn"\n', "").replace("minutes = 2\n", "")
+    own = parse_scenario(text, "own", "own.toml", BUILT_IN)
+    info = ScenarioList(own).scenarios[0]
+    assert (info.given, info.group, info.minutes) == (True, "fly", None)
 
 
 def test_own_file_is_listed_beside_the_built_in_scenario_of_its_name() -> None:

@@ -275,8 +275,12 @@ def scenarios(as_json: Json = False) -> None:
     from aftdeck.scenario.load import built_in, load_scenario
 
     loaded = [load_scenario(name) for name in built_in()]
-    rows = [{"name": s.name, "title": s.title, "arm": s.arm.name, "text": s.description} for s in loaded]
-    print_table(rows, ("name", "title", "arm", "text"), as_json)
+    columns = ("name", "group", "minutes", "title", "arm", "text")
+    rows = [
+        dict(zip(columns, (s.name, s.group, s.minutes, s.title, s.arm.name, s.description), strict=True))
+        for s in loaded
+    ]
+    print_table(rows, columns, as_json)
 
 
 @app.command(epilog="Example: aftdeck arms --json")

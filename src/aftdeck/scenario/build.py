@@ -98,6 +98,8 @@ def build(
         name=name,
         title=spec.title,
         description=spec.text,
+        group=spec.group,
+        minutes=spec.minutes,
         arm=arm,
         worksite=worksite,
         seed=spec.seed,

@@ -15,7 +15,7 @@ from aftdeck.scenario.build import BUILT_IN, build
 from aftdeck.scenario.changes import GivenChanges, change_text, located
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
-from aftdeck.scenario.schema import ScenarioFile
+from aftdeck.scenario.schema import ScenarioFile, ScenarioGroup
 from aftdeck.scenario.sources import Folder, Sources
 from aftdeck.worksite.file.load import dimensions_of
 
@@ -26,10 +26,13 @@ def built_in() -> tuple[str, ...]:
 
 
 class About(NamedTuple):
-    """Title, description and file of a built-in scenario."""
+    """What a list says about a built-in scenario, and the scenario's file."""
 
     title: str
     text: str
+    group: ScenarioGroup
+    minutes: int
+    next: str | None
     file: str
     """Text of the whole file."""
     scripted: bool
@@ -37,13 +40,14 @@ class About(NamedTuple):
 
 
 def about(name: str) -> About:
-    """Return a built-in scenario's title, description and file.
+    """Return what a list says about a built-in scenario.
 
     The scenario is not built, because building takes a tenth of a second.
     """
     file = (BUILT_IN / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(file)
-    return About(table["title"], table["text"], file, scripted="phase" in table)
+    said = table["title"], table["text"], table["group"], table["minutes"], table.get("next")
+    return About(*said, file, scripted="phase" in table)
 
 
 class Source(NamedTuple):

@@ -14,7 +14,7 @@ from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
-from aftdeck.scenario.schema import FreeContact, Orbiter, Part, Plant, PorOverride, Rate, Until
+from aftdeck.scenario.schema import FreeContact, Orbiter, Part, Plant, PorOverride, Rate, ScenarioGroup, Until
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.steering.mode import MODES, LawChoice
@@ -159,6 +159,9 @@ class Scenario:
         name: built-in name or file stem.
         title: title for display.
         description: task of the operator.
+        group: group of the list of scenarios.
+        minutes: time that the task takes a practised operator, or the script if there are no steps [min]; None if the
+            file does not say.
         arm: the arm, with the scenario's limits replacing the arm's limits.
         worksite: the worksite.
         seed: random seed.
@@ -209,6 +212,8 @@ class Scenario:
     name: str
     title: str
     description: str
+    group: ScenarioGroup
+    minutes: int | None
     arm: Arm
     worksite: Worksite
     seed: int

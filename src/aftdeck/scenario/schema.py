@@ -51,6 +51,8 @@ PayloadEvent = Literal["captured", "released", "latched", "unlatched"]
 """Events of the payloads: one is captured, released, latched in its berth, or unlatched."""
 Until = Literal[PayloadEvent, "at rest"]
 """Events for which a phase may wait: one of a payload, or that the arm is at rest (manual modes)."""
+ScenarioGroup = Literal["learn", "fly", "study"]
+"""Groups of the list of scenarios: lessons, missions, and motions to examine."""
 Plant = Literal["kinematic", "rigid", "flexible"]
 """Models that turn commanded rates into motion: without masses, with rigid bodies, with bending booms and gearboxes."""
 FreeContact = Literal["stop", "reflect"]
@@ -367,6 +369,9 @@ class ScenarioFile(_Part, frozen=True):
     title: Text
     initial: Initial
     text: str = ""
+    group: ScenarioGroup = "fly"
+    minutes: Annotated[int, Bounds(1, 1440, "a run lasts a day at most")] | None = None
+    """Time that the task takes a practised operator, or the script if there are no steps, rounded up [min]."""
     arm: Text = "srms"
     worksite: Text = "orbiter"
     dimensions: dict[str, float | str] = msgspec.field(default_factory=dict)

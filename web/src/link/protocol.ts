@@ -25,6 +25,7 @@ export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearanc
 export type Use = '-X' | '+X' | '-Y' | '+Y' | '-Z' | '+Z' | '-roll' | '+roll' | '-pitch' | '+pitch' | '-yaw' | '+yaw' | '-telescope' | '+telescope' | '-pan' | '+pan' | '-tilt' | '+tilt' | '-zoom' | '+zoom' | 'stop' | 'rate' | 'rate hold' | 'close' | 'open' | 'latch' | 'brakes' | 'safing' | 'position hold' | 'mode -' | 'mode +' | 'enter' | 'proceed' | 'joint -' | 'joint +' | 'fly orbiter' | 'acknowledge' | 'announce' | 'plane' | 'bending' | 'otherMonitor' | 'cameraStep -' | 'cameraStep +' | 'split' | 'matrix' | 'offered pair' | 'slow camera' | 'light' | 'mute' | 'lock exposure' | 'control page' | 'leave' | 'camera 1' | 'camera 2' | 'camera 3' | 'camera 4' | 'camera 5' | 'camera 6' | 'camera 7' | 'camera 8' | 'camera 9' | 'camera 10';
 export type Grade = 'A' | 'B' | 'C' | 'D';
 export type AutopilotName = 'script' | 'policy' | 'synthetic operator';
+export type ScenarioGroup = 'learn' | 'fly' | 'study';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Refused;
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
@@ -890,6 +891,9 @@ export interface ScenarioInfo {
   readonly title: string;
   /** Task of the operator, in a sentence or two. */
   readonly text: string;
+  readonly group: ScenarioGroup;
+  /** Time that the task takes a practised operator, or the script if there are no steps [min]; null if unknown. */
+  readonly minutes: number | null;
   /** True for the user's own file; false for a built-in scenario. */
   readonly given: boolean;
   /** Whether the scenario has a script that can fly it. */

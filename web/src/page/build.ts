@@ -1,5 +1,6 @@
 /** Makes the parts of the operator's page and connects them. */
 
+import type { PairOffer } from '../cameras/pair-offer';
 import { Pictures } from '../cameras/pictures';
 import { CameraHand, together } from '../input/camera-hand';
 import { keyOf } from '../input/layout';
@@ -121,10 +122,11 @@ export function buildParts(
     strips: () => operations.tearOff('strips'),
   });
   const scenarios: ScenarioChoice = scenarioChoice(desk, (name) => task.chosen(name));
-  const task = new Task(desk, controllers.inHand, {
-    flyIt: (name) => scenarios.choose(name),
-    offer: (pair) => pictures.offers.offer(pair),
-  });
+  const taskListener = {
+    flyIt: (name: string) => scenarios.choose(name),
+    offer: (pair: PairOffer) => pictures.offers.offer(pair),
+  };
+  const task = new Task(desk, controllers.inHand, taskListener, scenarios.script);
   const light = lightControl(desk, pictures);
   const [handOverParts, nameField] = [handOver(transmit), naming(keeper, transmit)];
   const { appearance } = pictures;

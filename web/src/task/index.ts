@@ -20,6 +20,7 @@ let kept = false;
 /** Storage key: whether the guide was opened before. Without storage, the guide opens at each visit to the tutorial. */
 const KEY = 'aftdeck.tutorial';
 const OPENED = 'opened';
+const OPEN = 'Show this step with its controls';
 const notice = (text: string): readonly Piece[] => [
   { kind: 'text', text },
   { kind: 'use', text: 'stop' },
@@ -53,10 +54,12 @@ export class Task {
   /** Index of the step of the last frame; null before the first frame. */
   private at: number | null = null;
 
+  /** `script` is the button of a scenario without steps that lets its script fly. */
   constructor(
     private readonly desk: Desk,
     private readonly inHand: InHand,
     private readonly listener: TaskListener,
+    script: HTMLElement,
   ) {
     const { steps } = desk.welcome;
     this.titles = steps.map(({ title }) => title);
@@ -65,7 +68,8 @@ export class Task {
       ? ['Guide', 'Show the present step of the task with its controls']
       : ['Tutorial', 'Learn a first capture in six steps'];
     this.key = button({ title }, [name], () => this.toggle());
-    this.line = new Line(inHand, this.exists ? () => this.show(true) : null);
+    const guide = button({ title: OPEN }, ['Open the guide'], () => this.show(true));
+    this.line = new Line(inHand, this.exists ? guide : script);
     const note = this.isTutorial ? 'You cannot damage anything here. ' : 'Contacts lower the grade. ';
     this.card = new Card(inHand, desk.welcome, notice(note), {
       back: () => desk.send({ type: 'turn_step', to: 'previous' }),

@@ -2,12 +2,10 @@
 
 import type { InHand } from '../input/active-device';
 import type { ToGo } from '../link/protocol';
-import { button, el, setAttribute, setText } from '../panel/parts/dom';
+import { el, setAttribute, setText } from '../panel/parts/dom';
 import type { Units } from '../words/units';
 import { goElement } from './to-go';
 import { MarkedText, type Piece } from './words';
-
-const OPEN = 'Show this step with its controls';
 
 export class Line {
   readonly element: HTMLElement;
@@ -16,22 +14,17 @@ export class Line {
   private readonly words: MarkedText;
   private readonly go = goElement();
 
-  /** `open` opens the guide; null if the scenario has no steps. */
+  /** `key` is a button for what the user can do next. */
   constructor(
     private readonly inHand: InHand,
-    open: (() => void) | null,
+    key: HTMLElement,
   ) {
     this.words = new MarkedText(el('span', { class: 'words' }), inHand);
     this.element = el(
       'section',
       { class: 'task-line', 'aria-label': 'Task' },
       el('div', {}, this.count, el('p', {}, this.title, ' ', this.words.element)),
-      el(
-        'div',
-        { class: 'far' },
-        this.go.element,
-        ...(open ? [button({ title: OPEN }, ['Open the guide'], open)] : []),
-      ),
+      el('div', { class: 'far' }, this.go.element, key),
     );
     // The pictures begin below this line, which is as high as its text.
     new ResizeObserver(() => {

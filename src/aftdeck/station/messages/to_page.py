@@ -5,6 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from aftdeck.report.curves import Lane, Strip
+from aftdeck.scenario.schema import ScenarioGroup
 from aftdeck.simulation.frame import Event
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.kinds import WaitsFor, WireMessage
@@ -18,6 +19,9 @@ class ScenarioInfo(msgspec.Struct, frozen=True):
     title: str
     text: str
     """Task of the operator, in a sentence or two."""
+    group: ScenarioGroup
+    minutes: int | None
+    """Time that the task takes a practised operator, or the script if there are no steps [min]; null if unknown."""
     given: bool
     """True for the user's own file; false for a built-in scenario."""
     scripted: bool

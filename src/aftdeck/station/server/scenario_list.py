@@ -10,9 +10,6 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Plant
 from aftdeck.station.messages import to_page
 
-FIRST = ("tutorial", "first-flight")
-"""Built-in scenarios for newcomers, listed first; the other built-in scenarios follow in alphabetical order."""
-
 
 class ScenarioList:
     """List of scenarios from which the operator chooses.
@@ -25,13 +22,12 @@ class ScenarioList:
     """
 
     def __init__(self, given: Scenario) -> None:
-        names = sorted(built_in(), key=lambda name: (name not in FIRST, FIRST.index(name) if name in FIRST else 0))
+        names = _in_order()
         infos = [_info(name) for name in names]
         own = given.name in names and about(given.name).file == given.text and not given.changes
         self._given = None if own else given
         if not own:
-            scripted = len(given.phases) > 0
-            infos.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, True, scripted))
+            infos.insert(0, _own_info(given))
         self.scenarios = tuple(infos)
         self.flown = names.index(given.name) if own else 0
         self.plant = given.plant
@@ -77,7 +73,26 @@ class ScenarioList:
         return scenario_of(opening(self._given, 0, 0), changes) if changes else self._given
 
 
+def _in_order() -> list[str]:
+    """Return the names of the built-in scenarios: each before the one that it proposes next, the others at the end."""
+    following = {name: about(name).next for name in built_in()}
+    proposed = set(following.values())
+    ordered: list[str] = []
+    for first in sorted(set(following) - proposed, key=lambda name: following[name] is None):
+        name: str | None = first
+        while name is not None and name not in ordered:
+            ordered.append(name)
+            name = following[name]
+    return ordered
+
+
 def _info(name: str) -> to_page.ScenarioInfo:
     """Return the entry of a built-in scenario."""
     found = about(name)
-    return to_page.ScenarioInfo(name, found.title, found.text, False, found.scripted)
+    return to_page.ScenarioInfo(name, found.title, found.text, found.group, found.minutes, False, found.scripted)
+
+
+def _own_info(own: Scenario) -> to_page.ScenarioInfo:
+    """Return the entry of the user's own scenario."""
+    scripted = len(own.phases) > 0
+    return to_page.ScenarioInfo(own.name, own.title, own.description, own.group, own.minutes, True, scripted)

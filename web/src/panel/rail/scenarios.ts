@@ -2,11 +2,10 @@
 
 import type { Frame, Plant, Scenarios } from '../../link/protocol';
 import { keeper } from '../../page/local-storage';
-import { bestOf } from '../../task/best';
-import { durationText } from '../../words/format';
 import { button, el, setPressed, setText } from '../parts/dom';
 import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
+import { DEMO, scenarioRows } from './scenario-rows';
 
 /** A run counts as flown if a joint has moved by more than this [rad]. */
 const TURNED = 1e-3;
@@ -22,13 +21,13 @@ interface Choice {
   readonly demo: boolean;
 }
 
-const DEMO = 'The script flies; move a stick to take over';
-
 export interface ScenarioChoice {
   /** The list, for the rail. */
   readonly element: HTMLElement;
   /** Element over the monitors with the question, or with the name of the scenario that is being prepared. */
   readonly question: HTMLElement;
+  /** Button that lets the script fly, in a scenario that has a script but no steps for an operator. */
+  readonly script: HTMLElement;
   /** Called for each list of scenarios that the station sends. */
   set(known: Scenarios): void;
   values(frame: Frame): void;
@@ -49,6 +48,11 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
   const list = el('div', { class: 'choices scenarios', role: 'group', 'aria-label': 'Scenarios' });
   const drop = dropDown(welcome.title, `${welcome.title}: ${welcome.text}`, list);
   drop.element.classList.add('scenario');
+  const [label, about] = DEMO;
+  const script = button({ class: 'fliers', title: about }, [label], () =>
+    take(known?.flown ?? -1, null, true),
+  );
+  script.hidden = true;
   const words = el('p', { role: 'status' });
   const fly = button({}, ['Leave and fly it'], () => {
     send({ type: 'fly_scenario', ...asked });
@@ -95,21 +99,10 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
   return {
     element: drop.element,
     question,
+    script,
     set(now) {
       known = now;
-      const rows = now.scenarios.map(({ name: id, title, text, given, scripted }, number) => {
-        const name = given ? `${title} (your file)` : title;
-        const best = given ? null : bestOf(keeper, id);
-        const done = best ? [el('i', {}, `best ${best.grade}, ${durationText(best.time)}`)] : [];
-        const row = button({}, [el('b', {}, name), el('span', {}, text), ...done], () => take(number));
-        setPressed(row, number === now.flown);
-        const shows = button(
-          { class: 'demo', title: DEMO, 'aria-label': `Fly it for me: ${name}` },
-          ['Fly it for me'],
-          () => take(number, null, true),
-        );
-        return el('div', { class: 'choice' }, row, ...(scripted ? [shows] : []));
-      });
+      const rows = scenarioRows(now, keeper, (number, demo) => take(number, null, demo));
       list.replaceChildren(...rows, plants(now.flown));
       const coming = now.coming === null ? undefined : now.scenarios[now.coming];
       question.hidden = !coming;
@@ -119,6 +112,8 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     values(frame) {
       recorded = frame.display.recording_s !== null;
       complete = frame.display.task?.debrief != null;
+      const scripted = known?.scenarios[known.flown]?.scripted === true;
+      script.hidden = !scripted || welcome.steps.length > 0 || frame.by === 'script';
       if (!first || frame.tick < first.tick) {
         // A run that was in progress before this page connected counts as flown.
         flown = first === null && frame.time_s > BEGUN_S;
