@@ -123,6 +123,7 @@ def _opened(program: str, address: str) -> Iterator[Page]:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=program, args=FLAGS)
         shown = browser.new_page(viewport={"width": 1440, "height": 800})
+        shown.add_init_script("localStorage.setItem('aftdeck.started', 'yes')")  # the whole page, no opening shot
         shown.goto(f"http://{address}/?quality=low", timeout=WAIT_MS)
         # a function, because the page's content policy forbids to evaluate a text again and again
         shown.wait_for_function("() => window.__aftdeck?.lastFrame", timeout=WAIT_MS)

@@ -109,6 +109,7 @@ def open_page(browser: Browser, address: str) -> Page:
     width, height = SIZE
     page = browser.new_page(viewport={"width": width, "height": height})
     page.set_default_timeout(WAIT_MS)
+    page.add_init_script("localStorage.setItem('aftdeck.started', 'yes')")  # the whole page, no opening shot
     page.goto(address)
     page.wait_for_function("window.__aftdeck?.lastFrame")
     page.wait_for_function("document.querySelector('.who').textContent.startsWith('You fly')")

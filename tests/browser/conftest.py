@@ -63,6 +63,12 @@ STATE = """() => ({
 })"""
 """What a page displays about its state."""
 
+STARTED = """
+    try { localStorage.setItem('aftdeck.started', 'yes'); }
+    catch { /* about:blank has no storage */ }
+"""
+"""Mark of an earlier start; a test module begins with the opening shot of a first start if FIRST is true."""
+
 OpenPage = Callable[..., Flight]
 
 
@@ -160,6 +166,8 @@ def open_page(station: str, browser: Browser, request: pytest.FixtureRequest) ->
         page.on("pageerror", lambda error: errors.append(str(error)))
         if not getattr(request.module, "CALM", False):
             page.add_init_script(FULL_PANEL)
+        if not getattr(request.module, "FIRST", False):
+            page.add_init_script(STARTED)
         if pad:
             page.add_init_script(PAD)
         if prepare:

@@ -21,6 +21,7 @@ import './panel/target/control-page.css';
 import './panel/controllers/controllers.css';
 import './panel/controllers/touch.css';
 import './page/readiness.css';
+import './page/opening.css';
 import './task/task.css';
 import './panel/calm/calm.css';
 import './cameras/all-cameras.css';

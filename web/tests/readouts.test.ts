@@ -43,6 +43,7 @@ function desk() {
     log: { refusedAt: -Infinity },
     controlPage: { values() {} },
     task: { values() {} },
+    opening: { values() {} },
     rail: { values() {} },
     handOver: { words: () => '' },
     sounds: { update: vi.fn() },

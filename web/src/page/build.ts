@@ -33,6 +33,7 @@ import { DeviceWatch } from './device-watch';
 import { Freshness } from './freshness';
 import { keeper } from './local-storage';
 import { Log } from './log';
+import { Opening } from './opening';
 import { Operations } from './operations';
 import { Operator } from './operator';
 import type { Parts } from './parts';
@@ -171,6 +172,7 @@ export function buildParts(
     ...{ rail: topRail, naming: nameField, handOver: handOverParts },
     pairNotice: notice,
     readiness,
+    opening: new Opening(welcome, keeper, controllers.inHand, pictures.monitors.both[1].element),
     freshness: new Freshness(arrivals, pictures, (text, level) => log.say(text, 'camera', level)),
     report: new Report(transmit),
     sounds: new Sounds(tones, spine),

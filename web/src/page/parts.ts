@@ -26,6 +26,7 @@ import type { Control } from './control';
 import type { DeviceWatch } from './device-watch';
 import type { Freshness } from './freshness';
 import type { Log } from './log';
+import type { Opening } from './opening';
 import type { Operator } from './operator';
 import type { ReadinessNotice } from './readiness';
 import type { Report } from './report';
@@ -71,4 +72,5 @@ export interface Parts {
   readonly task: Task;
   readonly pairNotice: PairNotice;
   readonly readiness: ReadinessNotice;
+  readonly opening: Opening;
 }

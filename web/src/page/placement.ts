@@ -18,6 +18,7 @@ export function place(root: HTMLElement, parts: Parts): void {
     pictures.canvas,
     el('main', { class: 'monitors' }, first.element, second.element, spine.element),
     parts.readiness.element,
+    parts.opening.element,
     pictures.matrix.element,
     desk,
     pictures.matrix.strip,

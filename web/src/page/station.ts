@@ -36,6 +36,8 @@ export class Station {
   ) {
     this.parts = buildParts(root, welcome, drawing, transmit);
     place(root, this.parts);
+    this.parts.calm.gather(); // before the opening shot takes a monitor away
+    this.parts.opening.begin(this.parts.calm.on);
     const { tones, windows, arrivals, latency, operator } = this.parts;
     const { signal } = this.ended;
     keyRows(root, signal);
@@ -146,8 +148,9 @@ export class Station {
   dispose(): void {
     cancelAnimationFrame(this.request);
     this.ended.abort();
-    const { tones, operator, cameraHand, windows, task, pictures, freshness } = this.parts;
-    for (const part of [tones, operator, cameraHand, windows, task, pictures, freshness]) part.dispose();
+    const { tones, operator, cameraHand, windows, task, pictures, freshness, opening } = this.parts;
+    for (const part of [tones, operator, cameraHand, windows, task, pictures, freshness, opening])
+      part.dispose();
   }
 
   /** Lets the sticks move the arm, or keeps them at zero, as `Control` decides. */

@@ -55,9 +55,19 @@ export class Calm {
     this.draw();
   }
 
+  /** Whether the page is calm. */
+  get on(): boolean {
+    return !this.full && this.welcome.steps.length > 0;
+  }
+
+  /** Finds the parts that need a reason to be shown; called while all of them are in the document. */
+  gather(): void {
+    this.parts = [...document.querySelectorAll<HTMLElement>('[data-calm]')];
+  }
+
   private draw(): void {
-    const calm = !this.full && this.welcome.steps.length > 0;
-    if (this.parts.length === 0) this.parts = [...document.querySelectorAll<HTMLElement>('[data-calm]')];
+    const calm = this.on;
+    if (this.parts.length === 0) this.gather();
     setPressed(this.key, this.full);
     setText(this.key, this.full ? 'Full' : 'Full panel'); // the rail of the full panel has less room
     setClass(document.body, 'calm', calm);

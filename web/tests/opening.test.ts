@@ -1,0 +1,104 @@
+import { beforeEach, expect, test, vi } from 'vitest';
+import type { InHand } from '../src/input/active-device';
+import { ZERO } from '../src/input/deflection';
+import type { StepInfo, Welcome } from '../src/link/protocol';
+import { maySimplify, Opening, STARTED, thingToDo } from '../src/page/opening';
+import type { View } from '../src/panel/parts/part';
+import { small, useSmallPage } from './small-page';
+
+const STEP: StepInfo = {
+  ...{ title: 'Move', text: 'Push the stick.', mode: null, groups: [], cameras: [], hints: [] },
+  uses: [{ use: '-Z', does: 'up' }],
+};
+const RUN = { steps: [STEP], phases: [] } as unknown as Welcome;
+const HAND = { name: (use: string) => use, kinds: ['keyboard'] } as unknown as InHand;
+
+/** What the shot changes outside its own element. */
+let page: { classes: Set<string>; second: boolean; pressed: (() => void)[] };
+
+beforeEach(() => {
+  useSmallPage();
+  page = { classes: new Set(), second: true, pressed: [] };
+  const classList = {
+    toggle: (name: string, on: boolean) => page.classes[on ? 'add' : 'delete'](name),
+    contains: (name: string) => page.classes.has(name),
+  };
+  Object.assign(document, {
+    body: { classList },
+    addEventListener: (_: string, act: () => void) => page.pressed.push(act),
+  });
+  vi.stubGlobal('requestAnimationFrame', (act: () => void) => act());
+});
+
+function begun(kept: string | null = null, calm = true, welcome = RUN) {
+  const store = { getItem: () => kept, setItem: vi.fn(() => true) };
+  const first = { after: () => (page.second = true) };
+  const second = { previousElementSibling: first, remove: () => (page.second = false) };
+  const opening = new Opening(welcome, store, HAND, second as unknown as HTMLElement);
+  opening.begin(calm);
+  return { opening, store };
+}
+
+function view(changes: Partial<View> = {}, at = 0, level = 'info'): View {
+  const display = { task: { at }, lamps: [{ level }] };
+  return { frame: { display }, hand: ZERO, flying: true, ...changes } as unknown as View;
+}
+
+const isShot = () => page.classes.has('opening') && !page.second;
+
+test('the shot is there at the first start on the calm page, and at no other', () => {
+  begun();
+  expect(isShot()).toBe(true);
+  for (const other of [
+    () => begun('yes'),
+    () => begun(null, false),
+    () => begun(null, true, { ...RUN, steps: [] }),
+  ]) {
+    page.classes.clear();
+    page.second = true;
+    other();
+    expect(isShot()).toBe(false);
+  }
+});
+
+test('the shot is never there where a step chooses the cameras or a script flies', () => {
+  expect(maySimplify(RUN)).toBe(true);
+  expect(maySimplify({ ...RUN, steps: [{ ...STEP, cameras: ['A', 'B'] }] })).toBe(false);
+  expect(maySimplify({ ...RUN, phases: ['approach'] })).toBe(false);
+});
+
+test('any key ends the shot for good, and the second monitor comes back', () => {
+  const { store } = begun();
+  page.pressed[0]?.();
+  expect(isShot()).toBe(false);
+  expect(page.second).toBe(true);
+  expect(store.setItem).toHaveBeenCalledExactlyOnceWith(STARTED, expect.any(String));
+});
+
+test('a stick, the second step, a warning and another operator end the shot; nothing else does', () => {
+  const moved = ZERO.map((value, axis) => (axis === 0 ? 0.2 : value));
+  const ends = [
+    view({ hand: moved }),
+    view({}, 1),
+    view({}, 0, 'warning'),
+    view({ flying: false, flier: 'Anna' }),
+  ];
+  for (const end of ends) {
+    const { opening } = begun();
+    opening.values(view(), false);
+    expect(isShot()).toBe(true);
+    opening.values(end, false);
+    expect(isShot()).toBe(false);
+  }
+  const { opening } = begun();
+  opening.values(view({ flying: false, flier: '' }), true); // a window that is too narrow to fly only observes
+  expect(isShot()).toBe(true);
+});
+
+test('the words name the key of the first function of the step', () => {
+  const { opening } = begun();
+  opening.values(view(), false);
+  expect(small(opening.element).textContent).toContain('hold -Z: up');
+  expect(thingToDo([{ use: 'proceed', does: 'proceed' }])[0]?.text).toContain('press');
+  expect(thingToDo([])).toEqual([]);
+});
