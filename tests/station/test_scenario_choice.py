@@ -95,7 +95,8 @@ def test_every_page_gets_the_new_scenario_and_the_operator_stays(station: Statio
     with station.page() as operator, station.page() as observer:
         choose(operator, OTHER)
         for page in (operator, observer):
-            assert page.wait_for(to_page.Scenarios, lambda message: message.coming is not None).flown != 0
+            message = page.wait_for(to_page.Scenarios, lambda message: message.coming is not None)
+            assert message.scenarios[message.flown].name == "first-flight"
             assert page.wait_for(Welcome).scenario == OTHER
             message = page.wait_for(to_page.Scenarios, lambda message: message.coming is None)
             assert message.scenarios[message.flown].name == OTHER
