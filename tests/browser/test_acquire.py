@@ -79,6 +79,13 @@ def test_bodies_are_drawn_and_keys_acquire_lift_and_release_the_payload(flight: 
     assert_tidy(flight)
     assert_readable(flight)
 
+    # It would float, and no step of a task wants that: the first RELEASE only asks.
+    with flight.logs("release"):
+        flight.hold("r")
+        flight.until("document.querySelectorAll('.effector .fill')[1].style.transform === 'scaleX(1)'")
+        flight.release("r")
+    flight.until(HELD)
+
     # The released payload stays at its position.
     with flight.logs("released"):
         flight.hold("r")

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 
+import msgspec
 import pytest
 
+from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.payloads.latch_command import CONFIRM
+from aftdeck.simulation.run import Simulation
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.kinds import EffectorSwitch
+from aftdeck.station.session.release import ReleaseQuestion
 from aftdeck.station.session.session import Session
+from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.report import Objective
 from tests.loaded import scenario
 from tests.station.flying import flying, shown, step_until, steps
 
@@ -79,3 +85,13 @@ def test_empty_end_effector_opens_without_a_question() -> None:
     with flying(made=scenario("srms-deploy")) as session:
         release(session)
         assert questions(session) == 0
+
+
+@pytest.mark.parametrize("holds", [True, False])
+def test_release_asks_unless_the_berth_takes_the_payload(holds: bool) -> None:
+    frame = Simulation(scenario("srms-berth")).step(Inputs())
+    condition = Condition("centred", holds, 0.0, 0.1, "m", 0.1 if holds else -0.1, "")
+    work = msgspec.structs.replace(frame.work, objective=Objective("insert", "insert"), conditions=(condition,))
+    command = from_page.SetEffector(0, "open")
+    question = ReleaseQuestion().question(command, msgspec.structs.replace(frame, work=work), None)
+    assert (question == "") is holds

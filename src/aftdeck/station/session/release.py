@@ -12,6 +12,7 @@ from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.payloads.latch_command import CONFIRM
 from aftdeck.station.messages import from_page
+from aftdeck.worksite.conditions import all_ready
 
 
 class ReleaseQuestion:
@@ -24,7 +25,8 @@ class ReleaseQuestion:
         """Return the request to confirm a command; empty if the command may be executed.
 
         The first RELEASE of a payload that nothing but the end effector holds only asks; a second RELEASE within
-        `CONFIRM` is executed. Exceptions: the present step of the task is this release, or it has begun already.
+        `CONFIRM` is executed. Exceptions: the present step of the task is this release, it has begun already, or a
+        berth fixes the payload as soon as it is released.
 
         Args:
             command: command for the next step; None if there is none.
@@ -34,13 +36,19 @@ class ReleaseQuestion:
         if not isinstance(command, from_page.SetEffector) or command.switch != "open" or frame is None:
             return ""
         held = next((payload for payload in frame.work.cargo if payload.held and payload.seat == ""), None)
-        if held is None or frame.work.hand.switch == "open" or (step is not None and _is_release(step)):
+        if held is None or frame.work.hand.switch == "open" or _is_inserted(frame) or (step and _is_release(step)):
             return ""
         asked_s, self._asked_s = self._asked_s, frame.time_s
         if frame.time_s - asked_s <= CONFIRM:
             self._asked_s = -math.inf
             return ""
         return f"RELEASE again within {CONFIRM:g} s to confirm: nothing but the end effector holds {held.name}"
+
+
+def _is_inserted(frame: Frame) -> bool:
+    """Return whether the payload is where a berth fixes it upon its release, as in the concept's bay."""
+    objective = frame.work.objective
+    return objective is not None and objective.action == "insert" and all_ready(frame.work.conditions)
 
 
 def _is_release(step: TaskStep) -> bool:

@@ -37,6 +37,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void, pulse?: () =>
   assignment.hidden = desk.welcome.work.cargo.length === 0;
   const reading = orbiterReading();
   const rates = el('div', { class: 'switch', role: 'group', 'aria-label': 'Rate' }, coarse, vernier);
+  const holds = el('div', { class: 'holds' }, hold, ...(pulse ? [pulses] : []));
   const element = group(
     'thc',
     'THC',
@@ -79,7 +80,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void, pulse?: () =>
     assignment,
     reading.element,
     rates,
-    el('div', { class: 'holds' }, hold, ...(pulse ? [pulses] : [])),
+    holds,
   );
   return {
     element,
@@ -106,7 +107,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void, pulse?: () =>
       setPressed(arm, !orbiting);
       setPressed(orbiter, orbiting);
       reading.element.hidden = !orbiting;
-      rates.hidden = hold.hidden = orbiting;
+      rates.hidden = holds.hidden = orbiting;
       reading.set(frame.display, units);
       setClass(orbiter, 'moving', isMoving(frame.display));
       if (orbiting) numbers.set([hand[X] ?? 0, hand[Y] ?? 0, hand[Z] ?? 0], 'X');
