@@ -47,6 +47,7 @@ def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
         browser.go(f"{station}?quality=low")
         browser.resize(1280, 720)
         browser.until(f"frame?.time_s > 1 && {FLIES}")
+        browser.script("document.dispatchEvent(new PointerEvent('pointerdown'))")  # ends the opening shot
         browser.until(TUTORIAL)  # the tutorial opens by itself on the first visit
         press_rail(browser, "Guide")
         browser.until(f"!{TUTORIAL}")

@@ -38,6 +38,7 @@ def warm_up(scenario: Scenario) -> None:
     arm = scenario.arm
     here = target_at(arm.forward(scenario.initial_angles))
     step(flight, state, Inputs())
+    frame_of(flight, state, digest(state))
     for law in AUTOMATIC_LAWS:
         step(flight, state, Inputs(mode="OPR CMD", law=law, target=here, proceed=True))
         step(flight, state, Inputs(stop=True))

@@ -323,8 +323,9 @@ export class Pictures {
     return low && this.own === SHOWN && drawers.failures <= MOST_FAILURES && !this.simple;
   }
 
-  /** Keeps the low profile because the full one could not be prepared. */
+  /** Keeps the low profile because the full one could not be prepared; with lost graphics, until they are back. */
   private keepLow(error: unknown): void {
+    if (this.scene.isLost) return;
     if (!(error instanceof TooSlow)) throw error;
     this.simplify(error.ms);
   }

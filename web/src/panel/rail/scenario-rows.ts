@@ -51,7 +51,7 @@ export function scenarioRows(
     return el(
       'section',
       { 'aria-labelledby': id },
-      el('h3', { id }, el('b', {}, name), ' ', about),
+      el('h2', { id }, el('b', {}, name), ' ', about),
       ...rows.filter(({ info }) => info.group === group).map(({ element }) => element),
     );
   });
