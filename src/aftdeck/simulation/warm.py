@@ -25,6 +25,7 @@ from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.state_part import digest
 from aftdeck.steering.layout import TWIST
+from aftdeck.steering.limiters import rate_ratio
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 
 FAR = 1e3
@@ -39,6 +40,7 @@ def warm_up(scenario: Scenario) -> None:
     here = target_at(arm.forward(scenario.initial_angles))
     step(flight, state, Inputs())
     frame_of(flight, state, digest(state))
+    rate_ratio(state.rules, state.steering)
     for law in AUTOMATIC_LAWS:
         step(flight, state, Inputs(mode="OPR CMD", law=law, target=here, proceed=True))
         step(flight, state, Inputs(stop=True))
