@@ -1,7 +1,7 @@
 // Generated from simulation/frame.py, report/ and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 
-export const PROTOCOL = 6;
+export const PROTOCOL = 7;
 
 export type Vec2 = readonly [number, number];
 export type Axis = 'x' | 'y' | 'z';
