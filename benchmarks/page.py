@@ -96,9 +96,9 @@ def _latency(shown: Page, keys: int, name: str, pause: float) -> Figure:
 def _resting(shown: Page, name: str) -> list[Figure]:
     """Measure the pictures after the end of a motion."""
     _press(shown, 2, 0)
-    begun = time.perf_counter()
+    start = time.perf_counter()
     shown.wait_for_function(f"() => {SHARPNESS}.samples > 1", timeout=WAIT_MS)
-    waited, sharp = time.perf_counter() - begun, shown.evaluate(SHARPNESS)
+    waited, sharp = time.perf_counter() - start, shown.evaluate(SHARPNESS)
     renderer = shown.evaluate("window.__aftdeck.renderer")
     return [
         Figure(f"{name}, key released to still pictures", waited, "s", None, f"{sharp['samples']} samples of a pixel"),

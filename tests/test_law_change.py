@@ -139,6 +139,27 @@ def test_without_numba_nothing_is_compiled(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("module", "call"), [("aftdeck.visual.warm", "warm_up"), ("aftdeck.gym.reach.batch", "_call_laws")]
+)
+def test_bar_of_other_laws_knows_the_number_of_their_files(module: str, call: str, tmp_path: Path) -> None:
+    runs(
+        BEGIN
+        + f"""
+from {module} import FILES, {call}
+laws.want({call}, files=FILES)
+while not laws.wait(1.0):
+    pass
+assert not laws.failure, laws.failure
+from aftdeck.law_folder import cache_folder
+files = list(cache_folder().rglob("*.law"))
+assert 0.8 < len(files) / FILES < 1.2, len(files)
+""",
+        tmp_path,
+    )
+
+
 FLIGHT = """
 import sys, time
 from pathlib import Path
@@ -150,8 +171,6 @@ from aftdeck.recording.run import record
 from aftdeck.simulation.warm import warm_up
 
 flown = scenario("first-flight")
-names = []
-law_cache.observers.append(names.append)
 laws = law_change.Laws(background=False)
 ticks = []
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from typing import Any
 
 from aftdeck.law import are_compiled
@@ -35,12 +37,22 @@ def compiled_first(call: Callable[..., None], *given: Any, package: str = "", fi
     within = here.only_kept or CHILD in os.environ  # the call itself, here or in the process that compiles
     if within or not are_compiled() or compiled_before(package):
         return
-    with ProgressBar(COMPILING) as update:
-        if update is None:
-            print_error(f"{COMPILING}, once for each version of them; this takes a minute or two")
+    if not sys.stderr.isatty():
+        print_error(f"{COMPILING}, once for each version of them; this takes a minute or two")
+    with compilation_bar() as tell:
+        Laws(background=False, tell=tell).want(call, *given, files=files)
+
+
+@contextmanager
+def compilation_bar() -> Iterator[Callable[[Progress | None], None]]:
+    """Yield a function that shows the progress of a compilation in a terminal, until the compilation ends."""
+    with ExitStack() as shown:
+        update = shown.enter_context(ProgressBar(COMPILING))
 
         def tell(progress: Progress | None) -> None:
-            if update is not None and progress is not None:
+            if progress is None:
+                shown.close()
+            elif update is not None:
                 update(progress.share)
 
-        Laws(background=False, tell=tell).want(call, *given, files=files)
+        yield tell

@@ -41,8 +41,9 @@ _waiting: list[_Declared] | None = []
 """Laws that are declared but not yet replaced by compiled functions; None after `load`."""
 _prepared: list[tuple[dict[str, Any], str, Any]] | None = None
 """What the next call of a law replaces: namespaces, names in them, and compiled functions; None before `prepare`."""
-_way: Literal["compiled", "kept", "plain"] = "compiled"
-"""How this process runs laws until `load`: see `run_kept` and `run_plain`."""
+_way: Literal["loaded", "compiled", "kept", "plain"] = "loaded"
+"""How this process runs laws until `load`, which the first call of a law calls only in the way "loaded": see
+`run_compiled`, `run_kept` and `run_plain`."""
 
 
 class _Here(threading.local):
@@ -75,7 +76,7 @@ class _Declared:
         """Call the law in the way of this process and thread."""
         if _here.nested:
             return self._function(*given)
-        if here.only_kept and not _here.plain:
+        if (here.only_kept or _way == "compiled") and not _here.plain:
             return self.compiled(*given)
         if _prepared is not None:
             load()
@@ -185,6 +186,15 @@ def _declared(
 def are_compiled() -> bool:
     """Return whether Numba compiles laws in this process, as it does unless `NUMBA_DISABLE_JIT` is set."""
     return os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0")
+
+
+def run_compiled() -> None:
+    """Let this process compile each law at its first call, elementary laws too; only `interpreted` is plain Python.
+
+    This is for a process that compiles for another one.
+    """
+    global _way  # noqa: PLW0603
+    _way = "compiled"
 
 
 def run_kept() -> None:

@@ -1,6 +1,6 @@
-"""Compiled laws for a process that has begun with plain Python: another process compiles, and this one changes over.
+"""Compiled laws for a process that starts with plain Python: another process compiles, and this one changes over.
 
-A law gives the same result in both ways, to the last bit. So a run may begin at once, long before its laws are
+A law gives the same result in both ways, to the last bit. So a run may start at once, long before its laws are
 compiled: a process calls `run_plain`, and `Laws` replaces its laws between two calls when their machine code is there.
 """
 
@@ -19,7 +19,7 @@ import numpy as np
 
 from aftdeck import law_cache
 from aftdeck.errors import AftdeckError
-from aftdeck.law import are_compiled, is_plain, load, prepare
+from aftdeck.law import are_compiled, is_plain, prepare, run_compiled
 from aftdeck.law_cache import NotKept, only_kept
 from aftdeck.law_folder import compiled_before
 from aftdeck.processes import BACKGROUND, Child
@@ -58,14 +58,14 @@ class Counter:
             tell: called with the progress at the beginning, and after each file.
         """
         self._files, self._tell = files, tell
-        self._begun, self._done = time.monotonic(), 0
+        self._start, self._done = time.monotonic(), 0
         tell(Progress(0.0, None))
 
     def add_one(self) -> None:
         """Count one more file."""
         self._done += 1
         share = min(self._done / self._files, 0.99)
-        passed = time.monotonic() - self._begun
+        passed = time.monotonic() - self._start
         self._tell(Progress(share, passed / share - passed if share > _GUESS_FROM else None))
 
 
@@ -105,9 +105,10 @@ class Laws:
         self._ended.set()
 
     def want(self, call: Callable[..., None], *given: Any, files: int = FILES) -> None:
-        """Let the laws that a call needs be compiled when the process calls them next, or while it runs plain Python.
+        """Provide the compiled laws that a call needs, from the disk or by another process.
 
-        A process that has called `run_plain` goes on at once. In any other process the laws are there on return.
+        A process that has called `run_plain` goes on at once, and uses them from the moment when they are there. In any
+        other process they are there on return.
 
         Args:
             call: function of a module; it calls the laws.
@@ -231,9 +232,9 @@ def _compile_for(pipe: Connection) -> None:
         pipe.send((name, law_cache.in_memory.get(name, b"")))
 
     law_cache.observers.append(tell)
+    run_compiled()
     work: Work = pickle.loads(pipe.recv_bytes())
     try:
-        load()
         work.call(*work.given)
         pipe.send(None)
     except Exception as error:  # any error must reach the process that waits

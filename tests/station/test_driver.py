@@ -101,7 +101,7 @@ def test_failing_step_is_reported_with_its_time_and_the_recording_is_kept(
     assert verify(path).equal and recording.ended == "stopped"
 
 
-def _begun(driver: Driver) -> bool:
+def _goes_on(driver: Driver) -> bool:
     return driver.session.newest != b"" and shown(driver.session).tick > 1
 
 
@@ -112,7 +112,7 @@ def test_run_waits_for_the_first_pictures_of_a_page_and_loses_no_time() -> None:
     time.sleep(0.5)
     assert shown(driver.session).tick == 1, "the page has a frame to draw"
     driver.drawn()
-    until(lambda: _begun(driver) and driver.waits_for == "", "the run goes on")
+    until(lambda: _goes_on(driver) and driver.waits_for == "", "the run goes on")
     driver.close()
     assert driver.session.delays.lost_s == 0.0
 
@@ -121,7 +121,7 @@ def test_run_without_a_page_begins_in_time_and_says_why(monkeypatch: pytest.Monk
     monkeypatch.setattr("aftdeck.station.session.driver.PAGE_WITHIN", 0.3)
     driver = Driver(Session(scenario()), for_page=True)
     driver.start(lambda: None)
-    until(lambda: _begun(driver), "the run begins")
+    until(lambda: _goes_on(driver), "the run begins")
     driver.close()
     assert [event.kind for event in driver.session.log.since(0)] == ["page"]
 
@@ -130,9 +130,9 @@ def test_closing_ends_the_wait_for_a_page() -> None:
     driver = Driver(Session(scenario()), for_page=True)
     driver.start(lambda: None)
     until(lambda: driver.waits_for == "page", "the run waits")
-    begun = time.monotonic()
+    start = time.monotonic()
     driver.close()
-    assert time.monotonic() - begun < 1.0 and driver.phase is Phase.CLOSED
+    assert time.monotonic() - start < 1.0 and driver.phase is Phase.CLOSED
 
 
 class _SlowLaws(Laws):

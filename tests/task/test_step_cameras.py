@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +18,12 @@ from tests.loaded import scenario
 @pytest.mark.parametrize("name", built_in())
 def test_built_in_steps_show_no_picture_that_is_turned_against_the_sticks(name: str) -> None:
     assert not list(turned_pictures(scenario(name)))
+
+
+def test_the_page_and_the_check_avoid_the_same_angle() -> None:
+    rule = Path(__file__).parents[2] / "web" / "src" / "cameras" / "best-pair.ts"
+    (degrees,) = re.findall(r"CROSSED = \((\d+) \* Math\.PI\) / 180", rule.read_text(encoding="utf-8"))
+    assert math.radians(float(degrees)) == CROSSED
 
 
 def test_a_turned_picture_is_named_with_its_step_and_its_angle() -> None:

@@ -3,47 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
-from typing import TYPE_CHECKING, Any
-
-from aftdeck.progress_bar import ProgressBar
-
-if TYPE_CHECKING:
-    from aftdeck.law_change import Progress
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from typing import Any
 
 
 @contextmanager
-def compiled_meanwhile(call: Callable[..., None], *given: Any, bar: bool = True) -> Iterator[None]:
+def compiled_meanwhile(
+    call: Callable[..., None], *given: Any, files: int | None = None, bar: bool = True
+) -> Iterator[None]:
     """Let the laws that a call needs be compiled while the command goes on.
 
     Args:
         call: function of a module that calls these laws.
         given: its arguments.
+        files: number of files with their machine code, roughly; None: that of a run.
         bar: whether a terminal shows the progress; the command itself must then show none.
     """
-    from aftdeck.law_change import Laws
+    from aftdeck.compiled_first import compilation_bar
+    from aftdeck.law_change import FILES, Laws
 
     with ExitStack() as shown:
-        update = shown.enter_context(ProgressBar("Compiling the laws")) if bar else None
-
-        def tell(progress: Progress | None) -> None:
-            if progress is None:
-                shown.close()
-            elif update is not None:
-                update(progress.share)
-
-        laws = Laws(background=False, tell=tell)
-        laws.want(call, *given)
+        laws = Laws(background=False, tell=shown.enter_context(compilation_bar()) if bar else lambda _: None)
+        laws.want(call, *given, files=files or FILES)
         try:
             yield
         finally:
             laws.close()
 
 
-def pictures_compiled_meanwhile(*, bar: bool = True) -> ExitStack:
-    """Let the laws of pictures be compiled while the command goes on; use it in a ``with`` statement."""
-    from aftdeck.visual.warm import warm_up
+def pictures_compiled_meanwhile(*, bar: bool = True) -> AbstractContextManager[None]:
+    """Let the laws of pictures be compiled while the command goes on; `bar` as for `compiled_meanwhile`."""
+    from aftdeck.visual.warm import FILES, warm_up
 
-    stack = ExitStack()
-    stack.enter_context(compiled_meanwhile(warm_up, bar=bar))
-    return stack
+    return compiled_meanwhile(warm_up, files=FILES, bar=bar)

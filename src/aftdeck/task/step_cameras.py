@@ -61,7 +61,7 @@ class StepCameras:
 
 
 def turned_pictures(scenario: Scenario) -> Iterator[Problem]:
-    """Yield a problem for each camera of a step whose picture is turned by more than 100° against the sticks."""
+    """Yield a problem for each camera of a step whose picture is turned by more than `CROSSED` against the sticks."""
     if not any(step.cameras for step in scenario.steps):
         return
     cameras = StepCameras(scenario)
@@ -69,4 +69,5 @@ def turned_pictures(scenario: Scenario) -> Iterator[Problem]:
         for name in step.cameras:
             if (angle := cameras.turned(step, name)) > CROSSED:
                 what = f"the picture of camera {name} is turned by {math.degrees(angle):.0f}° against the sticks"
-                yield Problem(("step", i, "cameras"), f"{what}; the station avoids more than 100°")
+                avoided = f"the station avoids more than {math.degrees(CROSSED):.0f}°"
+                yield Problem(("step", i, "cameras"), f"{what}; {avoided}")

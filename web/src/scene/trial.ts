@@ -1,6 +1,6 @@
 /** Tries out how long the pictures of a profile take, with small pictures, before the page draws large ones with it. */
 
-/** Longest time of a picture [ms]: nobody can fly by slower ones, and the page stops meanwhile. */
+/** Longest time of a picture [ms]: slower ones are of no use for flying, and the page stops meanwhile. */
 export const SLOWEST_MS = 2000;
 /** Side lengths of the pictures that are tried [px]; the first one compiles the shaders. */
 export const SIDES = [16, 16, 256] as const;

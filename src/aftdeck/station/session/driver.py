@@ -17,7 +17,7 @@ MAX_JOIN = 5.0
 """Longest wait for the end of the thread [s]."""
 PAGE_WITHIN = 10.0
 """Longest time for which a run waits for the first pictures of a page [s]."""
-NO_PAGE = f"the run has begun: no page in control has drawn a picture within {PAGE_WITHIN:g} s"
+NO_PAGE = f"the run has started: no page in control has drawn a picture within {PAGE_WITHIN:g} s"
 """Line of the log after this time."""
 TOO_LATE = 0.1
 """Delay of a step from which the run waits for compiled laws, if plain Python is the cause [s]."""

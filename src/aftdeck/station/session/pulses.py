@@ -77,7 +77,7 @@ class Pulses:
     def press(self, pulse: from_page.Pulse, frame: Frame | None) -> str:
         """Add a pulse; return why it is rejected, empty if it is not."""
         if frame is None:
-            return "PULSE refused: the run has not begun"
+            return "PULSE refused: the run has not started"
         arm = any((*pulse.translation, *pulse.rotation, pulse.drive))
         if arm and MODES[frame.mode].kind not in ("manual", "single"):
             return f"PULSE refused: the sticks do not move the arm in {frame.mode}"

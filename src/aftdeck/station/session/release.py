@@ -25,7 +25,7 @@ class ReleaseQuestion:
         """Return the request to confirm a command; empty if the command may be executed.
 
         The first RELEASE of a payload that nothing but the end effector holds only asks; a second RELEASE within
-        `CONFIRM` is executed. Exceptions: the present step of the task is this release, it has begun already, or a
+        `CONFIRM` is executed. Exceptions: the present step of the task is this release, it has started already, or a
         berth fixes the payload as soon as it is released.
 
         Args:

@@ -468,11 +468,9 @@ class Session:
 
 def _from_the_start(event: Event) -> Event:
     """Return an event of the first step as information: it tells the state in which the scenario begins."""
-    return (
-        event
-        if event.level == "info"
-        else msgspec.structs.replace(event, level="info", text=f"from the start: {event.text}")
-    )
+    if event.level == "info":
+        return event
+    return msgspec.structs.replace(event, level="info", text=f"from the start: {event.text}")
 
 
 def _deflected(frame: Frame) -> Axis | None:
