@@ -1,14 +1,17 @@
 /**
- * Resolution of moving pictures, chosen from the times that they took. It is as high as 25 pictures a second allow, and
- * at least half of the screen's.
+ * Resolution of moving pictures, chosen from the times that they took. It is as high as 25 pictures a second and
+ * 100 ms from a key to its picture allow, and at least half of the screen's.
  */
 
 /** Resolutions, as shares of the screen's in each direction. */
 export const SCALES = [0.5, 0.6, 0.7, 0.8, 0.9, 1] as const;
-/** Greatest time from turn to turn [ms]; a turn draws all pictures once. 25 turns a second. */
-export const SLOW_MS = 40;
+/**
+ * Greatest time from turn to turn [ms]; a turn draws all pictures once. A little less than for 25 turns a second: a key
+ * waits for up to two turns and a step of the station, and its picture has to be there after 100 ms.
+ */
+export const SLOW_MS = 38;
 /** A higher resolution is chosen only if its turns are expected to follow each other in this time [ms]. */
-export const GOAL_MS = 37;
+export const GOAL_MS = 34;
 /** Number of turns of which the median counts: a few late ones change nothing. */
 export const TURNS = 9;
 /** Longest drawing of a still picture's pieces [ms]: a moving picture waits for it. */
