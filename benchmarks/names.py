@@ -48,6 +48,7 @@ NAMES = {
     "help": Benchmark(STATION, "benchmarks.station", "help_page"),
     "first-use": Benchmark(STATION, "benchmarks.station", "first_use"),
     "start": Benchmark(STATION, "benchmarks.station", "start"),
+    "newcomer": Benchmark(STATION, "benchmarks.newcomer", "newcomer", by_default=False, limit_s=1500.0),
     "latency": Benchmark(STATION, "benchmarks.station", "latency"),
     "loaded": Benchmark(STATION, "benchmarks.loaded", "loaded"),
     "attacked": Benchmark(STATION, "benchmarks.attacked", "attacked", by_default=False),

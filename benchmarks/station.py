@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import subprocess
 import sys
@@ -88,7 +89,7 @@ def start(size: Size) -> list[Figure]:
             with urllib.request.urlopen(f"http://{address}/", timeout=WAIT) as answer:
                 answer.read()
             with _greeting(address) as socket:
-                _next(socket)
+                next_message(socket)
                 page = time.perf_counter() - begun
                 _frame(socket)
             pages.append(page)
@@ -104,7 +105,7 @@ def start(size: Size) -> list[Figure]:
 def latency(size: Size) -> list[Figure]:
     """Measure the time from the sending of a `Sticks` message to the arrival of the first frame that used it."""
     took, pause = [], random.Random(1)
-    with flying() as address, _page(address) as socket:
+    with flying() as address, page_of(address) as socket:
         for seq in range(size.messages):
             time.sleep(pause.uniform(0.0, 0.02))  # messages arrive at random times within a control period
             sent = time.perf_counter()
@@ -112,7 +113,7 @@ def latency(size: Size) -> list[Figure]:
                 msgspec.json.encode(from_page.Sticks(seq, (0.01 * (seq % 2), 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)).decode()
             )
             while True:
-                message = _next(socket)
+                message = next_message(socket)
                 if isinstance(message, Frame) and message.display.stick_seq >= seq:
                     break
             took.append(1e3 * (time.perf_counter() - sent))
@@ -124,10 +125,11 @@ def latency(size: Size) -> list[Figure]:
 
 
 @contextmanager
-def flying(scenario: str = "first-flight") -> Iterator[str]:
-    """Run ``aftdeck fly`` during the `with` block; yield its host and port."""
+def flying(scenario: str = "first-flight", **variables: str) -> Iterator[str]:
+    """Run ``aftdeck fly`` with further environment variables during the `with` block; yield its host and port."""
     command = [*AFTDECK, "fly", scenario, "--no-browser", "--port", "0"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+    environment = {**os.environ, **variables}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as process:
         assert process.stdout is not None
         try:
             yield process.stdout.readline().partition("http://")[2].strip().rstrip("/")
@@ -145,19 +147,20 @@ def _greeting(address: str) -> Iterator[ClientConnection]:
 
 
 @contextmanager
-def _page(address: str) -> Iterator[ClientConnection]:
+def page_of(address: str) -> Iterator[ClientConnection]:
     """Connect as a page and wait for `welcome`."""
     with _greeting(address) as socket:
-        while not isinstance(_next(socket), Welcome):
+        while not isinstance(next_message(socket), Welcome):
             pass
         yield socket
 
 
-def _next(socket: ClientConnection) -> to_page.FromServer:
+def next_message(socket: ClientConnection) -> to_page.FromServer:
+    """Return the next message of the station."""
     return _messages.decode(socket.recv(timeout=WAIT))
 
 
 def _frame(socket: ClientConnection) -> Frame:
-    while not isinstance(message := _next(socket), Frame):
+    while not isinstance(message := next_message(socket), Frame):
         pass
     return message
