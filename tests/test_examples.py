@@ -37,8 +37,9 @@ def test_readme_begins_with_its_two_commands() -> None:
     assert [line.split("#")[0].strip() for line in lines[1:3]] == ["make fly", "make test"]
 
 
-def test_readme_python_gives_the_results_it_shows() -> None:
-    failed, tried = doctest.testfile(str(README), module_relative=False, encoding="utf-8")
+@pytest.mark.parametrize("page", [README, ROOT / "docs" / "own-servos.md"], ids=lambda page: page.name)
+def test_python_of_a_page_gives_the_results_it_shows(page: Path) -> None:
+    failed, tried = doctest.testfile(str(page), module_relative=False, encoding="utf-8")
     assert tried > 0
     assert failed == 0
 

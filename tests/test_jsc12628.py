@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Callable
 from typing import Literal, TypedDict
 
 import numpy as np
@@ -29,6 +30,15 @@ class Limits(TypedDict):
     omega_L: float
     V_L_dot: float
     omega_L_dot: float
+
+
+class Sticks(TypedDict):
+    """The operator's commands in modes 4 to 8."""
+
+    omega_C: Array
+    V_C: Array
+    joint: int
+    theta_dot_C: float
 
 
 LIMITS: Limits = {"V_L": 0.6, "omega_L": 0.08, "V_L_dot": 0.15, "omega_L_dot": 0.03}
@@ -311,20 +321,121 @@ def test_msteer_agrees_with_the_report_step_by_step(
         q = q + rates * dt
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("mode", [1, 3])
-def test_phases_of_modes_1_and_3_end_at_eta(mode: Literal[1, 3]) -> None:
-    q = np.array([0.2, 1.0, -1.4, 0.3, 0.2, 0.4])
-    goal = q + np.array([0.03, -0.02, 0.02, 0.03, -0.02, 0.05])
-    r, T, _ = plain_lnkage(goal)
-    phase = jsc12628.operin(loaded.arm(), mode, q, **LIMITS, theta_dot_L=SERVO, DT=0.02, theta_F=goal, r_6BF=r, T_B7F=T)
-    eta = jsc12628.msteer(phase, q).ETA
-    assert eta > 0.0
-    steps = 1
-    while not (step := jsc12628.msteer(phase, q)).done and steps < 5000:
-        assert step.ETA == pytest.approx(eta)
-        q, steps = q + 0.02 * step.theta_dot_C, steps + 1
-    assert steps * 0.02 == pytest.approx(eta, abs=0.05)
+@SOME
+@given(poses, turns, turns, units, st.sampled_from(BOTH))
+def test_lnkage_gives_the_pose_of_an_attached_payload(
+    q: Array, turn: list[float], offset: list[float], unit: jsc12628.Units, name: str
+) -> None:
+    arm, T_78 = loaded.arm(name), rotation(turn)
+    found = jsc12628.lnkage(arm, q, unit, PA=1, T_78=T_78, r_87=offset)
+    empty = jsc12628.lnkage(arm, q, unit)
+    for mine, plain in zip(found[:3], empty, strict=True):
+        np.testing.assert_array_equal(mine, plain)
+    np.testing.assert_allclose(found.T_B8, empty.T_B7 @ T_78, atol=1e-12)
+    np.testing.assert_allclose(found.r_7B, empty.r_6B + empty.T_B7 @ T_78 @ offset, atol=1e-12)
+    at_tip = jsc12628.lnkage(arm, q, unit, PA=1)
+    np.testing.assert_allclose(at_tip.r_7B, at_tip.r_6B, atol=1e-12)
+    np.testing.assert_allclose(at_tip.T_B8, at_tip.T_B7, atol=1e-12)
+
+
+Q = np.array([0.2, 1.0, -1.4, 0.3, 0.2, 0.4])
+"""Joint angles of the Shuttle's arm, far from every singularity [rad]."""
+near = st.lists(st.floats(-0.05, 0.05), min_size=6, max_size=6).map(np.array)
+
+
+def flown(phase: jsc12628.Phase, q: Array, dt: float) -> tuple[list[jsc12628.Msteer], Array]:
+    """Return all steps of a phase whose joints follow the commanded rates exactly, and the last joint angles."""
+    steps: list[jsc12628.Msteer] = []
+    while not (steps and steps[-1].done):
+        steps.append(jsc12628.msteer(phase, q))
+        q = q if steps[-1].done else q + dt * steps[-1].theta_dot_C
+        assert len(steps) < 5000
+    return steps, q
+
+
+@settings(max_examples=20)
+@given(near, st.sampled_from([1, 3]), st.sampled_from([0.02, 0.08]))
+def test_phases_of_modes_1_and_3_end_at_their_eta(way: Array, mode: Literal[1, 3], dt: float) -> None:
+    r, T, _ = plain_lnkage(Q + way)
+    phase = jsc12628.operin(loaded.arm(), mode, Q, **LIMITS, theta_dot_L=SERVO, DT=dt, r_6BF=r, T_B7F=T)
+    planned = phase.ETA
+    steps, _ = flown(phase, Q, dt)
+    assert {step.ETA for step in steps} == {planned}
+    last = (len(steps) - 1) * dt
+    assert planned - 1e-6 <= last < planned + dt + 1e-6
+
+
+@settings(max_examples=40)
+@given(st.sampled_from([4, 5, 6, 7, 8]), st.floats(0.0, 3.0), st.sampled_from([0.02, 0.08, 0.1]), sixes)
+def test_phases_of_modes_4_to_8_end_at_the_given_eta(
+    mode: Literal[4, 5, 6, 7, 8], eta: float, dt: float, aim: Array
+) -> None:
+    given: Sticks = {"omega_C": 0.1 * aim[:3], "V_C": aim[3:], "joint": 3, "theta_dot_C": float(aim[0])}
+    phase = jsc12628.operin(loaded.arm(), mode, Q, **LIMITS, theta_dot_L=SERVO, DT=dt, ETA=eta, **given)
+    steps, _ = flown(phase, Q, dt)
+    assert len(steps) - 1 == math.ceil(eta / dt - 1e-6)
+    assert {step.ETA for step in steps} == {eta}
+    endless = jsc12628.operin(loaded.arm(), mode, Q, **LIMITS, theta_dot_L=SERVO, DT=dt, **given)
+    step = jsc12628.msteer(endless, Q)
+    assert (step.ETA, step.done) == (math.inf, False)
+
+
+@settings(max_examples=20)
+@given(near, st.sampled_from([1, 2, 3]), units)
+def test_final_pose_may_be_given_by_euler_angles_and_mode_1_takes_a_pose(
+    way: Array, mode: Literal[1, 2, 3], unit: jsc12628.Units
+) -> None:
+    foot = FOOT if unit == "ft" else 1.0
+    most: Limits = {**LIMITS, "V_L": LIMITS["V_L"] / foot, "V_L_dot": LIMITS["V_L_dot"] / foot}
+    way = way + 0.06  # every joint moves: a plan without a motion has no end time to compare
+    r, T, _ = plain_lnkage(Q + way)
+    start = functools.partial(
+        jsc12628.operin, loaded.arm(), mode, Q, **most, theta_dot_L=SERVO, DT=0.08, units=unit
+    )  # fmt: skip
+    phases = [start(r_6BF=r / foot, T_B7F=T), start(r_6BF=r / foot, xi_F=jsc12628.oriend(T))]
+    if mode == 1:
+        phases.append(start(theta_F=Q + way))
+    for _ in range(5):
+        first, *others = [jsc12628.msteer(phase, Q) for phase in phases]
+        for other in others:
+            np.testing.assert_allclose(other.theta_dot_C, first.theta_dot_C, atol=1e-7)
+            assert other.ETA == pytest.approx(first.ETA, abs=1e-6)
+
+
+SKEW = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.01], [0.0, 0.0, 1.0]])
+MIRRORED = np.diag([1.0, 1.0, -1.0])
+ZERO = np.zeros(3)
+
+
+@pytest.mark.parametrize("wrong", [SKEW, MIRRORED, 2.0 * np.eye(3), np.zeros((3, 3))])
+def test_what_is_no_rotation_is_rejected_by_name(wrong: Array) -> None:
+    good, arm = np.eye(3), loaded.arm()
+    phase = functools.partial(jsc12628.operin, arm, theta_0=Q, **LIMITS, theta_dot_L=SERVO, DT=0.08)
+    calls: list[tuple[str, Callable[[], object]]] = [
+        ("rotation", lambda: jsc12628.oriend(wrong)),
+        ("T_B7", lambda: jsc12628.latraj(ZERO, wrong, ZERO, good)),
+        ("T_B7F", lambda: jsc12628.latraj(ZERO, good, ZERO, wrong)),
+        ("T_B7", lambda: jsc12628.votran(5, ZERO, ZERO, T_B7=wrong)),
+        ("T_78", lambda: jsc12628.votran(6, ZERO, ZERO, T_78=wrong)),
+        ("T_B7", lambda: jsc12628.rmangs(arm, [5.0, 0.0, 0.0], wrong)),
+        ("T_B7", lambda: jsc12628.rmsist(arm, r_6B=[5.0, 0.0, 0.0], T_B7=wrong)),
+        ("T_78", lambda: jsc12628.lnkage(arm, Q, PA=1, T_78=wrong)),
+        ("T_78", lambda: phase(mode=6, T_78=wrong)),
+        *(("T_B7F", functools.partial(phase, mode=mode, r_6BF=ZERO, T_B7F=wrong)) for mode in (1, 2, 3)),
+    ]
+    for name, call in calls:
+        with pytest.raises(InputError, match=f"^{name}: "):
+            call()
+
+
+@pytest.mark.parametrize("wrong", [-1.0, -1e-12, math.nan, math.inf])
+@pytest.mark.parametrize("function", [functools.partial(jsc12628.vclose, DT=0.02), jsc12628.vtopen])
+def test_distance_and_angle_are_finite_and_not_negative(function: Callable[..., object], wrong: float) -> None:
+    with pytest.raises(InputError, match="delta_V"):
+        function(wrong, 1.0, **LIMITS)
+    with pytest.raises(InputError, match="delta_omega"):
+        function(1.0, wrong, **LIMITS)
+    function(0.0, 0.0, **LIMITS)
 
 
 def test_mode_8_ramps_one_joint_to_its_rate() -> None:
@@ -338,8 +449,9 @@ def test_mode_8_ramps_one_joint_to_its_rate() -> None:
 
 def test_invalid_argument_is_rejected_by_name() -> None:
     q = [0.2, 1.0, -1.4, 0.3, 0.2, 0.4]
+    start = functools.partial(jsc12628.operin, loaded.arm(), theta_0=q, **LIMITS, theta_dot_L=SERVO, DT=0.02)
     for call, name in (
-        (lambda: jsc12628.lnkage(loaded.arm(), q, "in"), "units"),  # type: ignore[arg-type]
+        (lambda: jsc12628.lnkage(loaded.arm(), q, "in"), "units"),  # type: ignore[call-overload]
         (lambda: jsc12628.lnkage(loaded.arm(), q[:5]), "theta"),
         (lambda: jsc12628.lnkage(loaded.arm(), [math.nan] * 6), "theta"),
         (lambda: jsc12628.rmsrat(loaded.arm(), q, [0, 0], [0, 0, 0]), "omega_C"),
@@ -348,6 +460,15 @@ def test_invalid_argument_is_rejected_by_name() -> None:
         (lambda: jsc12628.votran(8, [0, 0, 0], [0, 0, 0]), "mode"),  # type: ignore[arg-type]
         (lambda: jsc12628.operin(loaded.arm(), 1, q, **LIMITS, theta_dot_L=SERVO, DT=0.02), "theta_F"),
         (lambda: jsc12628.rmsist(loaded.arm()), "rmsist"),
+        (lambda: start(mode=1, theta_F=q, r_6BF=ZERO), "theta_F"),
+        (lambda: start(mode=2, r_6BF=ZERO, T_B7F=np.eye(3), xi_F=ZERO), "xi_F"),
+        (lambda: start(mode=2, r_6BF=ZERO), "T_B7F"),
+        (lambda: start(mode=1, r_6BF=ZERO), "T_B7F"),
+        (lambda: start(mode=3, r_6BF=ZERO, T_B7F=np.eye(3), ETA=5.0), "ETA"),
+        (lambda: start(mode=4, ETA=-1.0), "ETA"),
+        (lambda: jsc12628.lnkage(loaded.arm(), q, r_87=ZERO), "r_87"),  # type: ignore[call-overload]
+        (lambda: jsc12628.lnkage(loaded.arm(), q, PA=2), "PA"),  # type: ignore[call-overload]
+        (lambda: jsc12628.vclose(1.0, 1.0, **LIMITS, DT=0.02, TP=-1.0), "TP"),
     ):
         with pytest.raises(InputError, match=name):
             call()

@@ -18,11 +18,11 @@ Example:
     True
 """
 
-from aftdeck.frames import endori, oriend
 from aftdeck.jsc12628.limits import Ratlmt, Vtopen, Wanted, avclmt, ratlmt, votran
 from aftdeck.jsc12628.linkage import (
     Erates,
     Lnkage,
+    LnkagePayload,
     Rmsist,
     erates,
     jacobi,
@@ -31,6 +31,7 @@ from aftdeck.jsc12628.linkage import (
     rmsist,
     rmsrat,
 )
+from aftdeck.jsc12628.orientation import endori, oriend
 from aftdeck.jsc12628.quantities import Units
 from aftdeck.jsc12628.steering import Msteer, Phase, msteer, operin
 from aftdeck.jsc12628.trajectory import Latraj, Vclose, latraj, vclose, vtopen
@@ -39,6 +40,7 @@ __all__ = [
     "Erates",
     "Latraj",
     "Lnkage",
+    "LnkagePayload",
     "Msteer",
     "Phase",
     "Ratlmt",

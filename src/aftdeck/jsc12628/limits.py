@@ -9,7 +9,18 @@ from numpy.typing import ArrayLike
 
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
-from aftdeck.jsc12628.quantities import UNTURNED, Units, array, limited_rules, metres, positive, strict_rules, tip_of
+from aftdeck.jsc12628.quantities import (
+    UNTURNED,
+    Units,
+    array,
+    limited_rules,
+    metres,
+    not_negative,
+    positive,
+    rotation,
+    strict_rules,
+    tip_of,
+)
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.steering import limiters
 from aftdeck.steering.layout import DT as PERIOD
@@ -84,16 +95,16 @@ def votran(
         TP: time since the start of the phase [s], for mode 3.
 
     Raises:
-        InputError: the mode is not 2 to 7, or mode 3 has no profile.
+        InputError: the mode is not 2 to 7, mode 3 has no profile, or another argument is wrong.
     """
     omega, v = array(omega_C, (3,), "omega_C"), array(V_C, (3,), "V_C")
-    tip, rules = tip_of(_NONE, array(T_B7, (3, 3), "T_B7")), strict_rules()
-    rules[HELD : HELD + 9] = array(T_78, (3, 3), "T_78").ravel()
+    tip, rules = tip_of(_NONE, rotation(T_B7, "T_B7")), strict_rules()
+    rules[HELD : HELD + 9] = rotation(T_78, "T_78").ravel()
     match mode:
         case 2 | 4:
             return Wanted(omega, v)
         case 3 if profile is not None:
-            time = float(array(TP, (), "TP"))
+            time = not_negative(TP, "TP")
             turn, go = (open_loop._share(time, profile.ETA, ramp) for ramp in (profile.t_w1, profile.t_v1))
             return Wanted(turn * omega, go * v)
         case 3:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,11 +10,12 @@ from numpy.typing import ArrayLike
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError, LimitError, UnreachableError
 from aftdeck.frames import Pose
-from aftdeck.jsc12628.quantities import Units, array, metres
+from aftdeck.jsc12628.quantities import UNTURNED, Units, array, metres, rotation
 from aftdeck.kinematics import inverse, jacobian
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import sines
 from aftdeck.kinematics.observe import observe_link
+from aftdeck.matrices import product
 
 
 class Lnkage(NamedTuple):
@@ -30,6 +31,24 @@ class Lnkage(NamedTuple):
     r_6B: Array
     T_B7: Array
     T_B5: Array
+
+
+class LnkagePayload(NamedTuple):
+    """Tip position, frames of the arm, and pose of the attached payload.
+
+    Attributes:
+        r_6B: (3,) tip position.
+        T_B7: (3, 3) the end effector's frame.
+        T_B5: (3, 3) as in `Lnkage`.
+        T_B8: (3, 3) the payload's frame.
+        r_7B: (3,) position of the payload's centre of mass.
+    """
+
+    r_6B: Array
+    T_B7: Array
+    T_B5: Array
+    T_B8: Array
+    r_7B: Array
 
 
 class Erates(NamedTuple):
@@ -64,19 +83,57 @@ class Rmsist(NamedTuple):
     V: Array
 
 
-def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
-    """Return tip position and orientation (JSC-12628, subroutine LNKAGE, p. 14).
+@overload
+def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m", *, PA: Literal[0] = 0) -> Lnkage: ...
+
+
+@overload
+def lnkage(
+    arm: Arm, theta: ArrayLike, units: Units = "m", *, PA: Literal[1], T_78: ArrayLike = ..., r_87: ArrayLike = ...
+) -> LnkagePayload: ...
+
+
+def lnkage(
+    arm: Arm,
+    theta: ArrayLike,
+    units: Units = "m",
+    *,
+    PA: Literal[0, 1] = 0,
+    T_78: ArrayLike | None = None,
+    r_87: ArrayLike | None = None,
+) -> Lnkage | LnkagePayload:
+    """Return tip position and orientation, and the pose of an attached payload (JSC-12628, subroutine LNKAGE, p. 14).
 
     Args:
         arm: the arm. `Arm.at` sets the length of its telescope.
         theta: (6,) joint angles [rad].
-        units: unit of `r_6B`.
+        units: unit of all lengths in arguments and results.
+        PA: 1 if a payload is attached.
+        T_78: (3, 3) the payload's axes in frame 7, if PA is 1; None for parallel axes.
+        r_87: (3,) position of the payload's centre of mass relative to the tip, in the payload's frame 8, if PA is 1;
+            None for a centre of mass at the tip.
+
+    Returns:
+        `Lnkage`; if PA is 1, `LnkagePayload`.
+
+    Raises:
+        InputError: an argument is wrong, or a payload is described although PA is 0.
     """
     length, q = metres(units), array(theta, (6,), "theta")
     tip = arm.model.mount.to("orbiter", arm.forward(q))
     wrist_pitch = np.empty((3, 3))
     observe_link(arm.model.links, q, arm.model.mount.rotation, wrist_pitch)
-    return Lnkage(tip.position / length, tip.rotation, wrist_pitch)
+    found = Lnkage(tip.position / length, tip.rotation, wrist_pitch)
+    if PA == 0:
+        for name, value in (("T_78", T_78), ("r_87", r_87)):
+            if value is not None:
+                raise InputError(f"{name}: got {value!r}, expected None; no payload is attached (PA = 0)")
+        return found
+    if PA != 1:
+        raise InputError(f"PA: got {PA!r}, expected 0 or 1")
+    T_B8 = product(found.T_B7, rotation(UNTURNED if T_78 is None else T_78, "T_78"))
+    offset = array((0.0, 0.0, 0.0) if r_87 is None else r_87, (3,), "r_87")
+    return LnkagePayload(*found, T_B8, found.r_6B + product(offset, T_B8.T))
 
 
 def jacobi(arm: Arm, theta: ArrayLike, units: Units = "m") -> Array:
@@ -162,10 +219,11 @@ def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Ar
         (6,) joint angles [rad], within +-180 deg.
 
     Raises:
+        InputError: an argument is wrong; `T_B7` is no rotation.
         SingularityError: the pose does not determine the angles.
         UnreachableError: no angles of this branch reach the pose.
     """
-    given = Pose(array(r_6B, (3,), "r_6B") * metres(units), array(T_B7, (3, 3), "T_B7"))
+    given = Pose(array(r_6B, (3,), "r_6B") * metres(units), rotation(T_B7, "T_B7"))
     pose = arm.model.mount.from_("orbiter", given)
     arm.inverse(pose, limits=False)
     angles, excess = np.empty((inverse.BRANCHES, 6)), np.empty(inverse.BRANCHES)

@@ -9,7 +9,9 @@ from numpy.typing import ArrayLike
 
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
+from aftdeck.kinematics import solutions
 from aftdeck.kinematics.linkage import Tip
+from aftdeck.matrices import product, reflects
 from aftdeck.steering.layout import RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
 from aftdeck.units import FOOT
 
@@ -59,6 +61,36 @@ def positive(value: float, name: str) -> float:
     if number <= 0.0:
         raise InputError(f"{name}: got {number:g}, expected a number above 0")
     return number
+
+
+def not_negative(value: float, name: str) -> float:
+    """Return an argument as a float, after a check that it is a finite number of at least zero.
+
+    Raises:
+        InputError: the check fails; the message names the argument.
+    """
+    number = float(array(value, (), name))
+    if number < 0.0:
+        raise InputError(f"{name}: got {number:g}, expected a number of at least 0")
+    return number
+
+
+def rotation(values: ArrayLike, name: str) -> Array:
+    """Return an argument as a (3, 3) array, after a check that it is a rotation.
+
+    Raises:
+        InputError: the check fails; the message names the argument.
+    """
+    given = array(values, (3, 3), name)
+    off = float(np.abs(product(given, given.T) - UNTURNED).max())
+    if off > solutions.ROTATION_TOLERANCE:
+        raise InputError(
+            f"{name}: the rotation is not orthonormal: R R^T is off by {off:.3g}, "
+            f"{solutions.ROTATION_TOLERANCE:g} is allowed"
+        )
+    if reflects(given):
+        raise InputError(f"{name}: the rotation is a mirror image: its determinant is -1, +1 is allowed")
+    return given
 
 
 def strict_rules() -> Array:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from aftdeck.arrays import Array
 from aftdeck.jsc12628.limits import Vtopen
-from aftdeck.jsc12628.quantities import Units, array, limited_rules, metres, positive, tip_of
+from aftdeck.jsc12628.quantities import Units, array, limited_rules, metres, not_negative, positive, rotation, tip_of
 from aftdeck.steering import aim, profiles
 from aftdeck.steering.layout import DT as PERIOD
 
@@ -55,10 +55,13 @@ def latraj(r_6B: ArrayLike, T_B7: ArrayLike, r_6BF: ArrayLike, T_B7F: ArrayLike,
         r_6BF: (3,) the tip's final position.
         T_B7F: (3, 3) the tip's final orientation.
         units: unit of all lengths in arguments and results.
+
+    Raises:
+        InputError: an argument is wrong; `T_B7` or `T_B7F` is no rotation.
     """
     length = metres(units)
-    tip = tip_of(array(r_6B, (3,), "r_6B") * length, array(T_B7, (3, 3), "T_B7"))
-    target = np.concatenate([array(r_6BF, (3,), "r_6BF") * length, array(T_B7F, (3, 3), "T_B7F").ravel()])
+    tip = tip_of(array(r_6B, (3,), "r_6B") * length, rotation(T_B7, "T_B7"))
+    target = np.concatenate([array(r_6BF, (3,), "r_6BF") * length, rotation(T_B7F, "T_B7F").ravel()])
     sight = aim.latraj(tip, target)
     return Latraj(
         sight.distance / length,
@@ -77,8 +80,8 @@ def vclose(
     `DT` replaces the source's small time epsilon.
 
     Args:
-        delta_V: remaining distance.
-        delta_omega: remaining angle [rad].
+        delta_V: remaining distance, at least 0.
+        delta_omega: remaining angle [rad], at least 0.
         V_L: greatest speed.
         omega_L: greatest angular rate [rad/s].
         V_L_dot: greatest acceleration.
@@ -86,13 +89,16 @@ def vclose(
         DT: control period [s]; if the remaining time is shorter, speed and angular rate are zero.
         TP: time since the start of the phase [s].
         units: unit of all lengths in arguments and results.
+
+    Raises:
+        InputError: an argument is wrong; the message names it.
     """
     length = metres(units)
     rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
     rules[PERIOD] = positive(DT, "DT")
     distance, angle = _distance_and_angle(delta_V, delta_omega)
     profile = profiles.vclose(rules, distance * length, angle)
-    return Vclose(profile.speed / length, profile.turn, float(array(TP, (), "TP")) + profile.remaining)
+    return Vclose(profile.speed / length, profile.turn, not_negative(TP, "TP") + profile.remaining)
 
 
 def vtopen(
@@ -116,5 +122,5 @@ def vtopen(
 
 
 def _distance_and_angle(delta_V: float, delta_omega: float) -> tuple[float, float]:
-    """Return distance and angle as floats."""
-    return float(array(delta_V, (), "delta_V")), float(array(delta_omega, (), "delta_omega"))
+    """Return distance and angle as floats, which are at least zero."""
+    return not_negative(delta_V, "delta_V"), not_negative(delta_omega, "delta_omega")

@@ -63,6 +63,8 @@ PLAN = TARGET + 12
 
 In mode 1, until the plan is computed, its first six elements contain the joints' final angles [rad].
 """
+PLANNED_END = PLAN + 6
+"""The report's ETA in modes 1 and 3: phase time at which the planned motion ends [s]."""
 MASTER = PLAN + 11
 """(6,) the master arm's joint angles [rad]."""
 KEPT = MASTER + 6

@@ -25,6 +25,7 @@ from aftdeck.steering.layout import (
     DT,
     MOTION_ACTIVE,
     PLAN,
+    PLANNED_END,
     REMAINING,
     SHOULDER_OFFSET,
     STRICT,
@@ -34,7 +35,7 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.profiles import vtopen
 from aftdeck.steering.views import sines_of
 
-_VELOCITY, _TURNING, _ETA, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 6, PLAN + 7, PLAN + 8, PLAN + 9
+_VELOCITY, _TURNING, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 7, PLAN + 8, PLAN + 9
 
 
 @law
@@ -45,7 +46,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
     v, w = profile.speed, profile.turn
     command[_VELOCITY], command[_VELOCITY + 1], command[_VELOCITY + 2] = v * aim.ux, v * aim.uy, v * aim.uz
     command[_TURNING], command[_TURNING + 1], command[_TURNING + 2] = w * aim.ax, w * aim.ay, w * aim.az
-    command[_ETA], command[_T_V1], command[_T_W1] = profile.eta, profile.t_v1, profile.t_w1
+    command[PLANNED_END], command[_T_V1], command[_T_W1] = profile.eta, profile.t_v1, profile.t_w1
     command[_ETAP] = profile.etap
     state[CLOCK], state[CLOCK_RATE] = 0.0, 1.0
 
@@ -61,7 +62,7 @@ def _share(time: float, eta: float, ramp: float) -> float:
 @law
 def demand(rules: Array, command: Array, state: Array, report: Array) -> Twist:
     """Return the twist in L that mode 3 demands at the present phase time; zero before the start of the motion."""
-    eta = command[_ETA]
+    eta = command[PLANNED_END]
     ahead = 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT] * state[CLOCK_RATE]
     time = state[CLOCK] + ahead
     v = command[MOTION_ACTIVE] * _share(time, eta, command[_T_V1])

@@ -29,13 +29,14 @@ from aftdeck.steering.layout import (
     MEASURED,
     MOTION_ACTIVE,
     PLAN,
+    PLANNED_END,
     RATE,
     REMAINING,
     SPEED,
     SPEED_UP,
 )
 
-_ROTATION, _ETA, _RAMP, _FULL = PLAN, PLAN + 6, PLAN + 7, PLAN + 8
+_ROTATION, _RAMP, _FULL = PLAN, PLAN + 7, PLAN + 8
 
 
 @law
@@ -55,7 +56,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
     else:
         ramp = math.sqrt(ramp / ratio)
         full, eta = 1.0 / ramp, 2.0 * ramp
-    command[_ETA] = eta if moves else 0.0
+    command[PLANNED_END] = eta if moves else 0.0
     command[_RAMP], command[_FULL] = ramp, full
     state[CLOCK], state[CLOCK_RATE] = 0.0, 1.0
 
@@ -63,7 +64,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
 @law
 def _completed(command: Array, time: float) -> float:
     """Return the share of the rotation, 0 to 1, that the plan completes by a phase time."""
-    eta: float = command[_ETA]
+    eta: float = command[PLANNED_END]
     ramp: float = command[_RAMP]
     full: float = command[_FULL]
     if time <= 0.0:
@@ -81,7 +82,7 @@ def _completed(command: Array, time: float) -> float:
 @law
 def _time_of(command: Array, made: float) -> float:
     """Return the phase time by which the plan completes a share of the rotation: the inverse of `_completed`."""
-    eta: float = command[_ETA]
+    eta: float = command[PLANNED_END]
     ramp: float = command[_RAMP]
     full: float = command[_FULL]
     at_ramp = 0.5 * full * ramp
@@ -113,8 +114,8 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     if command[MOTION_ACTIVE] != 0.0:
         time = state[CLOCK]
         k = (_completed(command, time + rules[DT]) - _completed(command, time)) / rules[DT]
-        report[REMAINING] = max(command[_ETA] - time, 0.0)
-        report[ARRIVED] = 1.0 if time >= command[_ETA] - 1e-9 else 0.0
+        report[REMAINING] = max(command[PLANNED_END] - time, 0.0)
+        report[ARRIVED] = 1.0 if time >= command[PLANNED_END] - 1e-9 else 0.0
         return _share(k, command, _ROTATION)
     share = 0.0
     for i in range(6):
