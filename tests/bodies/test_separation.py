@@ -8,6 +8,7 @@ import pytest
 import aftdeck
 from aftdeck import Separation, separation
 from aftdeck.arrays import Array
+from aftdeck.bodies.pair import CONTACT
 from tests.bodies import brute
 from tests.bodies.shapes import CUBE, boxes, moved, near_contact, rotations, skewed
 
@@ -190,3 +191,23 @@ def test_separation_results_share_no_memory() -> None:
 
 def test_separation_is_public() -> None:
     assert {"separation", "Separation"} <= set(aftdeck.__all__)
+
+
+def test_bodies_count_as_apart_only_if_the_stored_plane_separates_them() -> None:
+    """At gaps of about CONTACT, in steps of its rounding: the plane that is stored was tested with all vertices."""
+    rng = np.random.default_rng(12)
+    for a, b in near_pairs(12, 400):
+        found = separation(a, b)
+        if abs(found.clearance) < 1e-6:
+            continue  # rounding limits the accuracy of the direction
+        line = apart(found)
+        out = line / found.clearance
+        touching = b - line  # the closest points coincide
+        for gap in (*(CONTACT + np.array([-1e-15, 0.0, 1e-16, 1e-15])), *rng.uniform(0.0, 4.0 * CONTACT, 4)):
+            now = separation(a, touching + gap * out)
+            if now.plane is not None:
+                below, above = (a @ now.plane.normal).max(), ((touching + gap * out) @ now.plane.normal).min()
+                assert below < now.plane.distance < above
+                assert now.clearance > CONTACT
+            else:
+                assert now.clearance <= CONTACT and gap < CONTACT + 1e-14

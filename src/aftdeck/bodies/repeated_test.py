@@ -30,7 +30,7 @@ from aftdeck.bodies.pair import (
     WHOLE,
 )
 from aftdeck.bodies.planes import lowest, sides
-from aftdeck.bodies.vector import ZERO, dot, minus, moved_along, opposite, plus, put_vector, times, vector_at
+from aftdeck.bodies.vector import ZERO, Vector, dot, minus, moved_along, opposite, plus, put_vector, times, vector_at
 from aftdeck.law import large_law, law
 
 EDGE_BITS = (1 << ENDS).sum(axis=1, dtype=np.int64)
@@ -66,8 +66,7 @@ def verdict(a: Array, b: Array, pair: Array) -> bool:
         return False
     near = nearest(a, b, ZERO, _start(a, b, pair), CONTACT)
     _remember(pair, near.simplex)
-    if near.gap > CONTACT:
-        _put_plane(a, b, pair, near.simplex)
+    if near.gap > CONTACT and _put_plane(a, b, pair, _towards(near.simplex)):
         return False
     if _penetrates(a, b, pair):
         return True
@@ -79,9 +78,8 @@ def measure(a: Array, b: Array, pair: Array) -> float:
     """Return the clearance of packed bodies a and b [m], and fill the whole pair."""
     near = nearest(a, b, ZERO, _start(a, b, pair), np.inf)
     _remember(pair, near.simplex)
-    if near.gap <= CONTACT:
+    if near.gap <= CONTACT or not _put_plane(a, b, pair, _towards(near.simplex)):
         return _touching(a, b, pair, near)
-    _put_plane(a, b, pair, near.simplex)
     _put_points(a, b, pair, near.simplex)
     pair[CLEARANCE] = near.distance
     return near.distance
@@ -101,6 +99,9 @@ def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
     Bodies almost overlap if their distance, apart from rounding errors, is at most CONTACT. The closest points of
     overlapping bodies are the points that are in contact after the shortest move that separates the bodies. To find
     these points, extend this move by ASIDE and apply it to body a; then search for the closest points.
+
+    If no tested plane separates the bodies by more than CONTACT, they count as in contact, whatever the distance of
+    their closest points: rounding may make it a little greater than CONTACT.
     """
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
@@ -113,11 +114,12 @@ def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
         w = corner(a, b, lowest(a, opposite(best.normal)), lowest(b, best.normal), moved)
         s, clearance = nearest(a, b, moved, spanned(1, w, w, w), np.inf).simplex, best.apart
     _put_points(a, b, pair, s)
+    if clearance > CONTACT and not (
+        _put_plane(a, b, pair, best.normal) or _put_plane(a, b, pair, _towards(near.simplex))
+    ):
+        clearance = CONTACT
     pair[CLEARANCE] = clearance
-    if clearance > CONTACT:
-        put_vector(pair, NORMAL, best.normal)
-        verified(a, b, pair)
-    else:
+    if clearance <= CONTACT:
         _penetrates(a, b, pair)
     return clearance
 
@@ -185,10 +187,19 @@ def _remember(pair: Array, s: Simplex) -> None:
 
 
 @law
-def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
-    """Store the plane that bisects the shortest line from a to b and is perpendicular to it (subroutine SPTSG)."""
-    put_vector(pair, NORMAL, times(-1.0 / sqrt(dot(s.point, s.point)), s.point))
-    verified(a, b, pair)
+def _put_plane(a: Array, b: Array, pair: Array, normal: Vector) -> bool:
+    """Store the plane halfway between a and b that is perpendicular to a unit normal; return whether it separates them.
+
+    For the direction of the shortest line from a to b, the plane bisects this line (subroutine SPTSG).
+    """
+    put_vector(pair, NORMAL, normal)
+    return verified(a, b, pair)
+
+
+@law
+def _towards(s: Simplex) -> Vector:
+    """Return the unit direction of the shortest line from a to b."""
+    return times(-1.0 / sqrt(dot(s.point, s.point)), s.point)
 
 
 @law
