@@ -159,6 +159,16 @@ def test_invalid_camera_command_is_rejected_without_effect(command: CameraDrive,
     assert sim.save() == before
 
 
+def test_run_begins_with_the_scenario_s_settings_and_returns_to_them() -> None:
+    aimed = load_scenario("concept-1972", {"cameras.A": {"pan": 0.3, "zoom": 0.7}})
+    sim, plain = aftdeck.Simulation(aimed), aftdeck.Simulation("concept-1972")
+    first, own = sim.step(aftdeck.Inputs()).views, plain.step(aftdeck.Inputs()).views
+    assert first == (Setting(0.3, own[0].tilt, 0.7), *own[1:])
+    turned = sim.step(aftdeck.Inputs(camera=CameraDrive("A", pan=1.0))).views
+    assert turned[0].pan > 0.3
+    assert sim.step(aftdeck.Inputs(initialise="full problem")).views == first
+
+
 def test_cameras_are_listed_before_windows_and_engineering_view() -> None:
     for name in ("srms-deploy", "concept-1972"):
         kinds = [camera.kind for camera in cameras_of(load_scenario(name))]

@@ -7,6 +7,7 @@ import pytest
 
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.visual.clusters import clusters_of
 from aftdeck.visual.lists import hidden, permanent_list
@@ -34,6 +35,14 @@ def test_a_permanent_list_agrees_with_rays_in_all_directions(camera: str) -> Non
         assert (np.diff(enters[hit]) > -1e-9).all()
         met += len(hit) > 1
     assert met > 20
+
+
+def test_an_aimed_camera_uses_its_list_at_the_start() -> None:
+    """The lens of this camera is ahead of the axes of its drive, so that aiming the camera moves the eye."""
+    for changes in ({}, {"cameras.B": {"pan": -0.5, "tilt": 0.7}}):
+        scenario = load_scenario("srms-deploy", changes)
+        scene, frame = VisualScene(scenario), Simulation(scenario).step(Inputs())
+        assert scene.arguments(frame, scene.aim(frame, "B", 4 / 3)).listed.any()
 
 
 @pytest.mark.parametrize("name", ["concept-1972", pytest.param("srms-berth", marks=pytest.mark.slow)])

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.shapes import shapes_of
-from aftdeck.bodies.cameras import KINDS, Camera
+from aftdeck.bodies.cameras import KINDS, Camera, Setting, setting
 from aftdeck.scenario.model import Scenario
 from aftdeck.worksite.file.check import ARM
 from aftdeck.worksite.model import Cargo, Worksite
@@ -15,6 +15,11 @@ from aftdeck.worksite.model import Cargo, Worksite
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
     """Return a scenario's cameras: television cameras first, then windows, then views for engineers only."""
     return present_cameras(scenario.arm.model, scenario.worksite, scenario.cargo)
+
+
+def first_setting(scenario: Scenario, camera: Camera) -> Setting:
+    """Return the setting of a camera's drive at the start of a scenario."""
+    return scenario.camera_settings.get(camera.name) or setting(camera)
 
 
 def present_cameras(model: ArmModel, worksite: Worksite, payloads: tuple[Cargo, ...]) -> tuple[Camera, ...]:

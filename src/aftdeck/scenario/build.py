@@ -11,7 +11,9 @@ from aftdeck.files import Problem, Where
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.plant.usual_payload import PAYLOAD_MASS
+from aftdeck.scenario.all_cameras import present_cameras
 from aftdeck.scenario.attached import Grasp
+from aftdeck.scenario.camera_settings import camera_settings
 from aftdeck.scenario.chosen_payloads import present_cargo
 from aftdeck.scenario.fit import misfits
 from aftdeck.scenario.light import lamps_of, lighting
@@ -86,6 +88,8 @@ def build(
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
+    cameras = present_cameras(arm.model, worksite, cargo) if worksite and spec.cameras else ()
+    settings = camera_settings(problems, spec.cameras, cameras) if worksite else {}
     cautions: list[Problem] = []
     if not problems and worksite is not None:
         states = [state for state in (initial_state, *part_states.values()) if state is not None]
@@ -121,6 +125,7 @@ def build(
         warning=float(spec.clearance.warning),
         lamps=lamps,
         lighting=light,
+        camera_settings=settings,
         mode=mode.position,
         rate=spec.rate,
         as_flown=spec.soft_stops == "as-flown",

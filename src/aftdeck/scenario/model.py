@@ -10,6 +10,7 @@ import numpy as np
 
 from aftdeck.arms.flexures import Flexure, flexures_of
 from aftdeck.arms.limits import JointRates
+from aftdeck.bodies.cameras import Setting
 from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
@@ -184,6 +185,7 @@ class Scenario:
         warning: clearance below which the page shows a warning [m].
         lamps: switches of the lamps that are present.
         lighting: light at the start.
+        camera_settings: settings of camera drives at the start that replace the cameras' own, by the camera's name.
         mode: mode at the start.
         rate: rate setting at the start, coarse or vernier.
         as_flown: whether every joint stops, in computed modes, when one joint is past its soft stop.
@@ -235,6 +237,7 @@ class Scenario:
     warning: float
     lamps: tuple[str, ...]
     lighting: Lighting
+    camera_settings: dict[str, Setting]
     mode: str
     rate: Rate
     as_flown: bool

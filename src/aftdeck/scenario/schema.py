@@ -172,6 +172,18 @@ class LightSpec(_Part, frozen=True):
     lamps: tuple[Text, ...] | None = None
 
 
+class CameraSpec(_Part, frozen=True):
+    """Setting of a camera's drive at the start.
+
+    `pan` is positive to the right in the picture, `tilt` is positive upwards, and `zoom` is the horizontal field of
+    view. The page shows these three numbers in the camera's picture. An angle that is not given is the camera's own.
+    """
+
+    pan: Angle | None = None
+    tilt: Angle | None = None
+    zoom: Angle | None = None
+
+
 class PorOverride(_Part, frozen=True):
     """Limits of the point of resolution. For every payload, they replace the arm's limits.
 
@@ -407,6 +419,8 @@ class ScenarioFile(_Part, frozen=True):
     initialise: InitialiseSpec = InitialiseSpec()
     clearance: ClearanceSpec = ClearanceSpec()
     light: LightSpec = LightSpec()
+    cameras: dict[str, CameraSpec] = msgspec.field(default_factory=dict)
+    """Settings of cameras at the start, by the camera's name."""
     phase: tuple[Phase, ...] = ()
     step: tuple[StepSpec, ...] = ()
     next: Text | None = None

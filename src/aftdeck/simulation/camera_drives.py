@@ -10,9 +10,9 @@ import math
 
 import msgspec
 
-from aftdeck.bodies.cameras import Camera, Setting, Travel, setting
+from aftdeck.bodies.cameras import Camera, Setting, Travel
 from aftdeck.errors import InputError
-from aftdeck.scenario.all_cameras import cameras_of
+from aftdeck.scenario.all_cameras import cameras_of, first_setting
 from aftdeck.scenario.model import Scenario
 
 
@@ -46,7 +46,7 @@ class Cameras:
     def __init__(self, scenario: Scenario) -> None:
         self._driven = [camera for camera in cameras_of(scenario) if camera.drive is not None]
         self.names = tuple(camera.name for camera in self._driven)
-        self.first: Views = tuple(setting(camera) for camera in self._driven)
+        self.first: Views = tuple(first_setting(scenario, camera) for camera in self._driven)
 
     def check(self, command: CameraDrive) -> None:
         """Check that a command names a camera with a drive and that its switches are within their range.

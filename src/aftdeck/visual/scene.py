@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
-from aftdeck.bodies.cameras import Camera, setting, view
+from aftdeck.bodies.cameras import Camera, view
 from aftdeck.bodies.pose import HERE, POSE
 from aftdeck.errors import SimulationError
 from aftdeck.matrices import product
+from aftdeck.scenario.all_cameras import first_setting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
 from aftdeck.scene.cameras import SceneCameras, turn
@@ -121,6 +122,7 @@ class VisualScene:
 
     def __init__(self, scenario: Scenario) -> None:
         self.clusters: Clusters = clusters_of(scenario)
+        self._scenario = scenario
         self._placed = SceneCameras(scenario)
         self.cameras = self._placed.cameras
         self._fixed = scenario.worksite.bodies
@@ -207,7 +209,7 @@ class VisualScene:
         """
         own = self._placed.camera(camera)
         if camera not in self._lists:
-            frame, eye = self._home(own, view(own, setting(own)).position)
+            frame, eye = self._home(own, view(own, first_setting(self._scenario, own)).position)
             found = None
             if frame in STILL and frame in self.clusters.frames:
                 members = np.flatnonzero(self.clusters.frame == self.clusters.frames.index(frame))
