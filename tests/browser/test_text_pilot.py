@@ -67,6 +67,12 @@ def test_reading_has_the_step_its_keys_and_the_motion_left() -> None:
     assert (now.holds, now.escape) == ((("G", 0.3),), "Q")
 
 
+def test_pilot_does_the_one_thing_of_the_opening_shot() -> None:
+    opening = '- region "Welcome":\n  - heading "This is a robot arm."\n  - paragraph: "Now hold Q: up."\n'
+    assert decide(read(opening)) == Press("Q", 0.4)
+    assert isinstance(decide(read("- banner")), Wait)
+
+
 def step(text: str = "", keys: str = "WSADQE", sizes: dict[str, float] | None = None, **other: object) -> Reading:
     sticks = {"W": "+X", "A": "−Y", "E": "+Z", "I": "+pitch"}
     parts = tuple(Part(sticks[key], key, size, near=False) for key, size in (sizes or {}).items())

@@ -8,7 +8,7 @@ import numpy as np
 
 from aftdeck.bodies.pose import HERE, POSE, compose
 from aftdeck.errors import ScenarioError
-from aftdeck.kinematics.observe import OBSERVED, observe
+from aftdeck.kinematics.observe import observe
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario, Start
 from aftdeck.scenario.schema import Part
@@ -104,10 +104,9 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     plant.angles[:], plant.rates[:] = start.angles, start.rates
     plant.stand.position = start.stand
     plant.commanded[:] = start.angles
-    observed = np.empty(OBSERVED)
-    observe(scenario.arm.model.links, start.angles, start.rates, observed)
+    observe(state.arm.model.links, start.angles, start.rates, state.observed)
     state.command[MASTER : MASTER + 6] = state.command[KEPT : KEPT + 6] = start.angles
-    state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, observed[12:18]
+    state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, state.observed[12:18]
     state.measure()
     frames = worksite.frames
     for k, payload in enumerate(site.cargo):

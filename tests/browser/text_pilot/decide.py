@@ -7,7 +7,7 @@ knows.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tests.browser.text_pilot.reading import Part, Reading
 
@@ -72,7 +72,8 @@ def decide(now: Reading, pressed: frozenset[str] = frozenset()) -> Act:
         pressed: keys that the pilot has pressed since this text appeared.
     """
     if not now.count:
-        return Wait("the page to load")
+        to_do = commands(replace(now, text=now.welcome))
+        return Press(to_do[0][1], ESCAPE_S) if to_do else Wait("the page to load")
     if now.shut:
         return Go("Open the guide")
     if now.over:

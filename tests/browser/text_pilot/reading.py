@@ -47,6 +47,7 @@ class Reading:
 
     Attributes:
         clock: mission elapsed time [s]; None if it is not there.
+        welcome: the one thing to do at a visitor's first start; empty later.
         count: number of the step, `2 of 6`.
         title, text: the step.
         keys: keys of the step, each with its effect.
@@ -63,6 +64,7 @@ class Reading:
     """
 
     clock: float | None = None
+    welcome: str = ""
     count: str = ""
     title: str = ""
     text: str = ""
@@ -104,6 +106,7 @@ def read(snapshot: str) -> Reading:
     text = texts[0].words() if texts else ""
     return Reading(
         clock=_clock(page),
+        welcome=page.first("region", "Welcome").first("paragraph").words(),
         count=next((node.text for node in step.children if node.role == "text"), ""),
         title=text if shut else step.first("heading").name,
         text=text,

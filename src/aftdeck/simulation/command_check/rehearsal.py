@@ -19,13 +19,16 @@ from aftdeck.simulation.motion.standstill import fixed_in, latched_payload_reaso
 from aftdeck.simulation.operator.sequence import begin
 from aftdeck.simulation.parts.checking import Tried, Way
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import CAUSE, LIMITING_JOINT
+from aftdeck.steering.layout import CAUSE, LIMITING_JOINT, MOTION_ACTIVE, RATIO, REMAINING
 from aftdeck.steering.limiters import BY_SINGULARITY, CAUSES
-from aftdeck.units import INCH
+from aftdeck.steering.rehearsal import STANDSTILL
+from aftdeck.units import INCH, Time
 from aftdeck.worksite.watch.found import POINT_A
 
-LONGEST = 3600.0
-"""Greatest duration of a motion [s]; a longer motion fails."""
+LONG = 3600.0
+"""Time that every motion to a point may take [s]; a motion that is estimated to take longer may take twice as long."""
+DAY = Time.bounds.greatest
+"""Longest run [s]: no motion may take longer."""
 _NO_INPUTS = Inputs()
 
 
@@ -49,6 +52,7 @@ class Rehearsal:
         self._touching = frozenset(self._copy.worksite.logged_contacts)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
         self._last_limit: tuple[int, int, str] = (0, -1, "")
+        self._going, self._since, self._latest = panel.point, 0.0, LONG
         self.steps = 0
 
     def advance(self, most: int) -> Tried | None:
@@ -73,9 +77,24 @@ class Rehearsal:
                 return self._tried(True, "", self.steps * period, f"then {fixed_in(flight, copy)}", "")
             if copy.worksite.contacts.inhibit.changed and (text := self._contact(self._touching)):
                 return self._tried(False, "contact", self.steps * period, text, "")
-            if self.steps * period >= LONGEST:
-                return self._tried(False, "time", self.steps * period, f"target not reached within {LONGEST:.0f} s", "")
+            if self.steps * period >= (latest := self._latest_end(self.steps * period)):
+                text = f"target not reached within {latest:.0f} s"
+                return self._tried(False, "time", self.steps * period, text, "")
         return None
+
+    def _latest_end(self, now: float) -> float:
+        """Return the time by which the motion to the present point has to end [s].
+
+        It is an hour after the start of this motion, or twice the greatest estimate of the first half hour. An estimate
+        assumes that the limits which act now go on.
+        """
+        copy = self._copy
+        if copy.panel.point != self._going:
+            self._going, self._since, self._latest = copy.panel.point, now, now + LONG
+        if copy.command[MOTION_ACTIVE] != 0.0 and now - self._since <= 0.5 * LONG:
+            left = float(copy.report[REMAINING]) / max(float(copy.report[RATIO]), STANDSTILL)
+            self._latest = max(self._latest, self._since + 2.0 * (now - self._since + left))
+        return min(self._latest, DAY)
 
     def _contact(self, besides: frozenset[int] = frozenset()) -> str:
         """Return a text about a contact that inhibits the arm and is not in `besides`; "" if there is none."""
