@@ -12,7 +12,8 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from pictures import WAIT_MS, chromium, station
+from picture_pages import WAIT_MS
+from pictures import chromium, station
 from playwright.sync_api import Browser, Page
 
 from aftdeck.scenario.load import built_in

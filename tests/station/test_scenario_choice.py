@@ -76,6 +76,14 @@ def test_each_group_has_scenarios_and_each_scenario_precedes_its_next() -> None:
     assert all(names.index(name) < names.index(after) for name, after in following if after is not None)
 
 
+def test_scenarios_outside_every_order_are_listed_by_name() -> None:
+    names = [info.name for info in ScenarioList(scenario()).scenarios]
+    following = {name: about(name).next for name in names}
+    alone = [name for name in names if following[name] is None and name not in following.values()]
+    assert len(alone) > 1
+    assert alone == sorted(alone)
+
+
 def test_own_scenario_that_names_no_group_is_to_fly() -> None:
     text = about("singular").file.replace('group = "learn"\n', "").replace("minutes = 2\n", "")
     own = parse_scenario(text, "own", "own.toml", BUILT_IN)

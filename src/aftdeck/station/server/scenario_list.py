@@ -74,11 +74,14 @@ class ScenarioList:
 
 
 def _in_order() -> list[str]:
-    """Return the names of the built-in scenarios: each before the one that it proposes next, the others at the end."""
+    """Return the names of the built-in scenarios: each before the one that it proposes next, the others at the end.
+
+    Scenarios without such an order are in that of their names.
+    """
     following = {name: about(name).next for name in built_in()}
     proposed = set(following.values())
     ordered: list[str] = []
-    for first in sorted(set(following) - proposed, key=lambda name: following[name] is None):
+    for first in sorted(set(following) - proposed, key=lambda name: (following[name] is None, name)):
         name: str | None = first
         while name is not None and name not in ordered:
             ordered.append(name)
