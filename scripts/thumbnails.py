@@ -54,7 +54,7 @@ class Shot(NamedTuple):
 
 
 SHOTS = {
-    "concept-1972-script": Shot(seconds=12.0),
+    "concept-1972-script": Shot("W", 50.0),
     "flight-test": Shot("C"),
     "loaded": Shot("C"),
     "sequence": Shot("C", 14.0),

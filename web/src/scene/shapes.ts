@@ -31,6 +31,8 @@ const SIDES = [
 const MOST = 32;
 /** Fewest sides of a sphere: the ball of a target is small, but an operator aims at it from near. */
 const ROUNDEST = 12;
+/** Fewest sides of a ring: the wrist camera sees the rings of targets and fixtures from near, and there are only a few. */
+const ROUND_RING = 40;
 const TURN = 2 * Math.PI;
 
 /** Make the surface of a shape, relative to its own origin. */
@@ -159,7 +161,7 @@ function ring(shape: Ring, quality: Quality): Surface {
     const angle = TURN * t;
     return [shape.bar * Math.sin(angle), shape.radius + shape.bar * Math.cos(angle)];
   });
-  const segments = part(shape.sweep, shape.radius, quality);
+  const segments = part(shape.sweep, shape.radius, quality, ROUND_RING);
   return revolve([profile], shape.axis, shape.start, shape.sweep, segments);
 }
 
@@ -171,9 +173,9 @@ function sphere({ radius }: Sphere, quality: Quality): Surface {
   return revolve([profile], 'x', 0, TURN, round);
 }
 
-/** Return the number of sides of a partial turn. */
-function part(sweep: number, radius: number, quality: Quality): number {
-  return Math.max(1, Math.ceil((sides(radius, quality) * sweep) / TURN));
+/** Return the number of sides of a partial turn; `least`: fewest sides of a whole turn. */
+function part(sweep: number, radius: number, quality: Quality, least = 0): number {
+  return Math.max(1, Math.ceil((Math.max(sides(radius, quality), least) * sweep) / TURN));
 }
 
 /** Return one strip for each edge of an angular profile, so that the corners stay sharp. */
