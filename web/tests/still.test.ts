@@ -3,6 +3,7 @@ import { Still } from '../src/cameras/still';
 import { parts, uncovered } from '../src/cameras/tiles';
 import type { Piece, Rect, View } from '../src/scene/drawn';
 import { areaOf } from '../src/scene/drawn';
+import { WHOLE as ALL } from '../src/scene/free-part';
 import { SAMPLES } from '../src/scene/samples';
 
 const rect = (left: number, top: number, width: number, height: number): Rect => ({
@@ -11,7 +12,7 @@ const rect = (left: number, top: number, width: number, height: number): Rect =>
   width,
   height,
 });
-const view = (camera: string, at: Rect): View => ({ camera, rect: at, early: false });
+const view = (camera: string, at: Rect): View => ({ camera, rect: at, free: ALL, early: false });
 const area = ({ width, height }: Rect) => width * height;
 
 /** How many of the rectangles contain the middle of each px of a grid. */

@@ -24,16 +24,21 @@ export interface Over {
 export function overlay(scene: Scene, picture: Picture, view: View, over: Over): void {
   const { frame, gap, caution, oneJoint } = over;
   const [w, x, y, z] = frame.display.axes;
-  picture.setLens(scene.cameras.setting(picture.camera.name), view.rect);
+  picture.setLens(scene.cameras.setting(picture.camera.name), view.rect, view.free);
   picture.setAxes(scene.cameras.directions(view.camera, [w, x, y, z]), !oneJoint);
   const line = gap && gapLine(scene, view, gap, caution);
   picture.setGap(line, touches(scene, view, frame), view.rect);
   picture.setPushes(pushes(scene, view, frame));
 }
 
-function gapLine(scene: Scene, { camera, rect }: View, gap: ClosestPoints, caution: boolean): GapLine | null {
+function gapLine(
+  scene: Scene,
+  { camera, rect, free }: View,
+  gap: ClosestPoints,
+  caution: boolean,
+): GapLine | null {
   const { width, height } = rect;
-  const ends = scene.cameras.segment(camera, width / height, gap.point_a, gap.point_b);
+  const ends = scene.cameras.segment(camera, width / height, gap.point_a, gap.point_b, free);
   if (!ends) return null;
   const [a, b] = ends;
   return {
@@ -43,10 +48,10 @@ function gapLine(scene: Scene, { camera, rect }: View, gap: ClosestPoints, cauti
   };
 }
 
-function touches(scene: Scene, { camera, rect }: View, { work, display }: Frame): readonly Touch[] {
+function touches(scene: Scene, { camera, rect, free }: View, { work, display }: Frame): readonly Touch[] {
   const { width, height } = rect;
   return display.contacts.flatMap(({ plane }, i) => {
-    const at = scene.cameras.project(camera, width / height, plane);
+    const at = scene.cameras.project(camera, width / height, plane, free);
     return at.visible
       ? [{ at: { x: at.x * width, y: at.y * height }, essential: work.contacts[i]?.essential ?? false }]
       : [];
@@ -54,14 +59,14 @@ function touches(scene: Scene, { camera, rect }: View, { work, display }: Frame)
 }
 
 /** Returns the arrows of the contact forces. An arrow begins at the contact and points along the force on the second part. */
-function pushes(scene: Scene, { camera, rect }: View, { display }: Frame): readonly PushArrow[] {
+function pushes(scene: Scene, { camera, rect, free }: View, { display }: Frame): readonly PushArrow[] {
   const { width, height } = rect;
   return display.pushes.flatMap(({ point, force }) => {
     const newtons = Math.hypot(...force);
     if (newtons < LEAST_N) return [];
     const length = Math.min(LONGEST, HUNDRED_N * Math.sqrt(newtons / 100)) / newtons;
     const end = point.map((each, i) => each + length * (force[i] ?? 0)) as unknown as Vec3;
-    const ends = scene.cameras.segment(camera, width / height, point, end);
+    const ends = scene.cameras.segment(camera, width / height, point, end, free);
     if (!ends) return [];
     const [from, to] = ends.map(({ x, y }) => ({ x: x * width, y: y * height }));
     return from && to ? [{ from, to, newtons }] : [];

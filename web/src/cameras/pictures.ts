@@ -12,8 +12,8 @@ import { setClass } from '../panel/parts/dom';
 import type { View as DeskView } from '../panel/parts/part';
 import type { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
-import { ASPECT } from '../scene/cameras';
-import type { View } from '../scene/drawn';
+import { ASPECT, type View } from '../scene/drawn';
+import { freePart, freeSize } from '../scene/free-part';
 import { SLOWEST_MS, TooSlow } from '../scene/trial';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
@@ -363,7 +363,7 @@ export class Pictures {
     this.own += 1;
     const all = this.panes.all(this.open, this.seventies);
     const [panes, flat] = [all.filter(({ polygons }) => !polygons), all.filter(({ polygons }) => polygons)];
-    this.wantPolygons(flat);
+    this.wantPolygons(flat, all);
     const wiped = this.panes.takeLayout(all, this.open);
     if (wiped) {
       this.scene.wipe();
@@ -374,7 +374,7 @@ export class Pictures {
     const stops = (name: string) => (refines ? 0 : this.scene.stops(name)); // `state` contains those of the low profile
     const state = this.stateOf(frame, gap, panes, metered, begun);
     const drawn = this.panes.due(panes, state, stops, this.open, this.count, wiped);
-    const [due, views] = [drawn.due, panes].map((some) => some.map((pane) => this.viewOf(pane))) as [
+    const [due, views] = [drawn.due, panes].map((some) => some.map((pane) => this.viewOf(pane, all))) as [
       View[],
       View[],
     ];
@@ -388,7 +388,7 @@ export class Pictures {
       for (const pane of all) {
         const { picture, polygons } = pane;
         if (!picture) continue;
-        const view = this.viewOf(pane);
+        const view = this.viewOf(pane, all);
         overlay(this.scene, picture, view, {
           frame,
           gap,
@@ -396,7 +396,7 @@ export class Pictures {
           oneJoint: this.survey.drivesOneJoint(frame),
         });
         if (polygons)
-          picture.polygons.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, view.rect);
+          picture.polygons.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, freeSize(view));
         else picture.polygons.hide();
       }
       this.onPage = frame;
@@ -483,20 +483,27 @@ export class Pictures {
   }
 
   /** Asks the station for the pictures in the look of 1972, and marks the monitors that have it. */
-  private wantPolygons(flat: readonly Pane[]): void {
+  private wantPolygons(flat: readonly Pane[], all: readonly Pane[]): void {
     this.monitors.both.forEach((monitor, i) => {
       monitor.setSeventies(this.seventies[i] === true);
     });
-    const shown = flat.map((pane) => [pane.camera.name, this.panes.rectOf(pane.element)] as const);
+    const shown = flat.map((pane) => [pane.camera.name, freeSize(this.viewOf(pane, all))] as const);
     const sized = shown.filter(([, { width, height }]) => width >= 1 && height >= 1);
     this.listener.polygons?.want(
       sized.map(([camera, { width, height }]) => ({ camera, aspect: Math.min(width / height, ASPECT) })),
     );
   }
 
-  private viewOf({ camera, element }: Pane): View {
+  /** Returns the view of a pane; later ones of `all` may cover it. */
+  private viewOf({ camera, element }: Pane, all: readonly Pane[]): View {
     const early = this.appearance.early && camera.kind === 'camera';
-    return { camera: camera.name, rect: this.panes.rectOf(element), early };
+    const rect = this.panes.rectOf(element);
+    const above = all.slice(all.findIndex((pane) => pane.element === element) + 1);
+    const free = freePart(
+      rect,
+      above.map((pane) => this.panes.rectOf(pane.element)),
+    );
+    return { camera: camera.name, rect, free, early };
   }
 
   private showAll(frame: Frame, gap: ClosestPoints | null, wiped: boolean): void {

@@ -1,18 +1,15 @@
-import { MathUtils, Matrix4, PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { Matrix4, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { present } from '../basics/assert';
 import type { Camera, Quat, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
+import { type Part, WHOLE } from './free-part';
+import { Lens } from './lens';
 import { Orbit, type Placed } from './orbit';
 import { settingOf, type View, viewOf } from './view';
 
 /** Near plane [m]. For a camera behind a window, the near plane is beyond the window's pane. */
 const NEAR = 0.01;
 const FAR = 400;
-/**
- * A wider picture shows the camera's field of view in its middle, as high as a picture of this width over its height
- * would. Assumed: half-way between television (4:3) and a wide monitor (5:3).
- */
-export const ASPECT = 1.5;
 const ORIGIN = new Vector3();
 const point = new Vector3();
 const [start, end] = [new Vector3(), new Vector3()];
@@ -33,10 +30,8 @@ export interface Projected extends Place {
 
 /** A television camera on its body. */
 class Mounted {
-  private readonly picture: PerspectiveCamera;
+  private readonly picture: Lens;
   private readonly inBody = new Matrix4();
-  private aspect = 0;
-  private angle = 0;
   /** Present pan, tilt and horizontal field of view [rad]. */
   setting: Vec3;
 
@@ -45,7 +40,7 @@ class Mounted {
     private readonly body: Body,
   ) {
     const near = camera.pane?.distance ?? NEAR;
-    this.picture = new PerspectiveCamera(40, 1, near, FAR);
+    this.picture = new Lens(near, FAR);
     this.picture.matrixAutoUpdate = this.picture.matrixWorldAutoUpdate = false;
     this.setting = settingOf(camera);
     this.look(viewOf(camera, this.setting));
@@ -66,22 +61,13 @@ class Mounted {
   look({ position, boresight, up, angle }: View): void {
     this.inBody.lookAt(ORIGIN, start.set(...boresight), end.set(...up));
     this.inBody.setPosition(...position);
-    if (angle !== this.angle) this.aspect = 0;
-    this.angle = angle;
+    this.picture.angle = angle;
   }
 
-  /**
-   * Returns the camera at its body's present pose. Its horizontal field of view does not depend on the aspect, unless
-   * the picture is low: it then shows more at its sides, and nothing less above and below.
-   */
-  at(aspect: number): PerspectiveCamera {
+  /** Returns the camera at its body's present pose. */
+  at(aspect: number, free: Part): PerspectiveCamera {
     const { picture } = this;
-    if (this.aspect !== aspect) {
-      const half = Math.atan(Math.tan(this.angle / 2) / Math.min(aspect, ASPECT));
-      picture.fov = MathUtils.radToDeg(2 * half);
-      this.aspect = picture.aspect = aspect;
-      picture.updateProjectionMatrix();
-    }
+    picture.fit(aspect, free);
     picture.matrixWorld.multiplyMatrices(this.body.group.matrixWorld, this.inBody);
     picture.matrixWorldInverse.copy(picture.matrixWorld).invert();
     return picture;
@@ -160,9 +146,14 @@ export class Cameras {
     if (orbit) one.look(orbit.view);
   }
 
-  /** Returns the camera at its present pose and setting; `aspect`: the picture's width over its height. */
-  at(name: string, aspect: number): PerspectiveCamera {
-    return this.one(name).at(aspect);
+  /**
+   * Returns the camera at its present pose and setting.
+   *
+   * @param aspect the picture's width over its height.
+   * @param free the part that no other picture covers.
+   */
+  at(name: string, aspect: number, free: Part = WHOLE): PerspectiveCamera {
+    return this.one(name).at(aspect, free);
   }
 
   private one(name: string): Mounted {
@@ -170,8 +161,8 @@ export class Cameras {
   }
 
   /** Position of a point of the scene in a camera's picture. */
-  project(name: string, aspect: number, position: Vec3): Projected {
-    const camera = this.at(name, aspect);
+  project(name: string, aspect: number, position: Vec3, free: Part = WHOLE): Projected {
+    const camera = this.at(name, aspect, free);
     point.set(...position).applyMatrix4(camera.matrixWorldInverse);
     const ahead = point.z < -camera.near;
     point.applyMatrix4(camera.projectionMatrix);
@@ -183,8 +174,14 @@ export class Cameras {
    * Returns the ends of a straight line of the scene in a camera's picture, 0 to 1 from the left and from the top. The
    * part behind the camera is cut off; parts outside the picture are kept. Null if the whole line is behind the camera.
    */
-  segment(name: string, aspect: number, a: Vec3, b: Vec3): readonly [Place, Place] | null {
-    const camera = this.at(name, aspect);
+  segment(
+    name: string,
+    aspect: number,
+    a: Vec3,
+    b: Vec3,
+    free: Part = WHOLE,
+  ): readonly [Place, Place] | null {
+    const camera = this.at(name, aspect, free);
     start.set(...a).applyMatrix4(camera.matrixWorldInverse);
     end.set(...b).applyMatrix4(camera.matrixWorldInverse);
     const { near } = camera;

@@ -1,5 +1,13 @@
 /** Drawing profile, and the pictures to draw, each with its position. */
 
+import type { Part } from './free-part';
+
+/**
+ * A wider picture shows the camera's field of view in its middle, as high as a picture of this width over its height
+ * would. Assumed: half-way between television (4:3) and a wide monitor (5:3).
+ */
+export const ASPECT = 1.5;
+
 /** `full` needs a graphics card; `low` is fast even if the processor computes the pictures. */
 export type Quality = 'full' | 'low';
 
@@ -14,6 +22,8 @@ export interface Rect {
 export interface View {
   readonly camera: string;
   readonly rect: Rect;
+  /** The part that no other picture covers: the middle of the camera's field of view is in the middle of this part. */
+  readonly free: Part;
   /** Black and white, with noise. */
   readonly early: boolean;
 }

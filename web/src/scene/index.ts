@@ -224,11 +224,11 @@ export class Scene {
   draw(views: readonly View[], scale = 1): void {
     const { renderer } = this;
     renderer.shadowMap.needsUpdate = true;
-    for (const { camera, rect, early } of views) {
+    for (const { camera, rect, free, early } of views) {
       const area = this.aim(rect, rect, scale);
       if (!area) continue;
       const factor = this.show(camera, rect);
-      renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
+      renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height, free));
       this.exposures.measure(camera, area, factor); // before noise is added
       this.smoothing?.show(area);
       if (early) this.television.show(area);
@@ -239,11 +239,11 @@ export class Scene {
   /** Draws parts of still pictures in the screen's resolution; `last`: whether these parts complete them. */
   refine(pieces: readonly Piece[], last: boolean): void {
     for (const { view, part, sample } of pieces) {
-      const { camera, rect } = view;
+      const { camera, rect, free } = view;
       const area = this.aim(rect, part, 1);
       if (!area) continue;
       const factor = this.show(camera, rect);
-      const lens = this.cameras.at(camera, rect.width / rect.height);
+      const lens = this.cameras.at(camera, rect.width / rect.height, free);
       const [x, y] = SAMPLES[sample] ?? [0, 0];
       const whole = this.areaOf(rect);
       lens.setViewOffset(whole.width, whole.height, x, y, whole.width, whole.height);

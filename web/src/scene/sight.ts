@@ -3,7 +3,8 @@
 import { type Intersection, type Mesh, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
 import type { Camera, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
-import { ASPECT, type Cameras } from './cameras';
+import type { Cameras } from './cameras';
+import { ASPECT } from './drawn';
 
 /** Sample points of a picture: coordinates to the right and upwards, each in [-1, 1]. */
 const SPREAD = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [-0.7, 0, 0.7].map((y) => [x, y] as const));

@@ -7,7 +7,7 @@ import { type Age, isStale } from '../../link/delay-line';
 import type { Camera, Frame, Vec3 } from '../../link/protocol';
 import { inset } from '../../page/room';
 import { EXAGGERATION } from '../../scene/bending';
-import { ASPECT } from '../../scene/cameras';
+import { fieldOf, type Part } from '../../scene/free-part';
 import { timeCode } from '../../words/format';
 import { lensWords } from '../../words/lens';
 import { el, setAttribute, setClass, setStyle, setText, svg } from '../parts/dom';
@@ -113,9 +113,11 @@ export class Picture {
   }
 
   /** Writes the settings of the camera's drives, at picture rate: pan, tilt, field of view [rad]. */
-  setLens(setting: Vec3, size: Size): void {
+  setLens(setting: Vec3, size: Size, free: Part): void {
     setText(this.lens, lensWords(this.shown, setting));
-    fitPane(this.pane, this.shown, size);
+    fitPane(this.pane, this.shown, { width: size.width * free.width, height: size.height * free.height });
+    const [x, y] = [free.left + free.width / 2, free.top + free.height / 2];
+    setStyle(this.element, `--middle-x: ${(100 * x).toFixed(2)}%; --middle-y: ${(100 * y).toFixed(2)}%`);
   }
 
   /** Deflections of this camera's switches, commanded by a drag, a pinch or the mouse wheel. */
@@ -279,7 +281,7 @@ export function fitPane(
   { width, height }: Size,
 ): void {
   if (!pane) return;
-  const perMetre = Math.min(width, ASPECT * height) / (2 * Math.tan(field_of_view / 2) * pane.distance);
+  const perMetre = fieldOf({ width, height }) / (2 * Math.tan(field_of_view / 2) * pane.distance);
   const [wide, high] = [pane.width, pane.height].map((size) => `${(size * perMetre).toFixed(1)}px`);
   setStyle(element, `width: ${wide}; height: ${high}`);
 }

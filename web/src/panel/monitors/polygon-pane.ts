@@ -3,8 +3,8 @@
 import { Silence } from '../../basics/silence';
 import type { Age } from '../../link/delay-line';
 import type { Polygons } from '../../link/protocol';
-import { ASPECT } from '../../scene/cameras';
-import { el, setText } from '../parts/dom';
+import { ASPECT } from '../../scene/drawn';
+import { el, setStyle, setText } from '../parts/dom';
 import type { Size } from './label-place';
 
 /** Half the width of a picture, in the units of `Polygons.points`. */
@@ -127,7 +127,7 @@ export class PolygonPane {
     if (!this.pen) return;
     if (size !== this.size) {
       this.size = size;
-      canvas.style.width = `${width}px`;
+      setStyle(canvas, `width: ${width}px; height: ${height}px`);
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
     }
