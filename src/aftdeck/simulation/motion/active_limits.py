@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame import Limit, LimitKind
+from aftdeck.simulation.frame import AT_HARD, Limit, LimitKind
 from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import CAUSE, LIMITING_JOINT, POR_CAUSE
+from aftdeck.steering.layout import CAUSE, LIMITING_JOINT, POR_CAUSE, RATES
 from aftdeck.steering.limiters import CAUSES
 
 _TEXTS: dict[str, tuple[LimitKind, str]] = {
@@ -37,9 +37,12 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         return (Limit("switch", -1, why),) if state.worksite.halt == "switch" else ()
     report = state.report
     cause, por_cause = int(report[CAUSE]), int(report[POR_CAUSE])
-    if cause == 0 and por_cause == 0:
+    stopped = AT_HARD in state.panel.zones
+    if cause == 0 and por_cause == 0 and not stopped:
         return ()
     found = _of_joints(flight, cause, int(report[LIMITING_JOINT]))
+    if stopped:
+        found += _held_by_stops(flight, state, found)
     if por_cause & 2:
         found.append(Limit("POR translation", -1, "POR at its greatest speed"))
     if por_cause & 8:
@@ -48,6 +51,19 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         what = {1: "speed", 4: "turning", 5: "speed and turning"}[por_cause & (1 | 4)]
         found.append(Limit("POR acceleration", -1, f"POR {what} still building up or falling"))
     return tuple(found)
+
+
+def _held_by_stops(flight: Flight, state: State, found: list[Limit]) -> list[Limit]:
+    """Return the joints whose commanded rates press them against their hard stops, besides those in `found`."""
+    rates, angles = state.steering[RATES : RATES + 6].tolist(), state.plant.angles.tolist()
+    named = {limit.joint for limit in found if limit.kind == "hard stop"}
+    held = [
+        joint
+        for joint, zone in enumerate(state.panel.zones)
+        if zone == AT_HARD and joint not in named and rates[joint] * (angles[joint] - sum(flight.hard[joint]) / 2) > 0.0
+    ]
+    kind, text = _TEXTS["hard stop"]
+    return [Limit(kind, joint, f"{joint_label(flight.scenario.arm.joints[joint])} {text}") for joint in held]
 
 
 def _of_joints(flight: Flight, cause: int, culprit: int) -> list[Limit]:
