@@ -163,7 +163,7 @@ def test_tolerances_are_those_of_the_report(concept: Worksite) -> None:
 
 def test_station_points_have_cameras_that_zoom_from_25_to_60_deg(concept: Worksite) -> None:
     cameras = [camera for camera in concept.cameras if camera.kind == "camera"]
-    assert [camera.name for camera in cameras] == [*"ABCDEFGHI", "P1", "P2", "CAE2", "W"]
+    assert [camera.name for camera in cameras] == [*"ABCDEFGHI", "P1", "P2", "P3", "P4", "CAE2", "W"]
     for camera in cameras:
         assert camera.drive is not None
         assert camera.drive.zoom is not None
@@ -203,6 +203,16 @@ def test_camera_sees_the_bar_or_the_port_at_the_start(concept: Worksite, name: s
         assert seen(concept, name, docked.position, pose)
     else:
         assert seen(concept, name, bar, pose)
+
+
+def test_every_payload_carries_two_cameras_that_see_its_probe_and_its_bar(concept: Worksite) -> None:
+    """RMS-VS, section VII.5."""
+    still = Pose(np.zeros(3), np.eye(3))
+    for cargo in concept.cargoes:
+        to_probe, to_bar = (camera.name for camera in concept.cameras if camera.body == cargo.name)
+        assert cargo.probe is not None and cargo.receptacle is not None
+        assert seen(concept, to_probe, cargo.probe.position, still)
+        assert seen(concept, to_bar, cargo.receptacle.mean(axis=0), still)
 
 
 def test_essential_pairs_include_the_fittings_of_each_payload(concept: Worksite) -> None:
