@@ -25,7 +25,8 @@ test('the end effector shows its payload and speed limit', () => {
   const beacon = { ...CARGO, name: 'beacon', held: true };
   expect(words([CARGO, beacon])).toBe('beacon, 1000 kg, max 0.060 m/s');
   expect(words([CARGO, beacon], 'vernier')).toBe('beacon, 1000 kg, max 0.030 m/s');
-  expect(words([CARGO])).toBe('empty');
+  expect(words([CARGO])).toBe('empty, max 0.060 m/s');
+  expect(words([CARGO], 'vernier')).toBe('empty, max 0.030 m/s');
   expect(words([])).toBe('');
 });
 

@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import type { InHand } from '../src/input/active-device';
 import { ZERO } from '../src/input/deflection';
-import type { StepInfo, Welcome } from '../src/link/protocol';
+import type { StepInfo, UseInfo, Vec3, Welcome } from '../src/link/protocol';
 import { maySimplify, Opening, STARTED, thingToDo } from '../src/page/opening';
 import type { View } from '../src/panel/parts/part';
 import { small, useSmallPage } from './small-page';
@@ -99,6 +99,20 @@ test('the words name the key of the first function of the step', () => {
   const { opening } = begun();
   opening.values(view(), false);
   expect(small(opening.element).textContent).toContain('hold -Z: up');
-  expect(thingToDo([{ use: 'proceed', does: 'proceed' }])[0]?.text).toContain('press');
-  expect(thingToDo([])).toEqual([]);
+  expect(thingToDo([{ use: 'proceed', does: 'proceed' }], null)[0]?.text).toContain('press');
+  expect(thingToDo([], [1, 2, 3])).toEqual([]);
+});
+
+test('the words name the motion that reduces the largest part of the way', () => {
+  const uses: readonly UseInfo[] = [
+    { use: '-Z', does: 'up' },
+    { use: '+X', does: 'forward' },
+    { use: '+Z', does: 'down' },
+  ];
+  const named = (way: Vec3 | null) => thingToDo(uses, way)[1]?.text;
+  expect(named([0.2, 0.1, 1.4])).toBe('+Z');
+  expect(named([0.2, 0.1, -1.4])).toBe('-Z');
+  expect(named([2, 0.1, -1.4])).toBe('+X');
+  expect(named([0, -2, 0])).toBe('-Z'); // the step has no such key: the first one
+  expect(named(null)).toBe('-Z');
 });

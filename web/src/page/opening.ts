@@ -6,7 +6,7 @@
 import type { InHand } from '../input/active-device';
 import { isZero } from '../input/deflection';
 import { USES } from '../input/keymap';
-import type { UseInfo, Welcome } from '../link/protocol';
+import type { UseInfo, Vec3, Welcome } from '../link/protocol';
 import { button, el, setClass } from '../panel/parts/dom';
 import type { View } from '../panel/parts/part';
 import { MarkedText, type Piece } from '../task/words';
@@ -23,8 +23,13 @@ export function maySimplify({ steps, phases }: Pick<Welcome, 'steps' | 'phases'>
   return first !== undefined && first.cameras.length === 0 && phases.length === 0;
 }
 
-/** Returns the one thing to do: the first function that a step names, with its key and effect. */
-export function thingToDo([first]: readonly UseInfo[]): readonly Piece[] {
+/**
+ * Returns the one thing to do, with its key and effect: the motion that reduces the largest component of the way that is
+ * left, or the first function that a step names.
+ */
+export function thingToDo(uses: readonly UseInfo[], way: Vec3 | null): readonly Piece[] {
+  const wanted = way && largest(way);
+  const first = uses.find(({ use }) => use === wanted) ?? uses[0];
   if (!first) return [];
   const hold = USES.get(first.use)?.does.kind === 'axis';
   return [
@@ -34,9 +39,16 @@ export function thingToDo([first]: readonly UseInfo[]): readonly Piece[] {
   ];
 }
 
+/** Returns the motion of the stick that reduces the largest component: `+Z`. */
+function largest(way: Vec3): string {
+  const sizes = way.map(Math.abs);
+  const i = sizes.indexOf(Math.max(...sizes));
+  return `${(way[i] ?? 0) < 0 ? '-' : '+'}${'XYZ'[i]}`;
+}
+
 export class Opening {
   private readonly toDo: MarkedText;
-  private readonly pieces: readonly Piece[];
+  private pieces: readonly Piece[] = [];
   readonly element: HTMLElement;
   private readonly ended = new AbortController();
   /** The picture beside which the second one appears; null before the shot and after it. */
@@ -49,7 +61,6 @@ export class Opening {
     inHand: InHand,
     private readonly second: HTMLElement,
   ) {
-    this.pieces = thingToDo(welcome.steps[0]?.uses ?? []);
     this.toDo = new MarkedText(el('p', { class: 'to-do' }), inHand);
     this.element = el(
       'section',
@@ -81,6 +92,8 @@ export class Opening {
   /** Ends the shot when a stick is moved, the second step begins or a warning is lit, or where another page flies. */
   values({ frame, hand, flying, flier }: View, tooNarrow: boolean): void {
     if (!this.first) return;
+    if (this.pieces.length === 0)
+      this.pieces = thingToDo(this.welcome.steps[0]?.uses ?? [], frame.display.to_go?.translation ?? null);
     this.toDo.set(tooNarrow ? [{ kind: 'text', text: TOO_NARROW_WORDS }] : this.pieces);
     const { task, lamps } = frame.display;
     const alarmed = lamps.some(({ level }) => level === 'warning');

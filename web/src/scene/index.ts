@@ -310,9 +310,9 @@ export class Scene {
    * `scale`: resolution, as a share of the screen's.
    */
   private aim(rect: Rect, part: Rect, scale: number, colour = SPACE): Area | null {
-    if (rect.width < 1 || rect.height < 1) return null;
     const { renderer } = this;
     const [whole, area] = [this.areaOf(rect, scale), this.areaOf(part, scale)];
+    if (!(area.width >= 1 && area.height >= 1)) return null; // while the page is laid out
     renderer.setViewport(whole.x, whole.y, whole.width, whole.height);
     renderer.setScissor(area.x, area.y, area.width, area.height);
     renderer.setScissorTest(true);

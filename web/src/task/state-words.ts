@@ -50,9 +50,10 @@ export function rateHoldHint(
   ];
 }
 
-/** `[Enter] for ORB LD.` */
+/** `First press [Enter] for ORB LD.` */
 export function modeHint(mode: string): readonly Piece[] {
   return [
+    { kind: 'text', text: 'First press ' },
     { kind: 'use', text: 'enter' },
     { kind: 'text', text: ` for ${mode}. ` },
   ];

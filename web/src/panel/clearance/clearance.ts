@@ -1,6 +1,6 @@
 /** The minimum clearance: its parts, rate of change, and curve over the last minute. Also ARM and FINGER INHIBIT. */
 
-import type { Near, TaskPair } from '../../link/protocol';
+import type { Display, Near, ToGo } from '../../link/protocol';
 import { small } from '../../words/format';
 import type { Unit, Units } from '../../words/units';
 import { button, el, group, setAttribute, setClass, setLit, setPressed, setText } from '../parts/dom';
@@ -75,7 +75,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setText(contact, seconds ? `contact in ${Math.max(1, Math.round(seconds))} s` : '');
       setText(pair, nearest ? pairWords(nearest) : 'No pair is monitored');
       setAttribute(pair, 'title', pair.textContent);
-      setText(task, taskPairWords(frame.display.task_pair, nearest, units));
+      setText(task, taskPairWords(frame.display, nearest, units));
       setAttribute(task, 'title', task.textContent && TASK_PAIR);
       gauge.setUnits(units);
       // Contacts, and the task's pair, take the room of the curve of the last minute.
@@ -95,14 +95,19 @@ function pairWords({ a, b }: Pick<Near, 'a' | 'b'>): string {
 const TASK_PAIR =
   'The parts that this step of the task brings together; they light no lamp while the approach goes well';
 
-/** Returns the clearance of the pair that the task brings together; empty if this pair is shown already, or none is. */
+/**
+ * Returns the clearance of the pair that the task brings together, and the time to their contact at the present speed
+ * towards the task's place; empty if this pair is shown already, or none is.
+ */
 export function taskPairWords(
-  task: TaskPair | null,
+  { task_pair: task, to_go }: Pick<Display, 'task_pair'> & { readonly to_go: Pick<ToGo, 'closing'> | null },
   nearest: Pick<Near, 'a' | 'b'> | null,
   { gap }: Pick<Units, 'gap'>,
 ): string {
-  if (!task || (task.a === nearest?.a && task.b === nearest.b)) return '';
-  return `Task: ${small(task.clearance, gap)} ${gap.name}, ${task.a} to ${task.b}`;
+  if (!task || (nearest && task.a === nearest.a && task.b === nearest.b)) return '';
+  const seconds = contactIn(task.clearance, to_go?.closing ?? 0);
+  const contact = seconds ? `contact in ${Math.max(1, Math.round(seconds))} s, ` : '';
+  return `Task: ${small(task.clearance, gap)} ${gap.name}, ${contact}${task.a} to ${task.b}`;
 }
 
 function closingWords({ closing, clearance }: Near, creep: Unit): string {

@@ -59,7 +59,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   };
 }
 
-/** Returns the name of the held payload, its mass and the speed limit of its POR; `empty` if no payload is held. */
+/** Returns the name of the held payload, its mass and the speed limit of its POR; `empty`, and the tip's, if none is held. */
 export function graspWords(
   {
     work: { cargo },
@@ -73,10 +73,12 @@ export function graspWords(
   { mass, speed }: Pick<Units, 'mass' | 'speed'>,
 ): string {
   const held = cargo.find((each) => each.held);
-  if (!held) return cargo.length > 0 ? 'empty' : '';
+  if (!held && cargo.length === 0) return '';
+  const name = held?.name ?? 'empty';
   const its = payloads.find(({ id }) => id === payload_id);
-  if (!its) return held.name;
-  const heavy = fixed(its.mass * mass.perSi, mass.decimals, false);
-  const fast = fixed(its.translation[rate === 'coarse' ? 0 : 1] * speed.perSi, speed.decimals, false);
-  return `${held.name}, ${heavy} ${mass.name}, max ${fast} ${speed.name}`;
+  if (!its) return name;
+  const fast = its.translation[rate === 'coarse' ? 0 : 1] * speed.perSi;
+  const most = `max ${fixed(fast, speed.decimals, false)} ${speed.name}`;
+  if (!held) return `${name}, ${most}`;
+  return `${name}, ${fixed(its.mass * mass.perSi, mass.decimals, false)} ${mass.name}, ${most}`;
 }

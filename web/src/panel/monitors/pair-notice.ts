@@ -30,7 +30,7 @@ export function pairNotice(take: () => void, leave: () => void, inUse: () => Nam
       setText(words, 'Suggested views:');
       setAttribute(words, 'title', offer.why);
       setText(names, `Cameras ${offer.cameras.join(', ')}`);
-      setText(key, inUse().short('offered pair'));
+      setText(key, inUse().name('offered pair'));
     },
   };
 }

@@ -6,6 +6,8 @@ import { button, el, setAttribute, setClass, setText } from '../parts/dom';
 import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
 
 /** Order of the levels. An acknowledged lamp sounds again when its level rises. */
+/** Time for which the calm page keeps the spine after its last lamp [ms]. */
+const KEPT_MS = 20_000;
 const RANK = { info: 0, caution: 1, warning: 2 } as const;
 
 export interface SpineListener {
@@ -25,6 +27,8 @@ export class Spine {
   private unseen = new Set<LampName>();
   private names: Names = KEYS;
   private raised = false;
+  /** When a lamp was lit last [ms]. */
+  private litAt = Number.NEGATIVE_INFINITY;
   private readonly silent = el('p', { class: 'silent' }, 'Tones muted');
 
   constructor(private readonly listener: SpineListener) {
@@ -71,6 +75,7 @@ export class Spine {
     setClass(this.master, 'caution', (test || this.unseen.size > 0) && !warned);
     setClass(this.master, 'warning', warned);
     const count = counted(lamps);
+    this.keep(test || lamps.some(({ level }) => level !== 'info'));
     if (test) setText(this.words, 'lamp test');
     else
       setText(
@@ -101,6 +106,13 @@ export class Spine {
   acknowledge(): void {
     this.unseen.clear();
     this.show([...this.lit.values()]);
+  }
+
+  /** Keeps the spine in the calm page for a while after its last lamp, so that the pictures keep their sizes. */
+  private keep(lit: boolean): void {
+    const now = performance.now();
+    if (lit) this.litAt = now;
+    setClass(this.element, 'lit-lately', now - this.litAt < KEPT_MS);
   }
 
   private raise(lamp: SpineLamp): void {
