@@ -30,7 +30,7 @@ test('mechanisms in motion are named with their whole seconds', () => {
   expect(piece?.text).toContain('latches open, 12 s');
 });
 
-test('RATE HOLD is offered for a leg of more than 20 s, unless it is on or the text names it', () => {
+test('RATE HOLD is offered for a leg of more than 20 s unless the text names it, and its end while it is on', () => {
   const leg = (distance: number, speed: number, rate_hold = false, uses: readonly string[] = []) =>
     rateHoldHint(
       { rate_hold, por_limits: [speed, 1], display: { to_go: { ...toGo({}), distance } } },
@@ -39,7 +39,7 @@ test('RATE HOLD is offered for a leg of more than 20 s, unless it is on or the t
   expect(leg(21, 1)).toContain('rate hold');
   expect(leg(2.1, 0.1)).toContain('rate hold');
   expect(leg(20, 1)).toEqual([]);
-  expect(leg(21, 1, true)).toEqual([]);
+  expect(leg(21, 1, true)).toEqual(['', 'stop', '']);
   expect(leg(21, 1, false, ['rate hold'])).toEqual([]);
   expect(leg(21, 0)).toEqual([]);
   expect(rateHoldHint({ rate_hold: false, por_limits: [1, 1], display: { to_go: null } }, [])).toEqual([]);
