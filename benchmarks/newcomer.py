@@ -80,6 +80,7 @@ class _Seen:
         self.moved: float | None = None
         self.compiled: float | None = None
         self.gaps: list[float] = []
+        self.failure = ""
         self._first: Frame | None = None
         self._last = begin
 
@@ -93,6 +94,7 @@ class _Seen:
             self.moved = now - self.begin
 
     def readiness(self, message: Readiness, now: float) -> None:
+        self.failure = message.failure
         if message.share is None and not message.waits_for and self._first is not None:
             self.compiled = now - self.begin
 
@@ -118,10 +120,19 @@ def _start(name: str, folder: str, seconds: float) -> list[Figure]:
                     seen.frame(message, now)
                 elif isinstance(message, Readiness):
                     seen.readiness(message, now)
+    late = f"not within {seconds:g} s"
+    compiled = None if seen.failure else seen.compiled
+    why = seen.failure or ("by another process, meanwhile" if compiled is not None else late)
     return [
         Figure(f"{name}: aftdeck fly to its page", served, "s", None, "the address is printed"),
-        Figure(f"{name}: aftdeck fly to the first motion", seen.moved, "s", 6.0, "laws as plain Python"),
-        Figure(f"{name}: all laws compiled", seen.compiled, "s", None, "by another process, meanwhile"),
+        Figure(
+            f"{name}: aftdeck fly to the first motion",
+            seen.moved,
+            "s",
+            6.0,
+            late if seen.moved is None else "laws as plain Python",
+        ),
+        Figure(f"{name}: all laws compiled", compiled, "s", None, why),
         Figure(
             f"{name}: longest time between two frames",
             max(seen.gaps, default=None),

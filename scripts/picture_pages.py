@@ -110,6 +110,7 @@ def open_page(browser: Browser, address: str, picture: Picture) -> Page:
     _press(page, "Restart")
     page.wait_for_function(RESTARTED, arg=restarts)
     _wait(page, SETTLED_S)
+    page.wait_for_function("() => !document.querySelector('.spine.lit-lately')")
     for name in picture.presses:
         _press(page, name)
         _wait(page, _time(page) + REACTION_S)

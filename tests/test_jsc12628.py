@@ -466,6 +466,9 @@ def test_invalid_argument_is_rejected_by_name() -> None:
         (lambda: start(mode=1, r_6BF=ZERO), "T_B7F"),
         (lambda: start(mode=3, r_6BF=ZERO, T_B7F=np.eye(3), ETA=5.0), "ETA"),
         (lambda: start(mode=4, ETA=-1.0), "ETA"),
+        (lambda: start(mode=2, theta_F=q, r_6BF=ZERO, T_B7F=np.eye(3)), "theta_F"),
+        (lambda: start(mode=4, r_6BF=ZERO), "r_6BF"),
+        (lambda: start(mode=8, xi_F=ZERO), "xi_F"),
         (lambda: jsc12628.lnkage(loaded.arm(), q, r_87=ZERO), "r_87"),  # type: ignore[call-overload]
         (lambda: jsc12628.lnkage(loaded.arm(), q, PA=2), "PA"),  # type: ignore[call-overload]
         (lambda: jsc12628.vclose(1.0, 1.0, **LIMITS, DT=0.02, TP=-1.0), "TP"),

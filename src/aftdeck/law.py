@@ -230,7 +230,7 @@ def load() -> None:
     """Import Numba, and replace each placeholder by its compiled law, in every module that has a name for it.
 
     Later calls then reach the compiled law directly, from Python and from other laws. The first call of any law calls
-    this function, unless `run_kept` or `run_plain` was called before.
+    this function, unless `run_kept`, `run_compiled` or `run_plain` was called before.
     """
     global _waiting, _prepared  # noqa: PLW0603
     with _loading:

@@ -86,6 +86,8 @@ def problems_of(raw: object, kind: Any, where: _Where = (), bounds: Bounds | Non
             items = items[:1] * len(raw)
         if len(items) == len(raw):
             return [p for i, item in enumerate(raw) for p in problems_of(item, items[i], (*where, i))]
+    if base is dict and not isinstance(raw, dict):
+        return [(where, f"expected a table, got {short(raw)}")]
     if base is dict and isinstance(raw, dict):
         return [p for key, item in raw.items() for p in problems_of(item, get_args(kind)[1], (*where, key))]
     if base is Literal and raw not in get_args(kind):

@@ -83,6 +83,7 @@ def test_page_has_room_for_everything_in_all_sizes(open_page: OpenPage, panel: s
     for width, height in SIZES:
         flight.resize(width, height)
         problems[f"{width} x {height}"] = [*flight.script(PROBLEMS), *collisions(flight), *_of_size(flight, panel)]
+    assert longest_text() in flight.script("document.querySelector('.task .words').textContent"), "the text has changed"
     assert not any(problems.values()), problems
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import re
 from typing import cast
@@ -15,6 +16,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import AftdeckError
 from aftdeck.frames import Pose
 from aftdeck.scenario.target import target_at
+from aftdeck.simulation.command_check import rehearsal
 from aftdeck.simulation.command_check.cmd_ck import STEPS
 from aftdeck.simulation.frame import Check
 from aftdeck.simulation.operator.sequence import begin
@@ -364,3 +366,29 @@ def test_open_loop_check_fails_with_final_error_where_mode_2_is_good() -> None:
     found = re.search(r"(\d+\.?\d*) mm, (\d\.\d\d)°", verdict.text)
     assert verdict.cause == "miss" and found and (float(found[1]) > 1.0 or float(found[2]) > 0.02), verdict
     assert verdict_on(start, "closed loop", goal).good
+
+
+@laws
+def test_motion_may_take_twice_its_estimate_but_no_longer_than_a_run(law: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    goal = joint_target(aftdeck.load_arm("srms"), (-31.0, 89.0, -118.0, -77.0, 17.0, -128.0))
+    strict = "strict = true\n"
+    plain = verdict_on(BAY, law, goal, strict)
+    assert plain.good and plain.seconds > 5.0
+    monkeypatch.setattr(rehearsal, "LONG", 1.0)  # shorter than the motion, whose estimate counts then
+    assert verdict_on(BAY, law, goal, strict) == plain
+    monkeypatch.setattr(rehearsal, "DAY", 3.0)
+    failed = verdict_on(BAY, law, goal, strict)
+    assert (failed.good, failed.cause) == (False, "time")
+    assert failed.seconds == pytest.approx(3.0, abs=0.1)
+
+
+def test_restored_check_of_a_long_motion_has_the_same_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rehearsal, "LONG", 1.0)
+    goal = joint_target(aftdeck.load_arm("srms"), (-31.0, 89.0, -118.0, -77.0, 17.0, -128.0))
+    sim = aftdeck.Simulation(scenario(BAY, f'{OPR}law = "closed loop"\n'))
+    sim.step(aftdeck.Inputs(target=goal))
+    for _ in range(3):
+        sim.step(aftdeck.Inputs())
+    other = copy.deepcopy(sim)
+    frames = [[one.step(aftdeck.Inputs()) for _ in range(60)][-1] for one in (sim, other)]
+    assert frames[0].check is not None and frames[0].check == frames[1].check

@@ -7,7 +7,8 @@ only the report's branch, and joints have no stops.
 Lengths are in metres, or in feet with ``units="ft"``; angles are in radians, times in seconds. Vectors and rotations
 are in the report's orbiter frame B unless stated otherwise. The columns of a rotation T_BN are the axes of frame N, in
 B. Joint angles are the angles on the panel. They equal the report's angles, except on an arm whose elbow is below the
-line from shoulder pitch to wrist pitch. On such an arm, some angles differ from the report's by constants.
+line from shoulder pitch to wrist pitch. On such an arm, some angles differ from the report's by constants. A
+rotation may differ from an orthonormal matrix by 1e-6 in each element of R R^T.
 
 Example:
     >>> import numpy as np

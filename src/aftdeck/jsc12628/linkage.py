@@ -219,7 +219,7 @@ def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Ar
         (6,) joint angles [rad], within +-180 deg.
 
     Raises:
-        InputError: an argument is wrong; `T_B7` is no rotation.
+        InputError: an argument is wrong; `T_B7` is not a rotation.
         SingularityError: the pose does not determine the angles.
         UnreachableError: no angles of this branch reach the pose.
     """

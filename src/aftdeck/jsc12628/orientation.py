@@ -18,7 +18,7 @@ def endori(roll: float, elevation: float, azimuth: float) -> Array:
         new 1.
 
     Raises:
-        InputError: an angle is no finite number; the message names it.
+        InputError: an angle is not a finite number; the message names it.
     """
     angles = (("roll", roll), ("elevation", elevation), ("azimuth", azimuth))
     return frames.endori(*(float(array(angle, (), name)) for name, angle in angles))
@@ -33,6 +33,6 @@ def oriend(rotation: ArrayLike) -> tuple[float, float, float]:
         rotation: (3, 3) the orientation.
 
     Raises:
-        InputError: the argument is no rotation.
+        InputError: the argument is not a rotation.
     """
     return frames.oriend(checked(rotation, "rotation"))

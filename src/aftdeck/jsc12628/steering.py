@@ -67,7 +67,7 @@ _SAME_TIME = 1e-9
 AUTOMATIC = (1, 2, 3)
 """Automatic modes, which compute ETA."""
 CLOSED_LOOP = 2
-"""Automatic mode that estimates ETA anew in each step."""
+"""Automatic mode that estimates ETA again in each step."""
 
 
 class Phase:
@@ -78,8 +78,8 @@ class Phase:
         mode: the report's mode, 1 to 8.
         units: unit of all lengths in arguments and results.
         TP: time since the start of the phase [s].
-        ETA: phase time at the end of the phase [s]. It is planned in modes 1 and 3, estimated anew in each step of mode
-            2 (infinite before the first one), and given in modes 4 to 8.
+        ETA: phase time at the end of the phase [s]. It is planned in modes 1 and 3, estimated again in each step of
+            mode 2 (infinite before the first one), and given in modes 4 to 8.
     """
 
     def __init__(
@@ -139,7 +139,8 @@ def operin(
         omega_L_dot: greatest angular acceleration of the tip [rad/s2].
         theta_dot_L: (6,) greatest joint rates [rad/s].
         DT: control period [s].
-        theta_F: (6,) final joint angles [rad], for mode 1; None to compute them by RMANGS from the final pose.
+        theta_F: (6,) final joint angles [rad], for mode 1; None to compute them by RMANGS from the final pose. RMANGS
+            returns angles within +-180 deg, so a joint may take the long way to them.
         r_6BF: (3,) the tip's final position, for modes 1, 2 and 3.
         T_B7F: (3, 3) the tip's final orientation, for modes 1, 2 and 3.
         xi_F: (3,) Euler angles in place of `T_B7F` [rad]: roll, elevation and azimuth, the arguments of ENDORI. The
@@ -174,6 +175,7 @@ def operin(
     rules[HELD : HELD + 9] = rotation(T_78, "T_78").ravel()
     command[LAW] = mode
     state[ANGLES : ANGLES + 6] = command[KEPT : KEPT + 6] = array(theta_0, (6,), "theta_0")
+    _reject_unused(mode, theta_F=theta_F, r_6BF=r_6BF, T_B7F=T_B7F, xi_F=xi_F)
     if mode == 1:
         command[PLAN : PLAN + 6] = _final_angles(arm, theta_F, r_6BF, T_B7F, xi_F, units)
     elif mode in (2, 3):
@@ -204,6 +206,9 @@ def msteer(phase: Phase, theta: ArrayLike, theta_dot: ArrayLike | None = None) -
         phase: result of `operin`, changed in place.
         theta: (6,) actual joint angles [rad].
         theta_dot: (6,) actual joint rates [rad/s]; None to use the rates that the last step commanded.
+
+    Raises:
+        InputError: `theta` or `theta_dot` is wrong.
     """
     rates = None if theta_dot is None else array(theta_dot, (6,), "theta_dot")
     before = phase.TP
@@ -219,6 +224,19 @@ def msteer(phase: Phase, theta: ArrayLike, theta_dot: ArrayLike | None = None) -
         phase.ETA,
         bool(report[ARRIVED]) if phase.mode in AUTOMATIC else before >= phase.ETA - _SAME_TIME,
     )
+
+
+def _reject_unused(mode: int, theta_F: ArrayLike | None, **pose: ArrayLike | None) -> None:
+    """Reject a final position that the mode does not use.
+
+    Raises:
+        InputError: the mode has no final joint angles, or no final pose.
+    """
+    given = {} if mode == 1 else {"theta_F": theta_F}
+    given |= {} if mode in AUTOMATIC else pose
+    for name, value in given.items():
+        if value is not None:
+            raise InputError(f"{name}: got {value!r}, expected None; mode {mode} does not use it")
 
 
 def _final_pose(

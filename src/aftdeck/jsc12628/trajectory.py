@@ -57,7 +57,7 @@ def latraj(r_6B: ArrayLike, T_B7: ArrayLike, r_6BF: ArrayLike, T_B7F: ArrayLike,
         units: unit of all lengths in arguments and results.
 
     Raises:
-        InputError: an argument is wrong; `T_B7` or `T_B7F` is no rotation.
+        InputError: an argument is wrong; `T_B7` or `T_B7F` is not a rotation.
     """
     length = metres(units)
     tip = tip_of(array(r_6B, (3,), "r_6B") * length, rotation(T_B7, "T_B7"))
@@ -105,7 +105,10 @@ def vtopen(
     delta_V: float, delta_omega: float, *, V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float,
     units: Units = "m",
 ) -> Vtopen:  # fmt: skip
-    """Return the open-loop profile to a target (JSC-12628, subroutine VTOPEN, p. 36); arguments as for `vclose`."""
+    """Return the open-loop profile to a target (JSC-12628, subroutine VTOPEN, p. 36).
+
+    Arguments and errors are as for `vclose`.
+    """
     length = metres(units)
     distance, angle = _distance_and_angle(delta_V, delta_omega)
     rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)

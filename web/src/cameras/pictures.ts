@@ -498,7 +498,8 @@ export class Pictures {
   private viewOf({ camera, element }: Pane, all: readonly Pane[]): View {
     const early = this.appearance.early && camera.kind === 'camera';
     const rect = this.panes.rectOf(element);
-    const above = all.slice(all.findIndex((pane) => pane.element === element) + 1);
+    // All cameras have places of their own; of the monitors, the second may cover the first.
+    const above = this.open ? [] : all.slice(all.findIndex((pane) => pane.element === element) + 1);
     const free = freePart(
       rect,
       above.map((pane) => this.panes.rectOf(pane.element)),

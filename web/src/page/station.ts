@@ -80,8 +80,9 @@ export class Station {
   /** Stores a newer frame. Numbers and pictures show the frame after their set delays. */
   setFrame(frame: Frame): void {
     const now = performance.now();
-    const { arrivals, latency, log, operator } = this.parts;
+    const { arrivals, latency, log, operator, spine } = this.parts;
     if (arrivals.put(frame, now)) {
+      spine.forget();
       latency.forget(); // after a restart, no frame will use stick messages that were in the command delay
       log.add(arrivals.takeEvents());
     }

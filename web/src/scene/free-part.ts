@@ -20,6 +20,7 @@ export const WHOLE: Part = { left: 0, top: 0, width: 1, height: 1 };
  * cover it the strip in which the field is largest.
  */
 export function freePart(rect: Rect, covers: readonly Rect[]): Part {
+  if (!(rect.width > 0 && rect.height > 0)) return WHOLE;
   let best = rect;
   for (const cover of covers) {
     const strips = besides(best, cover);

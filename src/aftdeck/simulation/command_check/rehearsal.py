@@ -21,12 +21,13 @@ from aftdeck.simulation.parts.checking import Tried, Way
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import CAUSE, LIMITING_JOINT, MOTION_ACTIVE, RATIO, REMAINING
 from aftdeck.steering.limiters import BY_SINGULARITY, CAUSES
-from aftdeck.steering.rehearsal import STANDSTILL
 from aftdeck.units import INCH, Time
 from aftdeck.worksite.watch.found import POINT_A
 
 LONG = 3600.0
 """Time that every motion to a point may take [s]; a motion that is estimated to take longer may take twice as long."""
+SLOWEST = 0.01
+"""Share of the steering's speed that an estimate assumes at least [1]: near a standstill, the share says nothing."""
 DAY = Time.bounds.greatest
 """Longest run [s]: no motion may take longer."""
 _NO_INPUTS = Inputs()
@@ -86,13 +87,13 @@ class Rehearsal:
         """Return the time by which the motion to the present point has to end [s].
 
         It is an hour after the start of this motion, or twice the greatest estimate of the first half hour. An estimate
-        assumes that the limits which act now go on.
+        is the steering's remaining time, longer by the share of its speed that the limits allow now.
         """
         copy = self._copy
         if copy.panel.point != self._going:
             self._going, self._since, self._latest = copy.panel.point, now, now + LONG
         if copy.command[MOTION_ACTIVE] != 0.0 and now - self._since <= 0.5 * LONG:
-            left = float(copy.report[REMAINING]) / max(float(copy.report[RATIO]), STANDSTILL)
+            left = float(copy.report[REMAINING]) / max(float(copy.report[RATIO]), SLOWEST)
             self._latest = max(self._latest, self._since + 2.0 * (now - self._since + left))
         return min(self._latest, DAY)
 

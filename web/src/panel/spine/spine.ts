@@ -5,9 +5,9 @@ import type { Alarm } from '../../page/tones';
 import { button, el, setAttribute, setClass, setText } from '../parts/dom';
 import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
 
-/** Order of the levels. An acknowledged lamp sounds again when its level rises. */
 /** Time for which the calm page keeps the spine after its last lamp [ms]. */
-const KEPT_MS = 20_000;
+export const KEPT_MS = 20_000;
+/** Order of the levels. An acknowledged lamp sounds again when its level rises. */
 const RANK = { info: 0, caution: 1, warning: 2 } as const;
 
 export interface SpineListener {
@@ -113,6 +113,11 @@ export class Spine {
     const now = performance.now();
     if (lit) this.litAt = now;
     setClass(this.element, 'lit-lately', now - this.litAt < KEPT_MS);
+  }
+
+  /** Called at a restart: the calm page no longer keeps the spine for lamps of before. */
+  forget(): void {
+    this.litAt = Number.NEGATIVE_INFINITY;
   }
 
   private raise(lamp: SpineLamp): void {
