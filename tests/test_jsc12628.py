@@ -294,8 +294,8 @@ def test_msteer_agrees_with_the_report_step_by_step(
     r, T, _ = plain_lnkage(q)
     final, Tf = r + 0.5 * E1, T @ T1(0.05).T
     phase = jsc12628.operin(
-        loaded.arm(), mode, q, **most, theta_dot_L=SERVO, DT=dt, r_6BF=final / foot, T_B7F=Tf, omega_C=aim[:3],
-        V_C=aim[3:] / foot, T_78=T_78, units=unit,
+        loaded.arm(), mode, q, **most, theta_dot_L=SERVO, DT=dt, r_6BF=final / foot if mode == 2 else None,
+        T_B7F=Tf if mode == 2 else None, omega_C=aim[:3], V_C=aim[3:] / foot, T_78=T_78, units=unit,
     )  # fmt: skip
     rates = np.zeros(6)
     for k in range(20):
