@@ -195,5 +195,5 @@ def test_worksite_without_an_orbiter_rejects_its_motion(worksite: str, orbiter: 
         ("dynamics",): {"orbiter": orbiter},
     }
     with pytest.raises(ScenarioError, match=r"dynamics.orbiter.*\[orbiter\]"):
-        aftdeck.load_scenario("singular", changes)
-    assert aftdeck.load_scenario("singular", {("plant",): "rigid", ("worksite",): worksite}).orbiter == "fixed"
+        aftdeck.load_scenario("uncradle", changes)
+    assert aftdeck.load_scenario("uncradle", {("plant",): "rigid", ("worksite",): worksite}).orbiter == "fixed"
