@@ -142,7 +142,8 @@ def test_index_of_a_payload_counts_all_payloads(order: list[int], broken: int) -
     wrong = tomlkit.parse(tomlkit.dumps(WORKSITE)).unwrap()
     first = dict(wrong["cargo"][0])
     part = load_worksite("concept-1972").solids[0].part
-    wrong["camera"] = [camera for camera in wrong["camera"] if camera["body"] != first["name"]]
+    names = {cargo["name"] for cargo in wrong["cargo"]}
+    wrong["camera"] = [camera for camera in wrong["camera"] if camera["body"] not in names]
     wrong["cargo"] = [{**first, "name": f"cargo {i}"} for i in range(4)]
     for i in order[:broken]:
         wrong["cargo"][i]["start"] = {"seat": "none such"}

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { ASPECT, type Rect } from '../src/scene/drawn';
-import { fieldOf, freePart, freeSize, type Part, WHOLE } from '../src/scene/free-part';
+import { ASPECT, type Part, type Rect } from '../src/scene/drawn';
+import { fieldOf, freePart, freeSize, WHOLE } from '../src/scene/free-part';
 import { Lens } from '../src/scene/lens';
 
 const PICTURES: readonly Rect[] = [

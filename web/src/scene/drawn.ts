@@ -1,7 +1,5 @@
 /** Drawing profile, and the pictures to draw, each with its position. */
 
-import type { Part } from './free-part';
-
 /**
  * A wider picture shows the camera's field of view in its middle, as high as a picture of this width over its height
  * would. Assumed: half-way between television (4:3) and a wide monitor (5:3).
@@ -10,6 +8,14 @@ export const ASPECT = 1.5;
 
 /** `full` needs a graphics card; `low` is fast even if the processor computes the pictures. */
 export type Quality = 'full' | 'low';
+
+/** Part of a picture: 0 to 1 from its left and from its top. */
+export interface Part {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+}
 
 export interface Rect {
   readonly left: number;

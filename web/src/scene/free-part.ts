@@ -1,14 +1,6 @@
 /** The part of a picture that no other picture covers. */
 
-import { ASPECT, type Rect } from './drawn';
-
-/** Part of a picture: 0 to 1 from its left and from its top. */
-export interface Part {
-  readonly left: number;
-  readonly top: number;
-  readonly width: number;
-  readonly height: number;
-}
+import { ASPECT, type Part, type Rect } from './drawn';
 
 type Size = Pick<Rect, 'width' | 'height'>;
 

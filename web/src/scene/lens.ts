@@ -1,8 +1,8 @@
 /** The lens of a camera: its field of view in a picture, of which other pictures may cover a part. */
 
 import { MathUtils, PerspectiveCamera } from 'three';
-import { ASPECT } from './drawn';
-import { fieldOf, type Part, WHOLE } from './free-part';
+import { ASPECT, type Part } from './drawn';
+import { fieldOf, WHOLE } from './free-part';
 
 export class Lens extends PerspectiveCamera {
   /** Horizontal field of view [rad]. */

@@ -59,8 +59,8 @@ def _held_by_stops(flight: Flight, state: State, found: list[Limit]) -> list[Lim
     named = {limit.joint for limit in found if limit.kind == "hard stop"}
     held = [
         joint
-        for joint, zone in enumerate(state.panel.zones)
-        if zone == AT_HARD and joint not in named and rates[joint] * (angles[joint] - sum(flight.hard[joint]) / 2) > 0.0
+        for joint, (zone, (low, high)) in enumerate(zip(state.panel.zones, flight.hard, strict=True))
+        if zone == AT_HARD and joint not in named and rates[joint] * (angles[joint] - 0.5 * (low + high)) > 0.0
     ]
     kind, text = _TEXTS["hard stop"]
     return [Limit(kind, joint, f"{joint_label(flight.scenario.arm.joints[joint])} {text}") for joint in held]
