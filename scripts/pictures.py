@@ -92,14 +92,14 @@ def keep(page: Page, path: Path) -> None:
     Raises:
         SystemExit: the page shows a caution or a warning, or the picture is too large.
     """
-    begun = time.perf_counter()
+    start = time.perf_counter()
     taken = page.screenshot(type="jpeg", quality=86, timeout=WAIT_MS)
     if lit := page.evaluate(CAUTIONS):
         raise SystemExit(f"{path.name} would show a caution: {'; '.join(lit)}. On a busy machine, try again later.")
     if len(taken) > MOST_BYTES:
         raise SystemExit(f"{path.name} has {len(taken)} bytes; at most {MOST_BYTES} are allowed in the README.")
     path.write_bytes(taken)
-    print(f"{path}: {len(taken) / 1000:.0f} kB in {time.perf_counter() - begun:.1f} s")
+    print(f"{path}: {len(taken) / 1000:.0f} kB in {time.perf_counter() - start:.1f} s")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from typing import Any
@@ -37,17 +36,21 @@ def compiled_first(call: Callable[..., None], *given: Any, package: str = "", fi
     within = here.only_kept or CHILD in os.environ  # the call itself, here or in the process that compiles
     if within or not are_compiled() or compiled_before(package):
         return
-    if not sys.stderr.isatty():
-        print_error(f"{COMPILING}, once for each version of them; this takes a minute or two")
-    with compilation_bar() as tell:
+    with compilation_bar(f"{COMPILING}, once for each version of them; this takes a minute or two") as tell:
         Laws(background=False, tell=tell).want(call, *given, files=files)
 
 
 @contextmanager
-def compilation_bar() -> Iterator[Callable[[Progress | None], None]]:
-    """Yield a function that shows the progress of a compilation in a terminal, until the compilation ends."""
+def compilation_bar(otherwise: str = "") -> Iterator[Callable[[Progress | None], None]]:
+    """Yield a function that shows the progress of a compilation in a terminal, until the compilation ends.
+
+    Args:
+        otherwise: line on standard error if that is not a terminal; "" for none.
+    """
     with ExitStack() as shown:
         update = shown.enter_context(ProgressBar(COMPILING))
+        if update is None and otherwise:
+            print_error(otherwise)
 
         def tell(progress: Progress | None) -> None:
             if progress is None:

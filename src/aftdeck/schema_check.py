@@ -86,9 +86,9 @@ def problems_of(raw: object, kind: Any, where: _Where = (), bounds: Bounds | Non
             items = items[:1] * len(raw)
         if len(items) == len(raw):
             return [p for i, item in enumerate(raw) for p in problems_of(item, items[i], (*where, i))]
-    if base is dict and not isinstance(raw, dict):
-        return [(where, f"expected a table, got {short(raw)}")]
-    if base is dict and isinstance(raw, dict):
+    if base is dict:
+        if not isinstance(raw, dict):
+            return [(where, f"expected a table, got {short(raw)}")]
         return [p for key, item in raw.items() for p in problems_of(item, get_args(kind)[1], (*where, key))]
     if base is Literal and raw not in get_args(kind):
         return [(where, f"expected one of {', '.join(map(str, get_args(kind)))}, got {short(raw)}")]

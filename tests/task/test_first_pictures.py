@@ -79,12 +79,12 @@ def test_only_these_scenarios_have_steps_that_name_cameras() -> None:
 @pytest.mark.parametrize("camera", ["B", "C"])
 def test_first_flight_shows_the_wrist_after_a_metre_upwards(camera: str) -> None:
     sim, cameras = aftdeck.Simulation(scenario("first-flight")), SceneCameras(scenario("first-flight"))
-    frame = begun = sim.step(aftdeck.Inputs())
+    frame = first = sim.step(aftdeck.Inputs())
     for _ in range(1000):
         frame = sim.step(aftdeck.Inputs(translation=(0.0, 0.0, -1.0)))
-        if tip(cameras, frame)[2] >= tip(cameras, begun)[2] + FLOWN_M:
+        if tip(cameras, frame)[2] >= tip(cameras, first)[2] + FLOWN_M:
             break
-    assert tip(cameras, frame)[2] >= tip(cameras, begun)[2] + FLOWN_M
+    assert tip(cameras, frame)[2] >= tip(cameras, first)[2] + FLOWN_M
     bodies = cameras.bodies_at(frame)
     points = [tip(cameras, frame), *(pose[:3] for body, pose in bodies.items() if body.startswith("arm."))]
     assert max(edge(cameras, frame, camera, point) for point in points) < ROOM

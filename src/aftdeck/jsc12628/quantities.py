@@ -84,12 +84,9 @@ def rotation(values: ArrayLike, name: str) -> Array:
     given = array(values, (3, 3), name)
     off = float(np.abs(product(given, given.T) - UNTURNED).max())
     if off > solutions.ROTATION_TOLERANCE:
-        raise InputError(
-            f"{name}: the rotation is not orthonormal: R R^T is off by {off:.3g}, "
-            f"{solutions.ROTATION_TOLERANCE:g} is allowed"
-        )
+        raise InputError(f"{name}: {solutions.skew_text(off)}")
     if reflects(given):
-        raise InputError(f"{name}: the rotation is a mirror image: its determinant is -1, +1 is allowed")
+        raise InputError(f"{name}: {solutions.MIRRORED_TEXT}")
     return given
 
 

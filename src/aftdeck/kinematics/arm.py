@@ -21,7 +21,7 @@ from aftdeck.kinematics.jacobian import jacobian_many
 from aftdeck.kinematics.linkage import L2, L3, L4, forward_many
 from aftdeck.kinematics.rates import rates_many
 from aftdeck.kinematics.singular import NAMES, Singularities, distances_many
-from aftdeck.kinematics.solutions import FOUND, ROTATION_TOLERANCE, Solved, solve
+from aftdeck.kinematics.solutions import FOUND, Solved, solve
 from aftdeck.matrices import product
 from aftdeck.units import INCH, short
 
@@ -251,12 +251,9 @@ class Arm:
         first, fifth = (self.joints[k].replace("_", " ") for k in (0, 4))
         match found.outcome:
             case solutions.SKEW:
-                return InputError(
-                    f"the rotation is not orthonormal: R R^T is off by {found.value:.3g}, "
-                    f"{ROTATION_TOLERANCE:g} is allowed"
-                )
+                return InputError(solutions.skew_text(found.value))
             case solutions.MIRRORED:
-                return InputError("the rotation is a mirror image: its determinant is -1, +1 is allowed")
+                return InputError(solutions.MIRRORED_TEXT)
             case solutions.SHOULDER:
                 return SingularityError(
                     f"the {fifth} joint stands {found.value:.2g} m from the {first} axis: shoulder singularity",

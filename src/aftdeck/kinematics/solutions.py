@@ -24,6 +24,15 @@ FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = rang
 """Outcomes of `solve`; each outcome except `FOUND` is a reason why there is no solution."""
 
 
+MIRRORED_TEXT = "the rotation is a mirror image: its determinant is -1, +1 is allowed"
+"""Sentence about the outcome `MIRRORED`."""
+
+
+def skew_text(off: float) -> str:
+    """Return the sentence about the outcome `SKEW`; `off`: deviation of R R^T from the unit matrix [1]."""
+    return f"the rotation is not orthonormal: R R^T is off by {off:.3g}, {ROTATION_TOLERANCE:g} is allowed"
+
+
 class Solved(NamedTuple):
     """Result of `solve`.
 

@@ -1,5 +1,6 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
+import { present } from '../basics/assert';
 import type { Age } from '../link/delay-line';
 import type { PolygonPictures } from '../link/polygon-pictures';
 import type { Camera, ClosestPoints, Frame, Level, Welcome } from '../link/protocol';
@@ -13,7 +14,7 @@ import type { View as DeskView } from '../panel/parts/part';
 import type { Scene } from '../scene';
 import type { DrawnBody } from '../scene/bodies';
 import { ASPECT, type View } from '../scene/drawn';
-import { freePart, freeSize } from '../scene/free-part';
+import { freePart, freeSize, WHOLE } from '../scene/free-part';
 import { SLOWEST_MS, TooSlow } from '../scene/trial';
 import { type Pictured, PLANES, type Planes } from '../windows/opened';
 import { small } from '../words/format';
@@ -363,7 +364,9 @@ export class Pictures {
     this.own += 1;
     const all = this.panes.all(this.open, this.seventies);
     const [panes, flat] = [all.filter(({ polygons }) => !polygons), all.filter(({ polygons }) => polygons)];
-    this.wantPolygons(flat, all);
+    const views = this.viewsOf(all);
+    const viewsFor = (some: readonly Pane[]) => some.flatMap((pane) => views.get(pane) ?? []);
+    this.wantPolygons(viewsFor(flat));
     const wiped = this.panes.takeLayout(all, this.open);
     if (wiped) {
       this.scene.wipe();
@@ -374,21 +377,16 @@ export class Pictures {
     const stops = (name: string) => (refines ? 0 : this.scene.stops(name)); // `state` contains those of the low profile
     const state = this.stateOf(frame, gap, panes, metered, begun);
     const drawn = this.panes.due(panes, state, stops, this.open, this.count, wiped);
-    const [due, views] = [drawn.due, panes].map((some) => some.map((pane) => this.viewOf(pane, all))) as [
-      View[],
-      View[],
-    ];
-    const final = this.fineness.draw(this.scene, state, due, views, this.appearance.early);
+    const { early } = this.appearance;
+    const final = this.fineness.draw(this.scene, state, viewsFor(drawn.due), viewsFor(panes), early);
     if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
     const show = () => {
       const now = performance.now();
       this.fineness.shown(begun, now);
       if (!this.panes.isLaidOut(all, this.open)) return false; // the layout has changed: all will be drawn again
-      for (const pane of all) {
-        const { picture, polygons } = pane;
+      for (const [{ picture, polygons }, view] of views) {
         if (!picture) continue;
-        const view = this.viewOf(pane, all);
         overlay(this.scene, picture, view, {
           frame,
           gap,
@@ -483,28 +481,31 @@ export class Pictures {
   }
 
   /** Asks the station for the pictures in the look of 1972, and marks the monitors that have it. */
-  private wantPolygons(flat: readonly Pane[], all: readonly Pane[]): void {
+  private wantPolygons(flat: readonly View[]): void {
     this.monitors.both.forEach((monitor, i) => {
       monitor.setSeventies(this.seventies[i] === true);
     });
-    const shown = flat.map((pane) => [pane.camera.name, freeSize(this.viewOf(pane, all))] as const);
+    const shown = flat.map((view) => [view.camera, freeSize(view)] as const);
     const sized = shown.filter(([, { width, height }]) => width >= 1 && height >= 1);
     this.listener.polygons?.want(
       sized.map(([camera, { width, height }]) => ({ camera, aspect: Math.min(width / height, ASPECT) })),
     );
   }
 
-  /** Returns the view of a pane; later ones of `all` may cover it. */
-  private viewOf({ camera, element }: Pane, all: readonly Pane[]): View {
-    const early = this.appearance.early && camera.kind === 'camera';
-    const rect = this.panes.rectOf(element);
-    // All cameras have places of their own; of the monitors, the second may cover the first.
-    const above = this.open ? [] : all.slice(all.findIndex((pane) => pane.element === element) + 1);
-    const free = freePart(
-      rect,
-      above.map((pane) => this.panes.rectOf(pane.element)),
-    );
-    return { camera: camera.name, rect, free, early };
+  /** Returns the views of the panes; a later one may cover an earlier one. */
+  private viewsOf(all: readonly Pane[]): ReadonlyMap<Pane, View> {
+    const rects = all.map(({ element }) => this.panes.rectOf(element));
+    const views = all.map((pane, i): [Pane, View] => {
+      const rect = present(rects[i], 'the place of a picture');
+      // All cameras have places of their own; of the monitors, the second may cover the first.
+      const free = this.open ? WHOLE : freePart(rect, rects.slice(i + 1));
+      const { camera } = pane;
+      return [
+        pane,
+        { camera: camera.name, rect, free, early: this.appearance.early && camera.kind === 'camera' },
+      ];
+    });
+    return new Map(views);
   }
 
   private showAll(frame: Frame, gap: ClosestPoints | null, wiped: boolean): void {

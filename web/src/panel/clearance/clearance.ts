@@ -71,8 +71,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setText(number, nearest ? small(nearest.clearance, units.gap) : '–');
       setText(unit, nearest ? units.gap.name : '');
       setText(closing, nearest ? closingWords(nearest, units.creep) : '');
-      const seconds = nearest && contactIn(nearest.clearance, nearest.closing);
-      setText(contact, seconds ? `contact in ${Math.max(1, Math.round(seconds))} s` : '');
+      setText(contact, nearest ? contactWords(nearest.clearance, nearest.closing) : '');
       setText(pair, nearest ? pairWords(nearest) : 'No pair is monitored');
       setAttribute(pair, 'title', pair.textContent);
       setText(task, taskPairWords(frame.display, nearest, units));
@@ -105,9 +104,15 @@ export function taskPairWords(
   { gap }: Pick<Units, 'gap'>,
 ): string {
   if (!task || (nearest && task.a === nearest.a && task.b === nearest.b)) return '';
-  const seconds = contactIn(task.clearance, to_go?.closing ?? 0);
-  const contact = seconds ? `contact in ${Math.max(1, Math.round(seconds))} s, ` : '';
-  return `Task: ${small(task.clearance, gap)} ${gap.name}, ${contact}${task.a} to ${task.b}`;
+  const contact = contactWords(task.clearance, to_go?.closing ?? 0);
+  const parts = `${task.a} to ${task.b}`;
+  return `Task: ${small(task.clearance, gap)} ${gap.name}, ${contact ? `${contact}, ` : ''}${parts}`;
+}
+
+/** `contact in 3 s`; empty if no contact is near. */
+function contactWords(clearance: number, closing: number): string {
+  const seconds = contactIn(clearance, closing);
+  return seconds === null ? '' : `contact in ${Math.max(1, Math.round(seconds))} s`;
 }
 
 function closingWords({ closing, clearance }: Near, creep: Unit): string {
