@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+DESK_SHARE = 0.22
+"""Greatest share of the page's height that the calm desk has in a window of at least 1280 x 720 px."""
+
 
 class Scripted(Protocol):
     """A page in any browser."""

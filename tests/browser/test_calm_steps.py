@@ -1,4 +1,4 @@
-"""On the calm page, each step of the built-in scenarios has the parts of the desk that its text names."""
+"""On the calm page, each step of the built-in scenarios has the parts that its text names, in a low desk."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 from aftdeck.scenario.load import built_in, load_scenario
 from tests.browser.conftest import OpenPage
 from tests.browser.flight import FLIES
-from tests.browser.layout_checks import assert_tidy
+from tests.browser.layout_checks import DESK_SHARE, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -35,11 +35,13 @@ FITS = """(() => {
     return box('.task .words').height > 0 && inside && apart && room.scrollHeight <= room.clientHeight + 1;
 })()"""
 """JavaScript condition: the text of the step and the keys are whole, within the card, and apart from each other."""
+DESK = "document.querySelector('.desk').getBoundingClientRect().height"
+SIZES = ((1920, 1080), (1280, 720), (1440, 900))
 STEP = "document.querySelector('.task .steps span').textContent"
 
 
 def test_parts_that_a_text_names_are_visible(open_page: OpenPage) -> None:
-    flight = open_page(1440, 900)
+    flight = open_page(*SIZES[-1])
     flight.until(f"{FLIES} && window.__aftdeck.frames > 2")
     found = 0
     for scenario in (load_scenario(name) for name in built_in()):
@@ -55,11 +57,15 @@ def test_parts_that_a_text_names_are_visible(open_page: OpenPage) -> None:
                 count, visible = flight.page.evaluate(NAMED, name)
                 assert visible or count == 0, f"{scenario.name}, {step.title}: {name} is hidden"
                 found += visible
-            assert flight.script(FITS), f"{scenario.name}, {step.title}: the card has no room for its text"
+            for width, height in SIZES:
+                flight.resize(width, height)
+                assert flight.script(FITS), f"{scenario.name}, {step.title}: the card has no room for its text"
+                share = flight.script(DESK) / height
+                assert share <= DESK_SHARE, f"{scenario.name}, {step.title}, {width} x {height}: desk {share:.1%}"
             flight.press_key("Skip step")
             flight.until(f"{STEP} !== '{present[0]}'")
         assert_tidy(flight)
         flight.resize(1024, 768)
         assert_tidy(flight)
-        flight.resize(1440, 900)
+        flight.resize(*SIZES[-1])
     assert found >= FEWEST

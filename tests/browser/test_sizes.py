@@ -9,7 +9,7 @@ import pytest
 from aftdeck.scenario.load import load_scenario
 from tests.browser.conftest import OpenPage, running_station
 from tests.browser.flight import Flight
-from tests.browser.layout_checks import collisions
+from tests.browser.layout_checks import DESK_SHARE, collisions
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -17,9 +17,8 @@ CALM = True
 SIZES = [(1440, 900), (1280, 720), (1024, 768), (1920, 1080), (844, 390), (390, 844), (720, 450)]
 """Laptop, small laptop, old screen, large screen, phone on its side, phone, and a laptop's page at 200 % [px]."""
 SCENARIOS = ["srms-deploy", "tutorial", "concept-1972"]
-DESK = 0.22
-"""Greatest share of the page's height that the calm desk has in a window of at least LEAST px."""
 LEAST = (1280, 720)
+"""Smallest window in which the calm desk has at most `DESK_SHARE` of the height [px]."""
 
 PROBLEMS = """() => {
     const shown = (node) => node.checkVisibility({ visibilityProperty: true });
@@ -101,7 +100,7 @@ def _of_size(flight: Flight, panel: str) -> Iterator[str]:
     if width < LEAST[0] or height < LEAST[1]:
         return
     desk = flight.script("document.querySelector('.desk').getBoundingClientRect().height")
-    if panel == "calm" and desk > DESK * height:
+    if panel == "calm" and desk > DESK_SHARE * height:
         yield f"the desk has {100 * desk / height:.0f} % of the height"
     if flight.script("document.scrollingElement.scrollHeight") > height:
         yield "the page scrolls"

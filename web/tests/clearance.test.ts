@@ -184,13 +184,13 @@ test('the fingers close last: the condition named first is the one to meet first
 });
 
 test('the pair that the task brings together has its own number, unless it is the minimum clearance already', () => {
-  const task = { a: 'prong', b: 'receptacle', clearance: 0.254 };
-  const left = { task_pair: task, to_go: null };
+  const task = { a: 'prong', b: 'receptacle', clearance: 0.254, closing: 0 };
+  const left = { task_pair: task };
   expect(taskPairWords(left, { a: 'palm', b: 'wall' }, FEET)).toMatch(/10.* in, prong to receptacle$/);
   expect(taskPairWords(left, null, SI)).toContain('25');
   expect(taskPairWords(left, task, FEET)).toBe('');
-  expect(taskPairWords({ task_pair: null, to_go: null }, task, FEET)).toBe('');
-  const go = { closing: 0.127 };
-  expect(taskPairWords({ task_pair: task, to_go: go }, null, FEET)).toContain('contact in 2 s, prong');
-  expect(taskPairWords({ task_pair: task, to_go: { closing: -0.127 } }, null, FEET)).not.toContain('contact');
+  expect(taskPairWords({ task_pair: null }, task, FEET)).toBe('');
+  const moving = (closing: number) => taskPairWords({ task_pair: { ...task, closing } }, null, FEET);
+  expect(moving(0.127)).toContain('contact in 2 s, prong');
+  expect(moving(-0.127)).not.toContain('contact');
 });

@@ -1395,6 +1395,8 @@ export interface TaskPair {
   readonly b: string;
   /** Distance of the two parts [m]; negative if they overlap. */
   readonly clearance: number;
+  /** Speed at which their closest points approach each other [m/s]; negative if they separate. */
+  readonly closing: number;
 }
 
 /** Remaining motion to the place where the task needs the tip or the held payload. */

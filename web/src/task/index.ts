@@ -109,8 +109,9 @@ export class Task {
     const shown = step ? present(step, task) : null;
     const [title, words] =
       step && shown ? [step.title, shown.text] : this.exists ? ending(task) : ['', welcome.text];
-    this.needs = step?.mode && step.mode !== frame.mode ? step.mode : '';
     const way = barred(frame, welcome.joints, this.inHand);
+    // First away from the contact: its direction is one of the present mode's sticks.
+    this.needs = way.length === 0 && step?.mode && step.mode !== frame.mode ? step.mode : '';
     const manual = welcome.modes.find(({ position }) => position === frame.mode)?.kind === 'manual';
     const leg =
       shown && manual

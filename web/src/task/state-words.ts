@@ -28,7 +28,7 @@ const LONG_S = 20;
 
 /**
  * `This leg takes 40 s: [H] keeps the rate.` if the remaining motion takes long at the speed limit; how to end RATE HOLD
- * while it is on; else nothing. A text whose functions (`uses`) include RATE HOLD is enough.
+ * while it is on; else nothing. A text whose functions (`uses`) include RATE HOLD says both itself.
  */
 export function rateHoldHint(
   {
@@ -42,13 +42,14 @@ export function rateHoldHint(
 ): readonly Piece[] {
   const go = display.to_go;
   const seconds = go && go.shift.length > 0 && por_limits[0] > 0 ? go.distance / por_limits[0] : 0;
+  if (uses.includes('rate hold')) return [];
   if (rate_hold)
     return [
       { kind: 'text', text: ' RATE HOLD keeps the rate: ' },
       { kind: 'use', text: 'stop' },
       { kind: 'text', text: ' ends it.' },
     ];
-  if (seconds <= LONG_S || uses.includes('rate hold')) return [];
+  if (seconds <= LONG_S) return [];
   return [
     { kind: 'text', text: ` This leg takes ${10 * Math.round(seconds / 10)} s or more: ` },
     { kind: 'use', text: 'rate hold' },

@@ -75,7 +75,7 @@ class Displays:
         `watched` returns all monitored pairs of the frame's step (`Simulation.watched`); it is only called if needed.
         """
         near = self._pairs.nearest(watched, frame, progress.present)
-        return None if near is None else TaskPair(near.a, near.b, near.clearance)
+        return None if near is None else TaskPair(near.a, near.b, near.clearance, near.closing)
 
     def frame(
         self,

@@ -100,6 +100,8 @@ class TaskPair(msgspec.Struct, frozen=True, gc=False):
     b: str
     clearance: float
     """Distance of the two parts [m]; negative if they overlap."""
+    closing: float
+    """Speed at which their closest points approach each other [m/s]; negative if they separate."""
 
 
 class ToGo(msgspec.Struct, frozen=True, gc=False):

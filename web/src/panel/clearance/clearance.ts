@@ -1,6 +1,6 @@
 /** The minimum clearance: its parts, rate of change, and curve over the last minute. Also ARM and FINGER INHIBIT. */
 
-import type { Display, Near, ToGo } from '../../link/protocol';
+import type { Display, Near } from '../../link/protocol';
 import { small } from '../../words/format';
 import type { Unit, Units } from '../../words/units';
 import { button, el, group, setAttribute, setClass, setLit, setPressed, setText } from '../parts/dom';
@@ -95,16 +95,16 @@ const TASK_PAIR =
   'The parts that this step of the task brings together; they light no lamp while the approach goes well';
 
 /**
- * Returns the clearance of the pair that the task brings together, and the time to their contact at the present speed
- * towards the task's place; empty if this pair is shown already, or none is.
+ * Returns the clearance of the pair that the task brings together, and the time to their contact at the present speed;
+ * empty if this pair is shown already, or none is.
  */
 export function taskPairWords(
-  { task_pair: task, to_go }: Pick<Display, 'task_pair'> & { readonly to_go: Pick<ToGo, 'closing'> | null },
+  { task_pair: task }: Pick<Display, 'task_pair'>,
   nearest: Pick<Near, 'a' | 'b'> | null,
   { gap }: Pick<Units, 'gap'>,
 ): string {
   if (!task || (nearest && task.a === nearest.a && task.b === nearest.b)) return '';
-  const contact = contactWords(task.clearance, to_go?.closing ?? 0);
+  const contact = contactWords(task.clearance, task.closing);
   const parts = `${task.a} to ${task.b}`;
   return `Task: ${small(task.clearance, gap)} ${gap.name}, ${contact ? `${contact}, ` : ''}${parts}`;
 }
