@@ -1,0 +1,134 @@
+"""Which planes of the routine separate in a frame: the pairs of clusters whose order no plane of the routine proves.
+
+Cluster a stands before cluster b for a reason: a node's plane between the two, a test of the special priority, or the
+places of two entries in a permanent list. A plane proves this order if the eye and a are on one side of it, and b is on the
+other side: b then hides no part of a, whatever the direction of view. The maker of a list had no other planes than those of
+the fixed clusters' faces, so an order in a list is proved by the plane of a face of one of the two, if this one is fixed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.mainprior.planes import Plane
+from aftdeck.mainprior.shapes import Stage
+from aftdeck.mainprior.tables import CLUSTERS, Item, System, Tested
+from aftdeck.mainprior.trees import Son, Sorted, Split, clusters_in
+from aftdeck.visual.planes import TOLERANCE
+
+FIXED: Collection[System] = ("LR", "LS")
+"""Systems of the clusters whose faces the maker of a list could use."""
+
+
+class Unproved(NamedTuple):
+    """Order of two clusters that no plane of the routine proves.
+
+    Attributes:
+        plane: name of the plane that should separate the two: of a node's plane, of a received plane, or, for the order
+            in a list, `list`.
+        before: cluster with the higher priority.
+        behind: cluster with the lower priority.
+    """
+
+    plane: str
+    before: int
+    behind: int
+
+
+class Prover:
+    """Test of the orders of a frame.
+
+    Args:
+        stage: the frame.
+        planes: the planes of the frame, by name.
+        eye: the L vectors.
+    """
+
+    def __init__(self, stage: Stage, planes: Mapping[str, Plane], eye: Mapping[System, Array]) -> None:
+        self._bodies = stage.bodies
+        origin = stage.systems["LR"].origin - eye["LR"]
+        self._points = {k: np.vstack([origin, body.points]) for k, body in stage.bodies.items()}
+        self._heights: dict[tuple[str, int], Array] = {}
+        self._stage, self._planes = stage, planes
+
+    def unproved(
+        self, clusters: Sequence[int], items: Sequence[Item], trees: Mapping[str, Son], mode: int
+    ) -> Iterator[Unproved]:
+        """Yield the pairs whose order is not proved.
+
+        Args:
+            clusters: result of the trace, without clusters that are not in the picture.
+            items: the permanent list.
+            trees: the trees, by name.
+            mode: the task phase.
+        """
+        entries = [item if isinstance(item, int) else _tree(item, trees, mode) for item in items]
+        home = {k: n for n, entry in enumerate(entries) for k in clusters_in(entry)}
+        for n, before in enumerate(clusters):
+            for behind in clusters[n + 1 :]:
+                if home[before] != home[behind]:
+                    if not self._by_faces(before, behind):
+                        yield Unproved("list", before, behind)
+                    continue
+                names = tuple(_between(entries[home[before]], before, behind))
+                if not any(self._proves(name, before, behind) for name in names):
+                    yield Unproved(names[0] if names else "list", before, behind)
+
+    def _proves(self, name: str, before: int, behind: int) -> bool:
+        plane = self._planes.get(name)
+        if plane is None:
+            return False
+        return _ordered(self._over(name, plane, before), self._over(name, plane, behind))
+
+    def _over(self, name: str, plane: Plane, cluster: int) -> Array:
+        """Return the heights (1 + n,) of the eye and of a cluster's vertices over a plane."""
+        if (name, cluster) not in self._heights:
+            self._heights[name, cluster] = plane.heights(self._points[cluster], self._stage.systems)
+        return self._heights[name, cluster]
+
+    def _by_faces(self, before: int, behind: int) -> bool:
+        for cluster in (before, behind):
+            if CLUSTERS[cluster].system not in FIXED:
+                continue
+            for face in self._bodies[cluster].faces:
+                first, second = (self._points[k] @ face[:3] - face[3] for k in (before, behind))
+                if _ordered(first, second):
+                    return True
+        return False
+
+
+def _ordered(before: Array, behind: Array) -> bool:
+    """Return whether a plane has the eye and one cluster on one side, and another cluster on the other side.
+
+    Args:
+        before: (1 + n,) heights of the eye and of the first cluster's vertices over the plane [m].
+        behind: (1 + m,) heights of the eye and of the second cluster's vertices [m].
+    """
+    over = before.min() >= -TOLERANCE and behind[1:].max() <= TOLERANCE
+    under = before.max() <= TOLERANCE and behind[1:].min() >= -TOLERANCE
+    return bool(over or under)
+
+
+def _tree(item: str | Tested, trees: Mapping[str, Son], mode: int) -> Son:
+    return trees[item.tree(mode) if isinstance(item, Tested) else item]
+
+
+def _between(son: Son, a: int, b: int) -> Iterator[str]:
+    """Yield the names of the planes by which a tree orders two of its clusters; none if they are in a fixed list."""
+    if isinstance(son, Split):
+        for part in (son.true, son.false):
+            own = clusters_in(part)
+            if a in own and b in own:
+                yield from _between(part, a, b)
+                return
+        yield son.plane
+    elif isinstance(son, Sorted):
+        if son.cluster not in (a, b):
+            yield from _between(son.tree, a, b)
+            return
+        other = b if a == son.cluster else a
+        yield from (plane for plane, others in son.tests if other in others)
