@@ -1,10 +1,10 @@
 """Trees for the shapes of a scenario: the planes of Figure 19's nodes, and nodes anew where no plane divides theirs.
 
-A node of Figure 19 stays if a plane of a face, fixed in the system of TABLE VIII, has the clusters of one son on one side
-and those of the other son on the other side. Only clusters that are fixed in this system can be tested so; those that
-move are tested in each frame (`proof.py`). If no plane divides a node of the shuttle's tree, its clusters are divided
-anew: at each node by the plane that cuts nothing and divides them most evenly. Clusters that no plane divides stay a fixed
-list.
+A node of Figure 19 stays if a plane of a face, fixed in the system of TABLE VIII, has the clusters of one son on one
+side and those of the other son on the other side. Only clusters that are fixed in this system can be tested so; those
+that move are tested in each frame (`proof.py`). If no plane divides a node of the shuttle's tree, its clusters are
+divided anew: at each node by the plane that cuts nothing and divides them most evenly. Clusters that no plane divides
+stay a fixed list.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.mainprior.fixed import FixedBodies
 from aftdeck.mainprior.planes import Plane
-from aftdeck.mainprior.tables import BESIDE, BISECTING, RECEIVED, system_of, TREES, System
+from aftdeck.mainprior.tables import BESIDE, BISECTING, RECEIVED, TREES, System, system_of
 from aftdeck.mainprior.trees import Son, Sorted, Split, clusters_in, nodes_in, pruned
 from aftdeck.visual.cutting import ON
 
@@ -79,8 +79,8 @@ class _Fit:
             for plane, others in son.tests:
                 self._find(plane, (son.cluster,), others)
             return Sorted(self.tree(son.tree), son.cluster, son.tests)
-        if isinstance(son, tuple) and not isinstance(son, Split):
-            return self._divided(list(son))
+        if isinstance(son, tuple):
+            return self._divided([*son])
         if self._find(son.plane, clusters_in(son.true), clusters_in(son.false)):
             return Split(son.plane, self.tree(son.true), self.tree(son.false))
         return self._divided(list(_atoms(son)))

@@ -28,8 +28,8 @@ class FixedBodies:
     """Clusters of a scenario, fixed in the report's systems.
 
     The telescope and the prong are there at both ends of their travel. A housing about a pin is in the systems of both
-    links, as the box around the sphere in which it turns. The payload's body and probe are in R too, as the inside of the
-    bay.
+    links, as the box around the sphere in which it turns. The payload's body and probe are in R too, as the inside of
+    the bay.
 
     Attributes:
         present: numbers of all clusters of the scenario.
@@ -44,8 +44,8 @@ class FixedBodies:
             self._bodies[system, number] = body.within(start.systems[system])
         self._bodies["LR", 21] = start.bodies[21]
         for number, ends in _travels(scenario).items():
-            own = shapes.scene.clusters.clusters[shapes.index[number]].body
-            body = Body(own.points, own.planes)
+            surface = shapes.scene.clusters.clusters[shapes.index[number]].body
+            body = Body(surface.points, surface.planes)
             moved = [body.moved(Placed(end, np.eye(3))) for end in ends]
             if number == TELESCOPE:
                 moved = [out_of(part, start.bodies[STAND]) for part in moved]

@@ -1,8 +1,8 @@
 """Permanent lists for the shapes of a scenario: TABLE VII, changed only where a fixed cluster hides another one.
 
-The order of fixed clusters follows from the position of the eye. A list is TABLE VII's row for the camera, in which an entry
-stands behind all entries that hide a part of it. The place of the arm, Z, among the fixed clusters is the report's. An eye
-that moves (E, pan, tilt) has the list of its first position.
+The order of fixed clusters follows from the position of the eye. A list is TABLE VII's row for the camera, in which an
+entry stands behind all entries that hide a part of it. The place of the arm, Z, among the fixed clusters is the
+report's. An eye that moves (E, pan, tilt) has the list of its first position.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.historical.rms_vs_output import Planes
 from aftdeck.mainprior.systems import Placed
-from aftdeck.mainprior.tables import BISECTING, RECEIVED, system_of, System
+from aftdeck.mainprior.tables import BISECTING, RECEIVED, System, system_of
 from aftdeck.matrices import length, product
 
 

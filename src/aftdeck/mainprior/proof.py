@@ -1,9 +1,10 @@
 """Which planes of the routine separate in a frame: the pairs of clusters whose order no plane of the routine proves.
 
 Cluster a stands before cluster b for a reason: a node's plane between the two, a test of the special priority, or the
-places of two entries in a permanent list. A plane proves this order if the eye and a are on one side of it, and b is on the
-other side: b then hides no part of a, whatever the direction of view. The maker of a list had no other planes than those of
-the fixed clusters' faces, so an order in a list is proved by the plane of a face of one of the two, if this one is fixed.
+places of two entries in a permanent list. A plane proves this order if the eye and a are on one side of it, and b is on
+the other side: b then hides no part of a, whatever the direction of view. The maker of a list had no other planes than
+those of the fixed clusters' faces, so an order in a list is proved by the plane of a face of one of the two, if this
+one is fixed.
 """
 
 from __future__ import annotations
@@ -21,15 +22,17 @@ from aftdeck.mainprior.trees import Son, Sorted, Split, clusters_in
 from aftdeck.visual.planes import TOLERANCE
 
 FIXED: Collection[System] = ("LR", "LS")
-"""Systems of the clusters whose faces the maker of a list could use."""
+"""Systems of the clusters whose faces the maker of a list could use, besides those of the payload in the shuttle's
+tree."""
 
 
 class Unproved(NamedTuple):
     """Order of two clusters that no plane of the routine proves.
 
     Attributes:
-        plane: name of the plane that should separate the two: of a node's plane, of a received plane, or, for the order
-            in a list, `list`.
+        plane: name of the plane that should separate the two: a node's, or one of D1 to D3; for an order in a list, the
+            face of a fixed cluster that comes nearest to separating them (`face 2 of 3`); for a fixed list of clusters
+            in a tree, `list`.
         before: cluster with the higher priority.
         behind: cluster with the lower priority.
     """
@@ -68,11 +71,14 @@ class Prover:
         """
         entries = [item if isinstance(item, int) else _tree(item, trees, mode) for item in items]
         home = {k: n for n, entry in enumerate(entries) for k in clusters_in(entry)}
+        shuttle = {k for k in clusters if _is_shuttle(items[home[k]])}
+        faced = shuttle | {k for k in clusters if CLUSTERS[k].system in FIXED}
         for n, before in enumerate(clusters):
             for behind in clusters[n + 1 :]:
                 if home[before] != home[behind]:
-                    if not self._by_faces(before, behind):
-                        yield Unproved("list", before, behind)
+                    name = self._failing_face(before, behind, faced)
+                    if name:
+                        yield Unproved(name, before, behind)
                     continue
                 names = tuple(_between(entries[home[before]], before, behind))
                 if not any(self._proves(name, before, behind) for name in names):
@@ -82,7 +88,7 @@ class Prover:
         plane = self._planes.get(name)
         if plane is None:
             return False
-        return _ordered(self._over(name, plane, before), self._over(name, plane, behind))
+        return _clear(self._over(name, plane, before), self._over(name, plane, behind)) >= -TOLERANCE
 
     def _over(self, name: str, plane: Plane, cluster: int) -> Array:
         """Return the heights (1 + n,) of the eye and of a cluster's vertices over a plane."""
@@ -90,27 +96,39 @@ class Prover:
             self._heights[name, cluster] = plane.heights(self._points[cluster], self._stage.systems)
         return self._heights[name, cluster]
 
-    def _by_faces(self, before: int, behind: int) -> bool:
+    def _failing_face(self, before: int, behind: int, faced: Collection[int]) -> str:
+        """Return the name of the face that comes nearest to a proof; empty if a face proves the order."""
+        best, name = -np.inf, "list"
         for cluster in (before, behind):
-            if CLUSTERS[cluster].system not in FIXED:
+            if cluster not in faced:
                 continue
-            for face in self._bodies[cluster].faces:
+            for number, face in enumerate(self._bodies[cluster].faces, 1):
                 first, second = (self._points[k] @ face[:3] - face[3] for k in (before, behind))
-                if _ordered(first, second):
-                    return True
-        return False
+                clear = _clear(first, second)
+                if clear >= -TOLERANCE:
+                    return ""
+                if clear > best:
+                    best, name = clear, f"face {number} of {cluster}"
+        return name
 
 
-def _ordered(before: Array, behind: Array) -> bool:
-    """Return whether a plane has the eye and one cluster on one side, and another cluster on the other side.
+def _clear(before: Array, behind: Array) -> float:
+    """Return by how much a plane has the eye and one cluster on one side, and another cluster on the other side [m].
 
     Args:
         before: (1 + n,) heights of the eye and of the first cluster's vertices over the plane [m].
         behind: (1 + m,) heights of the eye and of the second cluster's vertices [m].
+
+    Returns:
+        The distance of the nearest one from the plane; negative if one is on the wrong side.
     """
-    over = before.min() >= -TOLERANCE and behind[1:].max() <= TOLERANCE
-    under = before.max() <= TOLERANCE and behind[1:].min() >= -TOLERANCE
-    return bool(over or under)
+    over = min(before.min(), -behind[1:].max())
+    under = min(-before.max(), behind[1:].min())
+    return float(max(over, under))
+
+
+def _is_shuttle(item: Item) -> bool:
+    return isinstance(item, Tested) and item.kind == "Y"
 
 
 def _tree(item: str | Tested, trees: Mapping[str, Son], mode: int) -> Son:

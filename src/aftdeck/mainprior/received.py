@@ -1,7 +1,7 @@
 """Planes D1 to D3 of a frame, for runs that did not keep what the collision program sent.
 
-They follow the rule of `historical.rms_vs_output`: the inner faces of HEX 1 to 3 about a held bar, and planes of the collision test
-otherwise. The normals point from the hexahedron to the bar.
+They follow the rule of `historical.rms_vs_output`: the inner faces of HEX 1 to 3 about a held bar, and planes of the
+collision test otherwise. The normals point from the hexahedron to the bar.
 """
 
 from __future__ import annotations
@@ -9,13 +9,11 @@ from __future__ import annotations
 from aftdeck.bodies.separation import separation
 from aftdeck.historical.frame_words import WordPlane
 from aftdeck.historical.rms_vs_output import INNER, Planes
-from aftdeck.mainprior.shapes import Stage
+from aftdeck.mainprior.shapes import BAR, Stage
 from aftdeck.mainprior.tables import X1
 
 HEXES = tuple(others[0] for _, others in X1.tests)
 """Clusters of HEX 1, HEX 2 and HEX 3."""
-BAR = X1.cluster
-"""Cluster of the bar."""
 
 
 def received_planes(stage: Stage, held: bool) -> Planes:

@@ -1,7 +1,7 @@
 """Priority routine of a scenario: for each frame and station point, what MAINPRIOR makes of it.
 
-It is beside `visual`, which draws: it has the report's clusters, lists, trees and planes, and nothing else to decide by.
-`proof.py` tells where its planes do not separate.
+It is beside `visual`, which draws: it has the report's clusters, lists, trees and planes, and nothing else to decide
+by. `proof.py` tells where its planes do not separate.
 """
 
 from __future__ import annotations
@@ -101,7 +101,9 @@ class PriorityRoutine:
             mode,
         )
         planes = planes_of(
-            self.fit.planes, stage.systems, received_planes(stage, mode != ACQUISITION) if received is None else received
+            self.fit.planes,
+            stage.systems,
+            received_planes(stage, mode != ACQUISITION) if received is None else received,
         )
 
         def on_true_side(name: str, system: System) -> bool:

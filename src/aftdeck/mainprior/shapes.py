@@ -10,14 +10,14 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.historical.words_file import check_arm
 from aftdeck.mainprior.systems import Placed, in_reference, systems_at
-from aftdeck.mainprior.tables import CLUSTERS, PAYLOAD, System
+from aftdeck.mainprior.tables import CLUSTERS, System
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.visual.scene import VisualScene
 
-STAND, TELESCOPE = 12, 26
-"""Clusters of the vertical arm: the sleeve, and the tube that slides in it."""
+STAND, TELESCOPE, BODY, BAR = 12, 26, 20, 19
+"""Clusters: the sleeve of the vertical arm, and the tube that slides in it; body and bar of the payload."""
 
 
 class Body(NamedTuple):
@@ -73,17 +73,8 @@ class Shapes:
                 of the report's, or is not convex.
         """
         check_arm(scenario)
-        if scenario.payload is not None or len(scenario.cargo) > 1:
-            raise InputError(
-                f"{scenario.name}: the report's priority routine knows one payload, which the arm acquires; the scenario "
-                f"has {'a fixed one' if scenario.payload is not None else str(len(scenario.cargo))}"
-            )
-        names = [payload.name for payload in scenario.cargo]
-        parts = {
-            (names[0] if names else "") + own.part if number in PAYLOAD else own.part: number
-            for number, own in CLUSTERS.items()
-            if names or number not in PAYLOAD
-        }
+        name = _payload(scenario)
+        parts = {own.part.format(payload=name): number for number, own in CLUSTERS.items()}
         self.index: dict[int, int] = {}
         for k, cluster in enumerate(scene.clusters.clusters):
             number = parts.get(cluster.part)
@@ -95,6 +86,11 @@ class Shapes:
                 )
             self.index[number] = k
         self._scenario, self.scene = scenario, scene
+
+        if BODY in self.index and (BAR not in self.index or scenario.worksite.bay is None):
+            raise InputError(
+                f"{scenario.name}: the report's priority routine needs a payload with a bar, in a worksite with a bay"
+            )
 
     @property
     def numbers(self) -> dict[int, int]:
@@ -116,12 +112,23 @@ class Shapes:
         return Stage(systems_at(self._scenario, frames), bodies, frames)
 
 
+def _payload(scenario: Scenario) -> str:
+    """Return the name of the scenario's payload; a name that no part has if there is none."""
+    if scenario.payload is not None or len(scenario.cargo) > 1:
+        count = "a fixed one" if scenario.payload is not None else len(scenario.cargo)
+        raise InputError(
+            f"{scenario.name}: the report's priority routine knows one payload, which the arm acquires; the scenario "
+            f"has {count}"
+        )
+    return scenario.cargo[0].name if scenario.cargo else "no payload"
+
+
 def out_of(tube: Body, sleeve: Body) -> Body:
     """Return the part of the telescope that is above STAND, in R (Z down)."""
     top = float(sleeve.points[:, 2].min())
     points, faces = tube.points.copy(), tube.faces.copy()
     points[:, 2] = np.minimum(points[:, 2], top)
-    faces[faces[:, 2] > 0.5, 3] = top
+    faces[faces[:, 2].argmax(), 3] = top  # the lower end
     return Body(points, faces)
 
 

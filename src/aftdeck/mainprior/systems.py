@@ -1,9 +1,9 @@
 """Coordinate systems of RMS-VS in a frame: where each of them is in the reference system R.
 
 R has its origin at the foot of STAND; X aft, Y port, Z down. Systems 0, 1 and 2 are fixed to ARM 0, ARM 1 and the end
-effector, with their origins at shoulder, elbow and wrist and X along the link. P is fixed to the payload, with its origin
-at the payload's centre; its axes are those of R while the payload lies in the bay. W (wrist heading) and S (`space`) are
-ours.
+effector, with their origins at shoulder, elbow and wrist and X along the link. P is fixed to the payload, with its
+origin at the payload's centre; its axes are those of R while the payload lies in the bay. W (wrist heading) and S
+(`space`) are ours.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """TABLES IV, VII and VIII, and Figure 19: clusters, planes, trees and permanent lists of RMS-VS.
 
-Source: Remote Manipulator Simulation, final report, chapter V.C. The scan of Figures 19 and 20 is legible in parts. What
-it shows: the tree Y2, the clusters 16 to 19 with their order of insertion in X1, the names and the systems of the trees,
-and that Z1 is a part of Z2. TABLE VIII shows the system of planes 1, 7 to 9, 11, 12, 15, 16 and D3. All else is our
-reading (probable) or our choice (assumed); `docs/mainprior.md` lists both. Numbers above 21 (clusters) and above 16
+Source: Remote Manipulator Simulation, final report, chapter V.C. The scan of Figures 19 and 20 is legible in parts.
+What it shows: the tree Y2, the clusters 16 to 19 with their order of insertion in X1, the names and the systems of the
+trees, and that Z1 is a part of Z2. TABLE VIII shows the system of planes 1, 7 to 9, 11, 12, 15, 16 and D3. All else is
+our reading (probable) or our choice (assumed); `docs/mainprior.md` lists both. Numbers above 21 (clusters) and above 16
 (planes) are ours, for shapes that the report's model did not have.
 """
 
@@ -25,15 +25,15 @@ CODES: Final[Mapping[System, int]] = {
     "LW": 0b101,
     "LS": 0b110,
 }
-"""L vector select codes, TABLE IV. LW (wrist heading, for a housing) and LS (`space`, for a CAE that the orbiter leaves)
-are ours."""
+"""L vector select codes, TABLE IV. LW (wrist heading, for a housing) and LS (`space`, for a CAE that the orbiter
+leaves) are ours."""
 
 
 class Numbered(NamedTuple):
     """Cluster of the report, as a part of our worksite.
 
     Attributes:
-        part: name of the part; of a payload's parts, what follows the payload's name.
+        part: name of the part; ``{payload}`` stands for the payload's name.
         system: coordinate system in which the cluster is fixed.
     """
 
@@ -41,8 +41,6 @@ class Numbered(NamedTuple):
     system: System
 
 
-PAYLOAD = (20, 11, 19)
-"""Clusters of the payload: body, probe, bar. Assumed: 20 and 11, which the scan does not show."""
 CLUSTERS: Final[Mapping[int, Numbered]] = {
     1: Numbered("cabin", "LR"),
     2: Numbered("wing port", "LR"),
@@ -52,7 +50,7 @@ CLUSTERS: Final[Mapping[int, Numbered]] = {
     7: Numbered("wing starboard", "LR"),
     8: Numbered("aft body", "LR"),
     10: Numbered("tail", "LR"),
-    11: Numbered(" probe", "LP"),
+    11: Numbered("{payload} probe", "LP"),
     12: Numbered("stand", "LR"),
     13: Numbered("upper boom", "L0"),
     14: Numbered("lower boom", "L1"),
@@ -60,8 +58,8 @@ CLUSTERS: Final[Mapping[int, Numbered]] = {
     16: Numbered("fixed finger", "L2"),
     17: Numbered("palm", "L2"),
     18: Numbered("prong", "L2"),
-    19: Numbered(" receptacle", "LP"),
-    20: Numbered("", "LP"),
+    19: Numbered("{payload} receptacle", "LP"),
+    20: Numbered("{payload}", "LP"),
     21: Numbered("CAE", "LS"),
     22: Numbered("shoulder", "L0"),
     23: Numbered("elbow", "L1"),
@@ -69,8 +67,8 @@ CLUSTERS: Final[Mapping[int, Numbered]] = {
     25: Numbered("nose", "LR"),
     26: Numbered("telescope", "LR"),
 }
-"""Clusters by their numbers. 1 to 12 are read from TABLE VII and Y2 (probable); 16 to 19 and 21 are the report's; 13 to
-15 are assumed; 22 to 26 are ours."""
+"""Clusters by their numbers. 1 to 12 are read from TABLE VII and Y2 (probable); 16 to 19 and 21 are the report's; 11,
+13 to 15 and 20 are assumed; 22 to 26 are ours."""
 BESIDE: Final[Mapping[int, tuple[int, ...]]] = {1: (1, 25), 12: (26, 12)}
 """Clusters of ours that share the place of one cluster of the report: its cabin has a nose, its STAND a telescope."""
 

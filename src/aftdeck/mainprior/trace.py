@@ -1,20 +1,22 @@
 """MAINPRIOR: the trace of lists and trees that makes the priority output table (POT), as chapter V.C.1 describes it.
 
-Each node is passed three times. Its indicator (Figure 17) has two fields: F, the son that the plane's test did not select,
-and S, which is set from the second pass to the third. A node whose plane is tested in another system than the planes above
-it has a new-L flag: its first pass puts this system on the pushdown stack of L vectors, and its third pass removes it.
+Each node is passed three times. Its indicator (Figure 17) has two fields: F, the son that the plane's test did not
+select, and S, which is set from the second pass to the third. A node whose plane is tested in another system than the
+planes above it has a new-L flag: its first pass puts this system on the pushdown stack of L vectors, and its third pass
+removes it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
-from aftdeck.mainprior.tables import system_of, Item, System, Tested
+from aftdeck.mainprior.tables import Item, System, Tested, system_of
 from aftdeck.mainprior.trees import Son, Sorted, Split
 
 OnTrueSide = Callable[[str, System], bool]
-"""Test of the observer against a plane, given its name, with the L vector of a system: True on the plane's TRUE side."""
+"""Test of the observer against a plane, given its name, with the L vector of a system: True on the plane's TRUE
+side."""
 
 
 class _Node:
@@ -36,9 +38,15 @@ class _Node:
         self.plane, self.father = split.plane, father
         own = system_of(split.plane)
         self.new_system = own if own != system else None
-        self.sons = tuple(_Node(son, self, own) if isinstance(son, Split) else son for son in split[1:])
-        self.other: _Node | Son | None = None
+        self.sons: tuple[_Son, _Son] = self._linked(split.true, own), self._linked(split.false, own)
+        self.other: _Son | None = None
         self.third = False
+
+    def _linked(self, son: Son, system: System) -> _Son:
+        return _Node(son, self, system) if isinstance(son, Split) else son
+
+
+_Son: TypeAlias = "_Node | int | tuple[int, ...] | Sorted"
 
 
 class Select(NamedTuple):
@@ -133,7 +141,7 @@ def _trace(root: Split, system: System, on_true_side: OnTrueSide) -> list[int]:
 
 
 def _special_priority(special: Sorted, system: System, on_true_side: OnTrueSide) -> list[int]:
-    """Return the clusters of a special priority: the list of its tree, with one more cluster sorted in from the bottom."""
+    """Return the clusters of a special priority: the list of its tree, with one more cluster sorted in."""
     found = [*_clusters(special.tree, system, on_true_side), special.cluster]
     for plane, others in special.tests:
         first = min(found.index(k) for k in others)

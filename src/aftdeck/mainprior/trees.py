@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import NamedTuple, TypeAlias
+from dataclasses import dataclass
+from typing import TypeAlias
 
 
-class Split(NamedTuple):
+@dataclass(frozen=True)
+class Split:
     """Node of a tree: a plane with its two sons.
 
     Attributes:
@@ -20,7 +22,8 @@ class Split(NamedTuple):
     false: Son
 
 
-class Sorted(NamedTuple):
+@dataclass(frozen=True)
+class Sorted:
     """Special priority: a tree is traced, and one more cluster is sorted into the list that results.
 
     The cluster begins at the bottom of the list. If the observer is on the TRUE side of a test's plane, which is the

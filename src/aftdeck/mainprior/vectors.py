@@ -1,8 +1,8 @@
 """L and P vectors of a station point, chained from system to system (chapter V.B and Figures 12 and 13).
 
 An L vector leads from the eye to the origin of a system, in that system's axes. The P vectors are the display plane: PC
-from the eye to its centre, PE along a raster line to the right, PL across the lines, downwards. The unit of length of
-P vectors is half the width of the picture, so that zoom changes PC only (the report's PCX, at scale B3: 4.5 at a field of
+from the eye to its centre, PE along a raster line to the right, PL across the lines, downwards. The unit of length of P
+vectors is half the width of the picture, so that zoom changes PC only (the report's PCX, at scale B3: 4.5 at a field of
 view of 25 deg). That PL and PE are unit vectors is assumed.
 """
 
@@ -18,6 +18,8 @@ from aftdeck.mainprior.systems import Placed
 from aftdeck.mainprior.tables import System
 from aftdeck.matrices import product
 
+DISPLAY = ("PC", "PL", "PE")
+"""P vectors of a system, in the order of their rows."""
 ACQUISITION = 1
 """Mode in which the payload is at rest in R, and not in system 2."""
 _Y, _Z, _X = 1, 2, 0
@@ -72,8 +74,9 @@ class Vectors(NamedTuple):
 def vectors(station: Station, links: Links, mode: int) -> Vectors:
     """Return the L and P vectors of a station point in a mode.
 
-    In mode 1, LP = LR + TP; in other modes, LP comes from L2 + T2. The report has two rotations from system 2 to P, for a
-    payload that was acquired exactly in line (chosen by the sign of cos R2); here it is the rotation at the acquisition.
+    In mode 1, LP = LR + TP; in other modes, LP comes from L2 + T2. The report has two rotations from system 2 to P, for
+    a payload that was acquired exactly in line (chosen by the sign of cos R2); here it is the rotation at the
+    acquisition.
     """
     ho, po, p1, h2, p2, r2 = links.angles
     to_0 = product(_into(_Y, po), _into(_Z, ho))
