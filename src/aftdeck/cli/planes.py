@@ -18,11 +18,13 @@ from aftdeck.lines import print_line
 from aftdeck.whole_file import write_whole
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from aftdeck.cli.moments import Moment
     from aftdeck.mainprior.explain import RoutineExplained
     from aftdeck.scenario.model import Scenario
     from aftdeck.visual.report import Explained, Node
-    from aftdeck.visual.scene import Aim, VisualScene
+    from aftdeck.visual.scene import VisualScene
 
 
 @app.command(
@@ -61,7 +63,8 @@ def planes(
             write_whole(out, sheet(scene, frame, camera, light_of(given.scenario, None), title))
             return print_line(str(out))
         aim = scene.aim(frame, camera, SIZE[0] / SIZE[1])
-        found, routine = explained(scene, frame, aim), _by_routine(given.scenario, scene, moment, aim)
+        found = explained(scene, frame, aim)
+        routine = _by_routine(given.scenario, scene, moment, camera, [entry.cluster for entry in found.table])
     if as_json:
         by_routine = {"absent": routine} if isinstance(routine, str) else _named(routine)
         print_json({**_fields(found), "mainprior": by_routine})
@@ -72,14 +75,16 @@ def planes(
         print_line(line)
 
 
-def _by_routine(scenario: Scenario, scene: VisualScene, moment: Moment, aim: Aim) -> RoutineExplained | str:
+def _by_routine(
+    scenario: Scenario, scene: VisualScene, moment: Moment, camera: str, shown: Collection[int]
+) -> RoutineExplained | str:
     """Return what the report's priority routine makes of a frame; a sentence if it does not know the scenario."""
     from aftdeck.mainprior.explain import explained_by_routine
     from aftdeck.mainprior.routine import PriorityRoutine
 
     try:
         routine = PriorityRoutine(scenario, scene)
-        return explained_by_routine(routine, moment.frame(), aim.name, aim.hidden, moment.received)
+        return explained_by_routine(routine, moment.frame(), camera, shown, moment.received)
     except InputError as error:
         return str(error)
 

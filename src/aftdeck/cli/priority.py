@@ -42,12 +42,15 @@ def routine_lines(found: RoutineExplained) -> Iterator[str]:
     yield "  " + "  ".join(str(step) for step in found.table)
     yield ""
     if not found.unseparated:
-        yield "All planes of the routine separate: its order is right in every direction of view"
+        yield "The routine's planes separate all clusters in this picture: their order is right"
         return
-    yield "Planes of the routine that do not separate two clusters, whose order may therefore be wrong:"
+    yield "Planes of the routine that do not separate clusters in this picture, whose order may therefore be wrong:"
+    behind: dict[str, list[str]] = {}
     for pair in found.unseparated:
-        (a, before), (b, behind) = pair.before, pair.behind
-        yield f"  {pair.plane}: {a} {before}, before {b} {behind}"
+        k, hidden = pair.behind
+        behind.setdefault(f"{pair.plane}: before {k} {hidden}", []).append("{} {}".format(*pair.before))
+    for where, before in behind.items():
+        yield f"  {where}: {', '.join(before)}"
 
 
 def _tree_line(line: TreeLine) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 from aftdeck.historical.rms_vs_output import Planes
@@ -86,7 +86,7 @@ class RoutineExplained(NamedTuple):
         p_vectors: PC, PL and PE by system [half the width of the picture].
         table: the priority output table: names of L vectors, and numbers of clusters.
         parts: parts of the clusters, by number.
-        unseparated: pairs of clusters that no plane of the routine separates; those outside the picture too.
+        unseparated: pairs of clusters in the picture that no plane of the routine separates.
     """
 
     mode: int
@@ -104,7 +104,7 @@ class RoutineExplained(NamedTuple):
 
 
 def explained_by_routine(
-    routine: PriorityRoutine, frame: Frame, station: str, hidden: frozenset[str], received: Planes | None = None
+    routine: PriorityRoutine, frame: Frame, station: str, shown: Collection[int], received: Planes | None = None
 ) -> RoutineExplained:
     """Return what the routine makes of a frame.
 
@@ -112,7 +112,7 @@ def explained_by_routine(
         routine: the routine of the scenario.
         frame: the frame.
         station: camera A to I.
-        hidden: parts that are not in the picture.
+        shown: clusters of the visual scene that are in the picture, by their indices there.
         received: D1 to D3, as the collision program sent them; None to compute them from the frame.
 
     Raises:
@@ -142,7 +142,7 @@ def explained_by_routine(
         {str(number): part(number) for number in sorted(found.clusters)},
         tuple(
             Unseparated(one.plane, (one.before, part(one.before)), (one.behind, part(one.behind)))
-            for one in routine.unproved(found, hidden)
+            for one in routine.unproved(found, {routine.shapes.numbers[k] for k in shown})
         ),
     )
 

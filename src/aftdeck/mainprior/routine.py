@@ -6,6 +6,7 @@ by. `proof.py` tells where its planes do not separate.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import NamedTuple
 
 from aftdeck.historical.rms_vs_output import Planes
@@ -115,11 +116,11 @@ class PriorityRoutine:
         table = output_table(clusters, {number: own.system for number, own in CLUSTERS.items()})
         return Priority(mode, items, at, planes, clusters, table, stage)
 
-    def unproved(self, found: Priority, hidden: frozenset[str] = frozenset()) -> tuple[Unproved, ...]:
-        """Return the orders that no plane of the routine proves; `hidden`: parts that are not in the picture."""
-        shown = [k for k in found.clusters if self.shapes.part(k) not in hidden]
+    def unproved(self, found: Priority, shown: Collection[int]) -> tuple[Unproved, ...]:
+        """Return the orders that no plane of the routine proves, among the numbers `shown` of clusters in a picture."""
         prover = Prover(found.stage, found.planes, found.vectors.eye)
-        return tuple(prover.unproved(shown, found.items, self.fit.trees, found.mode))
+        clusters = [k for k in found.clusters if k in shown]
+        return tuple(prover.unproved(clusters, found.items, self.fit.trees, found.mode))
 
     def _fixed(self) -> dict[int, Polyhedron]:
         """Return the clusters in R at the start; a CAE in ``space`` is among them."""
