@@ -37,6 +37,7 @@ class Compared(NamedTuple):
         differing: pictures with a pixel that differs.
         unexplained: pictures with such a pixel, in which no plane was named for two clusters in the wrong order.
         named: number of pictures in which each plane was named, by plane.
+        by_table_vii: pictures with a pixel that differs in the order of TABLE VII's own lists.
     """
 
     pictures: int
@@ -44,11 +45,12 @@ class Compared(NamedTuple):
     differing: int
     unexplained: int
     named: Counter[str]
+    by_table_vii: int
 
 
 def compare(count: int, seed: int, *, aimed: bool) -> Compared:
     """Compare the pictures of cameras A to I in `count` states; `aimed`: with random settings of the cameras."""
-    pictures = separated = differing = unexplained = 0
+    pictures = separated = differing = unexplained = by_table_vii = 0
     named: Counter[str] = Counter()
     scenario, numbers = loaded.scenario(SCRIPT), routine().shapes.numbers
     first = Simulation(scenario).look().views
@@ -63,12 +65,17 @@ def compare(count: int, seed: int, *, aimed: bool) -> Compared:
             hidden = {(numbers[a], numbers[b]) for a, b in scene().hidden_pairs()}
             found = routine().priority(frame, station)
             unproved = routine().unproved(found, {numbers[k] for k in polygons.owner.tolist()})
-            ours, theirs = (painted(drawn, WIDTH, HEIGHT) for drawn in (polygons, in_order(polygons, found.clusters)))
+            own = routine().priority(frame, station, items=routine().report_items(station))
+            ours, theirs, report = (
+                painted(drawn, WIDTH, HEIGHT)
+                for drawn in (polygons, in_order(polygons, found.clusters), in_order(polygons, own.clusters))
+            )
+            by_table_vii += bool((ours != report).any())
             differs = bool((ours != theirs).any())
             pictures, separated, differing = pictures + 1, separated + (not unproved), differing + differs
             unexplained += differs and not any((pair.behind, pair.before) in hidden for pair in unproved)
             named.update({pair.plane for pair in unproved})
-    return Compared(pictures, separated, differing, unexplained, named)
+    return Compared(pictures, separated, differing, unexplained, named, by_table_vii)
 
 
 def in_order(polygons: Polygons, clusters: tuple[int, ...]) -> Polygons:

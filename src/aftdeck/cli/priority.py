@@ -39,7 +39,10 @@ def routine_lines(found: RoutineExplained) -> Iterator[str]:
         yield f"  {name:4s} {_vector(vector)}"
     yield ""
     yield "Priority output table of the routine, highest priority first: L vectors and clusters"
-    yield "  " + "  ".join(str(step) for step in found.table)
+    yield "  " + "  ".join(map(str, found.table))
+    if found.table_by_table_vii != found.table:
+        yield "With TABLE VII's own list, which was made for other shapes:"
+        yield "  " + "  ".join(map(str, found.table_by_table_vii))
     yield ""
     if not found.unseparated:
         yield "The routine's planes separate all clusters in this picture: their order is right"

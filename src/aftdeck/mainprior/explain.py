@@ -85,6 +85,7 @@ class RoutineExplained(NamedTuple):
         l_vectors: L vectors by system [m].
         p_vectors: PC, PL and PE by system [half the width of the picture].
         table: the priority output table: names of L vectors, and numbers of clusters.
+        table_by_table_vii: the same with TABLE VII's own list, which was made for other shapes.
         parts: parts of the clusters, by number.
         unseparated: pairs of clusters in the picture that no plane of the routine separates.
     """
@@ -99,6 +100,7 @@ class RoutineExplained(NamedTuple):
     l_vectors: dict[str, Vec3]
     p_vectors: dict[str, Vec3]
     table: tuple[str | int, ...]
+    table_by_table_vii: tuple[str | int, ...]
     parts: dict[str, str]
     unseparated: tuple[Unseparated, ...]
 
@@ -138,13 +140,18 @@ def explained_by_routine(
             if system in found.vectors.display
             for name, row in zip(DISPLAY, found.vectors.display[system], strict=True)
         },
-        tuple(step.system if isinstance(step, Select) else step.cluster for step in found.table),
+        _steps(found),
+        _steps(routine.priority(frame, station, received, routine.report_items(station))),
         {str(number): part(number) for number in sorted(found.clusters)},
         tuple(
             Unseparated(one.plane, (one.before, part(one.before)), (one.behind, part(one.behind)))
             for one in routine.unproved(found, {routine.shapes.numbers[k] for k in shown})
         ),
     )
+
+
+def _steps(found: Priority) -> tuple[str | int, ...]:
+    return tuple(step.system if isinstance(step, Select) else step.cluster for step in found.table)
 
 
 def _row(items: tuple[Item, ...], mode: int) -> tuple[str, ...]:

@@ -19,6 +19,17 @@ from aftdeck.visual.lists import hidden
 from aftdeck.visual.store import Polyhedron, store_of
 
 
+def report_list(station: str, fixed: Collection[int]) -> tuple[Item, ...]:
+    """Return TABLE VII's own row of a station point, without the fixed clusters that a scenario does not have.
+
+    Clusters of ours that share the place of one of the report's stand beside each other.
+    """
+    extended = [
+        item for own in LISTS[station] for item in (BESIDE.get(own, (own,)) if isinstance(own, int) else (own,))
+    ]
+    return tuple(item for item in extended if not isinstance(item, int) or item in fixed)
+
+
 def fitted_list(
     station: str, eye: Array, bodies: Mapping[int, Polyhedron], trees: Mapping[str, Son]
 ) -> tuple[Item, ...]:
@@ -33,7 +44,7 @@ def fitted_list(
     Raises:
         InputError: the entries hide one another in a circle.
     """
-    row = [item for own in LISTS[station] for item in _extended(own) if not isinstance(item, int) or item in bodies]
+    row = report_list(station, bodies)
     members = [_fixed_clusters(item, bodies, trees) for item in row]
     numbers = sorted(bodies)
     hides = hidden(store_of([bodies[k] for k in numbers]), np.arange(len(numbers)), eye)
@@ -52,10 +63,6 @@ def fitted_list(
         left.remove(free)
         found.append(row[free])
     return tuple(found)
-
-
-def _extended(item: Item) -> tuple[Item, ...]:
-    return BESIDE.get(item, (item,)) if isinstance(item, int) else (item,)
 
 
 def _fixed_clusters(item: Item, fixed: Collection[int], trees: Mapping[str, Son]) -> tuple[int, ...]:

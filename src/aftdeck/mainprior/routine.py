@@ -12,7 +12,7 @@ from typing import NamedTuple
 from aftdeck.historical.rms_vs_output import Planes
 from aftdeck.mainprior.fit import Fitted, fitted
 from aftdeck.mainprior.fixed import FixedBodies
-from aftdeck.mainprior.lists import fitted_list
+from aftdeck.mainprior.lists import fitted_list, report_list
 from aftdeck.mainprior.planes import Plane, planes_of
 from aftdeck.mainprior.proof import FIXED, Prover, Unproved
 from aftdeck.mainprior.received import received_planes
@@ -84,13 +84,21 @@ class PriorityRoutine:
             self._lists[station] = fitted_list(station, -eye["LR"], self._fixed(), self.fit.trees)
         return self._lists[station]
 
-    def priority(self, frame: Frame, station: str, received: Planes | None = None) -> Priority:
+    def report_items(self, station: str) -> tuple[Item, ...]:
+        """Return TABLE VII's own list of a station point; errors as for `items`."""
+        self.items(station)
+        return report_list(station, self._fixed())
+
+    def priority(
+        self, frame: Frame, station: str, received: Planes | None = None, items: tuple[Item, ...] | None = None
+    ) -> Priority:
         """Return what the routine makes of a frame.
 
         Args:
             frame: the frame.
             station: camera A to I.
             received: D1 to D3, as the collision program sent them; None to compute them from the frame.
+            items: the permanent list; None for the one for the shapes of the scenario.
 
         Raises:
             InputError: the camera is not a station point.
@@ -111,7 +119,7 @@ class PriorityRoutine:
             plane = planes.get(name)
             return plane is not None and plane.height(at.eye[system]) > 0.0
 
-        items = self.items(station)
+        items = self.items(station) if items is None else items
         clusters = tuple(traced(items, self.fit.trees, mode, on_true_side))
         table = output_table(clusters, {number: own.system for number, own in CLUSTERS.items()})
         return Priority(mode, items, at, planes, clusters, table, stage)
