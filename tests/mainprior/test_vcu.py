@@ -9,7 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from aftdeck.errors import InputError
 from aftdeck.historical.frame_words import number
+from aftdeck.mainprior.shapes import Shapes
 from aftdeck.mainprior.tables import CODES, LISTS
 from aftdeck.mainprior.vcu import L_SCALE, P_SCALE, VERTEX_SCALE, block_of, instruction_of, instruction_word
 from aftdeck.mainprior.vcu_file import VcuWriter
@@ -17,9 +19,10 @@ from aftdeck.scenario.load import about, load_scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
 from aftdeck.units import FOOT
+from tests import loaded
 from tests.commands import Run
 from tests.each import each
-from tests.mainprior.flown import frames, routine
+from tests.mainprior.flown import frames, routine, scene
 
 
 @each("frame", frames)
@@ -94,7 +97,12 @@ def test_planes_shows_the_routine_for_cameras_a_to_i_of_the_reports_arm(run: Run
     assert found["table_vii"] == ["3", "Z2", "2", "4", "6", "7", "W1", "21"]
     assert sorted(found["permanent_list"]) == sorted(found["table_vii"])
     assert {step for step in found["table"] if isinstance(step, int)} == {int(k) for k in found["parts"]}
-    for camera, scenario in (("P1", "concept-1972"), ("A", "sts-400-closed")):
-        code, out, _ = run("planes", scenario, "--camera", camera, "--json")
-        assert code == 0
-        assert list(json.loads(out)["mainprior"]) == ["absent"]
+    code, out, _ = run("planes", "concept-1972", "--camera", "P1", "--json")
+    assert code == 0
+    assert list(json.loads(out)["mainprior"]) == ["absent"]
+
+
+def test_the_routine_rejects_an_arm_and_parts_that_it_does_not_know() -> None:
+    for scenario in ("sts-400-closed", "free-flyer"):  # the scene's payload has another name
+        with pytest.raises(InputError):
+            Shapes(loaded.scenario(scenario), scene())

@@ -12,6 +12,7 @@ from collections import Counter
 from typing import BinaryIO
 
 from aftdeck.historical.rms_vs_output import NO_CODE, planes_of
+from aftdeck.historical.words_file import check_arm
 from aftdeck.mainprior.routine import PriorityRoutine
 from aftdeck.mainprior.tables import LISTS
 from aftdeck.mainprior.vcu import block_of
@@ -33,6 +34,7 @@ class VcuWriter:
         Raises:
             InputError: the routine does not know the scenario's arm or one of its parts.
         """
+        check_arm(scenario)  # before the clusters are made, which takes longer
         self._file = file
         self._scene = VisualScene(scenario)
         self._routine = PriorityRoutine(scenario, self._scene)
