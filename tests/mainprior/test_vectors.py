@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -30,6 +31,18 @@ def test_l_vectors_lead_from_the_eye_to_the_origin_of_each_system(frame: Frame) 
         for system, pose in found.stage.systems.items():
             expected = pose.axes.T @ (pose.origin - eye)
             assert found.vectors.eye[system] == pytest.approx(expected, abs=1e-9), (camera, system)
+
+
+def test_an_orbiter_that_moved_has_left_the_cae_behind() -> None:
+    frame = frames()[0]
+    travel = (3.0, -4.0, 12.0)
+    moved = msgspec.structs.replace(frame, work=msgspec.structs.replace(frame.work, orbiter=travel))
+    for camera in ("A", "G", "H"):
+        found = routine().priority(moved, camera)
+        eye, _ = eye_in_reference(moved, camera, found.stage.frames["orbiter"])
+        assert found.vectors.eye["LS"] == pytest.approx(found.stage.systems["LS"].origin - eye, abs=1e-9)
+        assert np.linalg.norm(found.vectors.eye["LS"] - found.vectors.eye["LR"]) == pytest.approx(13.0)
+        assert found.stage.systems["LS"].origin == pytest.approx(-np.array(travel), abs=1e-9)
 
 
 @each("frame", frames)

@@ -45,7 +45,7 @@ def routine_lines(found: RoutineExplained) -> Iterator[str]:
         yield "  " + "  ".join(map(str, found.table_by_table_vii))
     yield ""
     if not found.unseparated:
-        yield "The routine's planes separate all clusters in this picture: their order is right"
+        yield "The routine's planes separate all clusters of which one can hide the other: the picture is right"
         return
     yield "Planes of the routine that do not separate clusters in this picture, whose order may therefore be wrong:"
     behind: dict[str, list[str]] = {}

@@ -87,7 +87,7 @@ class RoutineExplained(NamedTuple):
         table: the priority output table: names of L vectors, and numbers of clusters.
         table_by_table_vii: the same with TABLE VII's own list, which was made for other shapes.
         parts: parts of the clusters, by number.
-        unseparated: pairs of clusters in the picture that no plane of the routine separates.
+        unseparated: pairs of clusters in the picture of which one can hide the other, and that no plane separates.
     """
 
     mode: int

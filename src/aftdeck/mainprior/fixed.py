@@ -42,7 +42,6 @@ class FixedBodies:
         for number, body in start.bodies.items():
             system = CLUSTERS[number].system
             self._bodies[system, number] = body.within(start.systems[system])
-        self._bodies["LR", 21] = start.bodies[21]
         for number, ends in _travels(scenario).items():
             surface = shapes.scene.clusters.clusters[shapes.index[number]].body
             body = Body(surface.points, surface.planes)

@@ -9,7 +9,7 @@ one is fixed.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -59,30 +59,28 @@ class Prover:
         self._stage, self._planes = stage, planes
 
     def unproved(
-        self, clusters: Sequence[int], items: Sequence[Item], trees: Mapping[str, Son], mode: int
+        self, pairs: Iterable[tuple[int, int]], items: Sequence[Item], trees: Mapping[str, Son], mode: int
     ) -> Iterator[Unproved]:
         """Yield the pairs whose order is not proved.
 
         Args:
-            clusters: result of the trace, without clusters that are not in the picture.
+            pairs: pairs of clusters, the one with the higher priority first.
             items: the permanent list.
             trees: the trees, by name.
             mode: the task phase.
         """
         entries = [item if isinstance(item, int) else _tree(item, trees, mode) for item in items]
         home = {k: n for n, entry in enumerate(entries) for k in clusters_in(entry)}
-        shuttle = {k for k in clusters if _is_shuttle(items[home[k]])}
-        faced = shuttle | {k for k in clusters if CLUSTERS[k].system in FIXED}
-        for n, before in enumerate(clusters):
-            for behind in clusters[n + 1 :]:
-                if home[before] != home[behind]:
-                    name = self._failing_face(before, behind, faced)
-                    if name:
-                        yield Unproved(name, before, behind)
-                    continue
-                names = tuple(_between(entries[home[before]], before, behind))
-                if not any(self._proves(name, before, behind) for name in names):
-                    yield Unproved(names[0] if names else "list", before, behind)
+        faced = {k for k, n in home.items() if _is_shuttle(items[n]) or CLUSTERS[k].system in FIXED}
+        for before, behind in pairs:
+            if home[before] != home[behind]:
+                name = self._failing_face(before, behind, faced)
+                if name:
+                    yield Unproved(name, before, behind)
+                continue
+            names = tuple(_between(entries[home[before]], before, behind))
+            if not any(self._proves(name, before, behind) for name in names):
+                yield Unproved(names[0] if names else "list", before, behind)
 
     def _proves(self, name: str, before: int, behind: int) -> bool:
         plane = self._planes.get(name)

@@ -6,8 +6,10 @@ by. `proof.py` tells where its planes do not separate.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from typing import NamedTuple
+
+import numpy as np
 
 from aftdeck.historical.rms_vs_output import Planes
 from aftdeck.mainprior.fit import Fitted, fitted
@@ -25,8 +27,9 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scene.cameras import SceneCameras
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
+from aftdeck.visual.lists import hidden
 from aftdeck.visual.scene import VisualScene
-from aftdeck.visual.store import Polyhedron
+from aftdeck.visual.store import Polyhedron, store_of
 
 
 class Priority(NamedTuple):
@@ -86,7 +89,7 @@ class PriorityRoutine:
 
     def report_items(self, station: str) -> tuple[Item, ...]:
         """Return TABLE VII's own list of a station point; errors as for `items`."""
-        self.items(station)
+        self.items(station)  # raises an error if the camera is not a station point
         return report_list(station, self._fixed())
 
     def priority(
@@ -125,16 +128,24 @@ class PriorityRoutine:
         return Priority(mode, items, at, planes, clusters, table, stage)
 
     def unproved(self, found: Priority, shown: Collection[int]) -> tuple[Unproved, ...]:
-        """Return the orders that no plane of the routine proves, among the numbers `shown` of clusters in a picture."""
-        prover = Prover(found.stage, found.planes, found.vectors.eye)
+        """Return the orders that no plane of the routine proves, among the numbers `shown` of clusters in a picture.
+
+        A pair of which neither can hide the other from the eye, in any direction of view, needs no order.
+        """
         clusters = [k for k in found.clusters if k in shown]
-        return tuple(prover.unproved(clusters, found.items, self.fit.trees, found.mode))
+        bodies = self._polyhedra(found.stage, clusters)
+        hides = hidden(store_of([bodies[k] for k in clusters]), np.arange(len(clusters)), -found.vectors.eye["LR"])
+        pairs = [(clusters[a], clusters[b]) for a, b in np.argwhere(np.triu(hides | hides.T)).tolist()]
+        prover = Prover(found.stage, found.planes, found.vectors.eye)
+        return tuple(prover.unproved(pairs, found.items, self.fit.trees, found.mode))
 
     def _fixed(self) -> dict[int, Polyhedron]:
         """Return the clusters in R at the start; a CAE in ``space`` is among them."""
-        clusters = self.shapes.scene.clusters.clusters
+        return self._polyhedra(self._start, (k for k in self._start.bodies if CLUSTERS[k].system in FIXED))
+
+    def _polyhedra(self, stage: Stage, numbers: Iterable[int]) -> dict[int, Polyhedron]:
+        """Return clusters of a frame in R, by number."""
+        clusters, index = self.shapes.scene.clusters.clusters, self.shapes.index
         return {
-            number: Polyhedron(body.points, body.faces, clusters[self.shapes.index[number]].body.loops)
-            for number, body in self._start.bodies.items()
-            if CLUSTERS[number].system in FIXED
+            k: Polyhedron(stage.bodies[k].points, stage.bodies[k].faces, clusters[index[k]].body.loops) for k in numbers
         }
