@@ -13,7 +13,7 @@ from aftdeck.historical.frame_words import FrameBlock, WordPlane, encode_block
 from aftdeck.historical.rms_vs_output import planes_of
 from aftdeck.historical.scene_words import read_blocks
 from aftdeck.historical.words_file import WordsWriter
-from aftdeck.mainprior.received import received_planes
+from aftdeck.mainprior.received import kept, planes_in
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.run import Simulation
 from tests.mainprior.flown import SCRIPT, routine
@@ -65,6 +65,11 @@ def test_the_planes_of_the_words_decide_where_the_bar_stands(words: Path, tmp_pa
             assert [k for k in moved if k != 19] == [k for k in order if k != 19]
 
 
+def test_a_plane_that_is_not_sent_stays_as_it_was(words: Path) -> None:
+    first, last = (read_blocks(words)[k].planes for k in (0, -1))
+    assert kept(first, (None, last[1], None)) == (first[0], last[1], first[2])
+
+
 def test_planes_computed_from_a_frame_have_the_bar_on_the_side_of_those_that_were_sent() -> None:
     simulation = Simulation(load_scenario(SCRIPT))
     compared = 0
@@ -74,7 +79,7 @@ def test_planes_computed_from_a_frame_have_the_bar_on_the_side_of_those_that_wer
         frame = simulation.look()
         stage = routine().shapes.stage(frame)
         sent = planes_of(simulation._flight, simulation._state)
-        made = received_planes(stage, frame.work.task != 1)
+        made = planes_in(stage, frame.work.task != 1)
         for cluster, own, other in zip((17, 16, 18), sent, made, strict=True):
             if own is None or other is None:
                 continue

@@ -11,6 +11,7 @@ from aftdeck.errors import InputError
 from aftdeck.historical.frame_words import FrameBlock
 from aftdeck.historical.rms_vs_output import Planes
 from aftdeck.historical.scene_words import frames_from, read_blocks
+from aftdeck.mainprior.received import NONE, kept
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
@@ -38,7 +39,7 @@ class Moment(NamedTuple):
     Attributes:
         time_s: simulated time [s].
         frame: returns the frame; it can be called until the next moment is taken.
-        received: planes D1 to D3 of frame words; None for other sources.
+        received: planes D1 to D3 that the words brought; None for other sources.
     """
 
     time_s: float
@@ -132,8 +133,10 @@ def every(run: Source, step_s: float, most: int | None) -> Iterator[Frame]:
 
 
 def _from_words(scenario: Scenario, blocks: Sequence[FrameBlock]) -> Iterator[Moment]:
+    received = NONE
     for frame, block in zip(frames_from(scenario, blocks), blocks, strict=True):
-        yield Moment(frame.time_s, partial(_same, frame), block.planes)
+        received = kept(received, block.planes)
+        yield Moment(frame.time_s, partial(_same, frame), received)
 
 
 def _recorded(recording: Recording) -> Iterator[Moment]:

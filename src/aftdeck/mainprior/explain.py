@@ -45,7 +45,7 @@ class PlaneTest(NamedTuple):
     Attributes:
         plane: its name.
         system: L vector with which it is tested.
-        normal: unit normal N, to the TRUE side; None if the collision program sent no plane.
+        normal: unit normal N, to the TRUE side; None if no plane was ever received.
         distance: D [m]; None as for `normal`.
         eye: height of the eye over the plane [m]; positive on the TRUE side. None as for `normal`.
     """
@@ -115,7 +115,7 @@ def explained_by_routine(
         frame: the frame.
         station: camera A to I.
         shown: clusters of the visual scene that are in the picture, by their indices there.
-        received: D1 to D3, as the collision program sent them; None to compute them from the frame.
+        received: D1 to D3, as the scene program has them; None to compute them from the frame.
 
     Raises:
         InputError: the camera is not a station point.

@@ -37,7 +37,7 @@ class Plane(NamedTuple):
 
 
 def planes_of(fixed: Mapping[str, Plane], systems: Mapping[System, Placed], received: Planes) -> dict[str, Plane]:
-    """Return all planes of a frame, by name; a plane that the collision program did not send is absent.
+    """Return all planes of a frame, by name; one of D1 to D3 that was never received is absent.
 
     Args:
         fixed: the planes that are fixed in their systems.

@@ -17,7 +17,7 @@ from aftdeck.mainprior.fixed import FixedBodies
 from aftdeck.mainprior.lists import fitted_list, report_list
 from aftdeck.mainprior.planes import Plane, planes_of
 from aftdeck.mainprior.proof import FIXED, Prover, Unproved
-from aftdeck.mainprior.received import received_planes
+from aftdeck.mainprior.received import planes_in
 from aftdeck.mainprior.shapes import Shapes, Stage
 from aftdeck.mainprior.stations import links_of, station_of
 from aftdeck.mainprior.tables import CLUSTERS, Item, System
@@ -39,7 +39,7 @@ class Priority(NamedTuple):
         mode: the task phase.
         items: the permanent list.
         vectors: L and P vectors.
-        planes: the planes, by name; a plane that the collision program did not send is absent.
+        planes: the planes, by name; one of D1 to D3 that was never received is absent.
         clusters: numbers of the clusters, highest priority first.
         table: the priority output table.
         stage: the frame in R.
@@ -100,7 +100,7 @@ class PriorityRoutine:
         Args:
             frame: the frame.
             station: camera A to I.
-            received: D1 to D3, as the collision program sent them; None to compute them from the frame.
+            received: D1 to D3, as the scene program has them; None to compute them from the frame.
             items: the permanent list; None for the one for the shapes of the scenario.
 
         Raises:
@@ -115,7 +115,7 @@ class PriorityRoutine:
         planes = planes_of(
             self.fit.planes,
             stage.systems,
-            received_planes(stage, mode != ACQUISITION) if received is None else received,
+            planes_in(stage, mode != ACQUISITION) if received is None else received,
         )
 
         def on_true_side(name: str, system: System) -> bool:

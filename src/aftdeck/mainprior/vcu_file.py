@@ -13,6 +13,7 @@ from typing import BinaryIO
 
 from aftdeck.historical.rms_vs_output import NO_CODE, planes_of
 from aftdeck.historical.words_file import check_arm
+from aftdeck.mainprior.received import NONE, kept
 from aftdeck.mainprior.routine import PriorityRoutine
 from aftdeck.mainprior.tables import LISTS
 from aftdeck.mainprior.vcu import block_of
@@ -38,6 +39,7 @@ class VcuWriter:
         self._file = file
         self._scene = VisualScene(scenario)
         self._routine = PriorityRoutine(scenario, self._scene)
+        self._received = NONE
         self.unsaid = Counter[str]()
 
     def step(self, sim: Simulation) -> None:
@@ -47,7 +49,8 @@ class VcuWriter:
         listed = camera in LISTS and camera in self._scene.cameras
         station = camera if listed else NO_CODE
         frame = sim.look()
-        block = block_of(self._routine.priority(frame, station, planes_of(flight, state)))
+        self._received = kept(self._received, planes_of(flight, state))
+        block = block_of(self._routine.priority(frame, station, self._received))
         unsaid = [*([] if listed else ["station"]), *block.unsaid]
         self.unsaid.update(unsaid)
         row: dict[str, object] = {"time_s": frame.time_s, "station": station}
