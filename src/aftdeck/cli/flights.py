@@ -115,7 +115,8 @@ def fly(
 
 @app.command(
     epilog="Examples: aftdeck run sts-400-closed --json; aftdeck run uncradle --out uncradle.mcap; "
-    "aftdeck run concept-1972 --channels flown.jsonl; aftdeck run concept-1972 --operator human --out flight.mcap"
+    "aftdeck run concept-1972 --channels flown.jsonl; aftdeck run concept-1972 --operator human --out flight.mcap; "
+    "aftdeck run concept-1972-script --vcu blocks.jsonl"
 )
 def run(
     scenario: ScenarioName,
