@@ -221,10 +221,11 @@ def _run(
 
             writers.append(open_files.enter_context(writing_blocks(scenario, vcu)))
 
-        def stepped(simulation: Simulation) -> None:
+        def write_all(simulation: Simulation) -> None:
             for write in writers:
                 write(simulation)
 
+        stepped = write_all if writers else None
         progress = open_files.enter_context(ProgressBar(scenario.title))
         if out is None:
             done = run_scenario(scenario, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=stepped)
