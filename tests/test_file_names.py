@@ -32,6 +32,7 @@ COMMANDS: list[Any] = [
     ("run", SCENARIO, "--out", f"new-{NAME}.mcap"),
     ("run", CONCEPT, "--words", f"new-{NAME}.jsonl"),
     ("run", CONCEPT, "--channels", f"{NAME}.jsonl"),
+    ("run", CONCEPT, "--vcu", f"blocks-{NAME}.jsonl"),
     ("check", SCENARIO),
     ("check", SCENARIO, "--json"),
     ("arm", f"arm-{NAME}.toml", "limits", "--json"),

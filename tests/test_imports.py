@@ -56,6 +56,7 @@ LAYERS = (
     ("historical",),
     ("scene",),
     ("visual",),
+    ("mainprior",),
     ("details",),
     ("task",),
     ("recording",),

@@ -94,7 +94,10 @@ PREPARED: dict[str, Callable[[Path, Run], None]] = {
     "worksite.md": a_run("concept-1972-script"),
 }
 """Files that a page takes for granted."""
-SLOW = {"dynamics.md", "metrics.md", "operators.md", "studies.md", "visual-scene.md", "worksite.md", "recording.md"}
+SLOW = {
+    *("dynamics.md", "mainprior.md", "metrics.md", "operators.md", "recording.md", "studies.md", "visual-scene.md"),
+    "worksite.md",
+}
 """Pages whose lines take more than a few seconds."""
 LONG = {"studies.md"}
 """Pages whose lines take minutes: a cluster of two nodes, and five studies."""

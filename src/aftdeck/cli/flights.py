@@ -16,7 +16,7 @@ from aftdeck.lines import print_error, print_line
 from aftdeck.progress_bar import ProgressBar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from aftdeck.files import Changes, Problem
     from aftdeck.scenario.model import Scenario
@@ -115,7 +115,8 @@ def fly(
 
 @app.command(
     epilog="Examples: aftdeck run sts-400-closed --json; aftdeck run uncradle --out uncradle.mcap; "
-    "aftdeck run concept-1972 --channels flown.jsonl; aftdeck run concept-1972 --operator human --out flight.mcap"
+    "aftdeck run concept-1972 --channels flown.jsonl; aftdeck run concept-1972 --operator human --out flight.mcap; "
+    "aftdeck run concept-1972-script --vcu blocks.jsonl"
 )
 def run(
     scenario: ScenarioName,
@@ -137,6 +138,10 @@ def run(
     words: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines).")
     ] = None,
+    vcu: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write the 1972 report's blocks for the scene generator (JSON lines)."),
+    ] = None,
     plant: PlantName = None,
     as_json: Json = False,
     seed: Seed = None,
@@ -149,11 +154,11 @@ def run(
     The exit code is 1 if the run ended in a fault.
     """
     from aftdeck.cli.laws import compiled_meanwhile
+    from aftdeck.mainprior import warm as with_vcu
     from aftdeck.scenario.load import load_scenario
     from aftdeck.simulation.warm import warm_up
 
-    if out is not None and words is not None and out.resolve() == words.resolve():
-        raise InputError(f"--out and --words name the same file {words}; name two different files")
+    _check_different({"--out": out, "--words": words, "--vcu": vcu})
     if channels is not None and operator is not None:
         raise InputError("--channels and --operator both give the inputs; use one of them")
     loaded = load_scenario(scenario, _plant(plant))
@@ -163,8 +168,9 @@ def run(
             f"{loaded.name} has no script: it runs {loaded.duration:g} s without inputs; "
             f"operate it with `aftdeck fly {scenario}`"
         )
-    with compiled_meanwhile(warm_up, loaded, bar=False):
-        summary, recording_error = _run(loaded, out, channels, operator, words, seed)
+    laws = (warm_up, None) if vcu is None else (with_vcu.warm_up, with_vcu.FILES)
+    with compiled_meanwhile(laws[0], loaded, files=laws[1], bar=False):
+        summary, recording_error = _run(loaded, out, channels, operator, words, vcu, seed)
     if as_json:
         print_json(summary, indent=2)
     else:
@@ -181,6 +187,7 @@ def _run(
     channels: Path | None,
     operator: str | None,
     words: Path | None,
+    vcu: Path | None,
     seed: int | None,
 ) -> tuple[Summary, AftdeckError | None]:
     """Run a scenario with the arguments of `run`.
@@ -204,11 +211,21 @@ def _run(
 
         scenario, inputs = operator_by(scenario, channels)
     with ExitStack() as open_files:
-        stepped = None
+        writers: list[Callable[[Simulation], None]] = []
         if words is not None:
             from aftdeck.cli.words import writing
 
-            stepped = open_files.enter_context(writing(scenario, words))
+            writers.append(open_files.enter_context(writing(scenario, words)))
+        if vcu is not None:
+            from aftdeck.cli.words import writing_blocks
+
+            writers.append(open_files.enter_context(writing_blocks(scenario, vcu)))
+
+        def write_all(simulation: Simulation) -> None:
+            for write in writers:
+                write(simulation)
+
+        stepped = write_all if writers else None
         progress = open_files.enter_context(ProgressBar(scenario.title))
         if out is None:
             done = run_scenario(scenario, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=stepped)
@@ -228,6 +245,16 @@ def _run(
         except UnrecordedRunError as error:
             return error.run.summary, error
         return done.summary, None
+
+
+def _check_different(files: Mapping[str, Path | None]) -> None:
+    """Raise `InputError` if two options name the same file."""
+    seen: dict[Path, str] = {}
+    for option, path in files.items():
+        if path is not None:
+            other = seen.setdefault(path.resolve(), option)
+            if other != option:
+                raise InputError(f"{other} and {option} name the same file {path}; name different files")
 
 
 def _plant(name: str | None) -> Changes:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 from aftdeck.errors import InputError
+from aftdeck.historical.frame_words import FrameBlock
+from aftdeck.historical.rms_vs_output import Planes
 from aftdeck.historical.scene_words import frames_from, read_blocks
+from aftdeck.mainprior.received import NONE, kept
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
@@ -36,10 +39,12 @@ class Moment(NamedTuple):
     Attributes:
         time_s: simulated time [s].
         frame: returns the frame; it can be called until the next moment is taken.
+        received: planes D1 to D3 that the words brought; None for other sources.
     """
 
     time_s: float
     frame: Callable[[], Frame]
+    received: Planes | None = None
 
 
 class Source(NamedTuple):
@@ -68,8 +73,7 @@ def source(name: str, words_of: str | None = None) -> Source:
     """
     if name.endswith(WORDS):
         scenario = load_scenario(CONCEPT if words_of is None else words_of)
-        frames = frames_from(scenario, read_blocks(Path(name)))
-        return Source(scenario, (Moment(frame.time_s, partial(_same, frame)) for frame in frames), None)
+        return Source(scenario, _from_words(scenario, read_blocks(Path(name))), None)
     if words_of is not None:
         raise InputError(f"--words-of can only be given with a file of frame words ({WORDS})")
     if name.endswith(RECORDING):
@@ -79,8 +83,8 @@ def source(name: str, words_of: str | None = None) -> Source:
     return Source(scenario, _simulated(scenario), scenario.duration)
 
 
-def at(run: Source, time_s: float) -> Frame:
-    """Return the frame at a time: the last one that is not later.
+def at(run: Source, time_s: float) -> Moment:
+    """Return the moment at a time: the last one that is not later.
 
     Raises:
         InputError: the run ends before that time.
@@ -91,7 +95,7 @@ def at(run: Source, time_s: float) -> Frame:
     for moment in run.moments:
         last = moment.time_s
         if last + run.scenario.control_period > time_s + _SLACK:
-            return moment.frame()
+            return moment
     if last is None:
         raise InputError(_EMPTY)
     raise InputError(f"--time: the run has no frame at {time_s:g} s: it ends at {last:g} s")
@@ -126,6 +130,13 @@ def every(run: Source, step_s: float, most: int | None) -> Iterator[Frame]:
             due += step_s
     if count == 0:
         raise InputError(_EMPTY)
+
+
+def _from_words(scenario: Scenario, blocks: Sequence[FrameBlock]) -> Iterator[Moment]:
+    received = NONE
+    for frame, block in zip(frames_from(scenario, blocks), blocks, strict=True):
+        received = kept(received, block.planes)
+        yield Moment(frame.time_s, partial(_same, frame), received)
 
 
 def _recorded(recording: Recording) -> Iterator[Moment]:

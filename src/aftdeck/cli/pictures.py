@@ -101,7 +101,7 @@ def render(
     drawn_size = _size(size, CELL if camera == ALL else SIZE)
     given = source(run, words_of)
     most = max(1, MOST_PIXELS // (drawn_size[0] * drawn_size[1] * (SHEET_CAMERAS if camera == ALL else 1)))
-    frames = iter((at(given, time or 0.0),)) if step is None else every(given, step, None if numbered else most)
+    frames = iter((at(given, time or 0.0).frame(),)) if step is None else every(given, step, None if numbered else most)
     pages = _pages(
         given.scenario, frames, camera, drawn_size, look, light_of(given.scenario, light), alone=step is None
     )

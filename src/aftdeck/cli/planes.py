@@ -12,12 +12,19 @@ from aftdeck.cli.app import Json, app
 from aftdeck.cli.drawing import SIZE, Run, WordsOf, light_of, not_negative
 from aftdeck.cli.laws import pictures_compiled_meanwhile
 from aftdeck.cli.printing import print_json
+from aftdeck.cli.priority import routine_lines
 from aftdeck.errors import InputError
 from aftdeck.lines import print_line
 from aftdeck.whole_file import write_whole
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from aftdeck.cli.moments import Moment
+    from aftdeck.mainprior.explain import RoutineExplained
+    from aftdeck.scenario.model import Scenario
     from aftdeck.visual.report import Explained, Node
+    from aftdeck.visual.scene import VisualScene
 
 
 @app.command(
@@ -35,7 +42,10 @@ def planes(
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Show the clusters, the trees of separating planes and the order chosen for a camera (the report's Figure 19)."""
+    """Show the clusters, the trees of separating planes and the order chosen for a camera (the report's Figure 19).
+
+    For cameras A to I of the report's worksite, also show what the report's own priority routine makes of the frame.
+    """
     from aftdeck.cli.moments import at, source
     from aftdeck.visual.diagram import sheet
     from aftdeck.visual.report import explained
@@ -45,18 +55,42 @@ def planes(
     if out is not None and (out.suffix != ".svg" or as_json):
         raise InputError(f"-o: {out} has to end in .svg, and cannot be combined with --json")
     given = source(run, words_of)
-    frame = at(given, time)
-    title = given.scenario.title
+    moment = at(given, time)
+    frame, title = moment.frame(), given.scenario.title
     with pictures_compiled_meanwhile():
         scene = VisualScene(given.scenario)
         if out is not None:
             write_whole(out, sheet(scene, frame, camera, light_of(given.scenario, None), title))
             return print_line(str(out))
-        found = explained(scene, frame, scene.aim(frame, camera, SIZE[0] / SIZE[1]))
+        aim = scene.aim(frame, camera, SIZE[0] / SIZE[1])
+        found = explained(scene, frame, aim)
+        routine = _by_routine(given.scenario, scene, moment, camera, [entry.cluster for entry in found.table])
     if as_json:
-        print_json(_named(found))
-    else:
-        _print(found, f"{title}, camera {camera} at {frame.time_s:g} s")
+        by_routine = {"absent": routine} if isinstance(routine, str) else _named(routine)
+        print_json({**_fields(found), "mainprior": by_routine})
+        return
+    _print(found, f"{title}, camera {camera} at {frame.time_s:g} s")
+    print_line("")
+    for line in [f"The report's own routine: none. {routine}"] if isinstance(routine, str) else routine_lines(routine):
+        print_line(line)
+
+
+def _by_routine(
+    scenario: Scenario, scene: VisualScene, moment: Moment, camera: str, shown: Collection[int]
+) -> RoutineExplained | str:
+    """Return what the report's priority routine makes of a frame; a sentence if it does not know the scenario."""
+    from aftdeck.mainprior.explain import explained_by_routine
+    from aftdeck.mainprior.routine import PriorityRoutine
+
+    try:
+        routine = PriorityRoutine(scenario, scene)
+        return explained_by_routine(routine, moment.frame(), camera, shown, moment.received)
+    except InputError as error:
+        return str(error)
+
+
+def _fields(value: Explained) -> dict[str, object]:
+    return {key: _named(item) for key, item in value._asdict().items()}
 
 
 def _named(value: object) -> object:

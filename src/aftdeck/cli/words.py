@@ -1,4 +1,4 @@
-"""Files with the 1972 report's channels (inputs) and words (outputs): commands write both, and read the channels."""
+"""The 1972 report's files: channels (inputs), words and VCU blocks (outputs). Commands write all, and read channels."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from aftdeck.lines import print_error
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.whole_file import new_file
 
 Stepped = Callable[[Simulation], None]
 Operator = Callable[[Simulation], Inputs | None]
@@ -30,6 +31,24 @@ def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
         yield writer.step
     if writer.unsaid:
         print_error(f"{path}: {_listed(writer.unsaid)}: the report has no channel or code for these inputs")
+
+
+@contextmanager
+def writing_blocks(scenario: Scenario, path: Path) -> Iterator[Stepped]:
+    """Write a run's blocks for the VCU into a new file; at the end, print what the blocks cannot express.
+
+    Raises:
+        InputError: the report's priority routine does not know the scenario's arm or one of its parts, or the file
+        exists
+            already or cannot be written.
+    """
+    from aftdeck.mainprior.vcu_file import VcuWriter
+
+    with new_file(path) as file:
+        writer = VcuWriter(file, scenario)
+        yield writer.step
+    if writer.unsaid:
+        print_error(f"{path}: {_listed(writer.unsaid)}: a station without a list, or a vector too long for its words")
 
 
 def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator]:

@@ -111,8 +111,8 @@ def check_arm(scenario: Scenario) -> None:
     equipment = scenario.arm.model.equipment
     if equipment.telescope is None or equipment.prong is None:
         raise InputError(
-            f"{scenario.name}: channels and words exist only for the report's arm, with telescope and prong; this "
-            f"scenario has the arm {scenario.arm.name}"
+            f"{scenario.name}: the report's channels, words and priority routine are made for its arm, with telescope "
+            f"and prong; this scenario has the arm {scenario.arm.name}"
         )
 
 

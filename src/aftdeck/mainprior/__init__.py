@@ -1,0 +1,1 @@
+"""Priority routine of RMS-VS (MAINPRIOR): L and P vectors, permanent lists, trees, priority output table, VCU block."""
