@@ -1,4 +1,7 @@
-"""TABLE II of runs: each word decodes to the frame's value within half a last bit, in all task phases."""
+"""TABLE II of runs: each word decodes to the frame's value within half a last bit, in all task phases.
+
+The bits of the switches are those of the inputs, also under an inhibit.
+"""
 
 from __future__ import annotations
 
@@ -29,12 +32,13 @@ FINGERS = ("palm", "fixed finger", "prong")
 
 
 class StepWords(NamedTuple):
-    """A step of a run: the previous frame, the frame and words of the step, and the simulation."""
+    """A step of a run: the previous frame, the frame and words of the step, the simulation, and what is unsaid."""
 
     before: Frame
     frame: Frame
     words: tuple[int, ...]
     sim: aftdeck.Simulation
+    unsaid: tuple[str, ...]
 
 
 def sampled_steps(made: Scenario, given: Iterable[Inputs | None], every: int) -> Iterator[StepWords]:
@@ -49,25 +53,35 @@ def sampled_steps(made: Scenario, given: Iterable[Inputs | None], every: int) ->
             last, before = sim.look(), places_of(sim._state)
         sim.advance(inputs)
         if sampled:
-            words = encode_block(block_of(sim._flight, sim._state, before).block)
-            yield StepWords(last, sim.look(), words, sim)
+            block, unsaid = block_of(sim._flight, sim._state, sim.flown, before)
+            yield StepWords(last, sim.look(), encode_block(block), sim, unsaid)
 
 
-def check(before: Frame, frame: Frame, words: tuple[int, ...], sim: aftdeck.Simulation) -> None:
+def check(
+    before: Frame, frame: Frame, words: tuple[int, ...], sim: aftdeck.Simulation, unsaid: tuple[str, ...]
+) -> None:
     """Compare the words of a step with its frame, by computations that are independent of the encoder."""
     work, was, control = frame.work, before.work, decode_control(words[0])
     initialised = any(event.kind == "initialise" for event in frame.events)
     assert (control.mode, control.initialise) == (work.task, initialised)
     assert (control.finger_inhibited, control.arm_inhibited) == (work.finger_inhibit, work.arm_inhibit)
-    assert control.telescope == (0 if initialised else np.sign((work.stand or 0.0) - (was.stand or 0.0)))
-    assert control.prong == (
-        0 if initialised else np.sign(round((was.hand.spacing or 0.0) - (work.hand.spacing or 0.0), 12))
-    )
-    if not initialised:
-        k = sim.cameras.index(control.station)
-        now, then = frame.views[k], before.views[k]
-        moved = (now.pan - then.pan, now.tilt - then.tilt, then.zoom - now.zoom)
-        assert (control.pan, control.tilt, control.zoom) == tuple(np.sign(moved))
+    switch = {"close": 1, "open": -1, "stop": 0}[work.hand.switch]
+    lifted = 0.0 if initialised else (work.stand or 0.0) - (was.stand or 0.0)
+    closed = 0.0 if initialised else round((was.hand.spacing or 0.0) - (work.hand.spacing or 0.0), 12)
+    switched = [
+        ("telescope", np.sign(sim.flown.telescope), lifted, work.arm_inhibit, control.telescope),
+        ("prong", switch, closed, work.finger_inhibit, control.prong),
+    ]
+    for name, on, moved, inhibited, bits in switched:
+        assert bits == (on if inhibited or moved else 0)
+        assert (name in unsaid) == (np.sign(moved) != (0 if inhibited else bits))
+    drive = sim.flown.camera
+    if drive is not None:
+        assert drive.camera == control.station
+        signs = np.sign([drive.pan, drive.tilt, drive.zoom])
+        assert "tilt" in unsaid or [control.pan, control.tilt, control.zoom] == signs.tolist()
+    else:
+        assert (control.pan, control.tilt, control.zoom) == (0, 0, 0)
     for angle, s, c in zip(frame.angles, words[1:13:2], words[2:13:2], strict=True):
         assert abs(number(s, 1) - math.sin(angle)) <= HALF_B1 and abs(number(c, 1) - math.cos(angle)) <= HALF_B1
     for k, plane in enumerate(planes(frame, sim)):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from aftdeck import Inputs
 from aftdeck.cli.words import writing
 from aftdeck.historical.scene_words import frames_from, read_blocks
 from aftdeck.matrices import distance
@@ -15,6 +17,8 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import run as run_scenario
 from aftdeck.visual.scene import VisualScene
 from tests.commands import Run
+from tests.simulation import concept
+from tests.simulation.flights import random_inputs
 from tests.visual.painted_picture import painted
 
 SCRIPT = "concept-1972-script"
@@ -45,6 +49,29 @@ def test_words_since_the_initialisation_give_the_scene(flown: tuple[Path, tuple[
         assert distance(ours.work.cargo[0].position, theirs.work.cargo[0].position) < 0.1
         held += theirs.work.cargo[0].held
     assert held > 10
+
+
+def test_scene_obeys_the_inhibits(tmp_path: Path) -> None:
+    """The end effector leans over the payload, so that the prong closes on its side; then random inputs."""
+    made, path = concept.scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0)), tmp_path / "words.jsonl"
+    rng, prong = np.random.default_rng(5), made.arm.model.equipment.prong
+    given = [Inputs(effector="close"), *[Inputs()] * 200, *[Inputs(telescope=-1.0)] * 50, Inputs(effector="open")]
+    each = iter([*given, *random_inputs(rng, 600, 0.3)])
+    with writing(made, path) as stepped:
+        frames = run_scenario(made, inputs=lambda _: next(each, None), stepped=stepped).frames
+    blocks, lines = read_blocks(path), path.read_text().splitlines()
+    assert prong is not None
+    rate = prong.rate * made.control_period
+    stopped, unsaid = 0, 1
+    found = list(frames_from(made, blocks))
+    for block, line, before, now, frame in zip(blocks[1:], lines[1:], found[:-1], found[1:], frames[1:], strict=True):
+        control = block.control
+        stopped += control.finger_inhibited and control.prong != 0
+        assert not control.finger_inhibited or now.work.hand.spacing == before.work.hand.spacing
+        assert not control.arm_inhibited or now.work.stand == before.work.stand
+        unsaid += "prong" in json.loads(line).get("unsaid", ())
+        assert now.work.hand.spacing == pytest.approx(frame.work.hand.spacing, abs=unsaid * rate)
+    assert stopped > 20
 
 
 def test_pictures_from_words_are_almost_those_of_the_run(flown: tuple[Path, tuple[Frame, ...]]) -> None:

@@ -37,7 +37,8 @@ _PARTS: dict[Part, Start] = {"full problem": "full problem", "acquisition": "mod
 """Setting of channel 2. TABLE I has a single level for modes 2 and 3: the run starts in mode 2, then enters mode 3."""
 _STARTS = {start: part for part, start in _PARTS.items()}
 _PRONG: dict[Direction, Literal["stop", "close", "open"]] = {0: "stop", 1: "close", -1: "open"}
-_PRONG_DIRECTIONS = {switch: direction for direction, switch in _PRONG.items()}
+PRONG_DIRECTIONS = {switch: direction for direction, switch in _PRONG.items()}
+"""Direction of the prong's motion for each position of its switch."""
 _MOMENTARY = (
     "translation", "rotation", "drive", "target", "rate_hold", "position_hold", "proceed", "stop", "latch", "orbiter",
 )  # fmt: skip
@@ -79,7 +80,7 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
         camera=motion,
         zoom=direction_of(camera.zoom),
         station=cast("Station", state.panel.camera) if state.panel.camera in STATION else NOT_CONNECTED,
-        prong=_PRONG_DIRECTIONS[state.worksite.switch],
+        prong=PRONG_DIRECTIONS[state.worksite.switch],
     )
     inexact = clamped != angles or any(angle / FULL_SCALE * FULL_SCALE != angle for angle in clamped)
     unsaid += ["master"] if inexact else []

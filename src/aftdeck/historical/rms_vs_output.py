@@ -1,7 +1,10 @@
 """TABLE II of the Remote Manipulator Simulation: the 32 words that the program sent to the scene generator.
 
-The control word contains the selected camera and the motions of the step. Angles, inhibits and task phase (mode) are
-values after the step. D1 to D3 are planes between the end effector's hexahedra and the bar. While no payload is held,
+The control word contains the selected camera and the positions of the operator's switches in the step (subroutine
+READADC). The program detects the limits of telescope and prong (section VI.E): a switch that drives one of them against
+its limit has no bit. It also has none if anything but an inhibit stops the part. Under an inhibit the switch has its
+bit, and the scene generator obeys the inhibit's flag. Angles, inhibits and task phase (mode) are values after the step.
+D1 to D3 are planes between the end effector's hexahedra and the bar. While no payload is held,
 they are the separating planes of the collision test. While a payload is held, they are the planes of face d of HEX 1,
 face b of HEX 2 and face e of HEX 3 (subroutines CALSP1 to CALSP3).
 """
@@ -11,11 +14,13 @@ from __future__ import annotations
 from typing import Literal, NamedTuple, cast
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.cameras import Setting
 from aftdeck.bodies.hexahedron import NX, NY, NZ, D
-from aftdeck.historical.frame_words import STATIONS, ControlWord, FrameBlock, WordPlane, direction_of
+from aftdeck.historical.frame_words import STATIONS, ControlWord, Direction, FrameBlock, WordPlane, direction_of
+from aftdeck.historical.rms_vs_input import PRONG_DIRECTIONS
+from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import HEXES
+from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.state import State
 from aftdeck.units import FOOT
@@ -31,17 +36,15 @@ Planes = tuple[WordPlane | None, WordPlane | None, WordPlane | None]
 
 
 class Places(NamedTuple):
-    """Positions before or after a step; the control word contains the signs of their changes.
+    """Positions before or after a step: they tell whether a switch has moved its part.
 
     Attributes:
         stand: length of the telescope [m].
         prong: position of the prong [m].
-        views: settings of the cameras' drives.
     """
 
     stand: float
     prong: float
-    views: tuple[Setting, ...]
 
 
 class Block(NamedTuple):
@@ -58,33 +61,45 @@ class Block(NamedTuple):
 
 def places_of(state: State) -> Places:
     """Return the positions in a state."""
-    return Places(state.plant.stand.position, state.worksite.prong.position, state.views)
+    return Places(state.plant.stand.position, state.worksite.prong.position)
 
 
-def block_of(flight: Flight, state: State, before: Places) -> Block:
-    """Return the frame block after a step; `before` holds the positions before the step."""
+def block_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Block:
+    """Return the frame block after a step.
+
+    Args:
+        flight: constants of the run.
+        state: state after the step.
+        flown: inputs of the step.
+        before: positions before the step.
+    """
     worksite, now, unsaid = state.worksite, places_of(state), []
     initialised = any(event.kind == "initialise" for event in state.events)
     if initialised:  # a change of position by initialisation is not a motion
         before = now
     station = state.panel.camera or NO_CODE
-    pan, tilt, zoom = (direction_of(step) for step in _turned(flight, state, before))
+    drive = flown.camera or CameraDrive(station)
+    pan, tilt = direction_of(drive.pan), direction_of(drive.tilt)
     if pan * tilt < 0:
         unsaid.append("tilt")  # TABLE II has one sign bit for pan and tilt
         tilt = 0
+    inhibit, prong = worksite.contacts.inhibit, PRONG_DIRECTIONS[worksite.switch]
+    telescoped = _bits(direction_of(flown.telescope), now.stand - before.stand, inhibited=inhibit.arm)
+    pronged = _bits(prong, now.prong - before.prong, inhibited=inhibit.finger)
+    unsaid += [name for name, bits in (("telescope", telescoped), ("prong", pronged)) if not bits.told]
     if station not in STATIONS:
         unsaid.append("station")
     control = ControlWord(
         mode=cast("Literal[1, 2, 3, 4]", worksite.task),
         station=station if station in STATIONS else NO_CODE,
         initialise=initialised,
-        telescope=direction_of(now.stand - before.stand),
+        telescope=telescoped.direction,
         pan=pan,
         tilt=tilt,
-        zoom=zoom,
-        prong=direction_of(now.prong - before.prong),
-        finger_inhibited=worksite.contacts.inhibit.finger,
-        arm_inhibited=worksite.contacts.inhibit.arm,
+        zoom=direction_of(drive.zoom),
+        prong=pronged.direction,
+        finger_inhibited=inhibit.finger,
+        arm_inhibited=inhibit.arm,
     )
     planes = list(planes_of(flight, state))
     for k, plane in enumerate(planes):
@@ -93,6 +108,21 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
             planes[k] = None
     ho, po, p1, h2, p2, r2 = state.plant.angles.tolist()
     return Block(FrameBlock(control, (ho, po, p1, h2, p2, r2), cast("Planes", tuple(planes))), tuple(unsaid))
+
+
+class _Bits(NamedTuple):
+    """Bits of a switch in the control word, and whether they tell how its part has moved."""
+
+    direction: Direction
+    told: bool
+
+
+def _bits(switch: Direction, moved: float, *, inhibited: bool) -> _Bits:
+    """Return the bits of a switch whose part has moved by `moved` in the step, in the switch's positive direction."""
+    if inhibited:
+        return _Bits(switch, told=moved == 0.0)  # the scene generator does not move the part
+    direction = switch if moved != 0.0 else 0  # a part that stands is at its limit
+    return _Bits(direction, told=direction_of(moved) == direction)
 
 
 def planes_of(flight: Flight, state: State) -> Planes:
@@ -115,13 +145,3 @@ def planes_of(flight: Flight, state: State) -> Planes:
 def _face(body: Array, face: int) -> WordPlane:
     """Return the plane of a solid's face; the normal points outwards."""
     return WordPlane((float(body[NX + face]), float(body[NY + face]), float(body[NZ + face])), float(body[D + face]))
-
-
-def _turned(flight: Flight, state: State, before: Places) -> tuple[float, float, float]:
-    """Return the changes of the selected camera's pan (+ right), tilt (+ up) and zoom (+ in) [rad]."""
-    name = state.panel.camera
-    names = flight.cameras.names
-    if name not in names:
-        return 0.0, 0.0, 0.0
-    now, was = (views[names.index(name)] for views in (state.views, before.views))
-    return now.pan - was.pan, now.tilt - was.tilt, was.zoom - now.zoom

@@ -1,9 +1,10 @@
 """Frames from the report's words: what the visual scene program knew of a run.
 
 The 32 words of a step (TABLE II) give the six joint angles. All else follows from the words since the initialisation:
-the control word tells whether telescope, prong and the selected camera moved, and in which direction, but not how far;
-they move at their rates. The task phase tells when the payload was acquired and released. While the arm is inhibited
-(bit 19), the arm and its payload stay as in the last frame. Source: the final report of the Remote Manipulator
+the control word tells in which direction the switches of telescope, prong and the selected camera drive, but not how
+far; these parts move at their rates. The task phase tells when the payload was acquired and released. While the arm is
+inhibited (bit 19), the arm with its telescope and its payload stay as in the last frame; while the finger is inhibited
+(bit 18), the prong stays (Figure 11). Source: the final report of the Remote Manipulator
 Simulation, TABLE II and the visual scene program.
 """
 
@@ -115,7 +116,8 @@ class _SceneProgram:
             at = stand + control.telescope * self._telescope.rate * self._period
             stand = min(max(at, self._telescope.least), self._telescope.greatest)
         widest, closest = (self._prong.fixed_finger - end for end in (self._prong.opened, self._prong.closed))
-        spacing = min(max(spacing - control.prong * self._prong.rate * self._period, closest), widest)
+        if not control.finger_inhibited:
+            spacing = min(max(spacing - control.prong * self._prong.rate * self._period, closest), widest)
         angles = now.angles if control.arm_inhibited else block.angles
         cargo = self._carried(work.cargo, angles, stand, held=control.mode != ACQUISITION)
         self._last = msgspec.structs.replace(

@@ -85,7 +85,7 @@ def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line
         flown: inputs of the step.
         before: positions before the step.
     """
-    reading, block = reading_of(flight, state, flown), block_of(flight, state, before)
+    reading, block = reading_of(flight, state, flown), block_of(flight, state, flown, before)
     unsaid = dict.fromkeys((*reading.unsaid, *block.unsaid))
     return Line(encode_inputs(reading.inputs), encode_block(block.block), tuple(unsaid))
 
