@@ -101,6 +101,7 @@ test('the words name the key of the first function of the step', () => {
   expect(small(opening.element).textContent).toContain('hold -Z: up');
   expect(thingToDo([{ use: 'proceed', does: 'proceed' }], null)[0]?.text).toContain('press');
   expect(thingToDo([], [1, 2, 3])).toEqual([]);
+  expect(thingToDo([{ use: 'cameraStep +', does: 'next camera' }], null)).toEqual([]);
 });
 
 test('the words name the motion that reduces the largest part of the way', () => {

@@ -73,7 +73,9 @@ def decide(now: Reading, pressed: frozenset[str] = frozenset()) -> Act:
     """
     if not now.count:
         to_do = commands(replace(now, text=now.welcome))
-        return Press(to_do[0][1], ESCAPE_S) if to_do else Wait("the page to load")
+        if to_do:
+            return Press(to_do[0][1], ESCAPE_S)
+        return Press("Space", 0.0) if now.begin else Wait("the page to load")
     if now.shut:
         return Go("Open the guide")
     if now.over:

@@ -47,7 +47,7 @@ class Reading:
 
     Attributes:
         clock: mission elapsed time [s]; None if it is not there.
-        welcome: the one thing to do at a visitor's first start; empty later.
+        welcome, begin: the one thing to do at a visitor's first start, and the button beside it; empty later.
         count: number of the step, `2 of 6`.
         title, text: the step.
         keys: keys of the step, each with its effect.
@@ -65,6 +65,7 @@ class Reading:
 
     clock: float | None = None
     welcome: str = ""
+    begin: str = ""
     count: str = ""
     title: str = ""
     text: str = ""
@@ -107,6 +108,7 @@ def read(snapshot: str) -> Reading:
     return Reading(
         clock=_clock(page),
         welcome=page.first("region", "Welcome").first("paragraph").words(),
+        begin=page.first("region", "Welcome").first("button").name,
         count=next((node.text for node in step.children if node.role == "text"), ""),
         title=text if shut else step.first("heading").name,
         text=text,

@@ -17,6 +17,8 @@ import { TOO_NARROW_WORDS } from './room';
 export const STARTED = 'aftdeck.started';
 const WHAT = 'This is a robot arm in orbit, flown from the aft flight deck of its spacecraft.';
 
+const OF_PICTURES: ReadonlySet<string> = new Set(['cameraStep -', 'cameraStep +', 'otherMonitor']);
+
 /** Returns whether a run may begin with one large picture: by hand, with a task whose first step names no cameras. */
 export function maySimplify({ steps, phases }: Pick<Welcome, 'steps' | 'phases'>): boolean {
   const [first] = steps;
@@ -25,11 +27,13 @@ export function maySimplify({ steps, phases }: Pick<Welcome, 'steps' | 'phases'>
 
 /**
  * Returns the one thing to do, with its key and effect: the motion that reduces the largest component of the way that is
- * left, or the first function that a step names.
+ * left, or the first function that a step names. With one picture, the keys of the cameras are no thing to begin with:
+ * where a step names nothing else, there is nothing, and any key shows the desk.
  */
 export function thingToDo(uses: readonly UseInfo[], way: Vec3 | null): readonly Piece[] {
   const wanted = way && largest(way);
-  const first = uses.find(({ use }) => use === wanted) ?? uses[0];
+  const others = uses.filter(({ use }) => !OF_PICTURES.has(use));
+  const first = others.find(({ use }) => use === wanted) ?? others[0];
   if (!first) return [];
   const hold = USES.get(first.use)?.does.kind === 'axis';
   return [
