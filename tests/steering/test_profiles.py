@@ -72,6 +72,15 @@ def test_vclose_ends_both_motions_together(distance: float, angle: float) -> Non
     assert all(ended) and abs(ended[0] - ended[1]) <= 0.1
 
 
+@PROVE
+@given(distance=st.floats(1e-6, 40.0), angle=st.floats(1e-6, math.pi), dt=st.floats(0.001, 0.2))
+def test_vclose_demands_what_remains_in_proportion(distance: float, angle: float, dt: float) -> None:
+    found = vclose(rules(dt), distance, angle)
+    assert found.speed / distance == pytest.approx(found.turn / angle, rel=1e-12)
+    alone = vclose(rules(dt), distance, 0.0).speed, vclose(rules(dt), 0.0, angle).turn
+    assert found.speed == pytest.approx(alone[0]) or found.turn == pytest.approx(alone[1])
+
+
 def test_vclose_time_of_a_long_distance_is_that_of_a_trapezoid() -> None:
     # 12 m at 2 ft/s; braking takes the last 4 s, at half the speed on average, so it adds 2 s
     assert vclose(rules(0.001), 12.0, 0.0).remaining == pytest.approx(12.0 / SPEED + 2.0, rel=1e-3)

@@ -48,7 +48,7 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.steering.limiters import BY_RATE, NEAREST, avclmt, joint_ratio, ratlmt
 from aftdeck.steering.modes import closed_loop, direct, manual, master, open_loop, position, single_joint
-from aftdeck.steering.one_factor import one_factor
+from aftdeck.steering.one_factor import in_proportion, one_factor
 from aftdeck.steering.turn import from_hand
 from aftdeck.steering.views import put_rates, put_twist, rates_at, twist_at
 
@@ -170,7 +170,10 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
             possible = ratlmt(rules, state, a, rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor))
             twist = scaled(twist, possible.ratio)
             report[RATIO], report[CAUSE], report[LIMITING_JOINT] = possible.ratio, possible.cause, possible.culprit
-        twist, por_cause = avclmt(rules, twist, present)
+        if command[LAW] == 2.0 and rules[STRICT] == 0.0:
+            twist, por_cause = in_proportion(rules, twist, present)
+        else:
+            twist, por_cause = avclmt(rules, twist, present)
         report[POR_CAUSE] = por_cause
     rates = rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor)
     limit = ratlmt(rules, state, a, rates)

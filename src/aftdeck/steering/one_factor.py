@@ -1,8 +1,8 @@
 """One factor that slows a whole motion, so that limits change the speed but not the path.
 
-Modes 1 and 3 follow a plan; different factors for translation and rotation would take the arm off the plan. Here every
-limit gives a range of allowed factors. The greatest factor that is in all ranges is used. If the ranges have no factor
-in common, the limits have this priority:
+Modes 1 and 3 follow a plan, and mode 2 follows the line to its target. Different factors for translation and rotation
+would take the arm off this path. Here every limit gives a range of allowed factors. The greatest factor that is in all
+ranges is used. If the ranges have no factor in common, the limits have this priority:
 
 1. Joint rates, stops and singularities (RATLMT). These limits are never exceeded.
 2. Joint accelerations. If every factor exceeds the acceleration limit of some joint, the arm stays on the path, and the
@@ -22,7 +22,7 @@ from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
 from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN, TURN_UP
-from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio
+from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio, avclmt
 
 ROUNDING = 1e-11
 """Share of a limit by which rounding may exceed the limit [1]."""
@@ -119,6 +119,24 @@ def of_point(rules: Floats, twist: Twist, present: Twist) -> PointRange:
     if min(speed.high, turn.high) < most:
         most, cause = min(speed.high, turn.high), 1 if speed.high <= turn.high else 4
     return PointRange(most, cause)
+
+
+@law
+def in_proportion(rules: Floats, demanded: Twist, present: Twist) -> tuple[Twist, int]:
+    """Return the twist that AVCLMT's limits allow, by one factor for translation and rotation if one factor suffices.
+
+    Separate limits let the motion with the smaller demand reach its full rate first. Translation and rotation are then
+    not in the demanded proportion, and the arm leaves its path. If no factor keeps the limits, because the direction
+    has changed, AVCLMT limits translation and rotation separately.
+
+    Returns:
+        The allowed twist, and the limits that acted, as `limiters.avclmt` numbers them.
+    """
+    point = of_point(rules, demanded, present)
+    k = max(point.high, 0.0)
+    whole = Twist(k * demanded.wx, k * demanded.wy, k * demanded.wz, k * demanded.vx, k * demanded.vy, k * demanded.vz)
+    limited, acted = avclmt(rules, whole, present)
+    return (limited, point.cause) if acted == 0 else avclmt(rules, demanded, present)
 
 
 @law
