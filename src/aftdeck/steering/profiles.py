@@ -1,13 +1,13 @@
 """VCLOSE and VTOPEN: speeds towards a target, such that translation and rotation end together.
 
-JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` omits:
+JSC-12628, subroutines VCLOSE and VTOPEN. They have three corrections, which `strict` omits; VTOPEN has the last one:
 
 - Braking is computed for finite steps, so that the last step ends at the target.
 - The remaining time has one formula for a motion at maximum speed and one for a braking motion. At the transition, both
   give the same time.
-- Translation and rotation are in proportion to what remains of them. The path to the target therefore does not depend
-  on the speed. In the source, the motion that would end first brakes in a time of its own, and the path then depends
-  on the speeds, and on every limit that reduces them.
+- Translation and rotation are in proportion to what remains of them. Both subroutines therefore lead along one path,
+  whatever the speed. In the source, the motion that would end first has an acceleration time of its own. The path then
+  depends on the speeds, and in VCLOSE on every limit that reduces them.
 """
 
 from __future__ import annotations
@@ -114,6 +114,21 @@ class OpenProfile(NamedTuple):
 @law
 def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
     """Return the open-loop profile for a distance [m] and an angle [rad], computed once (VTOPEN)."""
+    if rules[STRICT] != 0.0:
+        return _open_as_published(rules, distance, angle)
+    speed, speed_up = _of_remaining(distance, rules[SPEED], rules[SPEED_UP])
+    turn, turn_up = _of_remaining(angle, rules[TURN], rules[TURN_UP])
+    if min(speed, turn) == math.inf:
+        return OpenProfile(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    eta, ramp = _ramped_alone(1.0, min(speed, turn), min(speed_up, turn_up))
+    etap, _ = _ramped_alone(angle, rules[TURN], rules[TURN_UP])
+    share = 1.0 / (eta - ramp)
+    return OpenProfile(share * distance, share * angle, eta, etap, ramp, ramp)
+
+
+@law
+def _open_as_published(rules: Array, distance: float, angle: float) -> OpenProfile:
+    """Return the profile of VTOPEN as published: the shorter motion keeps its own acceleration time."""
     eta, t_v1 = _ramped_alone(distance, rules[SPEED], rules[SPEED_UP])
     etap, t_w1 = _ramped_alone(angle, rules[TURN], rules[TURN_UP])
     eta = max(eta, etap)
