@@ -22,7 +22,7 @@ from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
 from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN, TURN_UP
-from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio, avclmt
+from aftdeck.steering.limiters import BY_ACCELERATION, Ratio
 
 ROUNDING = 1e-11
 """Share of a limit by which rounding may exceed the limit [1]."""
@@ -79,7 +79,7 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
         factor = _least_excess(rules, state, rates, most)
         excess, joint = _excess(rules, state, rates, factor)
         if excess > 1.0 + ROUNDING:
-            return Factor(factor, PAST_ACCELERATION, joint, 0)
+            return Factor(factor, BY_ACCELERATION, joint, 0)
         low = high = factor
     if high < most:
         cause, culprit = BY_ACCELERATION, slowest
@@ -119,24 +119,6 @@ def of_point(rules: Floats, twist: Twist, present: Twist) -> PointRange:
     if min(speed.high, turn.high) < most:
         most, cause = min(speed.high, turn.high), 1 if speed.high <= turn.high else 4
     return PointRange(most, cause)
-
-
-@law
-def in_proportion(rules: Floats, demanded: Twist, present: Twist) -> tuple[Twist, int]:
-    """Return the twist that AVCLMT's limits allow, by one factor for translation and rotation if one factor suffices.
-
-    Separate limits let the motion with the smaller demand reach its full rate first. Translation and rotation are then
-    not in the demanded proportion, and the arm leaves its path. If no factor keeps the limits, because the direction
-    has changed, AVCLMT limits translation and rotation separately.
-
-    Returns:
-        The allowed twist, and the limits that acted, as `limiters.avclmt` numbers them.
-    """
-    point = of_point(rules, demanded, present)
-    k = max(point.high, 0.0)
-    whole = Twist(k * demanded.wx, k * demanded.wy, k * demanded.wz, k * demanded.vx, k * demanded.vy, k * demanded.vz)
-    limited, acted = avclmt(rules, whole, present)
-    return (limited, point.cause) if acted == 0 else avclmt(rules, demanded, present)
 
 
 @law
