@@ -16,7 +16,7 @@ from aftdeck.recording.format_1 import FramesOf1
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
-from aftdeck.simulation.frame import WayOut
+from aftdeck.simulation.frame import Frame, WayOut
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.ways_out import by_joint, by_stick
 from aftdeck.simulation.run import Simulation
@@ -27,6 +27,8 @@ from tests.recording.flown import rewritten
 FILES = [
     Path(__file__).parent / "layout_1" / f"{name}.mcap" for name in ("concept-1972-script", "loaded", "srms-deploy")
 ]
+BY_MODE_2 = {"concept-1972-script", "srms-deploy"}
+"""Files with motions in mode 2, whose law has changed since: the tip may be a millimetre from its recorded position."""
 
 
 def raw_frames(path: Path) -> list[dict[str, Any]]:
@@ -43,8 +45,12 @@ def raw_frames(path: Path) -> list[dict[str, Any]]:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_file_of_layout_1_verifies_by_its_values(path: Path) -> None:
-    verdict = verify(path)
-    assert verdict.equal and not verdict.whole and verdict.frames > 200
+    now: list[Frame] = []
+    verdict = verify(path, stepped=lambda sim: now.append(sim.look()))
+    assert not verdict.whole and not verdict.same_laws and verdict.frames > 200 and verdict.changes == ()
+    assert verdict.equal or path.stem in BY_MODE_2
+    for (_, before), after in zip(Recording(path).steps(), now, strict=True):
+        assert after.position == pytest.approx(before.position, abs=1e-3)
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

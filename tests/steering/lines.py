@@ -59,33 +59,8 @@ def distances(chain: Chain, q: Array) -> Array:
     return np.array([out / reach, bend, abs(math.cos(q[4]))])
 
 
-def trapezoid(time: Array, eta: float, ramp: float) -> Array:
-    """Return the share of the distance that a trapezoidal profile of duration `eta`, with two ramps, has covered."""
-    if ramp == 0.0:
-        return np.zeros_like(time)
-    up, down = np.minimum(time, ramp), np.minimum(eta - time, ramp)
-    rise, fall = up * up / (2.0 * ramp), down * down / (2.0 * ramp)
-    level = np.clip(time, ramp, eta - ramp) - ramp
-    return np.asarray((rise + level + np.where(time > eta - ramp, 0.5 * ramp - fall, 0.0)) / (eta - ramp))
-
-
-def shares_of_the_plan(arm: aftdeck.Arm, length: float, angle: float, samples: int) -> tuple[Array, Array]:
-    """Return the shares of translation and rotation, 0 to 1, over time, as VTOPEN plans them."""
-    por = arm.model.por_limits(0.0)
-    alone = []
-    for distance, limit, up in (
-        (length, por.translation[0], por.acceleration),
-        (angle, por.rotation[0], por.angular_acceleration),
-    ):
-        ramp = min(limit / up, math.sqrt(distance / up))
-        alone.append((distance / limit + ramp if ramp == limit / up else 2.0 * ramp, ramp))
-    eta = max(alone)[0]
-    time = np.linspace(0.0, eta, samples + 1)
-    return trapezoid(time, eta, alone[0][1]), trapezoid(time, eta, alone[1][1])
-
-
 def along(solve: Solver, arm: aftdeck.Arm, move: Move, clear: float, samples: int) -> Array | None:
-    """Return joint angles (samples + 1, 6) along the line of a move in mode 3.
+    """Return joint angles (samples + 1, 6) along the line of a move, with rotation in proportion to translation.
 
     Returns:
         The angles. None if the line passes a soft stop or a singularity, changes the branch, or ends at other angles
@@ -95,8 +70,8 @@ def along(solve: Solver, arm: aftdeck.Arm, move: Move, clear: float, samples: in
     a, b = solve(move.start), solve(move.end)
     turn = Rotation.from_matrix(b.rotation @ a.rotation.T).as_rotvec()
     displacement = b.position - a.position
-    shares, turns = shares_of_the_plan(arm, float(np.linalg.norm(displacement)), float(np.linalg.norm(turn)), samples)
-    orientations = Rotation.from_rotvec(turns[:, None] * turn).as_matrix() @ a.rotation
+    shares = np.linspace(0.0, 1.0, samples + 1)
+    orientations = Rotation.from_rotvec(shares[:, None] * turn).as_matrix() @ a.rotation
     positions = a.position + shares[:, None] * displacement
     q, found = move.start, [move.start]
     for position, matrix in zip(positions[1:], orientations[1:], strict=True):

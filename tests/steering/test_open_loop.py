@@ -11,7 +11,7 @@ import pytest
 
 import aftdeck
 from aftdeck.scenario.load import load_scenario, parse_scenario
-from aftdeck.steering.profiles import vtopen
+from aftdeck.steering.profiles import OpenProfile, vtopen
 from aftdeck.steering.rules import rules_of
 from tests import loaded
 from tests.reference.tables import table
@@ -30,33 +30,47 @@ def final_error(frames: list[aftdeck.Frame]) -> tuple[float, float]:
     return goal.distance, goal.angle
 
 
+def profile(distance: float, angle: float, *, strict: bool) -> OpenProfile:
+    """Return the profile of VTOPEN with the SRMS's coarse limits, unloaded."""
+    model = loaded.arm().model
+    rules = rules_of(model, model.por_limits(0.0), 0.02, strict=strict)["OPR CMD", "coarse", 3]
+    return vtopen(rules, distance, angle)
+
+
+@pytest.mark.parametrize("strict", [True, False])
 @pytest.mark.parametrize(
-    ("distance", "angle", "speed_", "turn", "eta", "t_v1", "t_w1"),
+    ("distance", "angle", "speed_", "turn", "eta", "ramp"),
     [
         # 20 s at 2 ft/s and a ramp of 4 s at both ends
-        (20.0 * V, 0.0, V, 0.0, 24.0, 4.0, None),
+        (20.0 * V, 0.0, V, 0.0, 24.0, 4.0),
         # 2 ft are too short for the ramps: 2 s of acceleration at 0.5 ft/s2, and 2 s of braking
-        (V, 0.0, 0.5 * V, 0.0, 4.0, 2.0, None),
+        (V, 0.0, 0.5 * V, 0.0, 4.0, 2.0),
         # alone, the rotation would take 10 + 4 s; here it takes 24 s like the translation, at 10 W / (24 - 4)
-        (20.0 * V, 10.0 * W, V, 0.5 * W, 24.0, 4.0, 4.0),
-        # alone, the translation would take 4 s; here it takes 14 s like the rotation, at V / (14 - 2)
-        (V, 10.0 * W, V / 12.0, W, 14.0, 2.0, 4.0),
-        (0.0, W, 0.0, 0.5 * W, 4.0, None, 2.0),
+        (20.0 * V, 10.0 * W, V, 0.5 * W, 24.0, 4.0),
+        (0.0, W, 0.0, 0.5 * W, 4.0, 2.0),
     ],
 )
 def test_vtopen_agrees_with_hand_calculation(
-    distance: float, angle: float, speed_: float, turn: float, eta: float, t_v1: float | None, t_w1: float | None
+    distance: float, angle: float, speed_: float, turn: float, eta: float, ramp: float, strict: bool
 ) -> None:
-    rules = rules_of(loaded.arm().model, loaded.arm().model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
-    found = vtopen(rules, distance, angle)
+    found = profile(distance, angle, strict=strict)
     assert (found.speed, found.turn, found.eta) == pytest.approx((speed_, turn, eta))
-    for wanted, given in ((t_v1, found.t_v1), (t_w1, found.t_w1)):
-        assert wanted is None or given == pytest.approx(wanted)
+    for left, time in ((distance, found.t_v1), (angle, found.t_w1)):
+        assert time == pytest.approx(ramp) or not left
 
 
-def test_vtopen_at_the_target_is_zero() -> None:
-    rules = rules_of(loaded.arm().model, loaded.arm().model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
-    assert set(vtopen(rules, 0.0, 0.0)) == {0.0}
+def test_vtopen_as_published_keeps_the_ramp_of_the_shorter_motion() -> None:
+    # alone, the translation would take 4 s; here it takes 14 s like the rotation, at V / (14 - 2)
+    assert profile(V, 10.0 * W, strict=True) == pytest.approx((V / 12.0, W, 14.0, 14.0, 2.0, 4.0))
+
+
+def test_vtopen_gives_the_shorter_motion_the_ramp_of_the_longer() -> None:
+    assert profile(V, 10.0 * W, strict=False) == pytest.approx((V / 10.0, W, 14.0, 14.0, 4.0, 4.0))
+
+
+@pytest.mark.parametrize("strict", [True, False])
+def test_vtopen_at_the_target_is_zero(strict: bool) -> None:
+    assert set(profile(0.0, 0.0, strict=strict)) == {0.0}
 
 
 @pytest.mark.parametrize("period", [0.02, 0.08])

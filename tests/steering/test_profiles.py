@@ -58,18 +58,23 @@ def test_vclose_reaches_target_without_overshoot(distance: float, angle: float, 
 @PROVE
 @given(distance=st.floats(0.5, 40.0), angle=st.floats(0.1, math.pi))
 def test_vclose_ends_both_motions_together(distance: float, angle: float) -> None:
-    dt, r = 0.02, rules(0.02)
-    ended = [0.0, 0.0]
-    for step in range(round(120.0 / dt)):
-        found = vclose(r, distance, angle)
-        distance, angle = distance - found.speed * dt, angle - found.turn * dt
-        ended = [
-            ended[0] or (step * dt if distance < 1e-4 else 0.0),
-            ended[1] or (step * dt if angle < 2e-5 else 0.0),
-        ]
-        if all(ended):
+    r, left = rules(0.02), np.array([distance, angle])
+    for _ in range(round(120.0 / 0.02)):
+        found = vclose(r, *left.tolist())
+        left = left - 0.02 * np.array([found.speed, found.turn])
+        ended = left <= 1e-9 * np.array([distance, angle])
+        if ended.any():
             break
-    assert all(ended) and abs(ended[0] - ended[1]) <= 0.1
+    assert ended.all()
+
+
+@PROVE
+@given(distance=st.floats(1e-6, 40.0), angle=st.floats(1e-6, math.pi), dt=st.floats(0.001, 0.2))
+def test_vclose_demands_what_remains_in_proportion(distance: float, angle: float, dt: float) -> None:
+    found = vclose(rules(dt), distance, angle)
+    assert found.speed / distance == pytest.approx(found.turn / angle, rel=1e-12)
+    alone = vclose(rules(dt), distance, 0.0).speed, vclose(rules(dt), 0.0, angle).turn
+    assert found.speed == pytest.approx(alone[0]) or found.turn == pytest.approx(alone[1])
 
 
 def test_vclose_time_of_a_long_distance_is_that_of_a_trapezoid() -> None:

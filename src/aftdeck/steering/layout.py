@@ -21,7 +21,12 @@ The source does not do this.
 """
 AS_FLOWN = GUARDED + 1
 """1 if in computed modes no joint moves while one joint is past its soft stop."""
-SPEED, TURN = AS_FLOWN + 1, AS_FLOWN + 2
+TOGETHER = AS_FLOWN + 1
+"""1 if before a stop of one joint no joint brakes beyond its acceleration limit, as in modes 4 to 7.
+
+In modes 1 to 3 the arm stays on its path, and a path that only touches a stop does not end there.
+"""
+SPEED, TURN = TOGETHER + 1, TOGETHER + 2
 """V_L [m/s] and omega_L [rad/s]: maximum speed and angular rate of the point of resolution."""
 SPEED_UP, TURN_UP = TURN + 1, TURN + 2
 """Maximum acceleration [m/s2] and angular acceleration [rad/s2] of the point of resolution."""
@@ -120,4 +125,6 @@ ARRIVED = 13
 """1 if an automatic mode has ended, or if every joint has reached its angle in MASTER."""
 TURN_REMAINING = 14
 """Estimated time to the end of the rotation alone in modes 2 and 3 [s]: ETAP - TP."""
-REPORT = 15
+BEFORE = 15
+"""(6,) joint rates that the step before commanded [rad/s]."""
+REPORT = 21

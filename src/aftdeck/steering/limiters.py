@@ -2,8 +2,8 @@
 
 JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion. Here the
 ratio also stops the joints before their stops and the arm before its singularities. Before a stop, the allowed rate is
-proportional to the root of the remaining angle. Before a singularity, the allowed rate of approach is proportional to
-the remaining distance. The arm therefore slows smoothly to rest.
+proportional to the root of the remaining angle. Before a singularity, the allowed rate
+of approach is proportional to the remaining distance. The arm therefore slows smoothly to rest.
 """
 
 from __future__ import annotations
@@ -24,28 +24,31 @@ from aftdeck.steering.layout import (
     GUARDED,
     HIGH,
     LOW,
+    MOST_UP,
     RATE,
     RATE_UP,
     RATES,
     SPEED,
     SPEED_UP,
     STRICT,
+    TOGETHER,
     TURN,
     TURN_UP,
 )
 
-CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
+CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration")
 """Limits that act on the joint rates; the index is the number in `report[CAUSE]`.
 
-Number 4 occurs only in mode 8 and DIRECT, in which the hard stops are in force. Number 6 means that no factor of
-`one_factor` keeps all joints within their acceleration limits; the arm then stays on its path.
+Number 4 occurs only in mode 8 and DIRECT, in which the hard stops are in force.
 """
-BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
+BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION = 1, 2, 3, 4, 5
 
 NEAREST = 0.02
 """Normalised distance at which an approach to a singularity comes to rest (assumed); at the elbow, 1.1 deg."""
 APPROACH = 0.5
 """Greatest rate of approach to a singularity, divided by the remaining distance [1/s] (assumed)."""
+SLOWEST = 1e-9
+"""Joint rate [rad/s] up to which a joint needs no time to come to rest."""
 OUTSIDE = 1e-9
 """A joint counts as past a stop if its angle exceeds the stop by more than this value [rad]."""
 
@@ -161,10 +164,28 @@ def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
 
 
 @law
+def time_to_rest(rules: Floats, rates: Rates) -> float:
+    """Return the shortest time [s] in which all joints come to rest together, within their acceleration limits."""
+    return max(
+        max(abs(rates.r1), SLOWEST) / rules[MOST_UP],
+        max(abs(rates.r2), SLOWEST) / rules[MOST_UP + 1],
+        max(abs(rates.r3), SLOWEST) / rules[MOST_UP + 2],
+        max(abs(rates.r4), SLOWEST) / rules[MOST_UP + 3],
+        max(abs(rates.r5), SLOWEST) / rules[MOST_UP + 4],
+        max(abs(rates.r6), SLOWEST) / rules[MOST_UP + 5],
+    )
+
+
+@law
 def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
-    """Return RATLMT's ratio for the joints' rate limits and, if GUARDED or AS_FLOWN is 1, for their stops."""
+    """Return RATLMT's ratio for the joints' rate limits and, if GUARDED or AS_FLOWN is 1, for their stops.
+
+    One ratio brings all joints to rest before a stop of one of them. This joint may be slow, and another one fast. If
+    TOGETHER is 1, the deceleration before the stop is therefore so low that the other joints keep their limits.
+    """
     ratio, cause, culprit = 1.0, 0, -1
     as_flown, guarded = rules[AS_FLOWN] != 0.0, rules[GUARDED] != 0.0
+    per_second = 1.0 / time_to_rest(rules, rates) if rules[TOGETHER] != 0.0 else math.inf
     for i in range(6):
         rate, angle = rates[i], state[ANGLES + i]
         past = angle > rules[HIGH + i] + OUTSIDE or angle < rules[LOW + i] - OUTSIDE
@@ -173,7 +194,7 @@ def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
         most, here = rules[RATE + i], BY_RATE
         if guarded and not as_flown:
             gap = rules[HIGH + i] - angle if rate > 0.0 else angle - rules[LOW + i]
-            allowed = braked(gap, rules[RATE_UP + i], rules[DT])
+            allowed = braked(gap, min(rules[RATE_UP + i], per_second * max(abs(rate), SLOWEST)), rules[DT])
             if allowed < most:
                 most, here = allowed, BY_STOP
         if abs(rate) > most * (1.0 + 1e-12):

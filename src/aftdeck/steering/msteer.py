@@ -1,12 +1,14 @@
 """MSTEER: one steering step, from the measured arm and the command to six joint rates.
 
 Source: JSC-12628, subroutine MSTEER. It calls JACOBI, LNKAGE, ERATES, VOTRAN (the mode's twist), AVCLMT, RMSRAT and
-RATLMT. The twist of ERATES, times RATIO, is fed back to AVCLMT in the next step. Without `strict`, there are three
+RATLMT. The twist of ERATES, times RATIO, is fed back to AVCLMT in the next step. Without `strict`, there are four
 additions:
 
 - Before AVCLMT, RATLMT's ratio reduces the mode's demand to a twist that the joints can reach. AVCLMT then does not
   accelerate towards a twist that the joints cannot reach.
 - The rate law is evaluated at the joint angles expected in the middle of the coming step.
+- In mode 2, AVCLMT's change of the twist keeps translation and rotation in proportion. In modes 4 to 7, a step makes
+  only that share of the change which the joint accelerations allow (`steering.twist_change`).
 - One factor (`steering.one_factor`) slows the whole motion, so that modes 1 and 3 stay on their plans.
 """
 
@@ -21,6 +23,7 @@ from aftdeck.steering.layout import (
     ANGLE,
     ANGLES,
     ARRIVED,
+    BEFORE,
     CAUSE,
     CLOCK,
     CLOCK_RATE,
@@ -46,10 +49,11 @@ from aftdeck.steering.layout import (
     TURN_REMAINING,
     TWIST,
 )
-from aftdeck.steering.limiters import BY_RATE, NEAREST, avclmt, joint_ratio, ratlmt
+from aftdeck.steering.limiters import BY_ACCELERATION, BY_RATE, NEAREST, avclmt, joint_ratio, ratlmt
 from aftdeck.steering.modes import closed_loop, direct, manual, master, open_loop, position, single_joint
 from aftdeck.steering.one_factor import one_factor
 from aftdeck.steering.turn import from_hand
+from aftdeck.steering.twist_change import Share, in_proportion, rates_between, share_of_change, twist_between
 from aftdeck.steering.views import put_rates, put_twist, rates_at, twist_at
 
 NEAR_FLOOR = 0.5 * NEAREST
@@ -70,6 +74,7 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
     report[RATIO], report[CAUSE], report[LIMITING_JOINT], report[POR_CAUSE] = 1.0, 0.0, -1.0, 0.0
     report[DISTANCE], report[ANGLE], report[REMAINING], report[ARRIVED] = 0.0, 0.0, 0.0, 0.0
     report[TURN_REMAINING] = 0.0
+    put_rates(report, BEFORE, rates_at(state, RATES))
     a = _sines_at(rules, state, 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT])
     j = jacobi(rules, a)
     if command[LAW] == 1.0 or 8.0 <= command[LAW] <= MASTER_LAW:
@@ -164,15 +169,23 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
             twist = _twist_of_point(twist, x, y, z)
     floor = NEAR_FLOOR if rules[GUARDED] != 0.0 else FLOOR
     present = _present_twist(rules, state, a, j, offset, x, y, z)
-    planned = command[LAW] == 3.0 and command[MOTION_ACTIVE] != 0.0 and rules[STRICT] == 0.0
-    if not planned:  # AVCLMT would take mode 3 off its plan; `one_factor` does not
+    on_line = (command[LAW] == 2.0 or command[LAW] == 3.0) and command[MOTION_ACTIVE] != 0.0 and rules[STRICT] == 0.0
+    if not (on_line and command[LAW] == 3.0):  # AVCLMT would take mode 3 off its plan; `one_factor` does not
         if rules[STRICT] == 0.0:
             possible = ratlmt(rules, state, a, rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor))
             twist = scaled(twist, possible.ratio)
             report[RATIO], report[CAUSE], report[LIMITING_JOINT] = possible.ratio, possible.cause, possible.culprit
-        twist, por_cause = avclmt(rules, twist, present)
+        if on_line:
+            twist, por_cause = in_proportion(rules, twist, present)
+        else:
+            twist, por_cause = avclmt(rules, twist, present)
         report[POR_CAUSE] = por_cause
     rates = rmsrat(rules, a, _twist_of_point(twist, -x, -y, -z), floor)
+    change = Share(1.0, -1)
+    if not on_line and rules[STRICT] == 0.0:
+        kept = rmsrat(rules, a, _twist_of_point(present, -x, -y, -z), floor)
+        change = share_of_change(rules, state, kept, rates)
+        rates, twist = rates_between(kept, rates, change.share), twist_between(present, twist, change.share)
     limit = ratlmt(rules, state, a, rates)
     factor, cause, culprit = limit.ratio, limit.cause, limit.culprit
     if rules[STRICT] == 0.0:
@@ -186,6 +199,8 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
     if report[CAUSE] == BY_RATE and _below_limit(rules, rates, factor, int(report[LIMITING_JOINT])):
         # the arm is still accelerating, and the joint is still below its rate limit
         report[CAUSE], report[LIMITING_JOINT] = 0.0, -1.0
+    if report[CAUSE] == 0.0 and change.share < 1.0:
+        report[CAUSE], report[LIMITING_JOINT] = BY_ACCELERATION, change.joint
     state[CLOCK_RATE] = 1.0 if rules[STRICT] != 0.0 else report[RATIO]
     state[CLOCK] += state[CLOCK_RATE] * rules[DT]
     feed_back(state, cut(rules, rates, factor), scaled(twist, factor), 1.0 if offset else 0.0)

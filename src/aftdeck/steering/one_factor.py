@@ -1,8 +1,8 @@
 """One factor that slows a whole motion, so that limits change the speed but not the path.
 
-Modes 1 and 3 follow a plan; different factors for translation and rotation would take the arm off the plan. Here every
-limit gives a range of allowed factors. The greatest factor that is in all ranges is used. If the ranges have no factor
-in common, the limits have this priority:
+Modes 1 and 3 follow a plan, and mode 2 follows the line to its target. Different factors for translation and rotation
+would take the arm off this path. Here every limit gives a range of allowed factors. The greatest factor that is in all
+ranges is used. If the ranges have no factor in common, the limits have this priority:
 
 1. Joint rates, stops and singularities (RATLMT). These limits are never exceeded.
 2. Joint accelerations. If every factor exceeds the acceleration limit of some joint, the arm stays on the path, and the
@@ -22,7 +22,7 @@ from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import Floats
 from aftdeck.law import law
 from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN, TURN_UP
-from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio
+from aftdeck.steering.limiters import BY_ACCELERATION, Ratio
 
 ROUNDING = 1e-11
 """Share of a limit by which rounding may exceed the limit [1]."""
@@ -79,7 +79,7 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
         factor = _least_excess(rules, state, rates, most)
         excess, joint = _excess(rules, state, rates, factor)
         if excess > 1.0 + ROUNDING:
-            return Factor(factor, PAST_ACCELERATION, joint, 0)
+            return Factor(factor, BY_ACCELERATION, joint, 0)
         low = high = factor
     if high < most:
         cause, culprit = BY_ACCELERATION, slowest

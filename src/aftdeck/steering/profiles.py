@@ -1,12 +1,13 @@
 """VCLOSE and VTOPEN: speeds towards a target, such that translation and rotation end together.
 
-JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` omits:
+JSC-12628, subroutines VCLOSE and VTOPEN. They have three corrections, which `strict` omits; VTOPEN has the last one:
 
 - Braking is computed for finite steps, so that the last step ends at the target.
 - The remaining time has one formula for a motion at maximum speed and one for a braking motion. At the transition, both
   give the same time.
-- If translation ends later than rotation, the angular rate is reduced to the remaining angle divided by a time that
-  is never zero. If rotation ends later, the speed is reduced in the same manner.
+- Translation and rotation are in proportion to what remains of them. Both subroutines therefore lead along one path,
+  whatever the speed. In the source, the motion that would end first has an acceleration time of its own. The path then
+  depends on the speeds, and in VCLOSE on every limit that reduces them.
 """
 
 from __future__ import annotations
@@ -18,6 +19,9 @@ from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.steering.layout import DT, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
 from aftdeck.steering.limiters import braked
+
+NOTHING = 1e-200
+"""Distance [m] or angle [rad] up to which nothing remains: limits divided by it are still numbers."""
 
 
 class Profile(NamedTuple):
@@ -37,32 +41,31 @@ def vclose(rules: Array, distance: float, angle: float) -> Profile:
     """Return the demanded speeds for a remaining distance [m] and angle [rad] (VCLOSE)."""
     if rules[STRICT] != 0.0:
         return _as_published(rules, distance, angle)
-    dt = rules[DT]
-    speed, time, brake = _alone(distance, rules[SPEED], rules[SPEED_UP], dt)
-    turn, turn_time, turn_brake = _alone(angle, rules[TURN], rules[TURN_UP], dt)
-    if time >= turn_time:
-        if time > 0.0:
-            own = min(turn_brake, time)
-            turn = min(turn, angle / (time - 0.5 * (own - dt)))
-        return Profile(speed, turn, time, turn_time)
-    own = min(brake, turn_time)
-    return Profile(min(speed, distance / (turn_time - 0.5 * (own - dt))), turn, turn_time, turn_time)
+    speed, speed_up = _of_remaining(distance, rules[SPEED], rules[SPEED_UP])
+    turn, turn_up = _of_remaining(angle, rules[TURN], rules[TURN_UP])
+    rate, remaining = _towards_the_end(min(speed, turn), min(speed_up, turn_up), rules[DT])
+    _, turn_remaining = _towards_the_end(turn, turn_up, rules[DT])
+    return Profile(rate * distance, rate * angle, remaining, turn_remaining)
 
 
 @law
-def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float, float]:
-    """Return rate, remaining time [s] and braking time [s] of one motion, translation or rotation, in steps of dt.
+def _of_remaining(left: float, most: float, up: float) -> tuple[float, float]:
+    """Return limits of rate and acceleration, divided by the remaining distance or angle [1/s], [1/s2]."""
+    return (most / left, up / left) if left > NOTHING else (math.inf, math.inf)
 
-    Braking from the rate n * up * dt takes n steps, and covers the distance 0.5 * (n + 1) * dt times this rate.
+
+@law
+def _towards_the_end(most: float, up: float, dt: float) -> tuple[float, float]:
+    """Return rate [1/s] and remaining time [s] of a motion whose remaining part counts as 1, in steps of dt.
+
+    Braking from the rate n * up * dt takes n steps, and covers the part 0.5 * (n + 1) * dt times this rate.
     """
-    if left <= 0.0:
-        return 0.0, 0.0, 0.0
-    rate = braked(left, up, dt)
+    if most == math.inf:
+        return 0.0, 0.0
+    rate = braked(1.0, up, dt)
     if rate < most:
-        time = 2.0 * left / rate - dt
-        return rate, time, time
-    brake = most / up
-    return most, left / most + 0.5 * (brake - dt), brake
+        return rate, 2.0 / rate - dt
+    return most, 1.0 / most + 0.5 * (most / up - dt)
 
 
 @law
@@ -111,6 +114,21 @@ class OpenProfile(NamedTuple):
 @law
 def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
     """Return the open-loop profile for a distance [m] and an angle [rad], computed once (VTOPEN)."""
+    if rules[STRICT] != 0.0:
+        return _open_as_published(rules, distance, angle)
+    speed, speed_up = _of_remaining(distance, rules[SPEED], rules[SPEED_UP])
+    turn, turn_up = _of_remaining(angle, rules[TURN], rules[TURN_UP])
+    if min(speed, turn) == math.inf:
+        return OpenProfile(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    eta, ramp = _ramped_alone(1.0, min(speed, turn), min(speed_up, turn_up))
+    etap, _ = _ramped_alone(angle, rules[TURN], rules[TURN_UP])
+    share = 1.0 / (eta - ramp)
+    return OpenProfile(share * distance, share * angle, eta, etap, ramp, ramp)
+
+
+@law
+def _open_as_published(rules: Array, distance: float, angle: float) -> OpenProfile:
+    """Return the profile of VTOPEN as published: the shorter motion keeps its own acceleration time."""
     eta, t_v1 = _ramped_alone(distance, rules[SPEED], rules[SPEED_UP])
     etap, t_w1 = _ramped_alone(angle, rules[TURN], rules[TURN_UP])
     eta = max(eta, etap)

@@ -31,6 +31,7 @@ from aftdeck.steering.layout import (
     SPEED,
     SPEED_UP,
     STRICT,
+    TOGETHER,
     TURN,
     TURN_UP,
 )
@@ -86,6 +87,7 @@ def rules_of(
                     fastest = rules[RATE : RATE + 6] = arm.rates.servo
                 rules[RATE_UP : RATE_UP + 6] = fastest * (por.acceleration / por.translation[0])
                 stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
+                rules[TOGETHER] = mode.kind == "manual"
                 rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = stops[:, 0], stops[:, 1]
                 if mode.loaded and payload is not None and not strict:
                     rules[OFFSET : OFFSET + 3] = product(payload.rotation, payload.centre + payload.por)

@@ -21,10 +21,11 @@ from aftdeck.kinematics.rates import per_distance, resolved
 from aftdeck.law import law
 from aftdeck.steering.blocks import LANES, PER, QUARTERS, put_six, put_three, replace_by_sines, sines_in, six, three
 from aftdeck.steering.layout import DT, HIGH, LOW, MEASURED, MOST_UP, RATE, RATE_UP, RULES, SPEED, TURN
-from aftdeck.steering.limiters import APPROACH, NEAREST, Ratio, avclmt, braked, closing
+from aftdeck.steering.limiters import APPROACH, NEAREST, SLOWEST, Ratio, avclmt, braked, closing, time_to_rest
 from aftdeck.steering.msteer import NEAR_FLOOR
 from aftdeck.steering.one_factor import NO_RATE, ROUNDING, UNBOUNDED, Range, of_point, one_factor
 from aftdeck.steering.turn import from_orbiter
+from aftdeck.steering.twist_change import greatest_share, joint_shares, rates_between, twist_between
 from aftdeck.tuples import Six
 
 JOINT_ANGLES, JOINT_RATES, TIP_TWIST, DEFLECTIONS = 0, 6, 12, 18
@@ -33,15 +34,17 @@ sticks in [-1, 1]: rotation about the orbiter's axes, then translation along the
 STICK_ROWS = 24
 """Number of rows of a block that this module uses; a caller's own rows may follow."""
 
-DEMANDED, RATES_AT_ONE, SHARE, LEAST, GREATEST = (
+DEMANDED, RATES_AT_ONE, KEPT, SHARE, LEAST, GREATEST = (
     QUARTERS + 6,
     QUARTERS + 12,
     QUARTERS + 18,
-    QUARTERS + 19,
-    QUARTERS + 20,
+    QUARTERS + 24,
+    QUARTERS + 25,
+    QUARTERS + 26,
 )
-"""Rows of the work array: twist that is demanded (6), its joint rates (6), RATLMT's ratio, range of factors."""
-STICK_WORK = QUARTERS + 21
+"""Rows of the work array: twist that is demanded (6), its joint rates (6), the rates that keep the present twist (6),
+RATLMT's ratio or the share of the change, and a range of factors."""
+STICK_WORK = QUARTERS + 27
 """Number of rows of the work array."""
 
 HARD_LOW, HARD_HIGH = RULES, RULES + 6
@@ -51,9 +54,9 @@ CONSTANTS = RULES + 12
 
 
 class JointLimits(NamedTuple):
-    """Limits of one joint: greatest rate [rad/s], decelerations [rad/s2] and soft stops [rad].
+    """Limits of one joint: greatest rate [rad/s], deceleration before a stop [rad/s2] and soft stops [rad].
 
-    `braking` is the deceleration before a stop, `change` the greatest change of the rate in a step [rad/s].
+    `change` is the greatest change of the rate in a step [rad/s].
     """
 
     rate: float
@@ -66,15 +69,14 @@ class JointLimits(NamedTuple):
 @law
 def _limits(c: Floats, i: int) -> JointLimits:
     """Return the limits of joint i."""
-    change = c[MOST_UP + i] * c[DT] * (1.0 + ROUNDING)
-    return JointLimits(c[RATE + i], c[RATE_UP + i], change, c[LOW + i], c[HIGH + i])
+    return JointLimits(c[RATE + i], c[RATE_UP + i], c[MOST_UP + i] * c[DT], c[LOW + i], c[HIGH + i])
 
 
 @law
-def _joint_share(limits: JointLimits, dt: float, rate: float, angle: float) -> float:
+def _joint_share(limits: JointLimits, dt: float, per_second: float, rate: float, angle: float) -> float:
     """Return the share of a joint's rate that `limiters.joint_ratio` allows, 0 to 1."""
     gap = limits.high - angle if rate > 0.0 else angle - limits.low
-    most = min(limits.rate, braked(gap, limits.braking, dt))
+    most = min(limits.rate, braked(gap, min(limits.braking, per_second * max(abs(rate), SLOWEST)), dt))
     return most / abs(rate) if abs(rate) > most * (1.0 + 1e-12) else 1.0
 
 
@@ -89,14 +91,14 @@ def _singularity_share(c: Floats, a: Sines, rates: Rates, which: int) -> float:
 @law
 def _ratio(c: Floats, joints: tuple[JointLimits, ...], a: Sines, r: Rates, q: Six) -> float:
     """Return RATLMT's ratio of joint rates, as `limiters.ratlmt` computes it."""
-    dt = c[DT]
+    dt, per_second = c[DT], 1.0 / time_to_rest(c, r)
     joint_share = min(
-        _joint_share(joints[0], dt, r.r1, q[0]),
-        _joint_share(joints[1], dt, r.r2, q[1]),
-        _joint_share(joints[2], dt, r.r3, q[2]),
-        _joint_share(joints[3], dt, r.r4, q[3]),
-        _joint_share(joints[4], dt, r.r5, q[4]),
-        _joint_share(joints[5], dt, r.r6, q[5]),
+        _joint_share(joints[0], dt, per_second, r.r1, q[0]),
+        _joint_share(joints[1], dt, per_second, r.r2, q[1]),
+        _joint_share(joints[2], dt, per_second, r.r3, q[2]),
+        _joint_share(joints[3], dt, per_second, r.r4, q[3]),
+        _joint_share(joints[4], dt, per_second, r.r5, q[4]),
+        _joint_share(joints[5], dt, per_second, r.r6, q[5]),
     )
     return min(
         joint_share, _singularity_share(c, a, r, 0), _singularity_share(c, a, r, 1), _singularity_share(c, a, r, 2)
@@ -106,7 +108,7 @@ def _ratio(c: Floats, joints: tuple[JointLimits, ...], a: Sines, r: Rates, q: Si
 @law
 def _factors(change: float, rate: float, measured: float) -> Range:
     """Return the range of factors that a joint's acceleration limit allows, as `one_factor` computes it."""
-    speed, now = abs(rate), math.copysign(1.0, rate) * measured
+    speed, now, change = abs(rate), math.copysign(1.0, rate) * measured, change * (1.0 + ROUNDING)
     low = (now - change) / speed if speed > NO_RATE else (UNBOUNDED if abs(now) > change else -UNBOUNDED)
     high = (now + change) / speed if speed > NO_RATE else UNBOUNDED
     return Range(low, high)
@@ -121,6 +123,19 @@ def _range(joints: tuple[JointLimits, ...], r: Rates, measured: Six) -> Range:
     low = max(f1.low, f2.low, f3.low, f4.low, f5.low, f6.low)
     high = min(f1.high, f2.high, f3.high, f4.high, f5.high, f6.high)
     return Range(low, high)
+
+
+@law
+def _share_of_change(joints: tuple[JointLimits, ...], before: Rates, after: Rates, measured: Six) -> float:
+    """Return the share of a change that `twist_change.share_of_change` allows, 0 to 1."""
+    s1 = joint_shares(joints[0].change, before.r1, after.r1, measured[0])
+    s2 = joint_shares(joints[1].change, before.r2, after.r2, measured[1])
+    s3 = joint_shares(joints[2].change, before.r3, after.r3, measured[2])
+    s4 = joint_shares(joints[3].change, before.r4, after.r4, measured[3])
+    s5 = joint_shares(joints[4].change, before.r5, after.r5, measured[4])
+    s6 = joint_shares(joints[5].change, before.r6, after.r6, measured[5])
+    low = max(-UNBOUNDED, s1.low, s2.low, s3.low, s4.low, s5.low, s6.low)
+    return greatest_share(low, min(UNBOUNDED, s1.high, s2.high, s3.high, s4.high, s5.high, s6.high))
 
 
 @law
@@ -176,7 +191,8 @@ def steer_by_sticks(c: Floats, rules: Array, block: Array, work: Array, scratch:
         put_six(work, DEMANDED, i, twist)
         put_six(work, RATES_AT_ONE, i, resolved(c, sines_in(work, i), twist, three(work, PER, i)))
     for i in range(LANES):
-        work[SHARE * LANES + i] = _ratio(c, joints, sines_in(work, i), _rates(work, i), six(block, JOINT_ANGLES, i))
+        rates, angles = _rates(work, RATES_AT_ONE, i), six(block, JOINT_ANGLES, i)
+        work[SHARE * LANES + i] = _ratio(c, joints, sines_in(work, i), rates, angles)
     for i in range(LANES):
         k, t = work[SHARE * LANES + i], _twist(work, DEMANDED, i)
         t = Twist(k * t.wx, k * t.wy, k * t.wz, k * t.vx, k * t.vy, k * t.vz)
@@ -186,9 +202,22 @@ def steer_by_sticks(c: Floats, rules: Array, block: Array, work: Array, scratch:
         twist = _twist(work, DEMANDED, i)
         put_six(work, RATES_AT_ONE, i, resolved(c, sines_in(work, i), twist, three(work, PER, i)))
     for i in range(LANES):
-        work[SHARE * LANES + i] = _ratio(c, joints, sines_in(work, i), _rates(work, i), six(block, JOINT_ANGLES, i))
+        present = _twist(block, TIP_TWIST, i)
+        put_six(work, KEPT, i, resolved(c, sines_in(work, i), present, three(work, PER, i)))
     for i in range(LANES):
-        allowed = _range(joints, _rates(work, i), six(block, JOINT_RATES, i))
+        kept, rates = _rates(work, KEPT, i), _rates(work, RATES_AT_ONE, i)
+        work[SHARE * LANES + i] = _share_of_change(joints, kept, rates, six(block, JOINT_RATES, i))
+    for i in range(LANES):
+        kept, rates = _rates(work, KEPT, i), _rates(work, RATES_AT_ONE, i)
+        put_six(work, RATES_AT_ONE, i, rates_between(kept, rates, work[SHARE * LANES + i]))
+    for i in range(LANES):
+        present, twist = _twist(block, TIP_TWIST, i), _twist(work, DEMANDED, i)
+        put_six(work, DEMANDED, i, twist_between(present, twist, work[SHARE * LANES + i]))
+    for i in range(LANES):
+        rates, angles = _rates(work, RATES_AT_ONE, i), six(block, JOINT_ANGLES, i)
+        work[SHARE * LANES + i] = _ratio(c, joints, sines_in(work, i), rates, angles)
+    for i in range(LANES):
+        allowed = _range(joints, _rates(work, RATES_AT_ONE, i), six(block, JOINT_RATES, i))
         work[LEAST * LANES + i] = max(allowed.low, 0.0)
         work[GREATEST * LANES + i] = min(allowed.high, work[SHARE * LANES + i])
     conflicts = 0
@@ -204,8 +233,8 @@ def steer_by_sticks(c: Floats, rules: Array, block: Array, work: Array, scratch:
 
 
 @law
-def _rates(work: Array, i: int) -> Rates:
-    r1, r2, r3, r4, r5, r6 = six(work, RATES_AT_ONE, i)
+def _rates(rows: Array, first: int, i: int) -> Rates:
+    r1, r2, r3, r4, r5, r6 = six(rows, first, i)
     return Rates(r1, r2, r3, r4, r5, r6)
 
 
@@ -225,7 +254,7 @@ def _resolve_conflicts(rules: Array, block: Array, work: Array, scratch: Array) 
             share = work[SHARE * LANES + i]
             limit = Ratio(share, 1 if share < 1.0 else 0, -1)
             demanded, present = _twist(work, DEMANDED, i), _twist(block, TIP_TWIST, i)
-            result = one_factor(rules, scratch, _rates(work, i), demanded, present, limit)
+            result = one_factor(rules, scratch, _rates(work, RATES_AT_ONE, i), demanded, present, limit)
             work[GREATEST * LANES + i] = result.factor
 
 
@@ -233,7 +262,7 @@ def _resolve_conflicts(rules: Array, block: Array, work: Array, scratch: Array) 
 def _move(c: Floats, block: Array, work: Array) -> None:
     """Command the rates times the factor, and move the joints for one control period."""
     for i in range(LANES):
-        k, r = work[GREATEST * LANES + i], _rates(work, i)
+        k, r = work[GREATEST * LANES + i], _rates(work, RATES_AT_ONE, i)
         put_six(
             block,
             JOINT_RATES,

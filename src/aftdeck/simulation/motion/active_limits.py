@@ -11,21 +11,22 @@ from aftdeck.simulation.frame import AT_HARD, Limit, LimitKind
 from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import CAUSE, LIMITING_JOINT, POR_CAUSE, RATES
-from aftdeck.steering.limiters import CAUSES
+from aftdeck.steering.layout import BEFORE, CAUSE, DT, LIMITING_JOINT, MOST_UP, POR_CAUSE, RATES
+from aftdeck.steering.limiters import BY_ACCELERATION, CAUSES
 
 _TEXTS: dict[str, tuple[LimitKind, str]] = {
     "joint rate": ("joint rate", "at its rate limit"),
     "soft stop": ("soft stop", "held by its soft stop"),
     "hard stop": ("hard stop", "held by its hard stop"),
     "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
-    "joint acceleration passed": ("joint acceleration", "beyond its greatest acceleration: the line is kept"),
 }
 """Kind of limit, and the text that follows the joint's name, for each joint limit of `limiters.CAUSES`."""
+ROUNDING = 1e-9
+"""Share of a joint acceleration limit by which rounding may exceed the limit [1]."""
 
 
 def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
-    """Return the limits that acted in the last step.
+    """Return the limits that acted in the last step, and every joint acceleration that exceeded its limit.
 
     If a berth, a contact or a switch stopped the arm, the result contains only this limit.
     """
@@ -37,10 +38,14 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         return (Limit("switch", -1, why),) if state.worksite.halt == "switch" else ()
     report = state.report
     cause, por_cause = int(report[CAUSE]), int(report[POR_CAUSE])
-    stopped = AT_HARD in state.panel.zones
-    if cause == 0 and por_cause == 0 and not stopped:
+    stopped, beyond = AT_HARD in state.panel.zones, _beyond_acceleration(state)
+    if cause == 0 and por_cause == 0 and not stopped and not beyond:
         return ()
-    found = _of_joints(flight, cause, int(report[LIMITING_JOINT]))
+    culprit = int(report[LIMITING_JOINT])
+    found = [] if cause == BY_ACCELERATION and culprit in beyond else _of_joints(flight, cause, culprit)
+    for joint in beyond:
+        name = joint_label(flight.scenario.arm.joints[joint])
+        found.append(Limit("joint acceleration", joint, f"{name} beyond its greatest acceleration"))
     if stopped:
         found += _held_by_stops(flight, state, found)
     if por_cause & 2:
@@ -51,6 +56,18 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         what = {1: "speed", 4: "turning", 5: "speed and turning"}[por_cause & (1 | 4)]
         found.append(Limit("POR acceleration", -1, f"POR {what} still building up or falling"))
     return tuple(found)
+
+
+def _beyond_acceleration(state: State) -> list[int]:
+    """Return the joints whose commanded rates changed by more than their acceleration limits, whatever the cause.
+
+    In the modes that have these limits, a stop, a singularity, a rate limit or a line may require more. The joints of
+    the other modes may stop at once.
+    """
+    steering, report, rules = state.steering, state.report, state.rules
+    now, before = steering[RATES : RATES + 6].tolist(), report[BEFORE : BEFORE + 6].tolist()
+    most, period = rules[MOST_UP : MOST_UP + 6].tolist(), float(rules[DT]) * (1.0 + ROUNDING)
+    return [joint for joint in range(6) if abs(now[joint] - before[joint]) > most[joint] * period]
 
 
 def _held_by_stops(flight: Flight, state: State, found: list[Limit]) -> list[Limit]:
