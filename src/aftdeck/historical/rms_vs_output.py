@@ -83,21 +83,18 @@ def block_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Blo
     if pan * tilt < 0:
         unsaid.append("tilt")  # TABLE II has one sign bit for pan and tilt
         tilt = 0
-    inhibit, prong = worksite.contacts.inhibit, PRONG_DIRECTIONS[worksite.switch]
-    telescoped = _bits(direction_of(flown.telescope), now.stand - before.stand, inhibited=inhibit.arm)
-    pronged = _bits(prong, now.prong - before.prong, inhibited=inhibit.finger)
-    unsaid += [name for name, bits in (("telescope", telescoped), ("prong", pronged)) if not bits.told]
+    inhibit = worksite.contacts.inhibit
     if station not in STATIONS:
         unsaid.append("station")
     control = ControlWord(
         mode=cast("Literal[1, 2, 3, 4]", worksite.task),
         station=station if station in STATIONS else NO_CODE,
         initialise=initialised,
-        telescope=telescoped.direction,
+        telescope=_bits(direction_of(flown.telescope), now.stand != before.stand or inhibit.arm),
         pan=pan,
         tilt=tilt,
         zoom=direction_of(drive.zoom),
-        prong=pronged.direction,
+        prong=_bits(PRONG_DIRECTIONS[worksite.switch], now.prong != before.prong or inhibit.finger),
         finger_inhibited=inhibit.finger,
         arm_inhibited=inhibit.arm,
     )
@@ -110,19 +107,9 @@ def block_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Blo
     return Block(FrameBlock(control, (ho, po, p1, h2, p2, r2), cast("Planes", tuple(planes))), tuple(unsaid))
 
 
-class _Bits(NamedTuple):
-    """Bits of a switch in the control word, and whether they tell how its part has moved."""
-
-    direction: Direction
-    told: bool
-
-
-def _bits(switch: Direction, moved: float, *, inhibited: bool) -> _Bits:
-    """Return the bits of a switch whose part has moved by `moved` in the step, in the switch's positive direction."""
-    if inhibited:
-        return _Bits(switch, told=moved == 0.0)  # the scene generator does not move the part
-    direction = switch if moved != 0.0 else 0  # a part that stands is at its limit
-    return _Bits(direction, told=direction_of(moved) == direction)
+def _bits(switch: Direction, free: bool) -> Direction:
+    """Return a switch's direction in the control word; `free`: its part has moved, or only an inhibit stops it."""
+    return switch if free else 0
 
 
 def planes_of(flight: Flight, state: State) -> Planes:
