@@ -1,7 +1,8 @@
 """List of a page's visible parts, texts and places, which is kept beside each picture of the documents.
 
 Numbers are replaced by a mark, because they change while the page is open. Left out are parts that show nothing but a
-number, what is drawn into a camera's picture except its name, the log, and the rail's note about low detail.
+number, what is drawn into a camera's picture except its name, the log, and what depends on the machine's load: the
+rail's note about low detail, and the latency on the calm page, which appears there only while it is large.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ to 8 px, and another machine's fonts draw the few signs that the page's own font
 PARTS = """async () => {
     await document.fonts.ready;
     const shown = (node) => node.checkVisibility({ visibilityProperty: true, opacityProperty: true });
-    const leftOut = '.unseen, .log, .rail .note, .picture :not(.name, .name *)';
+    const leftOut = '.unseen, .log, .rail .note, .calm .rail .lag, .picture :not(.name, .name *)';
     const found = [];
     for (const node of document.body.querySelectorAll('*')) {
         if (node.closest(leftOut) || !shown(node)) continue;

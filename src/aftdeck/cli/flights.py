@@ -154,9 +154,7 @@ def run(
     The exit code is 1 if the run ended in a fault.
     """
     from aftdeck.cli.laws import compiled_meanwhile
-    from aftdeck.mainprior import warm as with_vcu
     from aftdeck.scenario.load import load_scenario
-    from aftdeck.simulation.warm import warm_up
 
     _check_different({"--out": out, "--words": words, "--vcu": vcu})
     if channels is not None and operator is not None:
@@ -168,8 +166,8 @@ def run(
             f"{loaded.name} has no script: it runs {loaded.duration:g} s without inputs; "
             f"operate it with `aftdeck fly {scenario}`"
         )
-    laws = (warm_up, None) if vcu is None else (with_vcu.warm_up, with_vcu.FILES)
-    with compiled_meanwhile(laws[0], loaded, files=laws[1], bar=False):
+    warm_up, files = _laws(with_vcu=vcu is not None)
+    with compiled_meanwhile(warm_up, loaded, files=files, bar=False):
         summary, recording_error = _run(loaded, out, channels, operator, words, vcu, seed)
     if as_json:
         print_json(summary, indent=2)
@@ -245,6 +243,17 @@ def _run(
         except UnrecordedRunError as error:
             return error.run.summary, error
         return done.summary, None
+
+
+def _laws(*, with_vcu: bool) -> tuple[Callable[[Scenario], None], int | None]:
+    """Return the call that compiles the laws of a run, and the number of their files; None for the usual number."""
+    if not with_vcu:
+        from aftdeck.simulation.warm import warm_up
+
+        return warm_up, None
+    from aftdeck.mainprior import warm
+
+    return warm.warm_up, warm.FILES
 
 
 def _check_different(files: Mapping[str, Path | None]) -> None:

@@ -39,8 +39,7 @@ def writing_blocks(scenario: Scenario, path: Path) -> Iterator[Stepped]:
 
     Raises:
         InputError: the report's priority routine does not know the scenario's arm or one of its parts, or the file
-        exists
-            already or cannot be written.
+            exists already or cannot be written.
     """
     from aftdeck.mainprior.vcu_file import VcuWriter
 

@@ -4,9 +4,10 @@ The control word contains the selected camera and the positions of the operator'
 READADC). The program detects the limits of telescope and prong (section VI.E): a switch that drives one of them against
 its limit has no bit. It also has none if anything but an inhibit stops the part. Under an inhibit the switch has its
 bit, and the scene generator obeys the inhibit's flag. Angles, inhibits and task phase (mode) are values after the step.
-D1 to D3 are planes between the end effector's hexahedra and the bar. While no payload is held,
-they are the separating planes of the collision test. While a payload is held, they are the planes of face d of HEX 1,
-face b of HEX 2 and face e of HEX 3 (subroutines CALSP1 to CALSP3).
+
+D1 to D3 are planes between the end effector's hexahedra and the bar. While no payload is held, they are the separating
+planes of the collision test. While a payload is held, they are the planes of face d of HEX 1, face b of HEX 2 and
+face e of HEX 3 (subroutines CALSP1 to CALSP3).
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ Planes = tuple[WordPlane | None, WordPlane | None, WordPlane | None]
 
 
 class Places(NamedTuple):
-    """Positions before or after a step: they tell whether a switch has moved its part.
+    """Positions before or after a step: they show whether a switch has moved its part.
 
     Attributes:
         stand: length of the telescope [m].

@@ -1,11 +1,11 @@
 """Frames from the report's words: what the visual scene program knew of a run.
 
 The 32 words of a step (TABLE II) give the six joint angles. All else follows from the words since the initialisation:
-the control word tells in which direction the switches of telescope, prong and the selected camera drive, but not how
-far; these parts move at their rates. The task phase tells when the payload was acquired and released. While the arm is
+the control word shows in which direction the switches of telescope, prong and the selected camera drive, but not how
+far; these parts move at their rates. The task phase shows when the payload was acquired and released. While the arm is
 inhibited (bit 19), the arm with its telescope and its payload stay as in the last frame; while the finger is inhibited
-(bit 18), the prong stays (Figure 11). Source: the final report of the Remote Manipulator
-Simulation, TABLE II and the visual scene program.
+(bit 18), the prong stays (Figure 11). Source: the final report of the Remote Manipulator Simulation, TABLE II and the
+visual scene program.
 """
 
 from __future__ import annotations
@@ -30,12 +30,10 @@ from aftdeck.matrices import distance
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive, Cameras
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.payloads.task_phases import ACQUISITION
 from aftdeck.simulation.run import Simulation
 from aftdeck.units import short
 from aftdeck.worksite.report import Cargo
-
-ACQUISITION = 1
-"""Task phase in which the end effector holds no payload."""
 
 
 class _Line(msgspec.Struct, frozen=True):

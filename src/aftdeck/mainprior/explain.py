@@ -8,7 +8,7 @@ from typing import NamedTuple
 from aftdeck.historical.rms_vs_output import Planes
 from aftdeck.mainprior.planes import Plane
 from aftdeck.mainprior.routine import Priority, PriorityRoutine
-from aftdeck.mainprior.tables import CODES, LISTS, TREES, Item, Tested, system_of, text
+from aftdeck.mainprior.tables import CODES, LISTS, TREES, Item, system_of, text, tree_name
 from aftdeck.mainprior.trace import Select
 from aftdeck.mainprior.trees import Son, Sorted, Split
 from aftdeck.mainprior.vectors import DISPLAY
@@ -121,7 +121,7 @@ def explained_by_routine(
         InputError: the camera is not a station point.
     """
     found = routine.priority(frame, station, received)
-    names = [name for item in found.items if (name := _tree_name(item, found.mode))]
+    names = [name for item in found.items if (name := tree_name(item, found.mode))]
     trees = {name: tuple(_lines(routine.fit.trees[name])) for name in names}
     planes = dict.fromkeys(line.plane for lines in trees.values() for line in lines if line.plane)
     part = routine.shapes.part
@@ -155,12 +155,7 @@ def _steps(found: Priority) -> tuple[str | int, ...]:
 
 
 def _row(items: tuple[Item, ...], mode: int) -> tuple[str, ...]:
-    return tuple(_tree_name(item, mode) or text(item) for item in items)
-
-
-def _tree_name(item: Item, mode: int) -> str:
-    """Return the name of an entry's tree in a mode; empty for a cluster."""
-    return item.tree(mode) if isinstance(item, Tested) else item if isinstance(item, str) else ""
+    return tuple(tree_name(item, mode) or text(item) for item in items)
 
 
 def _lines(son: Son, depth: int = 0, branch: str = "") -> Iterator[TreeLine]:

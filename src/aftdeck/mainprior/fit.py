@@ -1,10 +1,10 @@
-"""Trees for the shapes of a scenario: the planes of Figure 19's nodes, and nodes anew where no plane divides theirs.
+"""Trees for the shapes of a scenario: the planes of Figure 19's nodes, and new nodes where no plane divides theirs.
 
 A node of Figure 19 stays if a plane of a face, fixed in the system of TABLE VIII, has the clusters of one son on one
 side and those of the other son on the other side. Only clusters that are fixed in this system can be tested so; those
-that move are tested in each frame (`proof.py`). If no plane divides a node of the shuttle's tree, its clusters are
-divided anew: at each node by the plane that cuts nothing and divides them most evenly. Clusters that no plane divides
-stay a fixed list.
+that move are tested in each frame (`proof.py`). If no plane divides a node of the shuttle's tree, its clusters get new
+nodes: at each of them, the plane that cuts nothing and divides them most evenly. Clusters that no plane divides stay a
+fixed list.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from aftdeck.mainprior.trees import Son, Sorted, Split, clusters_in, nodes_in, p
 from aftdeck.visual.cutting import ON
 
 FIRST_NEW = 23
-"""Number of the first plane that is found anew."""
+"""Number of the first new plane."""
 
 
 class Fitted(NamedTuple):
@@ -128,7 +128,7 @@ class _Fit:
         )
 
     def _named(self, plane: Plane) -> str:
-        """Return the name of a plane that was found anew."""
+        """Return the name of a new plane."""
         for name, known in self.planes.items():
             if known.system == plane.system and np.allclose(
                 [*known.normal, known.distance], [*plane.normal, plane.distance], rtol=0.0, atol=ON

@@ -17,7 +17,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.mainprior.planes import Plane
 from aftdeck.mainprior.shapes import Stage
-from aftdeck.mainprior.tables import CLUSTERS, Item, System, Tested
+from aftdeck.mainprior.tables import CLUSTERS, Item, System, Tested, tree_name
 from aftdeck.mainprior.trees import Son, Sorted, Split, clusters_in
 from aftdeck.visual.planes import TOLERANCE
 
@@ -69,7 +69,7 @@ class Prover:
             trees: the trees, by name.
             mode: the task phase.
         """
-        entries = [item if isinstance(item, int) else _tree(item, trees, mode) for item in items]
+        entries = [item if isinstance(item, int) else trees[tree_name(item, mode)] for item in items]
         home = {k: n for n, entry in enumerate(entries) for k in clusters_in(entry)}
         faced = {k for k, n in home.items() if _is_shuttle(items[n]) or CLUSTERS[k].system in FIXED}
         for before, behind in pairs:
@@ -127,10 +127,6 @@ def _clear(before: Array, behind: Array) -> float:
 
 def _is_shuttle(item: Item) -> bool:
     return isinstance(item, Tested) and item.kind == "Y"
-
-
-def _tree(item: str | Tested, trees: Mapping[str, Son], mode: int) -> Son:
-    return trees[item.tree(mode) if isinstance(item, Tested) else item]
 
 
 def _between(son: Son, a: int, b: int) -> Iterator[str]:

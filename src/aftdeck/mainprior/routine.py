@@ -22,10 +22,11 @@ from aftdeck.mainprior.shapes import Shapes, Stage
 from aftdeck.mainprior.stations import links_of, station_of
 from aftdeck.mainprior.tables import CLUSTERS, Item, System
 from aftdeck.mainprior.trace import Instruction, output_table, traced
-from aftdeck.mainprior.vectors import ACQUISITION, Vectors, vectors
+from aftdeck.mainprior.vectors import Vectors, vectors
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.cameras import SceneCameras
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.payloads.task_phases import ACQUISITION
 from aftdeck.simulation.run import Simulation
 from aftdeck.visual.lists import hidden
 from aftdeck.visual.scene import VisualScene

@@ -86,7 +86,6 @@ class Shapes:
                 )
             self.index[number] = k
         self._scenario, self.scene = scenario, scene
-
         if BODY in self.index and (BAR not in self.index or scenario.worksite.bay is None):
             raise InputError(
                 f"{scenario.name}: the report's priority routine needs a payload with a bar, in a worksite with a bay"

@@ -11,11 +11,12 @@ from aftdeck.kinematics.linkage import L2, L3
 from aftdeck.mainprior.shapes import Stage
 from aftdeck.mainprior.systems import ARMS, Placed
 from aftdeck.mainprior.tables import LISTS, System
-from aftdeck.mainprior.vectors import ACQUISITION, Links, Station
+from aftdeck.mainprior.vectors import Links, Station
 from aftdeck.matrices import product
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.cameras import SceneCameras
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.payloads.task_phases import ACQUISITION
 
 
 def station_of(scenario: Scenario, cameras: SceneCameras, frame: Frame, name: str, stage: Stage) -> Station:

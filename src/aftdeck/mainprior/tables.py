@@ -138,6 +138,14 @@ class Tested(NamedTuple):
 Item: TypeAlias = int | str | Tested
 """Entry of a permanent list: a cluster, the name of a tree, or a tree with a mode test."""
 
+
+def tree_name(item: Item, mode: int) -> str:
+    """Return the name of an entry's tree in a mode; empty for a cluster."""
+    if isinstance(item, Tested):
+        return item.tree(mode)
+    return item if isinstance(item, str) else ""
+
+
 LISTS: Final[Mapping[str, tuple[Item, ...]]] = {
     "A": (12, 1, "Z2", 4, 3, 2, 6, 7, 10, 8, 21),
     "B": (3, "Z2", 2, 4, 6, 7, "W1", 21),

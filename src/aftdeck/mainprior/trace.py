@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
-from aftdeck.mainprior.tables import Item, System, Tested, system_of
+from aftdeck.mainprior.tables import Item, System, system_of, tree_name
 from aftdeck.mainprior.trees import Son, Sorted, Split
 
 OnTrueSide = Callable[[str, System], bool]
@@ -78,7 +78,7 @@ def traced(items: Sequence[Item], trees: Mapping[str, Son], mode: int, on_true_s
         if isinstance(item, int):
             found.append(item)
         else:
-            tree = trees[item.tree(mode) if isinstance(item, Tested) else item]
+            tree = trees[tree_name(item, mode)]
             found += _clusters(tree, first_system(tree), on_true_side)
     return found
 

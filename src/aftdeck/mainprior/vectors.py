@@ -17,11 +17,10 @@ from aftdeck.elementary import sincos
 from aftdeck.mainprior.systems import Placed
 from aftdeck.mainprior.tables import System
 from aftdeck.matrices import product
+from aftdeck.simulation.payloads.task_phases import ACQUISITION
 
 DISPLAY = ("PC", "PL", "PE")
 """P vectors of a system, in the order of their rows."""
-ACQUISITION = 1
-"""Mode in which the payload is at rest in R, and not in system 2."""
 _Y, _Z, _X = 1, 2, 0
 
 
@@ -74,9 +73,9 @@ class Vectors(NamedTuple):
 def vectors(station: Station, links: Links, mode: int) -> Vectors:
     """Return the L and P vectors of a station point in a mode.
 
-    In mode 1, LP = LR + TP; in other modes, LP comes from L2 + T2. The report has two rotations from system 2 to P, for
-    a payload that was acquired exactly in line (chosen by the sign of cos R2); here it is the rotation at the
-    acquisition.
+    In mode 1, acquisition, the payload is at rest in R, and LP = LR + TP; in other modes, LP comes from L2 + T2. The
+    report has two rotations from system 2 to P, for a payload that was acquired exactly in line (chosen by the sign of
+    cos R2); here it is the rotation at the acquisition.
     """
     ho, po, p1, h2, p2, r2 = links.angles
     to_0 = product(_into(_Y, po), _into(_Z, ho))

@@ -2,8 +2,8 @@
 
 JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion. Here the
 ratio also stops the joints before their stops and the arm before its singularities. Before a stop, the allowed rate is
-proportional to the root of the remaining angle. Before a singularity, the allowed rate
-of approach is proportional to the remaining distance. The arm therefore slows smoothly to rest.
+proportional to the root of the remaining angle. Before a singularity, the allowed rate of approach is proportional to
+the remaining distance. The arm therefore slows smoothly to rest.
 """
 
 from __future__ import annotations

@@ -40,8 +40,6 @@ export function rateHoldHint(
   },
   uses: readonly string[],
 ): readonly Piece[] {
-  const go = display.to_go;
-  const seconds = go && go.shift.length > 0 && por_limits[0] > 0 ? go.distance / por_limits[0] : 0;
   if (uses.includes('rate hold')) return [];
   if (rate_hold)
     return [
@@ -49,6 +47,8 @@ export function rateHoldHint(
       { kind: 'use', text: 'stop' },
       { kind: 'text', text: ' ends it.' },
     ];
+  const go = display.to_go;
+  const seconds = go && go.shift.length > 0 && por_limits[0] > 0 ? go.distance / por_limits[0] : 0;
   if (seconds <= LONG_S) return [];
   return [
     { kind: 'text', text: ` This leg takes ${10 * Math.round(seconds / 10)} s or more: ` },
