@@ -15,7 +15,7 @@ from aftdeck.visual.scene import Aim
 from tests.visual.depth_picture import rays
 
 NEAR = 1e-6
-"""Difference of the depths of a face and of the mark on it, because of rounding [m]."""
+"""Difference of the depths of a solid's face and of the mark on it, because of rounding [m]."""
 
 
 def marks_at(clusters: Clusters, poses: Array, aim: Aim, absent: frozenset[str], depth: Array) -> Indices:

@@ -14,6 +14,8 @@ Flat = list[Vec2]
 FEWEST_CORNERS = 3
 _LEAST = 1e-9
 """Area below which a polygon counts as empty, and twice which a corner may turn to the wrong side [m^2]."""
+_SHORT = 1e-6
+"""Length of an edge below which its ends count as one corner [m]: its direction would be rounding."""
 _SAME = 7
 """Number of decimals up to which corners of neighbouring polygons are equal [of a metre]."""
 
@@ -57,6 +59,7 @@ def common(polygon: Flat, others: Flat) -> Flat:
                 part = from_p / (from_p - from_q)
                 kept.append((p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1])))
         left = kept
+    left = [p for p, q in _edges(left) if abs(p[0] - q[0]) + abs(p[1] - q[1]) > _SHORT]
     return left if len(left) >= FEWEST_CORNERS and area(left) > _LEAST else []
 
 
