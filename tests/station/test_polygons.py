@@ -309,8 +309,8 @@ def test_an_engineering_view_is_drawn_from_the_eye_of_its_page(station: Station)
 
 def test_an_eye_at_the_place_of_a_camera_has_the_picture_of_the_camera() -> None:
     scene = VisualScene(scenario(NAME))
-    open_air = [c.name for c in scene.cameras.values() if c.pane is None and not scene.aim(frame(), c.name, ASPECT).hidden]
-    aim = scene.aim(frame(), open_air[0], ASPECT)
+    aims = [scene.aim(frame(), camera.name, ASPECT) for camera in scene.cameras.values() if camera.pane is None]
+    aim = next(one for one in aims if not one.hidden)
     eye = Eye(tuple(aim.position), tuple(aim.axes[2]), tuple(-aim.axes[1]), 2.0 * math.atan(aim.wide))
     free, fixed = (pictures().of(frame(), shot, ASPECT, LIGHT) for shot in (Shot("ENG", eye), Shot(aim.name)))
     assert len(fixed.greys) > 100

@@ -2,7 +2,7 @@
 
 import { present } from '../basics/assert';
 import type { Age } from '../link/delay-line';
-import type { PolygonPictures } from '../link/polygon-pictures';
+import type { PolygonSource } from '../link/polygon-pictures';
 import type { Camera, ClosestPoints, Frame, FreeEye, Level, Welcome } from '../link/protocol';
 import { Appearance, type Seventies } from '../page/appearance';
 import { keeper } from '../page/local-storage';
@@ -52,7 +52,7 @@ export interface PicturesListener {
   /** Whether dragging a picture turns its camera. */
   turns?: boolean;
   /** Pictures in the look of 1972; absent if no station computes them. */
-  polygons?: PolygonPictures;
+  polygons?: PolygonSource;
   /** Called when another pair of cameras is offered, or null when the offer ends. Absent if none are offered. */
   offered?: (offer: PairOffer | null) => void;
   /** Called when a monitor shows another camera, or was split. */
@@ -135,7 +135,9 @@ export class Pictures {
       turns: listener.turns ?? false,
       ...(tearOff ? { tearOff } : {}),
       ...(listener.polygons ? { seventies: (index) => this.toggleSeventies(index) } : {}),
-      ...(listener.polygons && tearOff ? { planes: (index) => tearOff(PLANES[index]) } : {}),
+      ...(listener.polygons && tearOff && !listener.recorded
+        ? { planes: (index) => tearOff(PLANES[index]) }
+        : {}),
     });
     this.matrix = new Matrix(cameras, {
       chosen: (camera) => this.monitors.choose(camera),
@@ -394,7 +396,8 @@ export class Pictures {
             caution,
             oneJoint: this.survey.drivesOneJoint(frame),
           });
-        if (polygons) pane.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, freeSize(view));
+        if (polygons)
+          pane.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, frame.tick, freeSize(view));
         else pane.hide();
       }
       this.onPage = frame;

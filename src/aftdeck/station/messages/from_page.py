@@ -332,6 +332,8 @@ class Shown(WireMessage, frozen=True, tag="shown"):
     """Cameras that MON 1 and MON 2 show."""
 
 
+MAX_PICTURES = 64
+"""Greatest number of pictures in the look of 1972 for which a page asks."""
 Coordinate = Annotated[float, msgspec.Meta(ge=-1e4, le=1e4)]
 Cosine = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
 
@@ -366,7 +368,7 @@ class ShowPolygons(WireMessage, frozen=True, tag="show_polygons"):
     """
 
     seq: Seq
-    pictures: Annotated[tuple[PolygonPicture, ...], msgspec.Meta(max_length=64)]
+    pictures: Annotated[tuple[PolygonPicture, ...], msgspec.Meta(max_length=MAX_PICTURES)]
 
 
 class SetLight(WireMessage, frozen=True, tag="set_light"):

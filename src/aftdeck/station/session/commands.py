@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 import msgspec
 import numpy as np
 
+from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import CommandError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.matrices import lengths
@@ -74,10 +75,15 @@ def check_shown(message: from_page.Shown, welcome: Welcome) -> None:
 
 def check_polygons(message: from_page.ShowPolygons, welcome: Welcome) -> None:
     """Raise `CommandError` if a camera does not exist, or cannot be directed by the page."""
-    _check_names("camera", [picture.camera for picture in message.pictures], _cameras(welcome))
-    free = [camera.name for camera in welcome.cameras if camera.kind == "engineering"]
-    _check_names("engineering view", [picture.camera for picture in message.pictures if picture.eye is not None], free)
-    for picture in message.pictures:
+    check_pictures(message.pictures, welcome.cameras)
+
+
+def check_pictures(pictures: Sequence[from_page.PolygonPicture], cameras: Sequence[Camera]) -> None:
+    """Raise `CommandError` if a picture's camera does not exist, or cannot be directed by the page."""
+    _check_names("camera", [picture.camera for picture in pictures], [camera.name for camera in cameras])
+    free = [camera.name for camera in cameras if camera.kind == "engineering"]
+    _check_names("engineering view", [picture.camera for picture in pictures if picture.eye is not None], free)
+    for picture in pictures:
         if picture.eye is not None and lengths(np.cross(picture.eye.ahead, picture.eye.up)) < LEAST_SINE:
             raise CommandError("the direction of view and the direction upwards have to differ, and not be zero")
 
