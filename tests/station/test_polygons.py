@@ -313,7 +313,7 @@ def test_an_eye_at_the_place_of_a_camera_has_the_picture_of_the_camera() -> None
     aim = next(one for one in aims if not one.hidden)
     eye = Eye(tuple(aim.position), tuple(aim.axes[2]), tuple(-aim.axes[1]), 2.0 * math.atan(aim.wide))
     free, fixed = (pictures().of(frame(), shot, ASPECT, LIGHT) for shot in (Shot("ENG", eye), Shot(aim.name)))
-    assert len(fixed.greys) > 100
+    assert len(fixed.greys) > 50
     assert (free.corners, free.greys) == (fixed.corners, fixed.greys)
     assert np.abs(np.frombuffer(free.points, "<i2") - np.frombuffer(fixed.points, "<i2").astype(int)).max() <= 1
 

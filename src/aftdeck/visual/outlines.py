@@ -10,7 +10,7 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.law import law
-from aftdeck.visual.cutting import FEWEST_CORNERS, FULL
+from aftdeck.visual.cutting import FEWEST_CORNERS, FULL, ON
 from aftdeck.visual.store import MOST_CORNERS, Store
 
 MOST_POINTS = 96
@@ -91,14 +91,17 @@ def in_picture(polygon: Array, count: int, wide: float, high: float, work: Array
 
 @law
 def within_planes(placed: Store, k: int, f: int, polygon: Array, count: int, work: Array) -> int:
-    """Cut off what is outside polyhedron `k` from a polygon (count, 3) in the plane of its face `f`."""
+    """Cut off what is outside polyhedron `k` from a polygon (count, 3) in the plane of its face `f`.
+
+    A corner up to ON outside a plane is kept: a cut there would make an edge whose direction is rounding.
+    """
     for g in range(placed.first_face[k], placed.first_face[k + 1]):
         if g == f:
             continue
         kept = 0
         for i in range(count):
             j = i + 1 if i + 1 < count else 0
-            a, b = placed.planes[g, 3], placed.planes[g, 3]
+            a, b = placed.planes[g, 3] + ON, placed.planes[g, 3] + ON
             for n in range(3):
                 a -= placed.planes[g, n] * polygon[i, n]
                 b -= placed.planes[g, n] * polygon[j, n]
