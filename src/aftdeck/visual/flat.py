@@ -70,26 +70,29 @@ def covers(polygon: Flat, other: Flat) -> bool:
 
 def merged(polygons: Iterable[Flat]) -> list[Flat]:
     """Return polygons that fill the same area: two that share an edge become one if their union is convex."""
-    left: list[Flat] = [[(round(x, _SAME), round(y, _SAME)) for x, y in polygon] for polygon in polygons]
+    rounded = ([(round(x, _SAME), round(y, _SAME)) for x, y in polygon] for polygon in polygons)
+    left = dict(enumerate(polygon for polygon in rounded if area(polygon) > _LEAST))
+    at = {edge: k for k, polygon in left.items() for edge in _edges(polygon)}
     found: list[Flat] = []
     while left:
-        polygon = left.pop()
-        if area(polygon) <= _LEAST:
-            continue
-        at = {edge: k for k, other in enumerate(left) for edge in _edges(other)}
+        _, polygon = left.popitem()
         for a, b in _edges(polygon):
             k = at.get((b, a))
-            if k is None:
-                continue
-            # round the first polygon from b to a, then round the other one from a to b
-            first, second = polygon.index(b), left[k].index(a)
-            both = polygon[first:] + polygon[:first] + (left[k][second:] + left[k][:second])[1:-1]
-            if area(hull(both)) <= area(polygon) + area(left[k]) + _LEAST:
+            if k in left and (both := _union(polygon, left[k], a, b)):
                 left[k] = both
+                at.update(dict.fromkeys(_edges(both), k))
                 break
         else:
             found.append(hull(polygon))
     return [polygon for polygon in found if polygon]
+
+
+def _union(polygon: Flat, other: Flat, a: Vec2, b: Vec2) -> Flat:
+    """Return the union of two polygons that share the edge from `a` to `b`; empty if it is not convex."""
+    # round the first polygon from b to a, then round the other one from a to b
+    first, second = polygon.index(b), other.index(a)
+    both = polygon[first:] + polygon[:first] + (other[second:] + other[:second])[1:-1]
+    return both if is_convex(both) and area(hull(both)) <= area(both) + _LEAST else []
 
 
 def _edges(polygon: Sequence[Vec2]) -> list[tuple[Vec2, Vec2]]:

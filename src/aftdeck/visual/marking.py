@@ -202,11 +202,12 @@ def _outlines(one: Drawn, face: _Face, heights: Array) -> list[Flat]:
         edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
         cut = _cut(points, heights, edges)
         return [outline] if (outline := hull(_flat(np.concatenate([points[heights >= -DEEP], cut]), face.axes))) else []
-    seen = []
     a, b, c = (points[faces[:, i]] for i in range(3))
     normals = np.cross(b - a, c - a)
     facing = normals @ face.plane[:3] > _FACING * np.sqrt((normals**2).sum(axis=1))
-    for triangle in faces[facing & (heights[faces].max(axis=1) > -DEEP)]:
+    flat, lowest = _flat(points, face.axes), heights[faces].min(axis=1)
+    seen = [[flat[i] for i in triangle] for triangle in faces[facing & (lowest >= -DEEP)].tolist()]
+    for triangle in faces[facing & (lowest < -DEEP) & (heights[faces].max(axis=1) > -DEEP)]:
         sides = np.array([triangle, np.roll(triangle, -1)]).T
         above = points[triangle[heights[triangle] >= -DEEP]]
         seen.append(hull(_flat(np.concatenate([above, _cut(points, heights, sides)]), face.axes)))
