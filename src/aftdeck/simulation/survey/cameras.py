@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.hexahedron import NX, D, pack
@@ -17,6 +16,7 @@ from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.fit import TOLERANCE, Parts, hands, parts_at
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
 from aftdeck.simulation.constants.site import site_of
 from aftdeck.simulation.survey.poses import bodies, inside_soft_stops, joints_text, placed, stops
@@ -115,7 +115,7 @@ def _points_inside(
         name: np.einsum("kij,kni->knj", own[:, 3:].reshape(-1, 3, 3), points - own[:, None, :3])
         for name, own in zip(arm.names, frames.transpose(1, 0, 2), strict=True)
     }
-    for solid in solids_of(scenario.arm.model):
+    for solid in arm_solids(scenario.arm.model, scenario.worksite):
         body = pack(solid.vertices)
         depths = (body[D:] - local[solid.frame] @ body[NX:D].reshape(3, 6)).min(axis=2)
         for k, point in np.argwhere(depths >= 0.0).tolist():

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.overlap import deepest
 from aftdeck.files import Problem, Where
 from aftdeck.scenario.fit import TOLERANCE
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.simulation.constants.site import site_of
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -59,7 +59,7 @@ def _folded(scenario: Scenario) -> Iterator[Problem]:
     model = scenario.arm.model
     if model.equipment.covered:
         return
-    home = {solid.part: solid.frame for solid in solids_of(model)}
+    home = {solid.part: solid.frame for solid in arm_solids(model, scenario.worksite)}
     layout = site_of(scenario).layout
     monitored = {frozenset(layout.named(group)) for group in range(len(layout.groups))}
     pairs = [(a, b) for a in home for b in home if a < b and home[a] != home[b] and frozenset((a, b)) not in monitored]
