@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +17,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
 from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.site import all_solids, site_of
+from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.worksite.conditions import quantity_text
 
@@ -93,12 +94,18 @@ class Lenses:
         return self._seen[1]
 
 
-def lenses_along(sim: Simulation) -> tuple[Inside, ...]:
-    """Fly a simulation to its end, and return the times for which lenses were inside parts."""
+def lenses_along(sim: Simulation, inputs: Callable[[Simulation], Inputs | None] | None = None) -> tuple[Inside, ...]:
+    """Fly a simulation to its end, and return the times for which lenses were inside parts.
+
+    `inputs` returns the inputs of a step, or None to end the flight; without it, the script flies.
+    """
     lenses, period = Lenses(sim.scenario), sim.scenario.control_period
     found: dict[tuple[str, str], Inside] = {}
     while not sim.ended:
-        frame = sim.step()
+        given = None if inputs is None else inputs(sim)
+        if given is None and inputs is not None:
+            break
+        frame = sim.step(given)
         depths = lenses.depths(sim._state.worksite.frames, frame.views, attached=frame.attached == 1)
         inside: dict[tuple[str, str], float] = {}
         for c, s in np.argwhere(depths >= 0.0).tolist():
@@ -121,3 +128,12 @@ def lenses_in_script(scenario: Scenario) -> Iterator[Problem]:
             f"{inside.first:.4g} s, by up to {deep}"
         )
         yield Problem(("phase",), what)
+
+
+def without_housing(scenario: Scenario) -> Iterator[Problem]:
+    """Yield one problem for each camera and each eye behind a window that no part contains by design."""
+    parts = {solid.part for solid in all_solids(scenario)}
+    for camera in cameras_of(scenario):
+        if camera.kind != "engineering" and camera.housing not in parts:
+            what = f"camera {camera.name} has no housing: it is inside no part, and its drive has no housing"
+            yield Problem(("worksite",), what)

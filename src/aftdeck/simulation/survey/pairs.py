@@ -1,6 +1,6 @@
 """Survey of a scenario in sampled poses, for ``aftdeck check`` and tests: overlaps, cameras inside parts, and reach.
 
-The survey takes about a second. When a scenario is loaded, only the quick checks of `scenario.fit` run; they find
+The survey takes about a second, and the time that a run of the script takes. When a scenario is loaded, only the quick checks of `scenario.fit` run; they find
 errors that make a run meaningless.
 """
 
@@ -17,6 +17,7 @@ from aftdeck.simulation.constants.site import site_of
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.survey.cameras import cameras
+from aftdeck.simulation.survey.lenses import lenses_in_script, without_housing
 from aftdeck.simulation.survey.poses import bodies, placed, stops
 from aftdeck.simulation.survey.reach import reach
 from aftdeck.worksite.conditions import quantity_text
@@ -30,12 +31,14 @@ def survey(scenario: Scenario) -> list[Problem]:
     - detrimental contacts at the starts of the scenario;
     - payloads and targets out of reach (`survey.reach`);
     - overlaps of two arm parts at combinations of the joints' hard stops, if the two are not a monitored pair;
-    - cameras inside parts (`survey.cameras`).
+    - cameras inside parts (`survey.cameras`), and while the script runs (`survey.lenses`);
+    - cameras without a housing.
 
     Raises:
         ScenarioError: at a start, the arm holds a payload in a pose in which it could not have captured the payload.
     """
-    return [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
+    found = [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
+    return [*found, *without_housing(scenario), *lenses_in_script(scenario)]
 
 
 def _starts(scenario: Scenario) -> Iterator[Problem]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,6 +75,16 @@ def _housing_problems(file: WorksiteFile) -> Iterator[Problem]:
         if camera.drive in housed and camera.inside:
             what = f"its drive {camera.drive!r} has a housing, so the camera cannot be inside {camera.inside!r}"
             yield Problem(("camera", i, "inside"), what)
+
+
+def inside_nothing(file: WorksiteFile, parts: Collection[str]) -> Iterator[Problem]:
+    """Yield a problem for each camera of the worksite that is inside a part that does not exist.
+
+    `parts` are those of the worksite and of its payloads. The parts of an arm are known only in a scenario.
+    """
+    for i, camera in enumerate(file.camera):
+        if camera.inside and camera.inside not in parts and not camera.body.startswith(ARM):
+            yield Problem(("camera", i, "inside"), f"{camera.inside!r} is not a part; parts are: {', '.join(parts)}")
 
 
 def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator[Problem]:

@@ -17,7 +17,7 @@ from aftdeck.files import Problem, Text, as_path, examine, is_file, line_of, rea
 from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
-from aftdeck.worksite.file.check import ARM, bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
+from aftdeck.worksite.file.check import ARM, bay_without_walls, blind_cameras, inside_nothing, misnamed, parts_in_two_frames
 from aftdeck.worksite.file.housing import Housed, housed
 from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, OrbiterFile, PortFile, SnareFile, WorksiteFile
 from aftdeck.worksite.file.seats import disc, seat_of
@@ -152,6 +152,7 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         ]
     )
     parts = dict.fromkeys(solid.part for own in (solids, *(cargo.solids for cargo in cargoes)) for solid in own)
+    problems += inside_nothing(file, parts)
     bay = None if file.bay is None else _bay(file.bay)
     if bay is not None and not problems:
         problems += bay_without_walls(bay, solids)
