@@ -29,9 +29,9 @@ LONGEST = {
     ("dimensions", "bay_width"): "17 ft",
 }
 """The report's largest payload, in a bay that holds it."""
-OUTSIDE = 0.01
-"""Greatest distance of a lens from the solid that contains it by design [m]; only the Shuttle arm's elbow camera has its
-lens a little ahead of its cover."""
+OUTSIDE = 0.02
+"""Greatest distance of a lens from the solid that contains it by design [m]; the lenses of the Shuttle
+arm's cameras are a little ahead of the covers."""
 
 
 @pytest.mark.parametrize("name", [*FLOWN, pytest.param(VERY_LONG, marks=[pytest.mark.slow, pytest.mark.long])])
@@ -99,7 +99,7 @@ def test_a_lens_in_the_way_of_a_payload_is_found(tmp_path: Path) -> None:
     scenario = load_scenario(tmp_path / "mission.toml")
     found = lenses_along(Simulation(scenario, digests=False))
     assert {(inside.camera, inside.part) for inside in found} == {("B", "payload")}
-    assert found[0].seconds > 4.0 and found[0].depth > 0.3
+    assert found[0].seconds > 4.0 and found[0].depth > 0.03
     assert len(list(lenses_in_script(scenario))) == 1
     assert ["camera B" in problem.what for problem in without_housing(scenario)] == [True]
 

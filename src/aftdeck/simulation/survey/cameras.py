@@ -1,4 +1,7 @@
-"""Search for cameras that are inside a part of the arm or of the worksite, for `survey.pairs`."""
+"""Search for cameras that are inside a part of the arm or of the worksite, for `survey.pairs`.
+
+A camera may be inside the part that contains it by design (`Camera.housing`).
+"""
 
 from __future__ import annotations
 
@@ -47,7 +50,7 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
         for camera in on_arm:
             pose = frames[camera.body]
             for part, depth in _inside(pose.rotation @ np.array(camera.position) + pose.position, own):
-                if (camera.name, part) not in found:
+                if part != camera.housing and (camera.name, part) not in found:
                     found.add((camera.name, part))
                     yield _problem(scenario, camera, part, depth, how)
 
