@@ -16,8 +16,8 @@ from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation.constants.site import all_solids, site_of
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.survey.lenses import Lenses, lenses_along, lenses_in_script, without_housing
-from aftdeck.worksite.file.check import distance
 from aftdeck.worksite import load_worksite
+from aftdeck.worksite.file.check import distance
 from tests import loaded
 from tests.scenario.missions import FLOWN, VERY_LONG
 

@@ -96,7 +96,17 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         pane = None if self.pane is None else self.pane.pane()
         angle = float(self.field_of_view)
         return Camera(
-            self.name, self.title, self.body, (x, y, z), self.boresight, self.up, angle, drive, self.kind, pane, self.inside
+            self.name,
+            self.title,
+            self.body,
+            (x, y, z),
+            self.boresight,
+            self.up,
+            angle,
+            drive,
+            self.kind,
+            pane,
+            self.inside,
         )
 
     def camera(self, drives: Sequence[DriveFile]) -> Camera:

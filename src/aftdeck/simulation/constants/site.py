@@ -269,7 +269,12 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
 def all_solids(scenario: Scenario) -> tuple[Solid, ...]:
     """Return all solids of a run: of the arm, of the attached payload, of the worksite and of its payloads."""
     cargo = (solid for payload in scenario.cargo for solid in payload.solids)
-    return (*arm_solids(scenario.arm.model, scenario.worksite), *_attached_solids(scenario), *scenario.worksite.solids, *cargo)
+    return (
+        *arm_solids(scenario.arm.model, scenario.worksite),
+        *_attached_solids(scenario),
+        *scenario.worksite.solids,
+        *cargo,
+    )
 
 
 def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:

@@ -17,7 +17,14 @@ from aftdeck.files import Problem, Text, as_path, examine, is_file, line_of, rea
 from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
-from aftdeck.worksite.file.check import ARM, bay_without_walls, blind_cameras, inside_nothing, misnamed, parts_in_two_frames
+from aftdeck.worksite.file.check import (
+    ARM,
+    bay_without_walls,
+    blind_cameras,
+    inside_nothing,
+    misnamed,
+    parts_in_two_frames,
+)
 from aftdeck.worksite.file.housing import Housed, housed
 from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, OrbiterFile, PortFile, SnareFile, WorksiteFile
 from aftdeck.worksite.file.seats import disc, seat_of
