@@ -1,7 +1,7 @@
 """Survey of a scenario in sampled poses, for ``aftdeck check`` and tests: overlaps, cameras inside parts, and reach.
 
-The survey takes about a second, and the time that a run of the script takes. When a scenario is loaded, only the quick checks of `scenario.fit` run; they find
-errors that make a run meaningless.
+The survey takes about a second, and the time that a run of the script takes. When a scenario is loaded, only the quick
+checks of `scenario.fit` run; they find errors that make a run meaningless.
 """
 
 from __future__ import annotations
