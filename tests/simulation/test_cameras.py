@@ -196,7 +196,7 @@ def test_arm_cameras_exist_only_with_their_frame(tmp_path: Path) -> None:
     mixed = load_scenario(file)
     there = {camera.name for camera in cameras_of(mixed)}
     listed = {camera.name: camera.body for camera in mixed.worksite.cameras if camera.body.startswith("arm.")}
-    assert "arm.stand" in listed.values()
+    assert "arm.base" in listed.values()
     frames = mixed.arm.model.frames
     assert {name for name, body in listed.items() if body not in frames} & there == set()
     assert {name for name, body in listed.items() if body in frames} <= there
