@@ -12,7 +12,7 @@ from playwright.sync_api import Browser
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.trial import Trial
 from aftdeck.station.playback.one_file import write_html
-from tests.browser.conftest import NARROW, SIZES, OpenPage
+from tests.browser.conftest import COMPILED_S, NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.layout_checks import assert_readable, assert_tidy
 from tests.station.recordings import playing, record_run
@@ -159,3 +159,38 @@ def test_html_file_plays_without_requests_or_errors(browser: Browser, recording:
     page.close()
     assert [url for url in requests if not url.startswith("data:")] == [f"{out.as_uri()}?quality=low"]
     assert [text for text in console if "GPU stall" not in text] == []
+
+
+SEVENTIES = "document.querySelector('.monitor .picture > canvas.polygons')"
+BRIGHT = f"""(() => {{
+    const canvas = {SEVENTIES};
+    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    let sum = 0;
+    for (let i = 0; i < data.length; i += 4) sum += data[i] * ((i >> 2) % 997);
+    return sum;
+}})()"""
+"""A number that changes with the picture in the look of 1972; 0 if it is black."""
+
+
+def test_replay_has_the_look_of_1972_at_the_playhead(replay: Flight) -> None:
+    monitor = replay.page.locator(".monitor").first
+    assert monitor.get_by_role("button", name="Planes").count() == 0
+    look = monitor.get_by_role("button", name="1972", exact=True)
+    look.click()
+    replay.until(f"!{SEVENTIES}.hidden && {BRIGHT} > 0", COMPILED_S * 1000)
+    first = replay.script(BRIGHT)
+    press(replay, "Play")
+    replay.until(f"{BRIGHT} !== {first}", COMPILED_S * 1000)
+    look.click()
+    replay.until(f"{SEVENTIES}.hidden")
+
+
+def test_one_file_has_no_look_of_1972(recording: Path, tmp_path: Path, browser: Browser) -> None:
+    """Nothing computes its polygons."""
+    path = tmp_path / "flight.html"
+    write_html(recording, path)
+    page = browser.new_page()
+    page.goto(f"{path.as_uri()}?quality=low")
+    page.locator(".monitor").first.wait_for()
+    assert page.get_by_role("button", name="1972", exact=True).count() == 0
+    page.close()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 import os
 import signal
 import threading
@@ -20,7 +21,7 @@ from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.conversion.polygons_of import HALF_WIDTH, PolygonPictures, no_polygons
+from aftdeck.station.conversion.polygons_of import HALF_WIDTH, PolygonPictures, Shot, no_polygons
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame as FrameMessage
 from aftdeck.station.server.pages import GATHER_S
@@ -29,7 +30,7 @@ from aftdeck.station.session.painting import Painting, Sheet, Wanted
 from aftdeck.station.session.session import Session
 from aftdeck.visual.diagram import sheet
 from aftdeck.visual.picture import picture_of
-from aftdeck.visual.scene import VisualScene
+from aftdeck.visual.scene import Eye, VisualScene
 from tests.loaded import scenario
 from tests.station.pages import WAIT_S, Page, Station, served, text_of, until
 
@@ -57,7 +58,7 @@ def pictures() -> PolygonPictures:
 
 @pytest.mark.parametrize("camera", ["A", "F", "W", "AFT"])
 def test_polygons_are_those_of_the_visual_scene(camera: str) -> None:
-    message = pictures().of(frame(), camera, ASPECT, LIGHT)
+    message = pictures().of(frame(), Shot(camera), ASPECT, LIGHT)
     drawn = picture_of(VisualScene(scenario(NAME)), frame(), camera, SIZE, "1972", LIGHT)
     corners = np.frombuffer(message.corners, np.uint8)
     assert (message.tick, message.camera, message.text) == (frame().tick, camera, "")
@@ -71,7 +72,7 @@ def test_polygons_are_those_of_the_visual_scene(camera: str) -> None:
 
 def test_picture_follows_the_light_condition() -> None:
     night = next(condition for condition in conditions() if condition.name == "night")
-    day, dark = (sum(pictures().of(frame(), "A", ASPECT, light).greys) for light in (LIGHT, night))
+    day, dark = (sum(pictures().of(frame(), Shot("A"), ASPECT, light).greys) for light in (LIGHT, night))
     assert dark < day
 
 
@@ -82,7 +83,7 @@ def test_camera_inside_a_body_has_a_sentence(monkeypatch: pytest.MonkeyPatch) ->
     pose = scene.frames_at(frame())[scene.clusters.frames.index(cluster.frame)]
     inside = pose[:3] + pose[3:].reshape(3, 3) @ cluster.body.points.mean(axis=0)
     monkeypatch.setattr(VisualScene, "aim", lambda *_: aim._replace(position=inside, hidden=frozenset()))
-    message = pictures().of(frame(), "A", ASPECT, LIGHT)
+    message = pictures().of(frame(), Shot("A"), ASPECT, LIGHT)
     assert message.text == "No picture: camera A is inside lower boom or touches it."
     assert (message.tick, message.points, message.corners, message.greys) == (frame().tick, b"", b"", b"")
 
@@ -99,11 +100,11 @@ class Counted(Painting):
     def wait(self, tell: Callable[[Progress], None]) -> None:
         """Return at once."""
 
-    def pictures(self, wanted: Wanted) -> dict[str, bytes]:
-        self.count |= {camera: self.count.get(camera, 0) + 1 for camera in wanted.aspects}
+    def pictures(self, wanted: Wanted) -> dict[Shot, bytes]:
+        self.count |= {shot.camera: self.count.get(shot.camera, 0) + 1 for shot in wanted.aspects}
         return {
-            camera: msgspec.json.encode(no_polygons(camera, f"{aspect:g} {wanted.light.name}", wanted.frame.tick))
-            for camera, aspect in wanted.aspects.items()
+            shot: msgspec.json.encode(no_polygons(shot.camera, f"{aspect:g} {wanted.light.name}", wanted.frame.tick))
+            for shot, aspect in wanted.aspects.items()
         }
 
     def close(self) -> None:
@@ -112,7 +113,7 @@ class Counted(Painting):
 
 def drawn(painter: Painter) -> Mapping[str, to_page.Polygons]:
     decode = msgspec.json.Decoder(to_page.Polygons).decode
-    return {camera: decode(picture) for camera, picture in painter.drawn.items()}
+    return {shot.camera: decode(picture) for shot, picture in painter.drawn.items()}
 
 
 def test_without_a_wanted_picture_nothing_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -127,13 +128,13 @@ def test_without_a_wanted_picture_nothing_is_computed(monkeypatch: pytest.Monkey
 
 def test_painter_draws_the_wanted_cameras_of_the_newest_frame() -> None:
     painter = Painter(scenario(NAME), Counted)
-    painter.want({"A": 1.5})
+    painter.want({Shot("A"): 1.5})
     painter.show(frame(), LIGHT)
     until(lambda: drawn(painter)["A"].tick == frame().tick, "a picture")
     assert drawn(painter)["A"].text == f"1.5 {LIGHT.name}"
-    painter.want({"B": 1.0})
+    painter.want({Shot("B"): 1.0})
     painter.show(frame(), LIGHT)
-    until(lambda: set(painter.drawn) == {"B"}, "a picture of the other camera")
+    until(lambda: set(painter.drawn) == {Shot("B")}, "a picture of the other camera")
     painter.close()
 
 
@@ -146,7 +147,7 @@ def test_the_time_until_the_first_picture_is_told() -> None:
             go_on.wait(WAIT_S)
 
     painter = Painter(scenario(NAME), Compiling)
-    painter.want({"A": 1.5})
+    painter.want({Shot("A"): 1.5})
     until(lambda: drawn(painter)["A"].share == 0.5, "progress")
     assert "12 s" in drawn(painter)["A"].text
     go_on.set()
@@ -171,7 +172,7 @@ def test_more_cameras_than_are_drawn_at_once_are_drawn_in_turn() -> None:
         rounds += 1
 
     painter.notify = notified
-    painter.want(dict.fromkeys(names, 1.0))
+    painter.want(dict.fromkeys(map(Shot, names), 1.0))
     for k in range(3):
         painter.show(frame(), LIGHT)
         until(lambda k=k: rounds > k, "a round of pictures")  # type: ignore[misc]
@@ -183,9 +184,11 @@ def test_process_draws_the_same_pictures_and_sheets() -> None:
     painting = Painting(scenario(NAME))
     painting.wait(lambda _: None)
     assert os.getpriority(os.PRIO_PROCESS, painting.pid) == os.getpriority(os.PRIO_PROCESS, 0) + BACKGROUND
-    there = painting.pictures(Wanted(frame(), LIGHT, {"A": ASPECT, "F": 1.0}))
-    here = {"A": pictures().of(frame(), "A", ASPECT, LIGHT), "F": pictures().of(frame(), "F", 1.0, LIGHT)}
-    assert there == {camera: msgspec.json.encode(picture) for camera, picture in here.items()}
+    there = painting.pictures(Wanted(frame(), LIGHT, {Shot("A"): ASPECT, Shot("F"): 1.0}))
+    here = {
+        shot: pictures().of(frame(), shot, aspect, LIGHT) for shot, aspect in ((Shot("A"), ASPECT), (Shot("F"), 1.0))
+    }
+    assert there == {shot: msgspec.json.encode(picture) for shot, picture in here.items()}
     title = scenario(NAME).title
     svg = painting.sheet(Sheet(frame(), LIGHT, "A"))
     assert svg.decode() == sheet(VisualScene(scenario(NAME)), frame(), "A", LIGHT, title)
@@ -204,7 +207,7 @@ def test_closing_ends_a_process_that_compiles() -> None:
         return started[0]
 
     painter = Painter(scenario(NAME), start)
-    painter.want({"A": 1.5})
+    painter.want({Shot("A"): 1.5})
     until(lambda: painter._painting is not None, "the process")
     painter.close()
     assert started[0]._child.process.returncode is not None
@@ -215,7 +218,7 @@ def test_closing_ends_a_process_that_compiles() -> None:
 
 def test_process_that_ends_is_reported() -> None:
     painter = Painter(scenario(NAME))
-    painter.want({"A": 1.0})
+    painter.want({Shot("A"): 1.0})
     until(lambda: painter._painting is not None, "the process")
     assert painter._painting is not None
     os.kill(painter._painting.pid, signal.SIGKILL)
@@ -228,10 +231,10 @@ def test_failure_of_the_painter_is_shown() -> None:
         raise ValueError("no clusters")
 
     painter = Painter(scenario(NAME), start)
-    painter.want({"A": 1.0})
+    painter.want({Shot("A"): 1.0})
     until(lambda: drawn(painter)["A"].text == "The look of 1972 has failed: no clusters", "the reason")
-    painter.want({"B": 1.0})
-    assert set(painter.drawn) == {"B"}
+    painter.want({Shot("B"): 1.0})
+    assert set(painter.drawn) == {Shot("B")}
 
 
 # --- pages ------------------------------------------------------------------------------------------------------------
@@ -265,28 +268,54 @@ def test_pages_receive_the_pictures_that_they_ask_for() -> None:
 
 
 def test_camera_is_drawn_once_for_all_pages(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
-    wanted: list[Mapping[str, float]] = []
+    wanted: list[Mapping[Shot, float]] = []
     monkeypatch.setattr(station.session.painter, "want", wanted.append)
     with station.page() as first:
         with station.page() as second:
             ask(first, "A", "B", aspect=1.5)
-            until(lambda: wanted[-1:] == [{"A": 1.5, "B": 1.5}], "the pictures of one page")
+            until(lambda: wanted[-1:] == [{Shot("A"): 1.5, Shot("B"): 1.5}], "the pictures of one page")
             ask(second, "A", "C", aspect=0.7)
-            until(lambda: wanted[-1] == {"A": 0.7, "B": 1.5, "C": 0.7}, "the pictures of both pages")
-        until(lambda: wanted[-1] == {"A": 1.5, "B": 1.5}, "the pictures of the page that is left")
+            until(lambda: wanted[-1] == {Shot("A"): 0.7, Shot("B"): 1.5, Shot("C"): 0.7}, "the pictures of both pages")
+        until(lambda: wanted[-1] == {Shot("A"): 1.5, Shot("B"): 1.5}, "the pictures of the page that is left")
     until(lambda: wanted[-1] == {}, "no pictures")
 
 
 def test_requests_of_a_flood_take_effect_together(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
-    wanted: list[Mapping[str, float]] = []
+    wanted: list[Mapping[Shot, float]] = []
     monkeypatch.setattr(station.session.painter, "want", wanted.append)
     begun = time.monotonic()
     with station.page() as page:
         for k in range(200):
             ask(page, "AB"[k % 2], aspect=1.0 + 0.01 * k)
-        until(lambda: wanted[-1:] == [{"B": 2.99}], "the last request")
+        until(lambda: wanted[-1:] == [{Shot("B"): 2.99}], "the last request")
         elapsed = time.monotonic() - begun
     assert len(wanted) <= 1 + elapsed / GATHER_S
+
+
+EYE = from_page.FreeEye((1.0, 2.0, -9.0), (0.0, 0.6, 0.8), (1.0, 0.0, 0.0), 1.0)
+BLIND = msgspec.structs.replace(EYE, up=EYE.ahead)
+
+
+def test_an_engineering_view_is_drawn_from_the_eye_of_its_page(station: Station) -> None:
+    """Two pages direct the same view, and each has its own picture."""
+    with station.page() as first, station.page() as second:
+        points = []
+        for page, eye in ((first, EYE), (second, msgspec.structs.replace(EYE, field_of_view=0.5))):
+            page.send(from_page.ShowPolygons(page.next_seq(), (from_page.PolygonPicture("ENG", 1.5, eye),)))
+        for page in (first, second):
+            points.append(page.wait_for(to_page.Polygons, lambda one: one.text == "" and one.camera == "ENG").points)
+    assert points[0] != points[1]
+
+
+def test_an_eye_at_the_place_of_a_camera_has_the_picture_of_the_camera() -> None:
+    scene = VisualScene(scenario(NAME))
+    aims = [scene.aim(frame(), camera.name, ASPECT) for camera in scene.cameras.values() if camera.pane is None]
+    aim = next(one for one in aims if not one.hidden)
+    eye = Eye(tuple(aim.position), tuple(aim.axes[2]), tuple(-aim.axes[1]), 2.0 * math.atan(aim.wide))
+    free, fixed = (pictures().of(frame(), shot, ASPECT, LIGHT) for shot in (Shot("ENG", eye), Shot(aim.name)))
+    assert len(fixed.greys) > 50
+    assert (free.corners, free.greys) == (fixed.corners, fixed.greys)
+    assert np.abs(np.frombuffer(free.points, "<i2") - np.frombuffer(fixed.points, "<i2").astype(int)).max() <= 1
 
 
 @pytest.mark.parametrize(
@@ -296,7 +325,9 @@ def test_requests_of_a_flood_take_effect_together(station: Station, monkeypatch:
         (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 0.1),)), "Expected `float` >= 0.5"),
         (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 9.0),)), "Expected `float` <= 4.0"),
         (from_page.ShowPolygons(0, (from_page.PolygonPicture("A" * 65, 1.0),)), "length <= 64"),
-        (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 1.0),) * 5), "length <= 4"),
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 1.0),) * 65), "length <= 64"),
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("A", 1.0, EYE),)), "unknown engineering view 'A'"),
+        (from_page.ShowPolygons(0, (from_page.PolygonPicture("ENG", 1.0, BLIND),)), "have to differ"),
     ],
 )
 def test_invalid_pictures_are_rejected(shared: Station, message: from_page.ShowPolygons, reason: str) -> None:

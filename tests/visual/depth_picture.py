@@ -35,16 +35,18 @@ class DepthPictures:
         self._distances = bodies[:, D : D + SIDES]
         self._size = width, height
 
-    def at(self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]) -> Indices:
-        """Return the part (height, width) that each pixel shows, as its index in `parts`; -1 if it shows none.
+    def at(self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]) -> tuple[Indices, Array]:
+        """Return the part that each pixel shows, and its depth (height, width).
+
+        A part is given as its index in `parts`, -1 if there is none; the depth is then infinite.
 
         Args:
             poses: position and rotation in the scene of each frame that carries solids.
             aim: the camera.
             absent: parts that are not in the picture.
         """
-        shown: Indices = traced(*self._seen(poses, aim, absent), *rays(aim.wide, aim.high, *self._size))
-        return shown
+        shown, depth = traced(*self._seen(poses, aim, absent), *rays(aim.wide, aim.high, *self._size))
+        return shown, depth
 
     def distance(self, poses: dict[str, tuple[Array, Array]], aim: Aim, absent: frozenset[str]) -> float:
         """Return a lower bound of the distance from the eye to the nearest part [m]; negative inside a part."""
@@ -94,4 +96,4 @@ def traced(part, normals, distances, across, down):  # type: ignore[no-untyped-d
                         break
                 if enters < leaves and enters < depth[row, column]:
                     depth[row, column], shown[row, column] = enters, part[k]
-    return shown
+    return shown, depth

@@ -9,6 +9,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.visual.marks import no_marks
 from aftdeck.visual.order import CUTS, ordered
 from aftdeck.visual.planes import TOLERANCE
 from aftdeck.visual.polygons import Polygons
@@ -68,7 +69,7 @@ class Bodies:
             np.zeros(count, np.int64), work.memory("eye"), work.entries, work.table, work.notes,
         )  # fmt: skip
         assert found >= 0
-        polygons = work.polygons(found, WIDE, WIDE)
+        polygons = work.polygons(found, WIDE, WIDE, no_marks(len(self._store.planes)), self._frame, poses)
         assert polygons is not None
         return Ordered(int(work.notes[CUTS]), polygons, eye, axes)
 
@@ -80,7 +81,7 @@ class Bodies:
         across, down = rays(WIDE, WIDE, SIZE, SIZE)
         right = np.zeros_like(shown, bool)
         for a, b in product((-BESIDE, BESIDE), repeat=2):
-            right |= shown == traced(np.arange(len(planes)), normals, distances, across + a, down + b)
+            right |= shown == traced(np.arange(len(planes)), normals, distances, across + a, down + b)[0]
         return int((~right).sum())
 
 

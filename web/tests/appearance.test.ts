@@ -23,11 +23,11 @@ test('a display option is off by default, stored, and reported to listeners', ()
   ]);
 });
 
-test('the look of 1972 is stored for each monitor', () => {
+test('the look of 1972 is stored for each monitor and the view of all cameras', () => {
   const appearance = new Appearance(store, () => {});
-  expect(appearance.seventies).toEqual([false, false]);
-  appearance.set({ seventies: [false, true] });
-  expect(new Appearance(store, () => {}).seventies).toEqual([false, true]);
+  expect(appearance.seventies).toEqual([false, false, false]);
+  appearance.set({ seventies: [false, true, false] });
+  expect(new Appearance(store, () => {}).seventies).toEqual([false, true, false]);
 });
 
 test('stored options that cannot be read are replaced by the defaults', () => {

@@ -163,7 +163,7 @@ test('a picture in the look of 1972 that arrives no more is old, unless the stat
   };
   const stale = (shown: () => Polygons | null) => {
     for (const end = now + 1000; now < end; now += 50) {
-      pane.show(shown(), size);
+      pane.show(shown(), now, size);
       pane.ageOf(scene, now);
     }
     return isStale(pane.ageOf(scene, now));
@@ -177,6 +177,12 @@ test('a picture in the look of 1972 that arrives no more is old, unless the stat
   expect(stale(() => null)).toBe(true);
   const preparing = picture(-1, 'Preparing');
   expect(stale(() => preparing)).toBe(false);
+  const still = () => {
+    pane.show(last, last.tick, size); // a paused replay shows it once
+    for (const end = now + 1000; now < end; now += 50) pane.ageOf(scene, now);
+    return isStale(pane.ageOf(scene, now));
+  };
+  expect(still()).toBe(false);
   pane.hide();
   expect(pane.ageOf(scene, now)).toBe(scene);
 });

@@ -75,10 +75,11 @@ describe('pictures on the page', () => {
     expect(names(all)).toBe('C');
   });
 
-  it('have the look of 1972 if their monitor has it, but not as tiles', () => {
+  it('have the look of 1972 if their monitor has it, and as tiles if the view of all cameras has it', () => {
     const { panes } = page();
     expect(panes.all(false, [true, false]).map(({ polygons }) => polygons)).toEqual([true, true, false]);
-    expect(panes.all(true, [true, true]).some(({ polygons }) => polygons)).toBe(false);
+    expect(panes.all(true, [true, true, false]).some(({ polygons }) => polygons)).toBe(false);
+    expect(panes.all(true, [false, false, true]).every(({ polygons }) => polygons)).toBe(true);
   });
 });
 

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, test, vi } from 'vitest';
 import { PolygonPictures } from '../src/link/polygon-pictures';
-import type { Polygons } from '../src/link/protocol';
+import type { FreeEye, Polygons } from '../src/link/protocol';
 import type { Command } from '../src/link/socket';
 import { drawPolygons, type Pen } from '../src/panel/monitors/polygon-pane';
 
@@ -98,36 +98,30 @@ function made() {
   return { sent, pictures, put };
 }
 
-const asks = (...pictures: { camera: string; aspect: number }[]) => ({ type: 'show_polygons', pictures });
+const one = (camera: string, aspect: number, eye: FreeEye | null = null) => ({ camera, aspect, eye });
+const asks = (...pictures: ReturnType<typeof one>[]) => ({ type: 'show_polygons', pictures });
 
 test('a page asks for its pictures once, for each camera with the aspect of the highest picture', () => {
   const { sent, pictures } = made();
   pictures.want([]);
   expect(sent).toEqual([]);
-  const shown = [
-    { camera: 'A', aspect: 1.38 },
-    { camera: 'B', aspect: 9 },
-    { camera: 'A', aspect: 0.69 },
-    { camera: 'C', aspect: 0.1 },
-  ];
+  const shown = [one('A', 1.38), one('B', 9), one('A', 0.69), one('C', 0.1)];
   pictures.want(shown);
   pictures.want([...shown]);
-  expect(sent).toEqual([
-    asks({ camera: 'A', aspect: 0.6 }, { camera: 'B', aspect: 4 }, { camera: 'C', aspect: 0.5 }),
-  ]);
+  expect(sent).toEqual([asks(one('A', 0.6), one('B', 4), one('C', 0.5))]);
   pictures.want([]);
   expect(sent[1]).toEqual(asks());
 });
 
 test('a page asks again after a new connection, and for nothing while it is hidden', () => {
   const { sent, pictures } = made();
-  const shown = [{ camera: 'A', aspect: 1.5 }];
+  const shown = [one('A', 1.5)];
   pictures.want(shown);
   pictures.askAgain();
   pictures.want(shown);
   hide();
   pictures.want(shown);
-  const asked = asks({ camera: 'A', aspect: 1.5 });
+  const asked = asks(one('A', 1.5));
   expect(sent).toEqual([asked, asked, asks(), asked]);
 });
 
@@ -148,8 +142,18 @@ test('a restart removes the pictures of the run before', () => {
 
 test('a camera that is not shown any more has no old picture when it is shown again', () => {
   const { pictures, put } = made();
-  pictures.want([{ camera: 'A', aspect: 1 }]);
+  pictures.want([one('A', 1)]);
   put('A', 3);
   pictures.want([]);
   expect(pictures.at('A', 5)).toBe(null);
+});
+
+test('a page asks again when the eye of its engineering view moves', () => {
+  const { sent, pictures } = made();
+  const eye = (x: number): FreeEye => ({
+    ...{ position: [x, 0, 0], ahead: [0, 0, 1], up: [0, -1, 0] },
+    field_of_view: 1,
+  });
+  for (const x of [1, 1, 2]) pictures.want([one('ENG', 1.5, eye(x))]);
+  expect(sent).toEqual([1, 2].map((x) => asks(one('ENG', 1.5, eye(x)))));
 });

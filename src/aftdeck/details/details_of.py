@@ -1,7 +1,7 @@
 """Details of a scenario: shapes that only decorate its bodies (`worksite.model.Body.details`).
 
-The station's page draws them. Contacts, the survey of cameras, recordings and the pictures without a depth buffer do
-not know them.
+The station's page draws them, and the pictures without a depth buffer have them as marks on faces. Contacts, the survey
+of cameras and recordings do not know them.
 """
 
 from __future__ import annotations

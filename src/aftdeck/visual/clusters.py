@@ -25,6 +25,9 @@ from aftdeck.scenario.relative import inverted, scene_in_l
 from aftdeck.scene.colours import rgb
 from aftdeck.simulation.constants.site import all_solids, site_of
 from aftdeck.visual.bisectors import bisected_pairs
+from aftdeck.visual.drawn import drawn_shapes
+from aftdeck.visual.marking import painted
+from aftdeck.visual.marks import Marks
 from aftdeck.visual.paint import surfaces_of
 from aftdeck.visual.placing import find_overlaps
 from aftdeck.visual.planes import TOLERANCE
@@ -63,7 +66,8 @@ class Clusters(NamedTuple):
         trims: (T, 2) pairs of clusters in different frames that can overlap in flight, because a joint or a grasp
             connects them: in each picture, the second is removed from the first.
         bisected: (B, 2) pairs of clusters that SP 11 and SP 12 may separate.
-        colours: (F, 3) sRGB colour of each face, 0 to 1.
+        marks: the marks of the faces.
+        colours: (F + M, 3) sRGB colour of each face, then of each mark, 0 to 1.
         solids: number of collision solids from which the clusters were made.
         overlapping: number of pairs of solids in one frame that overlap.
     """
@@ -75,6 +79,7 @@ class Clusters(NamedTuple):
     forest: Forest
     trims: Indices
     bisected: Indices
+    marks: Marks
     colours: Array
     solids: int
     overlapping: int
@@ -103,7 +108,10 @@ def clusters_of(scenario: Scenario) -> Clusters:
     frames = tuple(dict.fromkeys(cluster.frame for cluster in clusters))
     store = store_of([cluster.body for cluster in clusters])
     frame = np.array([frames.index(cluster.frame) for cluster in clusters], dtype=np.int64)
-    surfaces = surfaces_of(scenario)
+    drawn = tuple(drawn_shapes(scenario))
+    surfaces = surfaces_of(drawn)
+    materials = [m for cluster in clusters for m in surfaces.of(cluster.frame, cluster.body.planes)]
+    marked = painted([(cluster.frame, cluster.body) for cluster in clusters], materials, drawn)
     return Clusters(
         frames,
         tuple(clusters),
@@ -116,7 +124,8 @@ def clusters_of(scenario: Scenario) -> Clusters:
             [cluster.frame for cluster in clusters],
             [volume(cluster.body) for cluster in clusters],
         ),
-        np.array([rgb(m) for cluster in clusters for m in surfaces.of(cluster.frame, cluster.body.planes)]),
+        marked.marks,
+        np.array([rgb(material) for material in (*materials, *marked.materials)]),
         len(made),
         overlapping,
     )

@@ -10,7 +10,7 @@ import numpy as np
 
 from aftdeck.arrays import Array, Indices
 from aftdeck.law import law
-from aftdeck.visual.cutting import FEWEST_CORNERS, FULL
+from aftdeck.visual.cutting import FEWEST_CORNERS, FULL, ON
 from aftdeck.visual.store import MOST_CORNERS, Store
 
 MOST_POINTS = 96
@@ -62,6 +62,12 @@ def clipped(placed: Store, f: int, wide: float, high: float, polygon: Array, wor
     for c in range(placed.first_corner[f], placed.first_corner[f + 1]):
         polygon[count] = placed.points[placed.corners[c]]
         count += 1
+    return in_picture(polygon, count, wide, high, work)
+
+
+@law
+def in_picture(polygon: Array, count: int, wide: float, high: float, work: Array) -> int:
+    """Cut off what is beyond the edges of the picture from a polygon (count, 3); return the number of its corners."""
     for side in range(_SIDES):
         axis, sign, limit = side >> 1, 1.0 if side & 1 else -1.0, high if side & 2 else wide
         kept = 0
@@ -76,6 +82,36 @@ def clipped(placed: Store, f: int, wide: float, high: float, polygon: Array, wor
                 part = a / (a - b)
                 for k in range(3):
                     work[kept, k] = polygon[i, k] + part * (polygon[j, k] - polygon[i, k])
+                kept += 1
+        count = kept
+        for i in range(count):
+            polygon[i] = work[i]
+    return count
+
+
+@law
+def within_planes(placed: Store, k: int, f: int, polygon: Array, count: int, work: Array) -> int:
+    """Cut off what is outside polyhedron `k` from a polygon (count, 3) in the plane of its face `f`.
+
+    A corner up to ON outside a plane is kept: a cut there would make an edge whose direction is rounding.
+    """
+    for g in range(placed.first_face[k], placed.first_face[k + 1]):
+        if g == f:
+            continue
+        kept = 0
+        for i in range(count):
+            j = i + 1 if i + 1 < count else 0
+            a, b = placed.planes[g, 3] + ON, placed.planes[g, 3] + ON
+            for n in range(3):
+                a -= placed.planes[g, n] * polygon[i, n]
+                b -= placed.planes[g, n] * polygon[j, n]
+            if a >= 0.0:
+                work[kept] = polygon[i]
+                kept += 1
+            if (a < 0.0 and b > 0.0) or (a > 0.0 and b < 0.0):
+                part = a / (a - b)
+                for n in range(3):
+                    work[kept, n] = polygon[i, n] + part * (polygon[j, n] - polygon[i, n])
                 kept += 1
         count = kept
         for i in range(count):

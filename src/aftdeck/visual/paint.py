@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
-from aftdeck.frames import IDENTITY, Pose
-from aftdeck.kinematics.linkage import L5
 from aftdeck.matrices import lengths
-from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.relative import inverted, scene_in_l
-from aftdeck.scene.bodies import PAYLOAD, bodies_of
 from aftdeck.scene.colours import COLOURS, material_of
-from aftdeck.scene.mesh import moved
-from aftdeck.scene.placed import carried, placed
-from aftdeck.scene.solids import solid
 from aftdeck.shapes import Material
+from aftdeck.visual.drawn import Drawn
 
 _AROUND = 0.03
 """Distance outside a cluster up to which a shape's triangle belongs to the cluster [m]: a little more than the distance
@@ -70,23 +64,15 @@ class Surfaces:
         return found
 
 
-def surfaces_of(scenario: Scenario) -> Surfaces:
-    """Return the drawn shapes of a scenario, each in the frame that carries its body."""
-    model = scenario.arm.model
-    mount = inverted(scene_in_l(model.mount, scenario.worksite.origin))
-    home: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in scenario.worksite.bodies}
-    home[model.linkage.frames[0]] = ("orbiter", mount)
-    if scenario.payload is not None:
-        tip = Pose(np.array([float(model.links[L5]), 0.0, 0.0]), np.eye(3))
-        home[PAYLOAD] = (model.linkage.frames[-1], scenario.payload.pose(tip))
+def surfaces_of(drawn: Iterable[Drawn]) -> Surfaces:
+    """Return the surfaces of drawn shapes, without details."""
     parts: dict[str, list[tuple[Array, Array, Indices]]] = {}
-    for body in bodies_of(scenario):
-        frame, pose = home.get(body.name, (body.name, IDENTITY))
-        for leaf, own in placed(body.shapes):
-            surface = moved(solid(leaf), carried(pose, own))
-            a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
-            which = np.full(len(a), _MATERIALS.index(material_of(leaf)), dtype=np.int64)
-            parts.setdefault(frame, []).append(((a + b + c) / 3.0, 0.5 * np.cross(b - a, c - a), which))
+    for one in drawn:
+        if one.is_detail:
+            continue
+        a, b, c = (one.surface.vertices[one.surface.faces[:, k]] for k in range(3))
+        which = np.full(len(a), _MATERIALS.index(material_of(one.shape)), dtype=np.int64)
+        parts.setdefault(one.frame, []).append(((a + b + c) / 3.0, 0.5 * np.cross(b - a, c - a), which))
     return Surfaces(
         {
             frame: _Triangles(*(np.concatenate([part[k] for part in own]) for k in range(3)))

@@ -9,10 +9,11 @@ import numpy as np
 from aftdeck.arrays import Array, Indices
 from aftdeck.law import law
 from aftdeck.visual.cutting import FEWEST_CORNERS, FULL
-from aftdeck.visual.outlines import clipped
+from aftdeck.visual.marks import MOST_MARK_CORNERS, Marks
+from aftdeck.visual.outlines import clipped, in_picture, within_planes
 from aftdeck.visual.store import MOST_CORNERS, Store
 
-MOST_POLYGONS = 4096
+MOST_POLYGONS = 8192
 """Greatest number of polygons in a picture."""
 
 
@@ -23,7 +24,8 @@ class Polygons(NamedTuple):
         points: (P, 2) corners, from -1 at the left and upper edge of the picture to 1 at the right and lower edge.
         begins: (Q + 1,) first corner of each polygon.
         owner: (Q,) cluster of each polygon.
-        face: (Q,) face of the clusters' store whose colour the polygon has.
+        face: (Q,) face of the clusters' store whose colour the polygon has; F + m for mark number m, where F is the
+            number of these faces.
         normal: (Q, 3) outward unit normal of each polygon, in the coordinates of the camera.
     """
 
@@ -41,6 +43,9 @@ def gather(
     count: int,
     wide: float,
     high: float,
+    marks: Marks,
+    frame: Indices,
+    poses: Array,
     points: Array,
     begins: Indices,
     owner: Indices,
@@ -49,7 +54,8 @@ def gather(
 ) -> int:
     """Write the front faces of all polyhedra of a picture, cut off at its edges, into arrays as in `Polygons`.
 
-    A face that a cut made is left out: another polyhedron of the same body lies on it.
+    The marks of a face follow it directly. A face that a cut made is left out: another polyhedron of the same body lies
+    on it.
 
     Args:
         placed: the polyhedra, in the coordinates of the camera.
@@ -57,6 +63,9 @@ def gather(
         count: number of entries in the table.
         wide: tangent of half the horizontal field of view.
         high: tangent of half the vertical field of view.
+        marks: the marks of the clusters' faces.
+        frame: (N,) frame of each cluster.
+        poses: (F, 12) poses of the frames in the coordinates of the camera.
         points: output.
         begins: output.
         owner: output.
@@ -66,25 +75,45 @@ def gather(
     Returns:
         Number of polygons; FULL if there are too many.
     """
-    polygon, work = np.empty((MOST_CORNERS + 8, 3)), np.empty((MOST_CORNERS + 8, 3))
+    size = MOST_MARK_CORNERS + 2 * MOST_CORNERS
+    polygon, work = np.empty((size, 3)), np.empty((size, 3))
+    faces = len(marks.first) - 1
     written, at = 0, 0
     begins[0] = 0
     for n in range(count):
         k = table[count - 1 - n]
+        pose = poses[frame[placed.owner[k]]]
         for f in range(placed.first_face[k], placed.first_face[k + 1]):
-            if placed.planes[f, 3] >= 0.0 or placed.paint[f] < 0:
+            paint = placed.paint[f]
+            if placed.planes[f, 3] >= 0.0 or paint < 0:
                 continue
-            corners = clipped(placed, f, wide, high, polygon, work)
-            if corners < FEWEST_CORNERS:
-                continue
-            if written == len(owner) or at + corners > len(points):
-                return FULL
-            for i in range(corners):
-                points[at, 0] = polygon[i, 0] / (polygon[i, 2] * wide)
-                points[at, 1] = polygon[i, 1] / (polygon[i, 2] * high)
-                at += 1
-            owner[written], face[written] = placed.owner[k], placed.paint[f]
-            normal[written] = placed.planes[f, :3]
-            written += 1
-            begins[written] = at
+            first = marks.first[paint]
+            for m in range(first - 1, marks.first[paint + 1]):
+                if m < first:  # the face itself
+                    corners = clipped(placed, f, wide, high, polygon, work)
+                else:
+                    corners = 0
+                    for i in range(marks.begins[m], marks.begins[m + 1]):
+                        x, y, z = marks.points[i, 0], marks.points[i, 1], marks.points[i, 2]
+                        for r in range(3):
+                            polygon[corners, r] = (
+                                pose[r] + pose[3 + 3 * r] * x + pose[4 + 3 * r] * y + pose[5 + 3 * r] * z
+                            )
+                        corners += 1
+                    corners = within_planes(placed, k, f, polygon, corners, work)
+                    corners = in_picture(polygon, corners, wide, high, work)
+                if corners < FEWEST_CORNERS:
+                    if m < first:
+                        break
+                    continue
+                if written == len(owner) or at + corners > len(points):
+                    return FULL
+                for i in range(corners):
+                    points[at, 0] = polygon[i, 0] / (polygon[i, 2] * wide)
+                    points[at, 1] = polygon[i, 1] / (polygon[i, 2] * high)
+                    at += 1
+                owner[written], face[written] = placed.owner[k], paint if m < first else faces + m
+                normal[written] = placed.planes[f, :3]
+                written += 1
+                begins[written] = at
     return written

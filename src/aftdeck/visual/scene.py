@@ -10,8 +10,8 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.cameras import Camera, view
 from aftdeck.bodies.pose import HERE, POSE
-from aftdeck.errors import SimulationError
-from aftdeck.matrices import product
+from aftdeck.errors import InputError, SimulationError
+from aftdeck.matrices import lengths, product
 from aftdeck.scenario.all_cameras import first_setting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
@@ -69,6 +69,22 @@ class Aim(NamedTuple):
     high: float
     part: tuple[float, float]
     hidden: frozenset[str]
+
+
+class Eye(NamedTuple):
+    """Eye of an engineering view, in the scene.
+
+    Attributes:
+        position: position [m].
+        ahead: direction of view.
+        up: direction that is upwards in the picture, not along `ahead`.
+        field_of_view: horizontal field of view [rad].
+    """
+
+    position: Vec3
+    ahead: Vec3
+    up: Vec3
+    field_of_view: float
 
 
 class Arguments(NamedTuple):
@@ -160,13 +176,36 @@ class VisualScene:
             part = min(1.0, opening[0] / wide), min(1.0, opening[1] / high)
         return Aim(name, position, axes, part[0] * wide, part[1] * high, part, self._around(camera, seen.position))
 
+    def free_aim(self, name: str, eye: Eye, aspect: float) -> Aim:
+        """Return an engineering view from an eye at any place; nothing is left out of it.
+
+        Args:
+            name: name of the engineering view.
+            eye: the eye.
+            aspect: width of the picture divided by its height.
+
+        Raises:
+            InputError: there is no such view, or the directions of the eye are no directions.
+        """
+        self._placed.camera(name)
+        ahead, up = np.array(eye.ahead), np.array(eye.up)
+        right = np.cross(ahead, up)
+        if not (lengths(ahead) > 0.0 and lengths(right) > _SAME_PLACE * lengths(ahead) * lengths(up)):
+            raise InputError(
+                f"an eye cannot look along {eye.ahead} with {eye.up} upwards; give two different directions"
+            )
+        ahead, right = ahead / lengths(ahead), right / lengths(right)
+        wide = math.tan(0.5 * eye.field_of_view)
+        axes = np.array([right, np.cross(ahead, right), ahead])
+        return Aim(name, np.array(eye.position), axes, wide, wide / aspect, (1.0, 1.0), frozenset())
+
     def order(self, frame: Frame, aim: Aim) -> Order:
         """Return the order of the clusters in a picture.
 
         Raises:
             SimulationError: the camera is inside a cluster or touches one, or the clusters cannot be put in order.
         """
-        count, notes = self._ordered(frame, aim), self._work.notes.tolist()
+        count, notes = self._put_in_order(self.arguments(frame, aim), frame, aim), self._work.notes.tolist()
         pair = (self._part(notes[FIRST]), self._part(notes[SECOND])) if notes[OVERLAPS] else None
         owners = self._work.placed.owner[self._work.table[:count]]
         return Order(tuple(owners.tolist()), notes[COMPARED], notes[RANKED], notes[CUTS], notes[OVERLAPS], pair)
@@ -184,16 +223,17 @@ class VisualScene:
         Raises:
             SimulationError: the camera is inside a cluster or touches one, or the clusters cannot be put in order.
         """
-        count = self._ordered(frame, aim)
-        drawn = self._work.polygons(count, aim.wide, aim.high)
+        given = self.arguments(frame, aim)
+        count = self._put_in_order(given, frame, aim)
+        drawn = self._work.polygons(count, aim.wide, aim.high, self.clusters.marks, given.frame, given.poses)
         if drawn is None:
             raise SimulationError(f"the picture of camera {aim.name} has more than {MOST_POLYGONS} polygons")
         return drawn
 
-    def _ordered(self, frame: Frame, aim: Aim) -> int:
+    def _put_in_order(self, given: Arguments, frame: Frame, aim: Aim) -> int:
         """Fill the priority output table; return the number of its entries."""
         work = self._work
-        count = ordered(*self.arguments(frame, aim))
+        count = ordered(*given)
         if count >= 0:
             return int(count)
         when = f"camera {aim.name} at {frame.time_s:g} s"

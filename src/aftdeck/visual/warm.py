@@ -8,7 +8,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.visual.scene import VisualScene
 
-FILES = 71
+FILES = 73
 """Number of files with their machine code; `tests/test_law_change.py` counts them."""
 
 

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from aftdeck.arrays import Array, Indices
 from aftdeck.visual.cutting import FULL
+from aftdeck.visual.marks import Marks
 from aftdeck.visual.order import NOTES, Entries
 from aftdeck.visual.outlines import MOST_POINTS
 from aftdeck.visual.placing import Memory
@@ -62,16 +64,23 @@ class Workspace:
             self._memories[camera].owner[: self._clusters] = np.arange(self._clusters)
         return self._memories[camera]
 
-    def polygons(self, count: int, wide: float, high: float) -> Polygons | None:
+    def polygons(
+        self, count: int, wide: float, high: float, marks: Marks, frame: Indices, poses: Array
+    ) -> Polygons | None:
         """Return the polygons of the last picture, in new arrays; None if there are more than MOST_POLYGONS.
 
         Args:
             count: number of entries in the priority output table.
             wide: tangent of half the horizontal field of view.
             high: tangent of half the vertical field of view.
+            marks: the marks of the clusters' faces.
+            frame: (N,) frame of each cluster.
+            poses: (F, 12) poses of the frames in the coordinates of the camera.
         """
         points, begins, owner, face, normal = self._polygons
-        written = gather(self.placed, self.table, count, wide, high, points, begins, owner, face, normal)
+        written = gather(
+            self.placed, self.table, count, wide, high, marks, frame, poses, points, begins, owner, face, normal
+        )
         if written == FULL:
             return None
         return Polygons(

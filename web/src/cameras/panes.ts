@@ -4,6 +4,7 @@ import type { Camera } from '../link/protocol';
 import { inset } from '../page/room';
 import type { Matrix } from '../panel/monitors/matrix';
 import type { Picture } from '../panel/monitors/picture';
+import type { PolygonPane } from '../panel/monitors/polygon-pane';
 import type { Quality, Rect } from '../scene/drawn';
 import type { Monitors } from './monitors';
 
@@ -17,9 +18,14 @@ export interface Pane {
   readonly pace: number;
   /** The picture of a monitor; null for a tile. */
   readonly picture: Picture | null;
-  /** Whether the picture has the look of 1972: it is then drawn on its own canvas, from the station's polygons. */
+  /** Draws the picture in the look of 1972, on its own canvas, from the station's polygons. */
+  readonly pane: PolygonPane;
+  /** Whether the picture has this look. */
   readonly polygons: boolean;
 }
+
+/** Index of the view of all cameras among the looks of 1972; those before it are the monitors'. */
+export const ALL = 2;
 
 export class Panes {
   private readonly tile: number;
@@ -37,24 +43,25 @@ export class Panes {
 
   /**
    * The pictures on the page. `open`: all cameras are shown in place of the monitors; `seventies`: for each monitor,
-   * whether it has the look of 1972, in which an engineering view is never drawn.
+   * and for the view of all cameras, whether it has the look of 1972.
    */
   all(open: boolean, seventies: readonly boolean[] = []): readonly Pane[] {
     if (open) {
-      return this.matrix.tiles.map(({ camera, picture }) => ({
+      return this.matrix.tiles.map(({ camera, picture, polygons }) => ({
         camera,
         element: picture,
         pace: this.tile,
         picture: null,
-        polygons: false,
+        pane: polygons,
+        polygons: seventies[ALL] === true,
       }));
     }
     return this.monitors.both.flatMap(({ element, pictures }, i) =>
       element.isConnected
         ? pictures.map((picture) => {
             const { camera, element: area } = picture;
-            const polygons = seventies[i] === true && camera.kind !== 'engineering';
-            return { camera, element: area, pace: 1, picture, polygons };
+            const polygons = seventies[i] === true;
+            return { camera, element: area, pace: 1, picture, pane: picture.polygons, polygons };
           })
         : [],
     );

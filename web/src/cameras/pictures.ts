@@ -2,9 +2,9 @@
 
 import { present } from '../basics/assert';
 import type { Age } from '../link/delay-line';
-import type { PolygonPictures } from '../link/polygon-pictures';
-import type { Camera, ClosestPoints, Frame, Level, Welcome } from '../link/protocol';
-import { Appearance } from '../page/appearance';
+import type { PolygonSource } from '../link/polygon-pictures';
+import type { Camera, ClosestPoints, Frame, FreeEye, Level, Welcome } from '../link/protocol';
+import { Appearance, type Seventies } from '../page/appearance';
 import { keeper } from '../page/local-storage';
 import type { Drawing } from '../page/quality';
 import { FARTHEST } from '../panel/clearance/gap-scale';
@@ -29,7 +29,7 @@ import { Monitors } from './monitors';
 import { Offers } from './offers';
 import { overlay } from './overlay';
 import type { PairOffer } from './pair-offer';
-import { PACES, type Pane, Panes } from './panes';
+import { ALL, PACES, type Pane, Panes } from './panes';
 import { Preparation } from './preparation';
 import { Putting } from './putting';
 
@@ -52,7 +52,7 @@ export interface PicturesListener {
   /** Whether dragging a picture turns its camera. */
   turns?: boolean;
   /** Pictures in the look of 1972; absent if no station computes them. */
-  polygons?: PolygonPictures;
+  polygons?: PolygonSource;
   /** Called when another pair of cameras is offered, or null when the offer ends. Absent if none are offered. */
   offered?: (offer: PairOffer | null) => void;
   /** Called when a monitor shows another camera, or was split. */
@@ -135,11 +135,14 @@ export class Pictures {
       turns: listener.turns ?? false,
       ...(tearOff ? { tearOff } : {}),
       ...(listener.polygons ? { seventies: (index) => this.toggleSeventies(index) } : {}),
-      ...(listener.polygons && tearOff ? { planes: (index) => tearOff(PLANES[index]) } : {}),
+      ...(listener.polygons && tearOff && !listener.recorded
+        ? { planes: (index) => tearOff(PLANES[index]) }
+        : {}),
     });
     this.matrix = new Matrix(cameras, {
       chosen: (camera) => this.monitors.choose(camera),
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
+      ...(listener.polygons ? { seventies: () => this.toggleSeventies(ALL) } : {}),
     });
     const { signal } = this.ended;
     this.appearance.follow(signal);
@@ -385,17 +388,17 @@ export class Pictures {
       const now = performance.now();
       this.fineness.shown(begun, now);
       if (!this.panes.isLaidOut(all, this.open)) return false; // the layout has changed: all will be drawn again
-      for (const [{ picture, polygons }, view] of views) {
-        if (!picture) continue;
-        overlay(this.scene, picture, view, {
-          frame,
-          gap,
-          caution,
-          oneJoint: this.survey.drivesOneJoint(frame),
-        });
+      for (const [{ picture, pane, polygons }, view] of views) {
+        if (picture)
+          overlay(this.scene, picture, view, {
+            frame,
+            gap,
+            caution,
+            oneJoint: this.survey.drivesOneJoint(frame),
+          });
         if (polygons)
-          picture.polygons.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, freeSize(view));
-        else picture.polygons.hide();
+          pane.show(this.listener.polygons?.at(view.camera, frame.tick) ?? null, frame.tick, freeSize(view));
+        else pane.hide();
       }
       this.onPage = frame;
       const { canvas } = this;
@@ -470,14 +473,14 @@ export class Pictures {
     this.monitors.begin(this.survey.first(frame));
   }
 
-  /** For each monitor, whether it has the look of 1972. */
-  private get seventies(): readonly [boolean, boolean] {
-    return this.listener.polygons ? this.appearance.seventies : [false, false];
+  /** For each monitor and the view of all cameras, whether it has the look of 1972. */
+  private get seventies(): Seventies {
+    return this.listener.polygons ? this.appearance.seventies : [false, false, false];
   }
 
-  private toggleSeventies(index: 0 | 1): void {
-    const [first, second] = this.appearance.seventies;
-    this.appearance.set({ seventies: index === 0 ? [!first, second] : [first, !second] });
+  private toggleSeventies(index: 0 | 1 | typeof ALL): void {
+    const [first, second, all] = this.appearance.seventies.map((on, i) => on !== (i === index));
+    this.appearance.set({ seventies: [first === true, second === true, all === true] });
   }
 
   /** Asks the station for the pictures in the look of 1972, and marks the monitors that have it. */
@@ -485,11 +488,21 @@ export class Pictures {
     this.monitors.both.forEach((monitor, i) => {
       monitor.setSeventies(this.seventies[i] === true);
     });
+    this.matrix.setSeventies(this.seventies[ALL]);
     const shown = flat.map((view) => [view.camera, freeSize(view)] as const);
     const sized = shown.filter(([, { width, height }]) => width >= 1 && height >= 1);
     this.listener.polygons?.want(
-      sized.map(([camera, { width, height }]) => ({ camera, aspect: Math.min(width / height, ASPECT) })),
+      sized.map(([camera, { width, height }]) => ({
+        ...{ camera, aspect: Math.min(width / height, ASPECT) },
+        eye: this.freeEye(camera),
+      })),
     );
+  }
+
+  /** The eye of an engineering view; null for another camera, whose place the station knows. */
+  private freeEye(name: string): FreeEye | null {
+    const camera = this.welcome.cameras.find((one) => one.name === name);
+    return camera?.kind === 'engineering' ? this.scene.sight.eye(camera) : null;
   }
 
   /** Returns the views of the panes; a later one may cover an earlier one. */

@@ -10,10 +10,19 @@ const STEPS = 10;
 /** Greatest number of stored pictures of a camera: 30 s, longer than any delay. */
 const MOST = 1500;
 
-/** A picture on the page: its camera, and its width over its height. */
+/** A picture on the page: its camera, its width over its height, and the eye of an engineering view. */
 export type Wanted = PolygonPicture;
 
-export class PolygonPictures {
+/** Where the pictures in the look of 1972 come from: a live station, or the server of a recording. */
+export interface PolygonSource {
+  /** Sets the pictures that the page shows. */
+  want(shown: readonly Wanted[]): void;
+  /** The picture of a camera to show with a frame; null if there is none yet. */
+  at(camera: string, tick: number): Polygons | null;
+  dispose(): void;
+}
+
+export class PolygonPictures implements PolygonSource {
   private asked = '';
   private readonly stored = new Map<string, Polygons[]>();
   private readonly ended = new AbortController();
@@ -63,11 +72,12 @@ export class PolygonPictures {
 }
 
 /** Returns each camera once, with the aspect of its highest picture. */
-function highest(shown: readonly Wanted[]): readonly Wanted[] {
-  const aspects = new Map<string, number>();
-  for (const { camera, aspect } of shown) {
+export function highest(shown: readonly Wanted[]): readonly Wanted[] {
+  const found = new Map<string, Wanted>();
+  for (const { camera, aspect, eye } of shown) {
     const rounded = Math.min(Math.max(Math.floor(aspect * STEPS) / STEPS, LEAST), GREATEST);
-    aspects.set(camera, Math.min(rounded, aspects.get(camera) ?? GREATEST));
+    const lower = Math.min(rounded, found.get(camera)?.aspect ?? GREATEST);
+    found.set(camera, { camera, aspect: lower, eye });
   }
-  return [...aspects].map(([camera, aspect]) => ({ camera, aspect }));
+  return [...found.values()];
 }

@@ -266,6 +266,20 @@ export interface PolygonPicture {
   readonly camera: string;
   /** Width of the picture divided by its height; the server may draw more above and below the picture. */
   readonly aspect: number;
+  /** Eye of an engineering view; null for a view as the scenario has it. */
+  readonly eye: FreeEye | null;
+}
+
+/** Eye of an engineering view, which each page directs by itself; in the scene. */
+export interface FreeEye {
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Direction of view. */
+  readonly ahead: Vec3;
+  /** Direction that is upwards in the picture; it differs from `ahead`. */
+  readonly up: Vec3;
+  /** Horizontal field of view [rad]. */
+  readonly field_of_view: number;
 }
 
 /** Announce a clearance problem that the operator or an observer has noticed; it is logged and recorded. */

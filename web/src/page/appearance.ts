@@ -4,24 +4,27 @@ import type { Keeper } from './local-storage';
 
 const KEPT = 'aftdeck.appearance';
 
+export type Seventies = readonly [boolean, boolean, boolean];
+
 export interface Looks {
   /** Television of the early flights: black and white, with noise. */
   readonly early: boolean;
   /** Dim for a dark room: the page at 55 % and the pictures at 75 % of their brightness. */
   readonly night: boolean;
-  /** For each monitor: whether it has the look of 1972. */
-  readonly seventies: readonly [boolean, boolean];
+  /** For MON 1, MON 2 and the view of all cameras: whether they have the look of 1972. */
+  readonly seventies: Seventies;
 }
 
-const FRESH: Looks = { early: false, night: false, seventies: [false, false] };
+const FRESH: Looks = { early: false, night: false, seventies: [false, false, false] };
 
 /** Returns the stored appearance, or the default if `text` cannot be decoded. */
 export function looksOf(text: string | null): Looks {
   if (text === null) return FRESH;
   try {
     const { early, night, seventies } = JSON.parse(text) as Partial<Looks>;
-    const [first, second] = Array.isArray(seventies) ? seventies : [];
-    return { early: early === true, night: night === true, seventies: [first === true, second === true] };
+    const [first, second, all] = Array.isArray(seventies) ? seventies : [];
+    const looks: Seventies = [first === true, second === true, all === true];
+    return { early: early === true, night: night === true, seventies: looks };
   } catch {
     return FRESH;
   }
@@ -47,7 +50,7 @@ export class Appearance {
     return this.looks.night;
   }
 
-  get seventies(): readonly [boolean, boolean] {
+  get seventies(): Seventies {
     return this.looks.seventies;
   }
 

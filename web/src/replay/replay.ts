@@ -14,6 +14,7 @@ import { FlownCameras } from './flown-cameras';
 import { listen } from './keys';
 import { Player } from './player';
 import { replayRail } from './rail';
+import { RecordedPolygons } from './recorded-polygons';
 import { RunColumn } from './run';
 import { flyingHere, type Source } from './source';
 import { STEP } from './span';
@@ -46,6 +47,8 @@ export class Replay {
   private readonly line = new DelayLine(0);
   private readonly windows: ReplayWindows;
   private readonly player: Player;
+  /** Pictures in the look of 1972; null if nothing computes them. */
+  private readonly polygons: RecordedPolygons | null;
   private readonly pictures: Pictures;
   private readonly cameras: FlownCameras;
   private readonly timeline: Timeline;
@@ -63,8 +66,10 @@ export class Replay {
   ) {
     this.units = new ShownUnits(index.welcome.units);
     this.player = new Player(index, (number) => source.block(number));
+    this.polygons = source.polygons ? new RecordedPolygons(source.polygons) : null;
     this.pictures = new Pictures(index.welcome, drawing, {
       recorded: true,
+      ...(this.polygons ? { polygons: this.polygons } : {}),
       opened: (matrix) => setClass(root, 'all-cameras', matrix),
       tearOff: (what) => this.tearOff(what),
       changed: () => {
@@ -198,6 +203,7 @@ export class Replay {
       exaggerates,
       matrixOpen,
       moved,
+      this.polygons?.received,
       ...monitors.shown,
     ].join();
     if (state === this.pictured) return false;

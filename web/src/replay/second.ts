@@ -11,6 +11,7 @@ import { missionTime } from '../words/format';
 import { unitsOf } from '../words/units';
 import { Player } from './player';
 import { minutes } from './quantity';
+import { RecordedPolygons } from './recorded-polygons';
 import type { Source } from './source';
 import { STEP } from './span';
 
@@ -32,7 +33,7 @@ export function follow(
     player.seek(message.position);
   };
   if (what === 'strips') showStrips(root, drawing, index, player, heard);
-  else showPictures(root, drawing, index, player, what, heard);
+  else showPictures(root, drawing, index, player, source.polygons, what, heard);
 }
 
 function showPictures(
@@ -40,10 +41,13 @@ function showPictures(
   drawing: Drawing,
   { welcome, file }: PlaybackIndex,
   player: Player,
+  polygons: Source['polygons'],
   what: Pictured,
   heard: (message: WindowMessage) => void,
 ): void {
-  const display = new Display(root, welcome, drawing, what, { file, heard });
+  const played = { file, heard };
+  const flat = polygons ? new RecordedPolygons(polygons) : null;
+  const display = new Display(root, welcome, drawing, what, played, flat);
   const next = () => {
     requestAnimationFrame(next);
     player.advance(0);

@@ -1,10 +1,12 @@
 /** Source of a recording: the server of `aftdeck replay --open`, or the HTML file that contains page and recording. */
 
-import type { Block, PlaybackIndex, Verdict } from '../link/protocol';
+import type { Block, PlaybackIndex, PolygonPicture, Polygons, Verdict } from '../link/protocol';
 
 export interface Source {
   index(): Promise<PlaybackIndex>;
   block(number: number): Promise<Block>;
+  /** The pictures of a step in the look of 1972; absent if nothing computes them. */
+  readonly polygons?: (tick: number, pictures: readonly PolygonPicture[]) => Promise<readonly Polygons[]>;
   /** Result of the re-simulation so far; null if none was started. */
   verdict(): Promise<Verdict> | null;
 }
@@ -30,6 +32,8 @@ function fromServer(where: string): Source {
   return {
     index: () => get('index.json'),
     block: (number) => get(`blocks/${number}`),
+    polygons: (tick, pictures) =>
+      get(`polygons/${tick}?pictures=${encodeURIComponent(JSON.stringify(pictures))}`),
     verdict: () => get('verdict.json'),
   };
 }

@@ -1,7 +1,7 @@
 /** Computes what a camera sees: points of the scene that are in its picture and that nothing hides. */
 
 import { type Intersection, type Mesh, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
-import type { Camera, Vec3 } from '../link/protocol';
+import type { Camera, FreeEye, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
 import type { Cameras } from './cameras';
 import { ASPECT } from './drawn';
@@ -14,6 +14,9 @@ const FARTHEST = 400;
 const ALONG = [0.5, 0.2, 0.8] as const;
 /** An obstacle less than this distance in front of a point counts as the surface to which the point belongs [m]. */
 const OWN = 0.02;
+
+/** Steps of an eye's coordinates: 1e-5 m, and as many of a direction. */
+const STEPS = 1e5;
 
 const ray = new Raycaster();
 const [lens, way, axis] = [new Vector3(), new Vector3(), new Vector3()];
@@ -97,6 +100,18 @@ export class Sight {
     return [x, y, z];
   }
 
+  /** Eye of the camera in the scene, as the station takes it; rounded, so that it changes only if the view does. */
+  eye({ name }: Camera): FreeEye {
+    const { matrixWorld } = this.cameras.at(name, ASPECT);
+    const rounded = ({ x, y, z }: Vector3): Vec3 => [round(x), round(y), round(z)];
+    return {
+      position: rounded(lens.setFromMatrixPosition(matrixWorld)),
+      ahead: rounded(axis.set(0, 0, -1).transformDirection(matrixWorld)),
+      up: rounded(way.set(0, 1, 0).transformDirection(matrixWorld)),
+      field_of_view: this.cameras.setting(name)[2],
+    };
+  }
+
   private within({ name, pane }: Camera, place: Vec3): boolean {
     if (!this.cameras.project(name, ASPECT, place).visible) return false;
     if (!pane) return true;
@@ -139,6 +154,10 @@ export class Sight {
     this.samples.set(body.group.name, samples);
     return samples;
   }
+}
+
+function round(value: number): number {
+  return Math.round(value * STEPS) / STEPS;
 }
 
 /** A point on a line, from one end (0) to the other (1). */

@@ -5,7 +5,7 @@ import { Pictures } from '../cameras/pictures';
 import { Keyboard } from '../input/keyboard';
 import type { Action } from '../input/keymap';
 import { DelayLine } from '../link/delay-line';
-import type { PolygonPictures } from '../link/polygon-pictures';
+import { PolygonPictures, type PolygonSource } from '../link/polygon-pictures';
 import type { Frame, Welcome } from '../link/protocol';
 import type { Drawing } from '../page/quality';
 import { el } from '../panel/parts/dom';
@@ -42,14 +42,14 @@ export class Display {
   private readonly tether: Tether;
   private readonly keyboard: Keyboard;
 
-  /** `played` is null for a live run; `polygons` is null for a replay. */
+  /** `played` is null for a live run; `polygons` is null if nothing computes the look of 1972. */
   constructor(
     root: HTMLElement,
     welcome: Welcome,
     drawing: Drawing,
     private readonly what: Pictured,
     private readonly played: Played | null = null,
-    readonly polygons: PolygonPictures | null = null,
+    private readonly flat: PolygonSource | null = null,
   ) {
     const name = what === 'matrix' ? 'All cameras' : `MON ${what + 1}`;
     this.units = welcome.units;
@@ -69,7 +69,7 @@ export class Display {
     this.pictures = new Pictures(welcome, drawing, {
       changed: () => this.tell(),
       recorded: played !== null,
-      ...(polygons ? { polygons } : {}),
+      ...(flat ? { polygons: flat } : {}),
     });
     this.keyboard = new Keyboard({ moved() {}, acted: (action) => this.act(action), taken: () => false });
     if (what === 'matrix') this.pictures.showMatrix(true);
@@ -82,6 +82,11 @@ export class Display {
     root.replaceChildren(this.pictures.canvas, shown, this.tether.rail);
     this.request = requestAnimationFrame(() => this.tick());
     this.timer = window.setInterval(() => this.showAge(performance.now()), VALUES_MS);
+  }
+
+  /** Receiver of the live station's pictures in the look of 1972. */
+  get polygons(): PolygonPictures | null {
+    return this.flat instanceof PolygonPictures ? this.flat : null;
   }
 
   get bodies(): readonly DrawnBody[] {

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from aftdeck.errors import SimulationError
@@ -11,10 +13,17 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.to_page import Polygons
 from aftdeck.visual.brightness import brightness, grey_levels, luminance
-from aftdeck.visual.scene import VisualScene
+from aftdeck.visual.scene import Eye, VisualScene
 
 HALF_WIDTH = 10_000
 """Half the width of a picture, in the units of `Polygons.points`."""
+
+
+class Shot(NamedTuple):
+    """What a picture shows: a camera, and the eye of an engineering view that a page directs, else None."""
+
+    camera: str
+    eye: Eye | None = None
 
 
 class PolygonPictures:
@@ -24,17 +33,18 @@ class PolygonPictures:
         self._scene = VisualScene(scenario)
         self._own = luminance(self._scene.clusters.colours)
 
-    def of(self, frame: Frame, camera: str, aspect: float, light: LightCondition) -> Polygons:
+    def of(self, frame: Frame, shot: Shot, aspect: float, light: LightCondition) -> Polygons:
         """Return the picture of a camera in a frame; if it cannot be drawn, its text says why.
 
         Args:
             frame: the frame.
-            camera: name of the camera.
+            shot: the camera.
             aspect: width of the picture divided by its height.
             light: direction and strength of the light.
         """
+        camera, eye = shot
         try:
-            aim = self._scene.aim(frame, camera, aspect)
+            aim = self._scene.aim(frame, camera, aspect) if eye is None else self._scene.free_aim(camera, eye, aspect)
             drawn = self._scene.polygons(frame, aim)
         except SimulationError as error:
             when = f" at {frame.time_s:g} s"  # the monitor shows the time elsewhere

@@ -332,12 +332,33 @@ class Shown(WireMessage, frozen=True, tag="shown"):
     """Cameras that MON 1 and MON 2 show."""
 
 
+MAX_PICTURES = 64
+"""Greatest number of pictures in the look of 1972 for which a page asks."""
+Coordinate = Annotated[float, msgspec.Meta(ge=-1e4, le=1e4)]
+Cosine = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
+
+
+class FreeEye(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Eye of an engineering view, which each page directs by itself; in the scene."""
+
+    position: tuple[Coordinate, Coordinate, Coordinate]
+    """Position [m]."""
+    ahead: tuple[Cosine, Cosine, Cosine]
+    """Direction of view."""
+    up: tuple[Cosine, Cosine, Cosine]
+    """Direction that is upwards in the picture; it differs from `ahead`."""
+    field_of_view: Annotated[float, msgspec.Meta(gt=0.0, lt=3.0)]
+    """Horizontal field of view [rad]."""
+
+
 class PolygonPicture(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Picture of a camera in the look of 1972."""
 
     camera: Name
     aspect: Annotated[float, msgspec.Meta(ge=0.5, le=4.0)]
     """Width of the picture divided by its height; the server may draw more above and below the picture."""
+    eye: FreeEye | None = None
+    """Eye of an engineering view; null for a view as the scenario has it."""
 
 
 class ShowPolygons(WireMessage, frozen=True, tag="show_polygons"):
@@ -347,7 +368,7 @@ class ShowPolygons(WireMessage, frozen=True, tag="show_polygons"):
     """
 
     seq: Seq
-    pictures: Annotated[tuple[PolygonPicture, ...], msgspec.Meta(max_length=4)]
+    pictures: Annotated[tuple[PolygonPicture, ...], msgspec.Meta(max_length=MAX_PICTURES)]
 
 
 class SetLight(WireMessage, frozen=True, tag="set_light"):

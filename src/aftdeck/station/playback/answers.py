@@ -1,4 +1,7 @@
-"""Answers to a page that plays a recording: its index, its blocks of frames, and the verdict, each as JSON."""
+"""Answers to a page that plays a recording: its index, its blocks of frames, and the verdict, each as JSON.
+
+The process that draws pictures asks for single steps.
+"""
 
 from __future__ import annotations
 
@@ -7,11 +10,14 @@ from threading import Thread
 
 import msgspec
 
+from aftdeck.station.playback.lit import encoded
 from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING, verdict
 
 INDEX, VERDICT = "index", "verdict"
 """Requests for the data of the whole run, and for the result of the re-simulation."""
+LIT = "lit "
+"""Beginning of a request for a step in its light; the step's number follows."""
 
 
 class Answers:
@@ -33,13 +39,17 @@ class Answers:
     def answer(self, request: str) -> bytes:
         """Return the JSON text of `INDEX`, of `VERDICT`, or of the block whose number is given in decimal digits.
 
+        The answer to `LIT` is msgpack (`lit.py`).
+
         May be called from any thread.
 
         Raises:
-            IndexError: the block does not exist.
+            IndexError: the block or the step does not exist.
         """
         if request == INDEX:
             return self._encode(self._store.index(self._verdict))
         if request == VERDICT:
             return self._encode(self._verdict)
+        if request.startswith(LIT):
+            return encoded(self._store.lit(int(request.removeprefix(LIT))))
         return self._encode(self._store.block(int(request)))

@@ -37,6 +37,7 @@ from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.measures_of import REPLAY, ended, measures_of
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
+from aftdeck.station.playback.lit import Lit
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.steering.mode import MODES
 
@@ -114,6 +115,17 @@ class PlaybackStore:
             IndexError: the block does not exist.
         """
         return tuple([self._moment(record) for record in self._unpack(number)])
+
+    def lit(self, tick: int) -> Lit:
+        """Return a step of the run in its light. May be called from any thread.
+
+        Raises:
+            IndexError: the step does not exist.
+        """
+        if not 1 <= tick <= self.ticks:
+            raise IndexError(f"steps are numbered 1 to {self.ticks}, got {tick}")
+        number, place = divmod(tick - 1, BLOCK)
+        return Lit(self._unpack(number)[place], _at(self._lights, tick).condition)
 
     def moments(self, stride: int) -> Iterator[Moment]:
         """Yield every `stride`-th step of the run as a `Moment`, beginning with the first."""

@@ -15,7 +15,7 @@ from aftdeck.station.server import guard
 from aftdeck.station.server.allowance import Allowance
 from aftdeck.station.server.pages import Pages
 from aftdeck.station.server.terse_log import log
-from aftdeck.station.session.commands import check_polygons
+from aftdeck.station.session.commands import check_polygons, shot_of
 from aftdeck.station.session.driver import Phase
 from aftdeck.station.session.recent import Mark
 
@@ -276,10 +276,10 @@ class Page:
             if recent:
                 message, mark = recent
                 await self._send(message)
-            for camera in {picture.camera for picture in self.pages.polygons.get(self, ())}:
-                picture = session.painter.drawn.get(camera)
-                if picture is not None and picture is not polygons.get(camera):
-                    polygons[camera] = picture
+            for shot in {shot_of(picture) for picture in self.pages.polygons.get(self, ())}:
+                picture = session.painter.drawn.get(shot)
+                if picture is not None and picture is not polygons.get(shot.camera):
+                    polygons[shot.camera] = picture
                     await send_text(self.socket, picture)
             if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame

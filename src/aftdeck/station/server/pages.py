@@ -13,9 +13,11 @@ from threading import Thread
 from typing import Protocol
 
 from aftdeck.errors import AftdeckError
+from aftdeck.station.conversion.polygons_of import Shot
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.server.control_roles import ANSWER_WITHIN, ControlRoles
 from aftdeck.station.server.scenario_list import ScenarioList
+from aftdeck.station.session.commands import shot_of
 from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 
@@ -97,9 +99,10 @@ class Pages:
 
     def _want_polygons(self) -> None:
         self._gathering = False
-        aspects: dict[str, float] = {}
+        aspects: dict[Shot, float] = {}
         for picture in itertools.chain.from_iterable(self.polygons.values()):
-            aspects[picture.camera] = min(picture.aspect, aspects.get(picture.camera, math.inf))
+            shot = shot_of(picture)
+            aspects[shot] = min(picture.aspect, aspects.get(shot, math.inf))
         self.session.painter.want(aspects)
         self.wake()
 

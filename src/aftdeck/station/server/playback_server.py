@@ -15,6 +15,7 @@ from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.access import LOCAL, Access, access_of
 from aftdeck.station.server.own import keep_to_own
 from aftdeck.station.server.player import PlayedHere, Player
+from aftdeck.station.server.replay_painter import ReplayPainter
 from aftdeck.station.server.serve import addresses_of, listen, make_server, run_server
 
 LARGE = 10_000_000
@@ -43,11 +44,13 @@ def serve_recording(path: Path, *, host: str, port: int, names: tuple[str, ...] 
 def replay_app(store: PlaybackStore, path: Path, access: Access = LOCAL) -> Starlette:
     """Return the web app that serves a recording."""
     answers = Answers(store, path)
-    player = Player(PlayedHere(answers))
+    painter = ReplayPainter(path)
+    player = Player(PlayedHere(answers), painter)
 
     @contextlib.asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
         answers.check()
         yield
+        painter.close()
 
     return keep_to_own(Starlette(routes=player.routes(), lifespan=lifespan), access)

@@ -20,6 +20,7 @@ from aftdeck.recording.index import Entry, Index
 from aftdeck.station.messages.playback import Recorded
 from aftdeck.station.server.playback_process import PlaybackProcess
 from aftdeck.station.server.player import RECORDING_META, STATION_META, Player
+from aftdeck.station.server.replay_painter import ReplayPainter
 
 MAX_LISTED = 50
 """Maximum number of recordings in the list; older ones are omitted."""
@@ -33,12 +34,14 @@ class _Opened(NamedTuple):
     Attributes:
         size: size of the file when the process began to read it [bytes].
         process: process that reads the recording.
+        painter: draws its pictures in the look of 1972.
         router: routes that play it.
         ready: task that ends when the recording is read.
     """
 
     size: int
     process: PlaybackProcess
+    painter: ReplayPainter
     router: Router
     ready: asyncio.Task[None]
 
@@ -87,6 +90,7 @@ class Recordings:
 
     async def _close(self, file: str) -> None:
         opened = self._open.pop(file)
+        opened.painter.close()
         await opened.process.close()
         await asyncio.gather(opened.ready, return_exceptions=True)
 
@@ -145,9 +149,9 @@ class Recordings:
         for file in [*others[: max(0, len(others) + 1 - MAX_OPEN)], path.name]:
             if file in self._open:
                 await self._close(file)
-        process = PlaybackProcess(path)
-        router = Router(routes=Player(process, f"{RECORDING_META}\n{STATION_META}").routes())
-        opened = _Opened(size, process, router, asyncio.create_task(process.ready()))
+        process, painter = PlaybackProcess(path), ReplayPainter(path)
+        router = Router(routes=Player(process, painter, f"{RECORDING_META}\n{STATION_META}").routes())
+        opened = _Opened(size, process, painter, router, asyncio.create_task(process.ready()))
         self._open[path.name] = opened
         return opened
 

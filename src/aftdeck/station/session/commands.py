@@ -2,23 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 import msgspec
+import numpy as np
 
+from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import CommandError
 from aftdeck.kinematics.arm import Arm
+from aftdeck.matrices import lengths
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.station.conversion.polygons_of import Shot
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.welcome import Welcome
+from aftdeck.visual.scene import Eye
 
 MAX_COMPONENT = 1000.0
 """Largest magnitude of a component of a keyed-in position [m]; the arm reaches 16 m."""
 MAX_ANGLE = 100.0
 """Largest magnitude of an angle of a keyed-in attitude [rad]."""
+
+LEAST_SINE = 1e-3
+"""Least sine of the angle between an eye's direction of view and its direction upwards, both unit vectors."""
 
 _SWITCHES: dict[type, tuple[str, str]] = {
     from_page.EnterMode: ("mode", "mode"),
@@ -66,8 +74,23 @@ def check_shown(message: from_page.Shown, welcome: Welcome) -> None:
 
 
 def check_polygons(message: from_page.ShowPolygons, welcome: Welcome) -> None:
-    """Raise `CommandError` if a camera does not exist."""
-    _check_names("camera", [picture.camera for picture in message.pictures], _cameras(welcome))
+    """Raise `CommandError` if a camera does not exist, or cannot be directed by the page."""
+    check_pictures(message.pictures, welcome.cameras)
+
+
+def check_pictures(pictures: Sequence[from_page.PolygonPicture], cameras: Sequence[Camera]) -> None:
+    """Raise `CommandError` if a picture's camera does not exist, or cannot be directed by the page."""
+    _check_names("camera", [picture.camera for picture in pictures], [camera.name for camera in cameras])
+    free = [camera.name for camera in cameras if camera.kind == "engineering"]
+    _check_names("engineering view", [picture.camera for picture in pictures if picture.eye is not None], free)
+    for picture in pictures:
+        if picture.eye is not None and lengths(np.cross(picture.eye.ahead, picture.eye.up)) < LEAST_SINE:
+            raise CommandError("the direction of view and the direction upwards have to differ, and not be zero")
+
+
+def shot_of(picture: from_page.PolygonPicture) -> Shot:
+    """Return what a picture shows."""
+    return Shot(picture.camera, None if picture.eye is None else Eye(*msgspec.structs.astuple(picture.eye)))
 
 
 def check_light(lighting: Lighting, welcome: Welcome) -> None:

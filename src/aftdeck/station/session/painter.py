@@ -16,7 +16,7 @@ from aftdeck.law_change import Progress
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.conversion.polygons_of import no_polygons
+from aftdeck.station.conversion.polygons_of import Shot, no_polygons
 from aftdeck.station.session.painting import Painting, Sheet, Wanted
 
 AT_ONCE = 4
@@ -33,7 +33,7 @@ class Painter:
     """Thread that has pictures drawn; it starts when a page asks for the first one.
 
     Attributes:
-        drawn: newest picture of each camera, encoded as JSON. Each new picture is a new object.
+        drawn: newest picture of each shot, encoded as JSON. Each new picture is a new object.
         newest: newest frame, and the light in it; None before the first frame.
         text: sentence that says why there are no pictures; empty if there are.
         failure: sentence about the error that ended the thread; empty if there was none.
@@ -41,11 +41,11 @@ class Painter:
     """
 
     def __init__(self, scenario: Scenario, start: Callable[[Scenario], Painting] = Painting) -> None:
-        self.drawn: Mapping[str, bytes] = {}
+        self.drawn: Mapping[Shot, bytes] = {}
         self.newest: tuple[Frame, LightCondition] | None = None
         self.notify: Callable[[], None] = lambda: None
         self._scenario, self._start = scenario, start
-        self._wanted: Mapping[str, float] = {}
+        self._wanted: Mapping[Shot, float] = {}
         self.failure = ""
         self.text = f"{PREPARING}."
         self._share: float | None = None
@@ -56,8 +56,8 @@ class Painter:
         self._painting: Painting | None = None
         self._thread: threading.Thread | None = None
 
-    def want(self, wanted: Mapping[str, float]) -> None:
-        """Set the cameras to draw, each with the aspect of its picture (width divided by height)."""
+    def want(self, wanted: Mapping[Shot, float]) -> None:
+        """Set the pictures to draw, each with the aspect of its picture (width divided by height)."""
         with self._lock:
             self._wanted = dict(wanted)
             self._publish({})
@@ -141,18 +141,20 @@ class Painter:
         wanted, newest = self._wanted, self.newest
         if not wanted or newest is None:
             return 0
-        names = list(wanted)
-        count = min(AT_ONCE, len(names))
-        chosen = [names[(turn + k) % len(names)] for k in range(count)]
-        drawn = painting.pictures(Wanted(*newest, {name: wanted[name] for name in chosen}))
+        shots = list(wanted)
+        count = min(AT_ONCE, len(shots))
+        chosen = [shots[(turn + k) % len(shots)] for k in range(count)]
+        drawn = painting.pictures(Wanted(*newest, {shot: wanted[shot] for shot in chosen}))
         with self._lock:
             self.text = ""
             self._publish(drawn)
-        return (turn + count) % len(names)
+        return (turn + count) % len(shots)
 
-    def _publish(self, drawn: Mapping[str, bytes]) -> None:
+    def _publish(self, drawn: Mapping[Shot, bytes]) -> None:
         """Publish new pictures and keep the others that are wanted; if there is a text, it replaces all pictures."""
         if self.text:
-            self.drawn = {name: _encode(no_polygons(name, self.text, share=self._share)) for name in self._wanted}
+            self.drawn = {
+                shot: _encode(no_polygons(shot.camera, self.text, share=self._share)) for shot in self._wanted
+            }
         else:
-            self.drawn = {name: picture for name, picture in {**self.drawn, **drawn}.items() if name in self._wanted}
+            self.drawn = {shot: picture for shot, picture in {**self.drawn, **drawn}.items() if shot in self._wanted}

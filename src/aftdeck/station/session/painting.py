@@ -24,18 +24,18 @@ from aftdeck.processes import BACKGROUND, Child
 from aftdeck.scenario.light import LightCondition
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.conversion.polygons_of import PolygonPictures
+from aftdeck.station.conversion.polygons_of import PolygonPictures, Shot
 from aftdeck.visual.diagram import sheet
 from aftdeck.visual.scene import VisualScene
 from aftdeck.visual.warm import FILES, warm_up
 
 
 class Wanted(NamedTuple):
-    """Request for pictures in the look of 1972: the frame, the light, and the aspect of each camera's picture."""
+    """Request for pictures in the look of 1972: the frame, the light, and the aspect of each picture."""
 
     frame: Frame
     light: LightCondition
-    aspects: Mapping[str, float]
+    aspects: Mapping[Shot, float]
 
 
 class Sheet(NamedTuple):
@@ -69,9 +69,9 @@ class Painting:
             while (progress := self._receive()) is not None:
                 tell(progress)
 
-    def pictures(self, wanted: Wanted) -> dict[str, bytes]:
-        """Return the pictures of cameras, encoded as JSON."""
-        return {name: picture for name, picture in zip(wanted.aspects, self._ask(wanted), strict=True)}
+    def pictures(self, wanted: Wanted) -> dict[Shot, bytes]:
+        """Return pictures, encoded as JSON."""
+        return {shot: picture for shot, picture in zip(wanted.aspects, self._ask(wanted), strict=True)}
 
     def sheet(self, wanted: Sheet) -> bytes:
         """Return a sheet as SVG.
@@ -131,7 +131,7 @@ class Drawer:
         if isinstance(request, Sheet):
             return [sheet(self._scene, frame, request.camera, light, self._scenario.title).encode()]
         aspects = request.aspects.items()
-        return [self._encode(self._pictures.of(frame, camera, aspect, light)) for camera, aspect in aspects]
+        return [self._encode(self._pictures.of(frame, shot, aspect, light)) for shot, aspect in aspects]
 
 
 def paint(pipe: Connection, scenario: Scenario) -> None:

@@ -3,9 +3,10 @@
 import type { Subject } from '../../cameras/best-pair';
 import { type Age, isStale } from '../../link/delay-line';
 import type { Camera } from '../../link/protocol';
-import { button, el, group, setAttribute, setClass, setStyle, setText } from '../parts/dom';
+import { button, el, group, setAttribute, setClass, setPressed, setStyle, setText } from '../parts/dom';
 import { fitPane } from './picture';
 import { type Plan, plan } from './plan';
+import { PolygonPane } from './polygon-pane';
 
 /** Columns and rows of tiles. The size of a tile does not depend on the number of cameras. */
 const [ACROSS, DOWN] = [5, 3];
@@ -14,12 +15,16 @@ export interface Tile {
   readonly camera: Camera;
   /** Transparent element over the scene's canvas. */
   readonly picture: HTMLElement;
+  /** The picture in the look of 1972, hidden while the scene draws this picture. */
+  readonly polygons: PolygonPane;
 }
 
 export interface MatrixListener {
   chosen(camera: Camera): void;
   /** Opens all cameras in a secondary window. Undefined if these cameras are already in one. */
   tearOff?: () => void;
+  /** Switches all tiles to the look of 1972, or back. Undefined if nothing computes this look. */
+  seventies?: () => void;
 }
 
 export class Matrix {
@@ -33,13 +38,20 @@ export class Matrix {
     clearance: el('div', { class: 'lent' }),
     lamps: el('div', { class: 'lent lamps-lent' }),
   };
+  private seventiesKey: HTMLButtonElement | null = null;
   private back: (() => void)[] = [];
 
   constructor(cameras: readonly Camera[], listener: MatrixListener) {
     this.plan = plan(cameras.filter(({ kind }) => kind === 'camera'));
     this.parts = cameras.map((camera) => {
       const pane = el('div', { class: 'pane' });
-      const picture = el('div', { class: 'tile-picture' }, ...(camera.pane ? [pane] : []));
+      const polygons = new PolygonPane();
+      const picture = el(
+        'div',
+        { class: 'tile-picture' },
+        ...polygons.elements,
+        ...(camera.pane ? [pane] : []),
+      );
       const lost = el('p', { class: 'lost' }, el('b', {}, 'Picture lost'), el('span'));
       picture.append(lost);
       const tags = el('span', { class: 'tags' });
@@ -47,10 +59,10 @@ export class Matrix {
       const title = el('span', { class: 'title' }, camera.title);
       const caption = el('span', { class: 'caption' }, el('b', {}, camera.name), title, tags, words);
       const tile = button({ class: 'tile' }, [picture, caption], () => listener.chosen(camera));
-      return { camera, picture, tile, tags, words, lost, pane };
+      return { camera, picture, polygons, tile, tags, words, lost, pane };
     });
     this.tiles = this.parts;
-    const { tearOff } = listener;
+    const { tearOff, seventies } = listener;
     this.element = el(
       'main',
       { class: 'matrix', 'aria-label': 'All cameras' },
@@ -67,6 +79,10 @@ export class Matrix {
     }
     setStyle(this.element, `--across: ${across}`);
     const views = group('views', 'Views', this.views);
+    if (seventies) {
+      this.seventiesKey = button({ class: 'more', title: SEVENTIES }, ['1972'], seventies);
+      views.querySelector('h2')?.append(this.seventiesKey);
+    }
     if (tearOff) {
       const off = button(
         { class: 'more', title: 'Open all cameras in a secondary window' },
@@ -102,6 +118,11 @@ export class Matrix {
   close(): void {
     for (const give of this.back) give();
     this.back = [];
+  }
+
+  /** Shows whether the tiles have the look of 1972. */
+  setSeventies(on: boolean): void {
+    if (this.seventiesKey) setPressed(this.seventiesKey, on);
   }
 
   /** Writes the subjects that a camera sees, and the monitors that show it. */
@@ -149,4 +170,5 @@ export class Matrix {
   }
 }
 
+const SEVENTIES = 'Draw all cameras as in 1972: polygons in few greys, with raster lines';
 const TURNED = 'Angle by which a picture is turned against the directions of the sticks';

@@ -28,7 +28,6 @@ export interface MonitorListener {
 const ROUND = 'Change the centre of the free view: start, tip, payload or minimum clearance';
 const SHIFT = 'Shift the free view by drags and arrows (as with Shift or the second button)';
 const SEVENTIES = 'Draw this monitor as in 1972: polygons in few greys, with raster lines';
-const NO_SEVENTIES = 'The engineering view is not drawn as in 1972';
 const PLANES =
   'Show the separating planes, trees and lists that put the bodies in order, in a secondary window';
 const SLOW = 'Turn cameras at their low speed';
@@ -49,6 +48,7 @@ export class Monitor {
   private readonly bezel: HTMLElement;
   private half = 0;
   private two = false;
+  private flat = false;
 
   constructor(
     readonly label: string,
@@ -85,7 +85,9 @@ export class Monitor {
     );
     this.slowKey = button({ class: 'slow', 'data-calm': 'slow camera' }, [], () => listener.slow());
     const { seventies, planes, tearOff } = listener;
-    this.seventiesKey = button({ class: 'seventies', 'data-calm': 'full' }, ['1972'], () => seventies?.());
+    this.seventiesKey = button({ class: 'seventies', title: SEVENTIES, 'data-calm': 'full' }, ['1972'], () =>
+      seventies?.(),
+    );
     this.planesKey = planes ? button({ class: 'planes', title: PLANES }, ['Planes'], planes) : null;
     const off = tearOff
       ? [
@@ -186,10 +188,16 @@ export class Monitor {
     setPressed(this.slowKey, on);
   }
 
-  /** Shows whether this monitor has the look of 1972, which an engineering view never has. */
+  /** Shows whether this monitor has the look of 1972. */
   setSeventies(on: boolean): void {
+    this.flat = on;
     setPressed(this.seventiesKey, on);
-    if (this.planesKey) this.planesKey.hidden = !on;
+    this.markPlanes();
+  }
+
+  /** The sheet of planes shows a camera from where the scenario has it, and an engineering view is elsewhere. */
+  private markPlanes(): void {
+    if (this.planesKey) this.planesKey.hidden = !this.flat || this.picture.camera.kind === 'engineering';
   }
 
   /** Shows the name of the centre of the engineering views; null for their initial centre. */
@@ -214,8 +222,7 @@ export class Monitor {
     const { camera } = this.picture;
     const free = camera.kind === 'engineering';
     this.roundKey.hidden = !free;
-    this.seventiesKey.disabled = this.pictures.every(({ camera: { kind } }) => kind === 'engineering');
-    setAttribute(this.seventiesKey, 'title', this.seventiesKey.disabled ? NO_SEVENTIES : SEVENTIES);
+    this.markPlanes();
     setText(this.slowKey, free ? 'Shift' : 'Slow');
     setAttribute(this.slowKey, 'title', `${free ? SHIFT : SLOW}: ${nameOf('Semicolon')}`);
     this.keys.forEach((key, i) => {

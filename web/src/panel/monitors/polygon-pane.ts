@@ -81,6 +81,8 @@ export class PolygonPane {
   private pen: CanvasRenderingContext2D | null = null;
   private drawn: Polygons | null = null;
   private size = '';
+  /** Whether the picture is that of the newest frame shown: it is then as old as the scene's pictures. */
+  private current = false;
   /** Time since a new picture was drawn. */
   private readonly silence = new Silence(MOST_MS);
 
@@ -95,6 +97,7 @@ export class PolygonPane {
   hide(): void {
     this.canvas.hidden = this.text.hidden = true;
     this.drawn = null;
+    this.current = false;
   }
 
   /**
@@ -104,16 +107,17 @@ export class PolygonPane {
   ageOf(scene: Age, now: number): Age {
     if (document.hidden) this.silence.end(now);
     const s = scene.set + this.silence.at(now) / 1000;
-    const waits = this.hidden || (this.drawn !== null && this.drawn.tick < 0);
+    const waits = this.hidden || this.current || (this.drawn !== null && this.drawn.tick < 0);
     return waits || s <= scene.s ? scene : { ...scene, s, undrawn: false };
   }
 
-  /** Draws a picture, or its text in place of polygons; null: no picture has arrived. */
-  show(picture: Polygons | null, place: Size): void {
+  /** Draws a picture for the frame `tick`, or its text in place of polygons; null: no picture has arrived. */
+  show(picture: Polygons | null, tick: number, place: Size): void {
     const { canvas, text } = this;
     const { height } = place;
     const width = Math.min(place.width, ASPECT * height); // the station's pictures show no more at their sides
-    if (this.hidden || picture !== this.drawn) this.silence.end();
+    this.current = picture?.tick === tick;
+    if (this.hidden || this.current || picture !== this.drawn) this.silence.end();
     canvas.hidden = text.hidden = false;
     setText(this.words, picture?.text ?? '');
     this.bar.hidden = (picture?.share ?? null) === null;
