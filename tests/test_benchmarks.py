@@ -174,6 +174,7 @@ def test_every_module_that_measures_has_a_name() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.browser) if name == "page" else name for name in NAMES]
 )

@@ -106,6 +106,7 @@ def test_every_command_is_tested() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda command: encodable(" ".join(command)))
 def test_command_works_with_names_that_are_not_utf_8(
     run: Run, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: tuple[str, ...]

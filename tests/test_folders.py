@@ -78,6 +78,7 @@ def ran(code: str, command: str, folder: Path, env: dict[str, str]) -> subproces
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.skipif(not hasattr(os, "getuid"), reason="users without a name are those of Unix")
 def test_every_command_works_for_a_user_without_name_and_home(tmp_path: Path, temporary: Path) -> None:
     compiled, own = cache_folder(), temporary / f"aftdeck-{os.getuid()}"
