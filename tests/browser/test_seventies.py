@@ -103,13 +103,6 @@ def test_an_observer_has_the_look(open_page: OpenPage) -> None:
     assert grey(observer, 0).max() > 30.0
 
 
-def agree(polygons: Array, webgl: Array) -> bool:
-    """Return whether two pictures show parts at the same places, and space beside them."""
-    return bool(
-        np.mean((polygons > 6.0) == (webgl > 6.0)) > 0.85 and np.corrcoef(polygons.ravel(), webgl.ravel())[0, 1] > 0.6
-    )
-
-
 def test_an_engineering_view_has_the_look_and_follows_its_drag(flight: Flight) -> None:
     for monitor in (0, 1):
         show(flight, monitor, "ENG")

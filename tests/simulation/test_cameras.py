@@ -189,14 +189,14 @@ def test_payload_cameras_exist_only_with_the_payload() -> None:
 
 
 def test_arm_cameras_exist_only_with_their_frame(tmp_path: Path) -> None:
-    """The Shuttle's arm at the concept's bay has no telescope that could carry a camera."""
+    """The Shuttle's arm at the concept's bay carries the cameras of the frames that it has."""
     file = tmp_path / "mixed.toml"
     joints = [f"{angle} deg" for angle in (-31, 79, -103, -77, 17, -128)]
     file.write_text(f'title = "t"\narm = "srms"\nworksite = "concept-1972"\n[initial]\njoints = {joints}\n')
     mixed = load_scenario(file)
     there = {camera.name for camera in cameras_of(mixed)}
     listed = {camera.name: camera.body for camera in mixed.worksite.cameras if camera.body.startswith("arm.")}
-    assert "arm.stand" in listed.values()
+    assert "arm.base" in listed.values()
     frames = mixed.arm.model.frames
     assert {name for name, body in listed.items() if body not in frames} & there == set()
     assert {name for name, body in listed.items() if body in frames} <= there

@@ -150,7 +150,15 @@ def test_each_pixel_shows_the_nearest_part() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "count"),
-    [("concept-1972-script", 20), ("free-flyer", 8), ("srms-berth", 12), ("srms-deploy", 6), ("sts-400-closed", 6)],
+    [
+        ("concept-1972-script", 20),
+        ("free-flyer", 8),
+        ("srms-berth", 3),
+        *(
+            pytest.param(name, count, marks=pytest.mark.long)
+            for name, count in (("srms-berth", 12), ("srms-deploy", 6), ("sts-400-closed", 6))
+        ),
+    ],
 )
 def test_each_pixel_shows_the_nearest_part_in_many_states(name: str, count: int) -> None:
     _check(name, count, 2)

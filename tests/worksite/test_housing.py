@@ -61,7 +61,8 @@ def test_housing_encloses_its_camera_at_any_orientation() -> None:
     ("old", "new", "pattern"),
     [
         ('[[housing]]\ndrive = "bay', '[[housing]]\ndrive = "', r"housing\[0\]\.drive: ' unit'"),
-        (A, A.replace('"orbiter"', '"payload"'), "'payload' is not"),
+        (A, A.replace('"orbiter"', '"nowhere"'), "'nowhere' is not"),
+        (A, f'inside = "cabin"\n{A}', r"camera\[0\]\.inside: .*'bay unit'"),
         ("x = [-0.21, 0.21]", "x = [0.21, -0.21]", r"housing\[0\]"),
         ("y = [-2.31, 2.31]", "y = [-2.0, 2.31]", r"bay\.y: .*-2 m"),
         ("y = [-2.31, 2.31]", "y = [-2.31, 2.6]", r"bay\.y: .*2\.6 m"),

@@ -22,6 +22,7 @@ export const bay: Camera = {
   field_of_view: 60 * degree,
   kind: 'camera',
   pane: null,
+  inside: '',
   drive: {
     zero: [1, 0, 0],
     lens: 0,

@@ -83,6 +83,7 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     kind: Kind = "camera"
     pane: PaneFile | None = None
     """Opening of a window; None for any other kind."""
+    inside: str = ""
 
     def __post_init__(self) -> None:
         """Raise ValueError if `Camera` rejects the values, or if `zero` has zero length or is parallel to `up`."""
@@ -95,7 +96,17 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         pane = None if self.pane is None else self.pane.pane()
         angle = float(self.field_of_view)
         return Camera(
-            self.name, self.title, self.body, (x, y, z), self.boresight, self.up, angle, drive, self.kind, pane
+            self.name,
+            self.title,
+            self.body,
+            (x, y, z),
+            self.boresight,
+            self.up,
+            angle,
+            drive,
+            self.kind,
+            pane,
+            self.inside,
         )
 
     def camera(self, drives: Sequence[DriveFile]) -> Camera:

@@ -101,6 +101,14 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     kind: Kind = "camera"
     pane: Pane | None = None
     """Opening of a window; None for any other kind."""
+    inside: str = ""
+    """Name of the part that contains the lens by design, such as the cabin around an eye behind a window; empty if this
+    is a housing of the camera's own."""
+
+    @property
+    def housing(self) -> str:
+        """Name of the part that contains the lens by design."""
+        return self.inside or housing_of(self.name)
 
     def __post_init__(self) -> None:
         """Raise ValueError if the fields do not define a picture, or if `pane` or `drive` does not fit the kind."""
@@ -116,6 +124,11 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             )
         if along(self.boresight, self.up):
             raise ValueError(f"camera {self.name}: boresight and up have to be different directions")
+
+
+def housing_of(name: str) -> str:
+    """Return the name of the part that is the housing of a camera's own."""
+    return f"camera {name}"
 
 
 class Setting(NamedTuple):
@@ -171,6 +184,12 @@ def view(camera: Camera, at: Setting) -> View:
 def along(a: Vec3, b: Vec3) -> bool:
     """Return whether two directions are parallel or opposite, or one of them has zero length."""
     return not length(_cross(a, b)) > 1e-9 * length(a) * length(b)
+
+
+def mount(camera: Camera) -> tuple[Vec3, Vec3, Vec3]:
+    """Return the axes of a camera's mount in the body's frame: ahead at zero pan and tilt, left, and up."""
+    ahead, (x, y, z), up = _axes(camera)
+    return ahead, (-x, -y, -z), up
 
 
 def square(direction: Vec3, up: Vec3) -> Vec3:

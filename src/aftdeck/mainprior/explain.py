@@ -114,7 +114,8 @@ def explained_by_routine(
         routine: the routine of the scenario.
         frame: the frame.
         station: camera A to I.
-        shown: clusters of the visual scene that are in the picture, by their indices there.
+        shown: clusters of the visual scene that are in the picture, by their indices there; the routine does not know
+            the housings of cameras among them.
         received: D1 to D3, as the scene program has them; None to compute them from the frame.
 
     Raises:
@@ -124,7 +125,7 @@ def explained_by_routine(
     names = [name for item in found.items if (name := tree_name(item, found.mode))]
     trees = {name: tuple(_lines(routine.fit.trees[name])) for name in names}
     planes = dict.fromkeys(line.plane for lines in trees.values() for line in lines if line.plane)
-    part = routine.shapes.part
+    part, numbers = routine.shapes.part, routine.shapes.numbers
     return RoutineExplained(
         found.mode,
         _row(LISTS[station], found.mode),
@@ -145,7 +146,7 @@ def explained_by_routine(
         {str(number): part(number) for number in sorted(found.clusters)},
         tuple(
             Unseparated(one.plane, (one.before, part(one.before)), (one.behind, part(one.behind)))
-            for one in routine.unproved(found, {routine.shapes.numbers[k] for k in shown})
+            for one in routine.unproved(found, {numbers[k] for k in shown if k in numbers})
         ),
     )
 

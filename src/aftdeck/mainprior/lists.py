@@ -2,7 +2,7 @@
 
 The order of fixed clusters follows from the position of the eye. A list is TABLE VII's row for the camera, in which an
 entry stands behind all entries that hide a part of it. The place of the arm, Z, among the fixed clusters is the
-report's. An eye that moves (E, pan, tilt) has the list of its first position.
+report's. An eye that pan and tilt move has the list of its first position.
 """
 
 from __future__ import annotations

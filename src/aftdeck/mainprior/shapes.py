@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.cameras import housing_of
 from aftdeck.errors import InputError
 from aftdeck.historical.words_file import check_arm
 from aftdeck.mainprior.systems import Placed, in_reference, systems_at
@@ -63,6 +64,8 @@ class Shapes:
     Attributes:
         index: for each number that the scenario has, the index of its cluster in the visual scene.
         scene: the visual scene.
+        left_out: parts of the visual scene that the routine does not know: the housings of cameras. The report's
+            cameras are points.
     """
 
     def __init__(self, scenario: Scenario, scene: VisualScene) -> None:
@@ -76,7 +79,10 @@ class Shapes:
         name = _payload(scenario)
         parts = {own.part.format(payload=name): number for number, own in CLUSTERS.items()}
         self.index: dict[int, int] = {}
+        self.left_out = frozenset(housing_of(camera) for camera in scene.cameras)
         for k, cluster in enumerate(scene.clusters.clusters):
+            if cluster.part in self.left_out:
+                continue
             number = parts.get(cluster.part)
             if number is None or number in self.index:
                 raise InputError(

@@ -16,13 +16,13 @@ import numpy as np
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array
 from aftdeck.bodies.overlap import deepest
 from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
 from aftdeck.frames import IDENTITY, Pose
 from aftdeck.kinematics.linkage import L5
+from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
 from aftdeck.scenario.target import AtCargo
 from aftdeck.worksite.conditions import Units, quantity_text
@@ -117,7 +117,7 @@ def _telescope_misfits(model: ArmModel, worksite: Worksite, around: Parts) -> It
     scene = inverted(scene_in_l(model.mount, worksite.origin))
     for length in (telescope.least, telescope.greatest):
         own_parts = parts_at(
-            [solid for solid in solids_of(model) if solid.frame == STAND],
+            [solid for solid in arm_solids(model, worksite) if solid.frame == STAND],
             composed(scene, Pose(np.array([0.0, 0.0, -length]), np.eye(3))),
         )
         for overlap in _overlaps(own_parts, around, model.units):
@@ -187,8 +187,8 @@ def hands(model: ArmModel, worksite: Worksite, payload: Cargo) -> Mapping[str, P
     tip = at_cargo(model, payload, AtCargo(0, above=0.5 * rule.window))
     joint = composed(tip, Pose(np.array([-float(model.links[L5]), 0.0, 0.0]), np.eye(3)))
     last = model.linkage.frames[-1]
-    hand_solids = [solid for solid in solids_of(model) if solid.frame == last]
-    prong = [solid for solid in solids_of(model) if solid.frame == PRONG]
+    hand_solids = [solid for solid in arm_solids(model, worksite) if solid.frame == last]
+    prong = [solid for solid in arm_solids(model, worksite) if solid.frame == PRONG]
     hands_at_bar: dict[str, Parts] = {}
     closed = max(hand.opened, min(hand.closed, -0.5 * float(np.ptp(payload.receptacle[:, 1]))))
     for prong_state, y in (("open", hand.opened), ("closed", closed)):

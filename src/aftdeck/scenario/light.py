@@ -14,11 +14,11 @@ from typing import Annotated
 import msgspec
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.shapes import shapes_of
 from aftdeck.bounds import DIRECTION, Bounds
 from aftdeck.errors import InputError
 from aftdeck.files import parse, read
 from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.on_arm import arm_shapes
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LightSpec
 from aftdeck.shapes import switches
@@ -111,7 +111,7 @@ def condition_named(name: str) -> LightCondition:
 
 def lamps_of(worksite: Worksite, arm: ArmModel, payload: Payload | None, cargo: tuple[Cargo, ...]) -> tuple[str, ...]:
     """Return the switches of all lamps of the worksite, the arm, the held payload and the worksite's payloads."""
-    body_shapes = chain((body.shapes for body in worksite.bodies), shapes_of(arm).bodies.values())
+    body_shapes = chain((body.shapes for body in worksite.bodies), arm_shapes(arm, worksite).values())
     payload_shapes = chain([payload.shapes] if payload else [], (item.shapes for item in cargo))
     return switches(chain.from_iterable(chain(body_shapes, payload_shapes)))
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from aftdeck.arms.shapes import shapes_of
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_shapes
 from aftdeck.worksite.model import Body
 
 PAYLOAD = "payload"
@@ -18,7 +18,7 @@ def draws_payload(scenario: Scenario) -> bool:
 def bodies_of(scenario: Scenario) -> tuple[Body, ...]:
     """Return a scenario's drawn bodies: worksite, arm from base to tip, own payload, payloads of the worksite."""
     bodies = list(scenario.worksite.bodies)
-    bodies += [Body(name, shapes) for name, shapes in shapes_of(scenario.arm.model).bodies.items()]
+    bodies += [Body(name, shapes) for name, shapes in arm_shapes(scenario.arm.model, scenario.worksite).items()]
     if draws_payload(scenario) and scenario.payload is not None:
         bodies.append(Body(PAYLOAD, scenario.payload.shapes))
     bodies += [Body(payload.name, payload.shapes) for payload in scenario.cargo]

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from aftdeck.arms.solids import solids_of
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.target import AtCargo, AtSeat
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.simulation.frame import Frame
@@ -22,7 +22,7 @@ class TaskPairs:
 
     def __init__(self, scenario: Scenario) -> None:
         self._aims = Aims(scenario)
-        self._arm = frozenset(solid.part for solid in solids_of(scenario.arm.model))
+        self._arm = frozenset(solid.part for solid in arm_solids(scenario.arm.model, scenario.worksite))
         self._cargo = tuple(frozenset(solid.part for solid in cargo.solids) for cargo in scenario.cargo)
         self._worksite = scenario.worksite
 

@@ -15,6 +15,7 @@ from aftdeck.matrices import lengths, product
 from aftdeck.scenario.all_cameras import first_setting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
+from aftdeck.scenario.relative import inverted, scene_in_l
 from aftdeck.scene.cameras import SceneCameras, turn
 from aftdeck.simulation.frame import Frame
 from aftdeck.tuples import Vec3
@@ -141,7 +142,10 @@ class VisualScene:
         self._scenario = scenario
         self._placed = SceneCameras(scenario)
         self.cameras = self._placed.cameras
-        self._fixed = scenario.worksite.bodies
+        model = scenario.arm.model
+        mount = inverted(scene_in_l(model.mount, scenario.worksite.origin))
+        self._fixed = {body.name: (body.fixed_to, body.pose) for body in scenario.worksite.bodies}
+        self._fixed[model.linkage.frames[0]] = "orbiter", mount
         self._own = scenario.payload is not None
         ours = self.clusters
         self._work = Workspace([cluster.body for cluster in ours.clusters])
@@ -321,10 +325,10 @@ class VisualScene:
 
     def _home(self, camera: Camera, point: Vec3) -> tuple[str, Array]:
         """Return the frame to which a camera's body is fixed, and in it a point (3,) of the body's own frame [m]."""
-        for body in self._fixed:
-            if body.name == camera.body:
-                return body.fixed_to, product(body.pose.rotation, np.array(point)) + body.pose.position
-        return camera.body, np.array(point)
+        if camera.body not in self._fixed:
+            return camera.body, np.array(point)
+        frame, pose = self._fixed[camera.body]
+        return frame, product(pose.rotation, np.array(point)) + pose.position
 
     def _around(self, camera: Camera, eye: Vec3) -> frozenset[str]:
         """Return the parts that contain a camera's eye and are fixed to the camera's body.

@@ -46,6 +46,13 @@ class Body(msgspec.Struct, frozen=True):
         return Pose(np.array(self.position), endori(*self.rotation))
 
 
+class Mounted(msgspec.Struct, frozen=True, eq=False):
+    """Housings of the worksite's cameras on one frame of an arm, in that frame's axes."""
+
+    shapes: tuple[Shape, ...]
+    solids: tuple[Solid, ...]
+
+
 class Guides(msgspec.Struct, frozen=True):
     """V-shaped guides over each longeron latch."""
 
@@ -293,6 +300,8 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     """Structural Xo, Yo, Zo of the scene's origin [m]."""
     solids: tuple[Solid, ...]
     """Solids of the bodies, in the frames ``orbiter`` and ``space``."""
+    mounted: dict[str, Mounted]
+    """Housings of cameras on an arm, by the name of the arm's frame."""
     seats: tuple[Seat, ...]
     cargoes: tuple[Cargo, ...]
     """Available payloads; a scenario names the payloads that are present."""

@@ -728,6 +728,11 @@ export interface Camera {
   readonly kind: 'camera' | 'window' | 'engineering';
   /** Opening of a window; None for any other kind. */
   readonly pane: Pane | null;
+  /**
+   * Name of the part that contains the lens by design, such as the cabin around an eye behind a window; empty if this
+   * is a housing of the camera's own.
+   */
+  readonly inside: string;
 }
 
 /** Pan and tilt unit with its lens. If `pan`, `tilt` or `zoom` is None, it stays at the camera's initial setting. */

@@ -9,7 +9,6 @@ import numpy as np
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE, row_of
 from aftdeck.bodies.solid import Solid
@@ -19,6 +18,7 @@ from aftdeck.kinematics.linkage import L5
 from aftdeck.matrices import lengths, product
 from aftdeck.scenario import relative
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.payload import PART
 from aftdeck.simulation.constants.berths import Berth, berth_of
 from aftdeck.simulation.constants.hand import Bar, Snares, bar_of, snares_of
@@ -174,7 +174,7 @@ def site_of(scenario: Scenario) -> Site:
     model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
     arm = frames_of(model)
     frames = ("orbiter", *arm.names, "space", *(payload.name for payload in cargo))
-    own, held = solids_of(model), _attached_solids(scenario)
+    own, held = arm_solids(model, worksite), _attached_solids(scenario)
     solids = all_solids(scenario)
     foot, *joints = model.linkage.frames
     chain = [name for name in (foot, STAND, *joints, PRONG) if name in arm.names]
@@ -269,7 +269,12 @@ def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
 def all_solids(scenario: Scenario) -> tuple[Solid, ...]:
     """Return all solids of a run: of the arm, of the attached payload, of the worksite and of its payloads."""
     cargo = (solid for payload in scenario.cargo for solid in payload.solids)
-    return (*solids_of(scenario.arm.model), *_attached_solids(scenario), *scenario.worksite.solids, *cargo)
+    return (
+        *arm_solids(scenario.arm.model, scenario.worksite),
+        *_attached_solids(scenario),
+        *scenario.worksite.solids,
+        *cargo,
+    )
 
 
 def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:

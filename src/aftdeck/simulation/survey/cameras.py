@@ -1,4 +1,7 @@
-"""Search for cameras that are inside a part of the arm or of the worksite, for `survey.pairs`."""
+"""Search for cameras that are inside a part of the arm or of the worksite, for `survey.pairs`.
+
+A camera may be inside the part that contains it by design (`Camera.housing`).
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.hexahedron import NX, D, pack
@@ -17,6 +19,7 @@ from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.fit import TOLERANCE, Parts, hands, parts_at
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
 from aftdeck.simulation.constants.site import site_of
 from aftdeck.simulation.survey.poses import bodies, inside_soft_stops, joints_text, placed, stops
@@ -47,7 +50,7 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
         for camera in on_arm:
             pose = frames[camera.body]
             for part, depth in _inside(pose.rotation @ np.array(camera.position) + pose.position, own):
-                if (camera.name, part) not in found:
+                if part != camera.housing and (camera.name, part) not in found:
                     found.add((camera.name, part))
                     yield _problem(scenario, camera, part, depth, how)
 
@@ -115,7 +118,7 @@ def _points_inside(
         name: np.einsum("kij,kni->knj", own[:, 3:].reshape(-1, 3, 3), points - own[:, None, :3])
         for name, own in zip(arm.names, frames.transpose(1, 0, 2), strict=True)
     }
-    for solid in solids_of(scenario.arm.model):
+    for solid in arm_solids(scenario.arm.model, scenario.worksite):
         body = pack(solid.vertices)
         depths = (body[D:] - local[solid.frame] @ body[NX:D].reshape(3, 6)).min(axis=2)
         for k, point in np.argwhere(depths >= 0.0).tolist():

@@ -1,22 +1,23 @@
 """Survey of a scenario in sampled poses, for ``aftdeck check`` and tests: overlaps, cameras inside parts, and reach.
 
-The survey takes about a second. When a scenario is loaded, only the quick checks of `scenario.fit` run; they find
-errors that make a run meaningless.
+The survey takes about a second, and the time that a run of the script takes. When a scenario is loaded, only the quick
+checks of `scenario.fit` run; they find errors that make a run meaningless.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.overlap import deepest
 from aftdeck.files import Problem, Where
 from aftdeck.scenario.fit import TOLERANCE
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_solids
 from aftdeck.simulation.constants.site import site_of
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.survey.cameras import cameras
+from aftdeck.simulation.survey.lenses import lenses_in_script, without_housing
 from aftdeck.simulation.survey.poses import bodies, placed, stops
 from aftdeck.simulation.survey.reach import reach
 from aftdeck.worksite.conditions import quantity_text
@@ -30,12 +31,14 @@ def survey(scenario: Scenario) -> list[Problem]:
     - detrimental contacts at the starts of the scenario;
     - payloads and targets out of reach (`survey.reach`);
     - overlaps of two arm parts at combinations of the joints' hard stops, if the two are not a monitored pair;
-    - cameras inside parts (`survey.cameras`).
+    - cameras inside parts (`survey.cameras`), and while the script runs (`survey.lenses`);
+    - cameras without a housing.
 
     Raises:
         ScenarioError: at a start, the arm holds a payload in a pose in which it could not have captured the payload.
     """
-    return [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
+    found = [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
+    return [*found, *without_housing(scenario), *lenses_in_script(scenario)]
 
 
 def _starts(scenario: Scenario) -> Iterator[Problem]:
@@ -59,7 +62,7 @@ def _folded(scenario: Scenario) -> Iterator[Problem]:
     model = scenario.arm.model
     if model.equipment.covered:
         return
-    home = {solid.part: solid.frame for solid in solids_of(model)}
+    home = {solid.part: solid.frame for solid in arm_solids(model, scenario.worksite)}
     layout = site_of(scenario).layout
     monitored = {frozenset(layout.named(group)) for group in range(len(layout.groups))}
     pairs = [(a, b) for a in home for b in home if a < b and home[a] != home[b] and frozenset((a, b)) not in monitored]

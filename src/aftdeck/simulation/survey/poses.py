@@ -8,13 +8,13 @@ from itertools import product
 
 import numpy as np
 
-from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import pose_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.fit import Parts
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.on_arm import arm_solids
 
 TRIED = 5000
 """Number of random poses inside the soft stops; the test of these poses takes half a second."""
@@ -47,7 +47,7 @@ def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dic
 def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
     """Return the arm's solids in L by part, for poses of the arm's frames."""
     found: Parts = {}
-    for solid in solids_of(scenario.arm.model):
+    for solid in arm_solids(scenario.arm.model, scenario.worksite):
         pose = frames[solid.frame]
         found.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)
     return found

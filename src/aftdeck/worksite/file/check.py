@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,14 +55,14 @@ def misnamed(file: WorksiteFile) -> Iterator[Problem]:
         if camera.body not in (*bodies, *cargoes) and not camera.body.startswith(ARM):
             choices = ", ".join((*bodies, *cargoes))
             yield Problem(("camera", i, "body"), f"{camera.body!r} is not a body; bodies are: {choices}")
-    yield from _housing_problems(file, bodies)
+    yield from _housing_problems(file)
 
 
-def _housing_problems(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
+def _housing_problems(file: WorksiteFile) -> Iterator[Problem]:
     """Yield problems with housings.
 
     The problems are: a housing is for a drive that is not listed, or for a drive that already has a housing; a camera
-    has a housing but is not mounted on a body of the worksite.
+    that is inside a part has a housing too.
     """
     drives, housed = [drive.name for drive in file.drive], [housing.drive for housing in file.housing]
     for i, drive in enumerate(housed):
@@ -72,12 +72,19 @@ def _housing_problems(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Pro
         if drive in housed[:i]:
             yield Problem(("housing", i, "drive"), f"the drive {drive!r} already has a housing")
     for i, camera in enumerate(file.camera):
-        if camera.drive in housed and camera.body not in bodies:
-            what = (
-                f"its drive {camera.drive!r} has a housing, so the camera has to be on a body; {camera.body!r} is not "
-                "a body"
-            )
-            yield Problem(("camera", i, "drive"), what)
+        if camera.drive in housed and camera.inside:
+            what = f"its drive {camera.drive!r} has a housing, so the camera cannot be inside {camera.inside!r}"
+            yield Problem(("camera", i, "inside"), what)
+
+
+def inside_nothing(file: WorksiteFile, parts: Collection[str]) -> Iterator[Problem]:
+    """Yield a problem for each camera of the worksite that is inside a part that does not exist.
+
+    `parts` are those of the worksite and of its payloads. The parts of an arm are known only in a scenario.
+    """
+    for i, camera in enumerate(file.camera):
+        if camera.inside and camera.inside not in parts and not camera.body.startswith(ARM):
+            yield Problem(("camera", i, "inside"), f"{camera.inside!r} is not a part; parts are: {', '.join(parts)}")
 
 
 def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator[Problem]:
@@ -112,20 +119,18 @@ def blind_cameras(
 
     The keys of `cameras` are indices in the file. A camera on a body is checked against the solids of all bodies, at
     their poses at the start. A camera on a payload is checked against the payload's own solids. A camera is not checked
-    against its own housing (for camera A, the part ``camera A``). The function does not check cameras on the arm, eyes
-    behind windows, or solids that come near a camera during a run.
+    against the part that contains it by design (`Camera.housing`). The function does not check cameras on the arm, or
+    solids that come near a camera during a run.
     """
     still = {body.name: body.pose for body in bodies}
     own = {cargo.name: cargo.solids for cargo in cargoes}
     for i, camera in cameras.items():
-        if camera.kind == "window":
-            continue
         pose = still.get(camera.body)
         near = solids if pose else own.get(camera.body, ())
         place = _in_scene(pose, camera.position) if pose else np.array(camera.position)
         for solid in _within(clearance, place, near):
             room = distance(place, solid.vertices)
-            if solid.part != f"camera {camera.name}" and not room > clearance:
+            if solid.part != camera.housing and not room > clearance:
                 where = f"{room:.3g} m from" if room > 0.0 else "in"
                 what = f"camera {camera.name} is {where} {solid.part}; it has to be more than {clearance:.3g} m away"
                 yield Problem(("camera", i, "position"), what)

@@ -7,13 +7,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from aftdeck.arms.geometry import frozen
 from aftdeck.arrays import Array
-from aftdeck.bodies.cameras import Camera
-from aftdeck.elementary import asin, atan2
-from aftdeck.matrices import length
+from aftdeck.bodies.cameras import Camera, mount
+from aftdeck.bodies.solid import Solid
+from aftdeck.frames import IDENTITY, Pose, oriend
+from aftdeck.matrices import length, product
 from aftdeck.shapes import Group, Shape
+from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.schema import HousingFile, WorksiteFile
-from aftdeck.worksite.file.solids import CORNERS
+from aftdeck.worksite.file.solids import CORNERS, as_solids, moved
 
 
 class Housed(NamedTuple):
@@ -27,9 +30,18 @@ class Housed(NamedTuple):
     shapes: list[Shape]
     solids: dict[str, Array]
 
+    def as_solids(self, frame: str, pose: Pose = IDENTITY) -> tuple[Solid, ...]:
+        """Return the solids in a frame; `pose` is the pose of the body in it."""
+        return tuple(
+            solid for part, own in self.solids.items() for solid in as_solids(part, frame, frozen(moved(own, pose)))
+        )
+
 
 def housed(cameras: Sequence[Camera], file: WorksiteFile, body: str) -> Housed:
-    """Return the housings of the cameras on a body. A camera has a housing if the file gives one for its drive."""
+    """Return the housings of the cameras on a body, on a payload or on a frame of an arm.
+
+    A camera has a housing if the file gives one for its drive.
+    """
     housings = {housing.drive: housing for housing in file.housing}
     drives = {camera.name: camera.drive for camera in file.camera}
     found = Housed([], {})
@@ -46,10 +58,25 @@ def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
     This point is `drive.lens` [m] behind the lens.
     """
     lens = camera.drive.lens if camera.drive is not None else 0.0
+    level, left, up = (np.array(axis) for axis in mount(camera))
     ahead = np.array(camera.boresight) / length(camera.boresight)
-    x, y, z = (np.array(camera.position) - lens * ahead).tolist()
-    turn = (0.0, -asin(float(ahead[2])), atan2(float(ahead[1]), float(ahead[0])))
-    found.shapes.append(Group(position=(x, y, z), rotation=turn, shapes=housing.turned))
-    found.shapes.append(Group(position=(x, y, z), shapes=housing.upright))
+    at = np.array(camera.position) - lens * ahead
+    side = np.cross(up, ahead)
+    side /= length(side.tolist())
+    for x, y, shapes in ((ahead, side, housing.turned), (level, left, housing.upright)):
+        if shapes:
+            found.shapes.append(Group(position=_plain(at), rotation=_turn(x, y), shapes=shapes))
     low, high = (np.array([span[k] for span in (housing.x, housing.y, housing.z)], dtype=np.float64) for k in (0, 1))
-    found.solids[f"camera {camera.name}"] = (low + CORNERS * (high - low) + [x, y, z])[None]
+    corners = product(low + CORNERS * (high - low), np.array([level, left, up]))
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    found.solids[camera.housing] = (low + CORNERS * (high - low) + at)[None]
+
+
+def _turn(x: Array, y: Array) -> Vec3:
+    """Return the rotation of a group whose x and y axes have these directions: roll, pitch, yaw [rad]."""
+    return oriend(np.column_stack([x, y, np.cross(x, y)]))
+
+
+def _plain(point: Array) -> Vec3:
+    x, y, z = point.tolist()
+    return x, y, z

@@ -17,7 +17,14 @@ from aftdeck.files import Problem, Text, as_path, examine, is_file, line_of, rea
 from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
-from aftdeck.worksite.file.check import bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
+from aftdeck.worksite.file.check import (
+    ARM,
+    bay_without_walls,
+    blind_cameras,
+    inside_nothing,
+    misnamed,
+    parts_in_two_frames,
+)
 from aftdeck.worksite.file.housing import Housed, housed
 from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, OrbiterFile, PortFile, SnareFile, WorksiteFile
 from aftdeck.worksite.file.seats import disc, seat_of
@@ -29,6 +36,7 @@ from aftdeck.worksite.model import (
     Cargo,
     Essential,
     Jets,
+    Mounted,
     OrbiterMass,
     Seat,
     SnareCapture,
@@ -132,15 +140,26 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
     bodies = tuple(body for body, _ in made)
     solids = tuple(solid for _, own in made for solid in own)
     seats = _seats(file, made, problems)
-    listed = _cargoes(file, seats, problems)
+    on_frames = {
+        name: housed(tuple(cameras.values()), file, name)
+        for name in dict.fromkeys(camera.body for camera in cameras.values())
+    }
+    mounted = {
+        name: Mounted(tuple(own.shapes), own.as_solids(name))
+        for name, own in on_frames.items()
+        if name.startswith(ARM) and own.solids
+    }
+    listed = _cargoes(file, seats, on_frames, problems)
     cargoes = tuple(listed.values())
     problems += parts_in_two_frames(
         [
             *((("body", i), own) for i, (_, own) in enumerate(made)),
             *((("cargo", i), cargo.solids) for i, cargo in listed.items()),
+            *((("camera",), own.solids) for own in mounted.values()),
         ]
     )
     parts = dict.fromkeys(solid.part for own in (solids, *(cargo.solids for cargo in cargoes)) for solid in own)
+    problems += inside_nothing(file, parts)
     bay = None if file.bay is None else _bay(file.bay)
     if bay is not None and not problems:
         problems += bay_without_walls(bay, solids)
@@ -154,6 +173,7 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         dimensions=file.dimensions,
         origin=_plain(file.origin),
         solids=solids,
+        mounted=mounted,
         seats=seats,
         cargoes=cargoes,
         essential=tuple(
@@ -196,8 +216,7 @@ def _body(
     shapes = [*file.shapes, *ports, *cameras.shapes]
     body = Body(file.name, (), file.details, file.fixed_to, _plain(file.position), _plain(file.rotation))
     solids: list[Solid] = []
-    for part, own in cameras.solids.items():
-        solids += as_solids(part, file.fixed_to, frozen(moved(own, body.pose)))
+    solids += cameras.as_solids(file.fixed_to, body.pose)
     for k, solid in enumerate(file.solids):
         try:
             parts = solids_of(solid)
@@ -224,15 +243,26 @@ def _seats(
     return tuple(seats)
 
 
-def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem]) -> dict[int, Cargo]:
-    """Return the valid payloads by their index in the file, and add a problem for each invalid payload."""
+def _cargoes(
+    file: WorksiteFile, seats: Sequence[Seat], cameras: Mapping[str, Housed], problems: list[Problem]
+) -> dict[int, Cargo]:
+    """Return the valid payloads by their index in the file, and add a problem for each invalid payload.
+
+    `cameras` has the housings of the cameras on each payload.
+    """
     by_name = {seat.name: seat for seat in seats}
     cargoes = {}
     for i, cargo in enumerate(file.cargo):
         try:
-            cargoes[i] = cargo_of(cargo, by_name)
+            made = cargo_of(cargo, by_name)
         except ValueError as error:
             problems.append(Problem(("cargo", i), f"cargo {cargo.name}: {error}"))
+            continue
+        if own := cameras.get(cargo.name):
+            made = msgspec.structs.replace(
+                made, shapes=(*made.shapes, *own.shapes), solids=(*made.solids, *own.as_solids(cargo.name))
+            )
+        cargoes[i] = made
     return cargoes
 
 

@@ -271,8 +271,10 @@ class OrbiterFile(Table, frozen=True, kw_only=True):
 class HousingFile(_Inside, frozen=True, kw_only=True):
     """Housing of every camera that has a certain drive.
 
-    The origin is the point where the pan and tilt axes meet; z is up. The box given by x, y and z is the solid that
-    collides. It has to enclose the whole housing in every position of the drive.
+    The origin is the point where the pan and tilt axes meet; x is ahead at zero pan and tilt, y is to the left, and z
+    is the camera's `up`. The solid that collides is the box given by x, y and z; if these axes are not parallel to
+    those of the camera's body, it is the least box along the body's axes that encloses it. It has to enclose the whole
+    housing in every position of the drive.
     """
 
     drive: Text
