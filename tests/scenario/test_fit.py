@@ -215,7 +215,7 @@ def test_bar_that_does_not_fit_the_end_effector_is_rejected(dimensions: dict[str
         ('prong_spacing = "0.425 ft"', 'prong_spacing = "1.3 ft"', "open prong is 15 in"),
         ('prong_spacing = "0.425 ft"', 'prong_spacing = "0.3 ft"', "closed prong is 4.5 in"),
         ('"0 ft", "= payload_up"]', '"0 ft", "-9 ft"]', "floor"),
-        ('["= bay_forward - 0.2 ft", "-3.955 ft", "0.473 ft"]', '["2 ft", "-4 ft", "-2 ft"]', "camera A"),
+        ('["= bay_forward - 0.5 ft", "-4 ft", "0.45 ft"]', '["2 ft", "-4 ft", "-2 ft"]', "camera A"),
     ],
 )  # fmt: skip
 def test_inconsistent_worksite_is_rejected(tmp_path: Path, old: str, new: str, named: str) -> None:

@@ -88,9 +88,9 @@ def ends(camera: Camera) -> list[Setting]:
 def test_a_lens_in_the_way_of_a_payload_is_found(tmp_path: Path) -> None:
     """Camera B, without a housing and as high as the payload's middle, on the way to the port."""
     text = load_worksite("concept-1972").text
-    was = '"= 0.17 ft - bay_side - wall / 2", "0.44 ft"]'
+    was = '"= -bay_side - wall / 2", "0.45 ft"]'
     assert text.count(was) == 1
-    text = text.replace(was, '"= 0.17 ft - bay_side - wall / 2", "9 ft"]').replace('"camera B"', '"B"')
+    text = text.replace(was, '"= -bay_side - wall / 2", "9 ft"]').replace('"camera B"', '"B"')
     begin = text.index('[[camera]]\nname = "B"')
     text = text[:begin] + text[begin:].replace('drive = "station"\n', "", 1)
     (tmp_path / "site.toml").write_text(text)
@@ -115,4 +115,4 @@ def test_depths_are_those_of_points_in_hexahedra() -> None:
     own = [lenses.parts.index(camera.housing) for camera in lenses.cameras]
     assert np.isneginf(depths[np.arange(len(own)), own]).all()
     floor = lenses.parts.index("cabin")
-    assert depths[names.index("A"), floor] == pytest.approx(-0.473 * 0.3048)
+    assert depths[names.index("A"), floor] == pytest.approx(-0.45 * 0.3048)

@@ -65,7 +65,7 @@ def test_the_other_clusters_stand_as_one_block_in_a_permanent_list(scene: Visual
                 assert {root.frame for root in found.roots} == set(scene.clusters.frames) - {"orbiter"}
                 rank = {
                     cluster: found.row.index(str(cluster) if str(cluster) in found.row else "Z")
-                    for cluster in range(24)
+                    for cluster in range(len(scene.clusters.clusters))
                 }
                 assert all(rank[nearer] <= rank[hidden] for nearer, hidden in scene.hidden_pairs())
     assert np.mean(with_roots) > 0.9
@@ -92,7 +92,7 @@ def test_the_trees_are_listed_in_the_order_of_their_trace(scene: VisualScene, st
     """In the list of a tree, the clusters come in the order of their ranks."""
     aim = scene.aim(start, "F", 4 / 3)
     found, given = explained(scene, start, aim), scene.arguments(start, aim)
-    rank = np.zeros(24, np.int64)
+    rank = np.zeros(len(found.clusters), np.int64)
     trace_all(given.forest, given.poses, given.listed, rank)
     for name, nodes in found.trees.items():
         clusters = [cluster for node in nodes for cluster in node.clusters]
@@ -102,13 +102,13 @@ def test_the_trees_are_listed_in_the_order_of_their_trace(scene: VisualScene, st
             assert (node.plane is None) == (node.clusters != ())
 
 
-def test_the_sheet_has_each_cluster_plane_and_entry(run: Run, tmp_path: Path) -> None:
+def test_the_sheet_has_each_cluster_plane_and_entry(scene: VisualScene, run: Run, tmp_path: Path) -> None:
     out = tmp_path / "planes.svg"
     assert run("planes", "concept-1972", "--camera", "A", "-o", str(out))[0] == 0
     root = ET.parse(out).getroot()
     texts = [text.text or "" for text in root.iter("{http://www.w3.org/2000/svg}text")]
-    for cluster in range(24):
+    for cluster in range(len(scene.clusters.clusters)):
         assert str(cluster) in texts
     assert sum("L vector of" in text for text in texts) > 3
-    assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) > 2 * 24
+    assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) > 2 * len(scene.clusters.clusters)
     assert run("planes", "concept-1972", "--camera", "A", "-o", str(tmp_path / "planes.png"))[0] == 2

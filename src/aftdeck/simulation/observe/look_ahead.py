@@ -104,7 +104,8 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         flight, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
         worksite.contacts, worksite.permitted,
     )[0]  # fmt: skip
-    watch, height, contact, period = worksite.watch.copied(), stand.position, None, seconds / SAMPLES
+    port = [meeting.group for meeting in site.meetings if meeting.relation == "docking" and not outside[meeting.group]]
+    watch, height, contact, docked, period = worksite.watch.copied(), stand.position, None, False, seconds / SAMPLES
     for sample in range(1, SAMPLES + 1):
         rehearse(rules, command, steering, report, period)
         height = stand.after(travel, driven, sample * period)
@@ -113,9 +114,11 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         frames = frames_at(flight, state, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
-        # a pair that is aligned now is not tested: its parts will be docked or latched before they penetrate deeply
+        # a pair that is aligned now is not tested: its parts will be docked or latched before they penetrate deeply;
+        # a payload that is docked moves no further
+        docked = docked or bool((watch.found[port, CLEARANCE] <= CONTACT).any())
         touching = watch.nearest(site.detrimental | (outside & (1 - may)))
-        if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
+        if contact is None and not docked and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
     counts = alarm_pairs(
         flight, worksite.held, watch, frames, worksite.aligned_with, worksite.nearest, worksite.contacts, may

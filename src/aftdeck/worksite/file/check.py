@@ -119,12 +119,14 @@ def blind_cameras(
 
     The keys of `cameras` are indices in the file. A camera on a body is checked against the solids of all bodies, at
     their poses at the start. A camera on a payload is checked against the payload's own solids. A camera is not checked
-    against the part that contains it by design (`Camera.housing`). The function does not check cameras on the arm, or
-    solids that come near a camera during a run.
+    against the part that contains it by design (`Camera.housing`). The function does not check cameras on the arm, eyes
+    behind windows whose cabin the file does not name, or solids that come near a camera during a run.
     """
     still = {body.name: body.pose for body in bodies}
     own = {cargo.name: cargo.solids for cargo in cargoes}
     for i, camera in cameras.items():
+        if camera.kind == "window" and not camera.inside:
+            continue
         pose = still.get(camera.body)
         near = solids if pose else own.get(camera.body, ())
         place = _in_scene(pose, camera.position) if pose else np.array(camera.position)
