@@ -18,7 +18,7 @@ from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.schema import schema
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
-from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.frame import Force, Frame, Holding
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs
 from aftdeck.steering.mode import MODES
@@ -194,3 +194,9 @@ def test_added_frame_field_is_recorded_without_second_declaration() -> None:
     back: Any = decode(kind, encode(kind(**known, wind=1.2345)))
     assert back.wind == 1.23 and back.angles == as_read(made).angles
     assert schema(kind)["properties"]["wind"] == {"type": "number", "description": "wind speed [m/s]"}
+
+
+def test_forces_of_an_earlier_version_are_their_own_greatest() -> None:
+    force = decode(Force, b'{"a": "a", "b": "b", "force": [3.0, 4.0, 0.0], "position": [0.0, 0.0, 0.0]}')
+    hold = decode(Holding, b'{"payload": "payload", "by": "orbiter", "force": 7.0}')
+    assert (force.greatest, force.peak, hold.greatest, hold.peak) == (None, 5.0, None, 7.0)

@@ -318,6 +318,13 @@ def test_impulse_of_a_constant_force(frame: Frame) -> None:
     values = numbers(forces.Forces(PERIOD), [changed(frame, dynamics=dynamics)] * 10)
     assert values == {forces.PEAK: 5.0, forces.IMPULSE: pytest.approx(5.0 * 10 * PERIOD), forces.HOLDING: 70.0}
     assert numbers(forces.Forces(PERIOD), [frame]) == {}
+    struck = msgspec.structs.replace(
+        dynamics,
+        contacts=(msgspec.structs.replace(pushed, greatest=12.0),),
+        holds=(msgspec.structs.replace(dynamics.holds[0], greatest=90.0),),
+    )
+    values = numbers(forces.Forces(PERIOD), [changed(frame, dynamics=struck)])
+    assert values == {forces.PEAK: 12.0, forces.IMPULSE: pytest.approx(5.0 * PERIOD), forces.HOLDING: 90.0}
 
 
 def test_lamp_that_goes_out_and_on_again_raises_a_second_alarm() -> None:

@@ -5,13 +5,17 @@ from __future__ import annotations
 import itertools
 import math
 
+import msgspec
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from aftdeck.report.metrics.path import worst_rate
-from aftdeck.report.strips import BUCKETS, thin
+from aftdeck.report.strips import BUCKETS, sources, thin
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.run import Simulation
 from aftdeck.tuples import Six
 
 VALUES = st.one_of(st.floats(-1e6, 1e6), st.just(math.nan))
@@ -52,3 +56,17 @@ def test_worst_rate_is_that_of_the_joint_nearest_to_its_limit() -> None:
     limits: Six = (0.1, 0.1, 0.1, 0.2, 0.2, 0.4)
     assert worst_rate((0.05, 0.0, -0.06, 0.1, 0.0, -0.28), limits) == (-0.28 / -0.4, 5)
     assert worst_rate((0.0,) * 6, limits) == (0.0, -1)
+
+
+@pytest.mark.parametrize("brakes", [False, True])
+def test_joint_torque_is_a_part_of_the_limit_of_what_acts(brakes: bool) -> None:
+    scenario = load_scenario("first-flight", {("plant",): "rigid"})
+    frame, servo = Simulation(scenario).look(), scenario.arm.model.servo
+    assert frame.dynamics is not None
+    assert servo is not None
+    limits = (servo.holding_torque if brakes else servo.torque_limit).tolist()
+    torques: Six = (0.1 * limits[0], 0.0, -0.6 * limits[2], 0.2 * limits[3], 0.0, 0.5 * limits[5])
+    dynamics = msgspec.structs.replace(frame.dynamics, torques=torques)
+    (strip,) = [source for source in sources(scenario) if source.name == "Joint torque"]
+    ((_, value),) = strip.curves
+    assert value(msgspec.structs.replace(frame, brakes=brakes, dynamics=dynamics), None) == pytest.approx(0.6)

@@ -17,17 +17,34 @@ FOLLOWING = np.zeros((0, POSE))
 
 
 class Touch(msgspec.Struct, frozen=True, array_like=True):
-    """Force between two parts in contact.
+    """Force between two parts in contact, in one control period.
 
     Attributes:
         group: index of the pair of parts in the worksite's layout.
-        force: force on the second part, in L [N]; the force on the first part is opposite.
+        force: mean force on the second part, in L [N]; the force on the first part is opposite. Times the period, it is
+            the impulse.
         place: point at which it acts, in L [m].
+        greatest: greatest size of the force in a step of MuJoCo [N].
     """
 
     group: int
     force: Vec3
     place: Vec3
+    greatest: float
+
+
+class ContactForce(msgspec.Struct, frozen=True, array_like=True):
+    """Force of a contact since the parts touched.
+
+    Attributes:
+        greatest: greatest force [N].
+        impulse: sum over the control periods of mean force times period [N s].
+        apart_for: time since the parts touched last [s].
+    """
+
+    greatest: float = 0.0
+    impulse: float = 0.0
+    apart_for: float = 0.0
 
 
 class Bodies(StatePart):
@@ -48,6 +65,8 @@ class Bodies(StatePart):
             the axes of the same frame [m/s].
         held: (c, 3) forces at the payloads' centres by which end effector, orbiter and space hold them, at the end of
             the step [N].
+        held_greatest: (c, 3) greatest of these forces in the control period [N]: of all steps of MuJoCo if solids are
+            near each other, else at the end of the period.
         held_peaks: (c, 3) greatest forces since the end effector, the orbiter or space began to hold the payload [N].
         held_for: (c, 3) time since then [s]; infinite if it holds the payload from the start of the run.
         orbiter_velocity: (3,) velocity of the orbiter's centre of mass in space, in L's axes [m/s]; 0 if it is fixed.
@@ -55,8 +74,8 @@ class Bodies(StatePart):
             its sign is that of the torque or the force [s].
         fired: (6,) time for which these jets have fired so far [s].
         tip: motion of the tip, and its stop.
-        touches: forces between parts in contact, at the end of the step.
-        touch_peaks: greatest force of each contact since the parts touched [N], by the index of the pair.
+        touches: forces between parts in contact, in the last control period.
+        contacts: force of each contact since the parts touched, by the index of the pair.
     """
 
     physics: Array
@@ -70,6 +89,7 @@ class Bodies(StatePart):
     payloads: Array
     motions: Array
     held: Array
+    held_greatest: Array
     held_peaks: Array
     held_for: Array
     orbiter_velocity: Array
@@ -77,7 +97,7 @@ class Bodies(StatePart):
     fired: Array
     tip: TipMotion = msgspec.field(default_factory=TipMotion)
     touches: tuple[Touch, ...] = ()
-    touch_peaks: dict[int, float] = msgspec.field(default_factory=dict)
+    contacts: dict[int, ContactForce] = msgspec.field(default_factory=dict)
 
 
 class PlantState(StatePart):

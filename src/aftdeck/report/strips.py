@@ -90,24 +90,25 @@ def _dynamics(scenario: Scenario) -> tuple[Source, ...]:
     servo = scenario.arm.model.servo
     if scenario.plant == "kinematic" or servo is None:
         return ()
-    limits = servo.torque_limit.tolist()
+    motors, brakes = servo.torque_limit.tolist(), servo.holding_torque.tolist()
     return (
         Source(
             "Joint torque",
             "part of limit",
-            (("actual", lambda f, _: _greatest(abs(a) / b for a, b in zip(_torques(f), limits, strict=False))),),
+            (("actual", lambda f, _: _load(f, brakes if f.brakes else motors)),),
             limit=1.0,
             shown=True,
         ),
-        Source(
-            "Contact force", "force", (("actual", lambda f, _: _greatest(_size(one.force) for one in _touching(f))),)
-        ),
-        Source("Holding force", "force", (("actual", lambda f, _: _greatest(one.force for one in _holding(f))),)),
+        Source("Contact force", "force", (("actual", lambda f, _: _greatest(one.peak for one in _touching(f))),)),
+        Source("Holding force", "force", (("actual", lambda f, _: _greatest(one.peak for one in _holding(f))),)),
     )
 
 
-def _torques(frame: Frame) -> Sequence[float]:
-    return () if frame.dynamics is None else frame.dynamics.torques
+def _load(frame: Frame, limits: Sequence[float]) -> float:
+    """Return the greatest torque of a joint, as a part of the limits of motors or brakes."""
+    if frame.dynamics is None:
+        return 0.0
+    return max(abs(torque) / limit for torque, limit in zip(frame.dynamics.torques, limits, strict=True))
 
 
 def _touching(frame: Frame) -> Sequence[Force]:

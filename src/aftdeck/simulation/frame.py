@@ -6,6 +6,7 @@ decimals. The recording, its schema and its documentation are derived from these
 
 from __future__ import annotations
 
+from math import hypot
 from typing import Annotated, Literal, NamedTuple
 
 import msgspec
@@ -145,12 +146,28 @@ class Placed(NamedTuple):
 
 
 class Force(msgspec.Struct, frozen=True, gc=False):
-    """Force between two parts in contact."""
+    """Force between two parts in contact, in one control step."""
 
     a: Annotated[str, field_meta("first part")]
     b: Annotated[str, field_meta("second part")]
-    force: Annotated[Vec3, field_meta("force on the second part", "N", "L", decimals=3)]
+    force: Annotated[
+        Vec3, field_meta("mean force on the second part; times the control period, the impulse", "N", "L", decimals=3)
+    ]
     position: Annotated[Vec3, field_meta("point at which it acts", "m", "L")]
+    greatest: Annotated[
+        float | None,
+        field_meta(
+            "greatest force within the control step; null in files of earlier versions, whose `force` is that at "
+            "its end",
+            "N",
+            decimals=3,
+        ),
+    ] = None
+
+    @property
+    def peak(self) -> float:
+        """Greatest force within the control step, as far as it is known [N]."""
+        return hypot(*self.force) if self.greatest is None else self.greatest
 
 
 class Holding(msgspec.Struct, frozen=True, gc=False):
@@ -158,7 +175,21 @@ class Holding(msgspec.Struct, frozen=True, gc=False):
 
     payload: Annotated[str, field_meta("name of the payload")]
     by: Annotated[Literal["end effector", "orbiter", "space"], field_meta("what holds the payload")]
-    force: Annotated[float, field_meta("force at the payload's centre", "N", decimals=3)]
+    force: Annotated[float, field_meta("force at the payload's centre, at the end of the step", "N", decimals=3)]
+    greatest: Annotated[
+        float | None,
+        field_meta(
+            "greatest force within the control step, if solids are near each other, else that at its end; null in "
+            "files of earlier versions",
+            "N",
+            decimals=3,
+        ),
+    ] = None
+
+    @property
+    def peak(self) -> float:
+        """Greatest force within the control step, as far as it is known [N]."""
+        return self.force if self.greatest is None else self.greatest
 
 
 class Bend(msgspec.Struct, frozen=True, gc=False):
@@ -184,7 +215,9 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
         tuple[float, float] | None,
         field_meta("true distance and angle of the tip from the target; null if there is none", "m, rad"),
     ]
-    torques: Annotated[Six, field_meta("torque of motor or brake about each joint", "N m", decimals=3)]
+    torques: Annotated[
+        Six, field_meta("torque of motor or brake about each joint, at the end of the step", "N m", decimals=3)
+    ]
     overdriven: Annotated[
         tuple[int, ...],
         field_meta("joints, 0 to 5, that turn against a motor or brake at its greatest torque"),

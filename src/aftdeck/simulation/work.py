@@ -16,7 +16,8 @@ from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.motion_inhibit import sliding_payload
 from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.payloads.capture import capture
-from aftdeck.simulation.payloads.forces import peak_text, watch_forces
+from aftdeck.simulation.payloads.contact_log import log_contacts
+from aftdeck.simulation.payloads.forces import watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
@@ -48,7 +49,8 @@ def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
         watch_forces(flight, state, state.plant.bodies)
     before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
     _update_contacts(flight, state)
-    _log_contacts(flight, state, before)
+    log_contacts(flight, state)
+    _log_inhibits(flight, state, before)
     capture(flight, state, inputs)
     seat(flight, state, inputs.latch)
     if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
@@ -78,7 +80,7 @@ def _update_contacts(flight: Flight, state: State) -> None:
         *watch.packed,
         contacts.count,
     )
-    if touching or changed:
+    if touching or changed or (plant.bodies is not None and plant.bodies.touches):
         worksite.permitted[:] = permitted(site, watch, worksite.frames)
         contacts.essential[:] = site.essential_while(sliding_payload(flight, state), worksite.permitted)
     contacts.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
@@ -167,20 +169,10 @@ def _closing_fraction(flight: Flight, state: State, distance: float) -> float:
     return 1.0 if distance <= clearance else clearance / distance
 
 
-def _log_contacts(flight: Flight, state: State, before: Inhibit) -> None:
-    """Log changes of contacts and inhibits, and update the escape direction out of the contacts."""
+def _log_inhibits(flight: Flight, state: State, before: Inhibit) -> None:
+    """Log changes of the inhibits, and update the escape direction out of the contacts."""
     worksite = state.worksite
     now = worksite.contacts.inhibit
-    if now.changed:
-        standing = worksite.contacts.standing(flight.site.layout, worksite.watch.found, flight.scenario.arm.model.units)
-        for contact in standing:
-            if contact.group not in worksite.logged_contacts:
-                log(flight, state, "contact", "info" if contact.essential else "caution", contact.text)
-        touching = sorted(contact.group for contact in standing)
-        for group in sorted(set(worksite.logged_contacts) - set(touching)):
-            a, b = flight.site.layout.named(group)
-            log(flight, state, "contact", "info", f"{a} clear of {b}{peak_text(state.plant.bodies, group)}")
-        worksite.logged_contacts = tuple(touching)
     if now == before and not now.arm and not worksite.advice:
         return
     for name, was, is_now in (("ARM", before.arm, now.arm), ("FINGER", before.finger, now.finger)):

@@ -647,7 +647,7 @@ export interface Welcome {
   readonly phases: readonly string[];
 }
 
-/** Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limit [N m]. */
+/** Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limits [N m]. */
 export interface JointInfo {
   /** Name in the arm file: `shoulder_yaw`. */
   readonly name: string;
@@ -663,6 +663,8 @@ export interface JointInfo {
   readonly servo: number;
   /** Greatest torque of the motor; null on the kinematic plant. */
   readonly torque: number | null;
+  /** Greatest torque of the brake; null on the kinematic plant. */
+  readonly holding: number | null;
 }
 
 /** Position of the MODE rotary. */
@@ -1286,7 +1288,7 @@ export interface Dynamics {
   readonly orientation: Rows;
   /** true distance and angle of the tip from the target; null if there is none [m, rad] */
   readonly miss: Vec2 | null;
-  /** torque of motor or brake about each joint [N m] */
+  /** torque of motor or brake about each joint, at the end of the step [N m] */
   readonly torques: Six;
   /** joints, 0 to 5, that turn against a motor or brake at its greatest torque */
   readonly overdriven: readonly number[];
@@ -1302,16 +1304,18 @@ export interface Dynamics {
   readonly bends: readonly Bend[];
 }
 
-/** Force between two parts in contact. */
+/** Force between two parts in contact, in one control step. */
 export interface Force {
   /** first part */
   readonly a: string;
   /** second part */
   readonly b: string;
-  /** force on the second part [N], along the axes of L */
+  /** mean force on the second part; times the control period, the impulse [N], along the axes of L */
   readonly force: Vec3;
   /** point at which it acts [m], along the axes of L */
   readonly position: Vec3;
+  /** greatest force within the control step; null in files of earlier versions, whose `force` is that at its end [N] */
+  readonly greatest: number | null;
 }
 
 /** Force by which something holds a payload of the worksite. */
@@ -1320,8 +1324,10 @@ export interface Holding {
   readonly payload: string;
   /** what holds the payload */
   readonly by: 'end effector' | 'orbiter' | 'space';
-  /** force at the payload's centre [N] */
+  /** force at the payload's centre, at the end of the step [N] */
   readonly force: number;
+  /** greatest force within the control step, if solids are near each other, else that at its end; null in files of earlier versions [N] */
+  readonly greatest: number | null;
 }
 
 /**

@@ -7,6 +7,7 @@ rows name two points far apart.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import sqrt
 from typing import Any
 
 import mujoco
@@ -22,8 +23,11 @@ from aftdeck.plant.state import Touch
 SOFTNESS = (0.1, 1.0)
 """Time constant [s] and damping ratio [1] of a contact. With 0.02 s, trunnions in their guides would bounce 180 times
 (derived); a real contact's stiffness is not known."""
-IMPEDANCE = (0.2, 0.95, 0.01, 0.5, 2.0)
-"""MuJoCo's impedance of a contact: it rises from the first to the second value over a depth of 10 mm (derived)."""
+IMPEDANCE = (0.01, 0.95, 0.01, 0.5, 2.0)
+"""MuJoCo's impedance of a contact: it rises from the first to the second value over a depth of 10 mm.
+
+The force of a contact that just begins is in proportion to the first value; with 0.2, a steady press of the arm would
+chatter (derived)."""
 FRICTION = 0.3
 """Coefficient of friction [1]; metal on metal has 0.1 to 0.6 (assumed)."""
 _APART = 1e4
@@ -90,48 +94,59 @@ class ContactPairs:
         self._never = [names.index("never.0"), names.index("never.1")]
         model.pair_geom1[:], model.pair_geom2[:] = self._never
         self._near = np.empty((0, 3), dtype=np.int64)
+        self._sums, self._count = np.empty((MOST_PAIRS, SUM)), 0
 
     def select(self, near: Indices) -> None:
-        """Name the pairs of solids that MuJoCo tests from now on.
+        """Name the pairs of solids that MuJoCo tests from now on, and forget the forces so far.
 
         Args:
             near: (p, 3) group and solids of each pair; p is at most `MOST_PAIRS`.
         """
         model, count = self._model, len(near)
+        self._count = 0
         if count == len(self._near) and np.array_equal(near, self._near):
             return
         used, self._near = len(self._near), near.copy()
         model.pair_geom1[:used], model.pair_geom2[:used] = self._never
         model.pair_geom1[:count], model.pair_geom2[:count] = self._geoms[near[:, 1]], self._geoms[near[:, 2]]
 
-    def touches(self, base: Array) -> tuple[Touch, ...]:
-        """Return the contacts of the last step of MuJoCo, one for each pair of parts.
+    def add(self) -> None:
+        """Add the forces of MuJoCo's last step."""
+        data = self._data
+        if data.ncon == 0:
+            return
+        found = data.contact
+        self._count = _add_forces(
+            found.geom, found.efc_address, found.friction, found.frame, found.pos,
+            data.efc_force, self._near, self._geoms, self._sums, self._count,
+        )  # fmt: skip
+
+    def touches(self, base: Array, steps: int) -> tuple[Touch, ...]:
+        """Return the forces since `select`, one for each pair of parts that pushed each other.
 
         Args:
             base: (12,) pose of L in the world.
+            steps: number of steps of MuJoCo since then.
         """
-        data = self._data
-        if data.ncon == 0:
+        if self._count == 0:
             return ()
-        found, sums = data.contact, np.empty((data.ncon, SUM))
-        count = _sum_forces(
-            found.geom, found.efc_address, found.friction, found.frame, found.pos,
-            data.efc_force, self._near, self._geoms, base, sums,
-        )  # fmt: skip
-        return tuple(_touch(row) for row in sums[:count].tolist())
+        rows = np.empty((self._count, TOUCH))
+        _write_touches(self._sums[: self._count], base, steps, rows)
+        return tuple(
+            Touch(int(row[0]), (row[1], row[2], row[3]), (row[4], row[5], row[6]), row[7]) for row in rows.tolist()
+        )
 
 
-SUM = 7
-"""Number of values in a row of `_sum_forces`: the group, the force in L [N], and the point at which it acts [m]."""
-
-
-def _touch(row: list[float]) -> Touch:
-    """Return a row of `_sum_forces` as a contact."""
-    return Touch(int(row[0]), (row[1], row[2], row[3]), (row[4], row[5], row[6]))
+SUM = 12
+"""Number of values in a row of `_add_forces`, in the world: the group; the sum over the steps of the force on the
+group's second part [N]; the sum of its points of action, weighted by the normal forces, and the sum of these weights;
+the greatest size of the force in a step; and the force in the last step."""
+TOUCH = 8
+"""Number of values in a row of `_write_touches`, in L: group, mean force, point of action, and greatest force."""
 
 
 @law
-def _sum_forces(
+def _add_forces(
     geoms: Indices,
     address: Indices,
     friction: Array,
@@ -140,10 +155,10 @@ def _sum_forces(
     edges: Array,
     near: Indices,
     geom_of: Indices,
-    base: Array,
     sums: Array,
+    count: int,
 ) -> int:
-    """Sum the forces of all contacts of each group.
+    """Add the forces of all contacts of a step to the sums of their groups.
 
     MuJoCo states a contact's force by the four edges of a friction pyramid: along the normal plus or minus the friction
     coefficient times each tangent.
@@ -157,38 +172,57 @@ def _sum_forces(
         edges: forces along the edges [N].
         near: (p, 3) as `Surroundings.near`.
         geom_of: (n,) geometry of each solid.
-        base: (12,) pose of L in the world.
-        sums: (k, 7) output: group, force on the group's second part and point, both in L.
+        sums: (p, 12) sums of each group, rows as in `SUM`; updated.
+        count: number of rows so far.
 
     Returns:
-        Number of groups.
+        Number of rows.
     """
-    count = 0
-    weights = np.zeros(len(geoms))
+    for row in range(count):
+        sums[row, 9:] = 0.0
     for c in range(len(geoms)):
         if address[c] < 0:
             continue
         f = edges[address[c] : address[c] + 4]
         normal = f[0] + f[1] + f[2] + f[3]
+        if normal <= 0.0:
+            continue
         first, second = friction[c, 0] * (f[0] - f[1]), friction[c, 1] * (f[2] - f[3])
         group, sign = _group_of(geoms[c, 0], geoms[c, 1], near, geom_of)
         row = 0
         while row < count and sums[row, 0] != group:
             row += 1
         if row == count:
-            sums[row], weights[row], count = 0.0, 0.0, count + 1
+            sums[row], count = 0.0, count + 1
             sums[row, 0] = group
-        weights[row] += normal
+        sums[row, 7] += normal
         for i in range(3):
             force = sign * (normal * frames[c, i] + first * frames[c, 3 + i] + second * frames[c, 6 + i])
-            away = normal * (places[c, i] - base[i])
-            for j in range(3):  # from the world's axes to those of L
-                sums[row, 1 + j] += base[3 + 3 * i + j] * force
-                sums[row, 4 + j] += base[3 + 3 * i + j] * away
+            sums[row, 1 + i] += force
+            sums[row, 9 + i] += force
+            sums[row, 4 + i] += normal * places[c, i]
     for row in range(count):
-        for j in range(3):
-            sums[row, 4 + j] = sums[row, 4 + j] / weights[row] if weights[row] > 0.0 else 0.0
+        sums[row, 8] = max(sums[row, 8], sqrt(sums[row, 9] ** 2 + sums[row, 10] ** 2 + sums[row, 11] ** 2))
     return count
+
+
+@law
+def _write_touches(sums: Array, base: Array, steps: int, rows: Array) -> None:
+    """Write the forces of all groups in L.
+
+    Args:
+        sums: (r, 12) sums of the groups, rows as in `SUM`.
+        base: (12,) pose of L in the world.
+        steps: number of steps over which the mean is taken.
+        rows: (r, 8) output, rows as in `TOUCH`.
+    """
+    for r in range(len(sums)):
+        rows[r, 0], rows[r, 7] = sums[r, 0], sums[r, 8]
+        for j in range(3):  # from the world's axes to those of L
+            rows[r, 1 + j] = rows[r, 4 + j] = 0.0
+            for i in range(3):
+                rows[r, 1 + j] += base[3 + 3 * i + j] * sums[r, 1 + i] / steps
+                rows[r, 4 + j] += base[3 + 3 * i + j] * (sums[r, 4 + i] / sums[r, 7] - base[i])
 
 
 @law

@@ -73,14 +73,81 @@ def command_joints(
 
 
 @law
+def _wanted(actuator: int, gains: Array, biases: Array, ctrl: Array, angle: float, rate: float) -> float:
+    """Return the torque of a servo or brake without its limit [N m].
+
+    Args:
+        actuator: number of the actuator.
+        gains: (a, 10) MuJoCo's gains of all actuators.
+        biases: (a, 10) MuJoCo's biases of all actuators: by angle and by rate in the second and third column.
+        ctrl: MuJoCo's controls.
+        angle: angle of the motor [rad].
+        rate: rate of the motor [rad/s].
+    """
+    torque: float = gains[actuator, 0] * ctrl[actuator] + biases[actuator, 1] * angle + biases[actuator, 2] * rate
+    return torque
+
+
+@law
+def jumps(
+    braked: bool,
+    places: Indices,
+    servo: Array,
+    gains: Array,
+    biases: Array,
+    step: float,
+    least: float,
+    qpos: Array,
+    qvel: Array,
+    acceleration: Array,
+    ctrl: Array,
+    torques: Array,
+) -> bool:
+    """Return whether the torque of a motor or brake would jump between its limits in the coming control period.
+
+    This can be so if the torque has just reached its limit, and it is so if the last step changed the rate by too much.
+    A joint whose limited torque balances a load changes its rate by less.
+
+    Args:
+        braked: whether the brakes are on.
+        places: (4, 6) places of the joints in MuJoCo's arrays.
+        servo: (6, 6) constants of the joints.
+        gains: as in `_wanted`; biases and ctrl likewise.
+        biases: (a, 10).
+        step: duration of MuJoCo's steps [s].
+        least: change of the torque without its limit in a step, from which the limited torque jumps, as a multiple of
+            the limit [1].
+        qpos: MuJoCo's positions.
+        qvel: MuJoCo's velocities.
+        acceleration: MuJoCo's accelerations in its last step.
+        ctrl: MuJoCo's controls.
+        torques: (6,) torques at the end of the last control period [N m].
+    """
+    acting, greatest = (BRAKE, HOLDING) if braked else (SERVO, TORQUE)
+    for i in range(6):
+        actuator, rate, most = places[acting, i], places[RATE, i], servo[greatest, i]
+        wanted = _wanted(actuator, gains, biases, ctrl, qpos[places[MOTOR, i]], qvel[rate])
+        if abs(wanted) < most:
+            continue
+        stays = wanted * torques[i] >= AT_LIMIT * most * abs(wanted)
+        if not stays or abs(biases[actuator, 2] * acceleration[rate]) * step >= least * most:
+            return True
+    return False
+
+
+@law
 def measure_joints(
     braked: bool,
     places: Indices,
     gearboxes: Indices,
     servo: Array,
     stiffness: float,
+    gains: Array,
+    biases: Array,
+    step: float,
     qpos: Array,
     qvel: Array,
+    ctrl: Array,
     force: Array,
     angles: Array,
     rates: Array,
@@ -98,14 +165,21 @@ def measure_joints(
     Angles and rates are measured in steps; a step of 0 is exact. Brakes slip that are at their holding torque. Also
     count the commanded rates.
 
+    The torques are those that acted in the last step of MuJoCo. Its integrator takes the rate from the end of the step,
+    unless the torque is at its limit; MuJoCo's own forces take it from the beginning.
+
     Args:
         braked: whether the brakes are on.
         places: (4, 6) places of the joints in MuJoCo's arrays.
         gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
         servo: (6, 6) constants of the joints.
         stiffness: stiffness of a brake [N m/rad].
+        gains: as in `_wanted`; biases and ctrl likewise.
+        biases: (a, 10).
+        step: duration of MuJoCo's last step [s].
         qpos: MuJoCo's positions.
         qvel: MuJoCo's velocities.
+        ctrl: MuJoCo's controls.
         force: MuJoCo's forces of the actuators [N m].
         angles: (6,) output [rad].
         rates: (6,) output [rad/s].
@@ -125,7 +199,11 @@ def measure_joints(
         encoder, tachometer = servo[ENCODER, i], servo[TACHOMETER, i]
         angles[i] = angle if encoder == 0.0 else nearest(angle / encoder) * encoder
         rates[i] = rate if tachometer == 0.0 else nearest(rate / tachometer) * tachometer
-        torque, most = force[places[acting, i]], servo[greatest, i]
+        most = servo[greatest, i]
+        torque = force[places[acting, i]]
+        if abs(torque) < AT_LIMIT * most:
+            torque = _wanted(places[acting, i], gains, biases, ctrl, motor - step * rate, rate)
+            torque = min(max(torque, -most), most)
         torques[i] = torque
         overdriven[i] = abs(torque) >= AT_LIMIT * most and rate * torque < 0.0
         if held[i] == held[i]:

@@ -80,10 +80,12 @@ class Payloads:
         ]
         table = [[welds[holder] for holder in HOLDERS] for welds in self._welds]
         self._table = np.array(table, dtype=np.int64).reshape(-1, len(HOLDERS))
+        self._held, self._greatest = np.zeros(self._table.shape), np.zeros(self._table.shape)
         model.eq_data[:, _ANCHOR], model.eq_data[:, _TORQUE] = 0.0, 1.0
 
     def place(self, poses: Array, motions: Array) -> None:
-        """Set poses (c, 12) in the world and motions (c, 6), as in `Bodies`."""
+        """Set poses (c, 12) in the world and motions (c, 6), as in `Bodies`; no force holds a payload yet."""
+        self._held[:] = self._greatest[:] = 0.0
         for k in range(self.count):
             at, rate = self._places[k], self._rates[k]
             self._data.qpos[at : at + 3] = poses[k, :3]
@@ -91,9 +93,10 @@ class Payloads:
             self._data.qvel[rate : rate + 3], self._data.qvel[rate + 3 : rate + 6] = motions[k, 3:], motions[k, :3]
 
     def connect(self, holds: Sequence[Hold]) -> None:
-        """Set the welds for one control period; a payload without a hold floats."""
+        """Set the welds for one control period; a payload without a hold floats. Forget the forces so far."""
         if self.count == 0:
             return
+        self._held[:] = self._greatest[:] = 0.0
         model, active = self._model, self._active
         active[:] = 0
         for hold in holds:
@@ -115,34 +118,25 @@ class Payloads:
         for k, torque in torques:
             self._applied[self._bodies[k], 3:] = self._xmat[self._bodies[k]].reshape(3, 3) @ torque
 
-    def write(self, bodies: Bodies) -> None:
-        """Write the payloads' poses, motions and holding forces from MuJoCo's present ones."""
+    def add(self) -> None:
+        """Find the holding forces of MuJoCo's last step, and the greatest since `connect`."""
         data = self._data
+        if data.ne:
+            _add_forces(self._table, data.efc_id, data.efc_force, data.ne, self._held, self._greatest)
+
+    def write(self, bodies: Bodies) -> None:
+        """Write the payloads' poses and motions from MuJoCo's present ones, and their holding forces."""
         if self.count == 0:
             return
-        _write(
-            self._bodies, self._rates, self._xpos, self._xmat, self._qvel, self._table, data.efc_type, data.efc_id,
-            data.efc_force, data.ne, bodies.payloads, bodies.motions, bodies.held,
-        )  # fmt: skip
+        bodies.held[:], bodies.held_greatest[:] = self._held, self._greatest
+        _write(self._bodies, self._rates, self._xpos, self._xmat, self._qvel, bodies.payloads, bodies.motions)
 
 
 @law
 def _write(
-    bodies: Indices,
-    rates: Indices,
-    xpos: Array,
-    xmat: Array,
-    qvel: Array,
-    welds: Indices,
-    kinds: Indices,
-    numbers: Indices,
-    force: Array,
-    rows: int,
-    poses: Array,
-    motions: Array,
-    held: Array,
+    bodies: Indices, rates: Indices, xpos: Array, xmat: Array, qvel: Array, poses: Array, motions: Array
 ) -> None:
-    """Write poses, motions and holding forces.
+    """Write poses and motions.
 
     Args:
         bodies: (c,) numbers of the payloads' bodies.
@@ -150,19 +144,28 @@ def _write(
         xpos: (b, 3) positions of all bodies in the world [m].
         xmat: (b, 9) rotations of all bodies, row by row.
         qvel: MuJoCo's velocities.
-        welds: (c, 3) numbers of each payload's welds.
-        kinds: kinds of all constraints.
-        numbers: numbers of the objects that cause the constraints.
-        force: forces of the constraints [N or N m].
-        rows: number of constraints that are equalities; they come first.
         poses: (c, 12) output.
         motions: (c, 6) output.
-        held: (c, 3) output [N].
     """
     for k in range(len(bodies)):
         body, at = bodies[k], rates[k]
         poses[k, :3], poses[k, 3:] = xpos[body], xmat[body]
         motions[k, :3], motions[k, 3:] = qvel[at + 3 : at + 6], qvel[at : at + 3]
+
+
+@law
+def _add_forces(welds: Indices, numbers: Indices, force: Array, rows: int, held: Array, greatest: Array) -> None:
+    """Write holding forces, and update the greatest ones.
+
+    Args:
+        welds: (c, 3) numbers of each payload's welds.
+        numbers: numbers of the objects that cause the constraints.
+        force: forces of the constraints [N or N m].
+        rows: number of constraints that are equalities; they come first.
+        held: (c, 3) output [N].
+        greatest: (c, 3) updated [N].
+    """
+    for k in range(welds.shape[0]):
         for h in range(welds.shape[1]):
             square, left = 0.0, 3  # the first three rows of a weld are forces, the others are torques
             for row in range(rows):
@@ -170,3 +173,4 @@ def _write(
                     square += force[row] * force[row]
                     left -= 1
             held[k, h] = sqrt(square)
+            greatest[k, h] = max(greatest[k, h], held[k, h])

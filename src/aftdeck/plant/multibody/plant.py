@@ -92,7 +92,6 @@ class MultibodyPlant:
     def _model(self, model: Any, arm: ArmModel, *, solids: bool) -> _Model:
         """Return a compiled model with its workspace."""
         view = View(model, arm)
-        model.opt.timestep = self._period / self._steps
         view.limit(arm.limits.hard)
         contacts = ContactPairs(model, view.data) if solids else None
         jets = None if self._thrusters is None else Jets(model, view.data, self._thrusters)
@@ -137,6 +136,7 @@ class MultibodyPlant:
             payloads=poses.copy(),
             motions=motions.copy(),
             held=np.zeros((len(poses), len(HOLDERS))),
+            held_greatest=np.zeros((len(poses), len(HOLDERS))),
             held_peaks=np.zeros((len(poses), len(HOLDERS))),
             held_for=np.zeros((len(poses), len(HOLDERS))),
             orbiter_velocity=np.zeros(3),
@@ -166,12 +166,22 @@ class MultibodyPlant:
         if view.has_telescope:
             view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
         view.drive_prong(around.prong, self._period)
-        mujoco.mj_step(model, data, nstep=self._steps)
+        steps = servos.steps(self._steps, bodies)
+        model.opt.timestep = self._period / steps
+        if one.contacts is None:
+            mujoco.mj_step(model, data, nstep=steps)
+            one.payloads.add()
+        else:
+            for _ in range(steps):
+                mujoco.mj_step(model, data)
+                one.payloads.add()
+                one.contacts.add()
         if view.diverged():
             raise SimulationError(
                 f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
             )
         _store(one, state)
+        bodies.touches = () if one.contacts is None else one.contacts.touches(state.base, steps)
         servos.measure(state, bodies, rates, brakes=brakes)
         height = view.height
         stand.velocity, stand.position = (height - stand.position) / self._period, height
@@ -187,4 +197,3 @@ def _store(one: _Model, state: PlantState) -> None:
     one.payloads.write(bodies)
     if one.jets is not None:
         one.jets.write(state.base, bodies)
-    bodies.touches = () if one.contacts is None else one.contacts.touches(state.base)

@@ -8,14 +8,21 @@ its holding torque.
 
 from __future__ import annotations
 
+from math import ceil
+
 import numpy as np
 
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.build import BRAKE_STIFFNESS, BRAKES, SERVOS
-from aftdeck.plant.multibody.joint_laws import command_joints, measure_joints
+from aftdeck.plant.multibody.joint_laws import BRAKE, SERVO, command_joints, jumps, measure_joints
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies, PlantState
+
+CALM = 1.8
+"""Change of a joint's rate in one step of MuJoCo with the greatest torque, as a multiple of the difference of rates at
+which a servo or brake reaches this torque [1]. MuJoCo integrates a torque at its limit explicitly; with 2 or more, it
+would jump between both limits from step to step (derived)."""
 
 
 class Servos:
@@ -49,9 +56,13 @@ class Servos:
                 servo.holding_torque,
             ]
         )
+        self._gains, self._biases = model.actuator_gainprm, model.actuator_biasprm
+        armature = model.dof_armature[view.motor_rates]
+        calm = [CALM * float((armature / -self._biases[self._places[row], 2]).min()) for row in (SERVO, BRAKE)]
+        self._calm = [ceil(period / step - 1e-9) for step in calm]  # by whether the brakes are on
         self._off = {True: 1 << SERVOS, False: 1 << BRAKES}  # with the brakes on, the servos are off
         self._option.disableactuator = self._off[False]
-        self._force, self._ctrl = view.data.actuator_force, view.data.ctrl
+        self._ctrl, self._force, self._warm = view.data.ctrl, view.data.actuator_force, view.data.qacc_warmstart
 
     def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
         """Set the controls of servos and brakes for one control period.
@@ -68,6 +79,16 @@ class Servos:
         if brakes != self._braked:
             self._option.disableactuator, self._braked = self._off[brakes], brakes
 
+    def steps(self, usual: int, bodies: Bodies) -> int:
+        """Return the number of steps of MuJoCo in this control period, after `command`: `usual`, or more (`CALM`)."""
+        calm, view = self._calm[self._braked], self._view
+        if calm <= usual or not jumps(
+            self._braked, self._places, self._servo, self._gains, self._biases, self._period / usual, CALM,
+            view.qpos, view.qvel, self._warm, self._ctrl, bodies.torques,
+        ):  # fmt: skip
+            return usual
+        return calm
+
     def measure(self, state: PlantState, bodies: Bodies, rates: Array, *, brakes: bool) -> None:
         """Measure the joints, let brakes slip that are at their holding torque, and count the commanded rates.
 
@@ -80,7 +101,8 @@ class Servos:
         """
         view = self._view
         measure_joints(
-            brakes, self._places, view.gearboxes, self._servo, BRAKE_STIFFNESS, view.qpos, view.qvel, self._force,
+            brakes, self._places, view.gearboxes, self._servo, BRAKE_STIFFNESS, self._gains, self._biases,
+            self._option.timestep, view.qpos, view.qvel, self._ctrl, self._force,
             state.angles, state.rates, bodies.brakes, bodies.torques, bodies.overdriven,
             rates, self._period, self._strict, bodies.reference, state.commanded,
         )  # fmt: skip

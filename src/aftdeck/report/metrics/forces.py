@@ -13,7 +13,7 @@ IMPULSE = Metric(
     "contact_impulse",
     "Contact impulse",
     "impulse",
-    "Sum over all contacts of force times duration.",
+    "Sum over all contacts and control steps of mean force times duration.",
 )
 HOLDING = Metric(
     "peak_holding_force",
@@ -39,11 +39,10 @@ class Forces:
             return
         self._known = True
         for contact in dynamics.contacts:
-            force = math.hypot(*contact.force)
-            self._peak = max(self._peak, force)
-            self._impulse += force * self._period_s
+            self._peak = max(self._peak, contact.peak)
+            self._impulse += math.hypot(*contact.force) * self._period_s
         for hold in dynamics.holds:
-            self._holding = max(self._holding, hold.force)
+            self._holding = max(self._holding, hold.peak)
 
     def found(self) -> Iterator[Found]:
         """Yield all metrics, on a plant with masses."""

@@ -73,7 +73,9 @@ def _contacts(site: Site, bodies: Bodies) -> tuple[Force, ...]:
     """Return the forces between parts in contact."""
     if not bodies.touches:
         return ()
-    return tuple(Force(*site.layout.named(touch.group), touch.force, touch.place) for touch in bodies.touches)
+    return tuple(
+        Force(*site.layout.named(touch.group), touch.force, touch.place, touch.greatest) for touch in bodies.touches
+    )
 
 
 def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
@@ -81,10 +83,10 @@ def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
     if not site.cargo:
         return ()
     return tuple(
-        Holding(site.cargo[k].name, holder, force)
-        for k, forces in enumerate(bodies.held.tolist())
-        for holder, force in zip(_HOLDERS, forces, strict=True)
-        if force
+        Holding(site.cargo[k].name, holder, force, greatest)
+        for k, forces in enumerate(zip(bodies.held.tolist(), bodies.held_greatest.tolist(), strict=True))
+        for holder, force, greatest in zip(_HOLDERS, *forces, strict=True)
+        if greatest
     )
 
 

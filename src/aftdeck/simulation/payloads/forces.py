@@ -1,9 +1,11 @@
-"""Forces of captures, berths and contacts, on a plant with masses: the greatest ones, and their log lines."""
+"""Forces of captures, berths and contacts, on a plant with masses: the greatest ones, and the log lines of holds."""
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from aftdeck.matrices import length
-from aftdeck.plant.state import Bodies
+from aftdeck.plant.state import Bodies, ContactForce
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import log
@@ -12,6 +14,9 @@ from aftdeck.simulation.state import State
 
 REPORTED_AFTER = 5.0
 """Time after the beginning of a hold, in which its greatest force is found [s] (assumed)."""
+ENDED_AFTER = 2.0
+"""Time without a touch after which a contact has ended [s]: a part that bounces between the sides of a guide returns
+sooner (assumed)."""
 
 
 def held_by(site: Site, payload: PayloadState) -> tuple[bool, bool, bool]:
@@ -28,7 +33,7 @@ def watch_forces(flight: Flight, state: State, bodies: Bodies) -> None:
     period = flight.scenario.control_period
     for k, payload in enumerate(state.worksite.cargo):
         for holder, holds in enumerate(held_by(flight.site, payload)):
-            force = float(bodies.held[k, holder])
+            force = float(bodies.held_greatest[k, holder])
             if not (holds or force > 0.0):
                 bodies.held_peaks[k, holder] = bodies.held_for[k, holder] = 0.0
                 continue
@@ -39,13 +44,24 @@ def watch_forces(flight: Flight, state: State, bodies: Bodies) -> None:
             bodies.held_for[k, holder] = before + period
             if before < REPORTED_AFTER <= before + period:
                 _report(flight, state, k, holder, float(bodies.held_peaks[k, holder]))
-    if not (bodies.touches or bodies.touch_peaks):
-        return
-    peaks, touching = bodies.touch_peaks, {touch.group for touch in bodies.touches}
+    if bodies.touches or bodies.contacts:
+        _count_contacts(state, bodies, period)
+
+
+def _count_contacts(state: State, bodies: Bodies, period: float) -> None:
+    """Update the force of each contact; forget contacts that have ended without a log line."""
+    contacts, logged = bodies.contacts, state.worksite.logged_contacts
+    before = dict(contacts)
     for touch in bodies.touches:
-        peaks[touch.group] = max(peaks.get(touch.group, 0.0), length(touch.force))
-    for group in peaks.keys() - touching - set(state.worksite.logged_contacts):
-        del peaks[group]  # a contact that was too short for a log line
+        so_far = before.pop(touch.group, ContactForce())
+        contacts[touch.group] = ContactForce(
+            max(so_far.greatest, touch.greatest), so_far.impulse + length(touch.force) * period
+        )
+    for group, so_far in before.items():
+        if so_far.apart_for > ENDED_AFTER and group not in logged:
+            del contacts[group]
+        else:
+            contacts[group] = replace(so_far, apart_for=so_far.apart_for + period)
 
 
 def _report(flight: Flight, state: State, k: int, holder: int, force: float) -> None:
@@ -53,10 +69,3 @@ def _report(flight: Flight, state: State, k: int, holder: int, force: float) -> 
     payload, title = state.worksite.cargo[k], flight.site.cargo[k].title
     by = "end effector" if holder == 0 else flight.site.seat(payload.seat).title
     log(flight, state, "force", "info", f"{by} holds {title}: greatest force {force:.0f} N")
-
-
-def peak_text(bodies: Bodies | None, group: int) -> str:
-    """Return the text of a contact's greatest force, and forget it; "" on a plant without contact forces."""
-    if bodies is None or (peak := bodies.touch_peaks.pop(group, None)) is None:
-        return ""
-    return f"; greatest force {peak:.0f} N"

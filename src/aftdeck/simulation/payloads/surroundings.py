@@ -25,8 +25,8 @@ _GIVES = {"port": 0.2, "retention": 0.1}
 """Time constants with which docking ports and bay latches return a payload to its place [s]; with a port's, a payload
 that arrives at 0.2 m/s moves 15 mm past it (assumed)."""
 NEAR = 0.02
-"""Distance below which two solids can touch in the next control period [m]. A part that approaches faster than 1 m/s
-can penetrate another by the rest of its way before the contact acts (assumed)."""
+"""Distance below which two solids can touch in the next control period [m], in addition to the distance that they cover
+at their present speeds: for an acceleration of 0.5 m/s2, it is enough for periods up to 0.28 s (assumed)."""
 NOTHING = Surroundings()
 """Surroundings on a plant without masses."""
 
@@ -50,11 +50,15 @@ def _near(flight: Flight, state: State) -> Indices:
     Raises:
         SimulationError: more pairs are near each other than the plant can test.
     """
-    watch, layout = state.worksite.watch, flight.site.layout
-    if watch.least >= NEAR:
+    worksite, layout = state.worksite, flight.site.layout
+    watch = worksite.watch
+    if watch.least >= flight.within:
         return NOTHING_NEAR
     near = np.empty((MOST_PAIRS, 3), np.int64)
-    count = near_pairs(watch.active, watch.found, NEAR, layout.begins, layout.pairs, watch.placed, near)
+    count = near_pairs(
+        watch.active, watch.found, NEAR, flight.scenario.control_period, worksite.before, worksite.frames,
+        layout.reach, layout.frame, layout.begins, layout.pairs, watch.placed, near,
+    )  # fmt: skip
     if count > MOST_PAIRS:
         raise SimulationError(
             f"{count} pairs of solids are near each other; this plant can compute the forces of at most {MOST_PAIRS}"

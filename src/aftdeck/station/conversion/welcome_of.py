@@ -32,7 +32,7 @@ from aftdeck.version import __version__
 def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
     """Return the welcome message; `demo` is True if the session begins with the scenario's script."""
     model = scenario.arm.model
-    torques = None if scenario.plant == "kinematic" or model.servo is None else model.servo.torque_limit
+    servo = None if scenario.plant == "kinematic" else model.servo
     bodies = tuple(
         BodyInfo(body.name, body.shapes, details)
         for body, details in zip(bodies_of(scenario), details_of(scenario), strict=True)
@@ -48,7 +48,8 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
             coarse=float(model.rates.coarse[i]),
             vernier=float(model.rates.vernier[i]),
             servo=float(model.rates.servo[i]),
-            torque=None if torques is None else float(torques[i]),
+            torque=None if servo is None else float(servo.torque_limit[i]),
+            holding=None if servo is None else float(servo.holding_torque[i]),
         )
         for i, (name, label, axis) in enumerate(zip(model.joints, model.labels, axes_of(model), strict=True))
     )

@@ -16,7 +16,7 @@ from aftdeck.tuples import Six, Vec3
 
 
 class JointInfo(msgspec.Struct, frozen=True):
-    """Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limit [N m]."""
+    """Joint of the arm: names, limits [rad], rate limits [rad/s] and torque limits [N m]."""
 
     name: str
     """Name in the arm file: ``shoulder_yaw``."""
@@ -32,6 +32,8 @@ class JointInfo(msgspec.Struct, frozen=True):
     servo: float
     torque: float | None
     """Greatest torque of the motor; null on the kinematic plant."""
+    holding: float | None
+    """Greatest torque of the brake; null on the kinematic plant."""
 
 
 class ModeInfo(msgspec.Struct, frozen=True):

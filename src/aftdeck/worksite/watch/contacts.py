@@ -157,7 +157,7 @@ class Contacts(StatePart):
 
     def standing(self, layout: Layout, found: Array, units: Units) -> tuple[Contact, ...]:
         """Return all contacts of the last step, deepest first, with texts in the operator's units."""
-        return tuple(self._contact(group, layout, found, units) for group in self.groups(found))
+        return tuple(self.contact(group, layout, found, units) for group in self.groups(found))
 
     def groups(self, found: Array) -> list[int]:
         """Return the groups that are in contact, deepest first; `found` is `ClearanceMonitor.found` (g, 15)."""
@@ -165,7 +165,8 @@ class Contacts(StatePart):
         depths = found[touching, CLEARANCE].tolist()
         return [group for _, group in sorted(zip(depths, touching, strict=True))]
 
-    def _contact(self, group: int, layout: Layout, found: Array, units: Units) -> Contact:
+    def contact(self, group: int, layout: Layout, found: Array, units: Units) -> Contact:
+        """Return a contact of the last step, with its text in the operator's units."""
         a, b = layout.named(group)
         depth = max(0.0, -float(found[group, CLEARANCE]))
         essential = bool(self.essential[group])

@@ -81,7 +81,7 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
     bars({ frame }) {
       stand?.point(frame.work.stand ?? 0);
       rows.forEach(({ joint, scale, commanded, bar, torque }, i) => {
-        torque?.set((frame.dynamics?.torques[i] ?? 0) / (joint.torque ?? 1));
+        torque?.set((frame.dynamics?.torques[i] ?? 0) / ((frame.brakes ? joint.holding : joint.torque) ?? 1));
         scale.set(frame.angles[i] ?? 0);
         const at = place(joint, frame.angles_commanded[i] ?? 0).toFixed(2);
         setAttribute(commanded, 'transform', `translate(${at} 0)`);
@@ -112,7 +112,7 @@ export function joints(desk: Desk, bending: () => void): JointsGroup {
 }
 
 const BENDING = 'Draw the bending of the arm larger than it is';
-const TORQUE = "Torque of motor or brake, as a fraction of the motor's greatest torque";
+const TORQUE = 'Torque of motor or brake, as a fraction of its greatest torque';
 
 const SHORT: Readonly<Record<Limit['kind'], string>> = {
   'joint rate': 'rate',
