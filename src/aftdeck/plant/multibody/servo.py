@@ -2,8 +2,8 @@
 
 A rate servo turns its joint with a torque in proportion to the difference between commanded and actual rate, up to its
 torque limit. If a load exceeds this limit, the joint gives way. While a joint is not commanded, its servo returns it
-slowly to the angle that it had when the command became zero. A brake holds its joint like a stiff spring and slips at
-its holding torque.
+slowly to the angle that it had when the command became zero. A brake holds its motor by friction, which is a stiff
+spring until it slips at its holding torque.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.build import BRAKE_STIFFNESS, BRAKES, SERVOS
-from aftdeck.plant.multibody.joint_laws import command_joints, measure_joints
+from aftdeck.plant.multibody.joint_laws import command_joints, deflect_brakes, measure_joints
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies, PlantState
 
@@ -36,9 +36,12 @@ class Servos:
         model = view.model
         drives = [model.actuator(f"servo.{name}").id for name in joints]
         brakes = [model.actuator(f"brake.{name}").id for name in joints]
+        inputs, deflections = model.actuator_ctrladr[drives], model.actuator_actadr[brakes]
         self._view, self._option = view, model.opt
         self._period, self._strict, self._braked = period, strict, False
-        self._places = np.array([view.motors, view.motor_rates, drives, brakes])  # rows as in `joint_laws`
+        self._places = np.array(
+            [view.motors, view.motor_rates, inputs, drives, brakes, deflections]
+        )  # rows as in `joint_laws`
         self._servo = np.array(
             [
                 servo.hold_gain,
@@ -47,29 +50,46 @@ class Servos:
                 servo.tachometer_step,
                 servo.torque_limit,
                 servo.holding_torque,
+                servo.holding_torque / BRAKE_STIFFNESS,
             ]
         )
         self._off = {True: 1 << SERVOS, False: 1 << BRAKES}  # with the brakes on, the servos are off
         self._option.disableactuator = self._off[False]
         self._force, self._ctrl = view.data.actuator_force, view.data.ctrl
+        self._act = view.data.act
 
-    def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
+    def begin(self) -> None:
+        """Deflect the brakes as the motors turn at the start of a run."""
+        deflect_brakes(self._places, self._servo, self._view.qvel, self._option.timestep, self._act)
+
+    def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool, by_angle: bool) -> None:
         """Set the controls of servos and brakes for one control period.
 
         Args:
-            bodies: state of the bodies; the angles that servos and brakes hold are updated.
+            bodies: state of the bodies; the angles that the servos hold are updated.
             angles: (6,) measured joint angles [rad].
             rates: (6,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
+            by_angle: whether servos also turn the joints to the angles to which the rates lead.
         """
         command_joints(
-            rates, angles, brakes, self._places, self._servo, self._view.qpos, bodies.holds, bodies.brakes, self._ctrl
+            rates,
+            angles,
+            brakes,
+            by_angle,
+            self._places,
+            self._servo,
+            bodies.holds,
+            self._view.qvel,
+            self._option.timestep,
+            self._ctrl,
+            self._act,
         )
         if brakes != self._braked:
             self._option.disableactuator, self._braked = self._off[brakes], brakes
 
-    def measure(self, state: PlantState, bodies: Bodies, rates: Array, *, brakes: bool) -> None:
-        """Measure the joints, let brakes slip that are at their holding torque, and count the commanded rates.
+    def measure(self, state: PlantState, bodies: Bodies, rates: Array, *, brakes: bool, by_angle: bool) -> None:
+        """Measure the joints, and count the commanded rates.
 
         Args:
             state: output: angles at the joints' outputs, in steps of the encoder, rates of the motors, in steps of the
@@ -77,10 +97,11 @@ class Servos:
             bodies: state of the bodies; torques and reference rates are written.
             rates: (6,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
+            by_angle: whether servos also turn the joints to the angles to which the rates lead.
         """
         view = self._view
         measure_joints(
-            brakes, self._places, view.gearboxes, self._servo, BRAKE_STIFFNESS, view.qpos, view.qvel, self._force,
-            state.angles, state.rates, bodies.brakes, bodies.torques, bodies.overdriven,
+            brakes, by_angle, self._places, view.gearboxes, self._servo, view.qpos, view.qvel, self._force,
+            state.angles, state.rates, bodies.holds, bodies.torques, bodies.overdriven,
             rates, self._period, self._strict, bodies.reference, state.commanded,
         )  # fmt: skip
