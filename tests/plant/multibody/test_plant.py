@@ -217,7 +217,7 @@ def _energy(sim: Simulation) -> float:
     mujoco.mj_fullM(model, data, mass)
     springs = 0.5 * float((model.jnt_stiffness.reshape(model.njnt, -1)[:, 0] * data.qpos**2).sum())
     deflected = model.actuator_actadr >= 0
-    stiffness, deflection = model.actuator_biasprm[deflected, 5], data.act[model.actuator_actadr[deflected]]
+    stiffness, deflection = model.actuator_dynprm[deflected, 5], data.act[model.actuator_actadr[deflected]]
     return 0.5 * float(data.qvel @ mass @ data.qvel) + springs + 0.5 * float(stiffness @ deflection**2)
 
 
@@ -335,10 +335,10 @@ def test_diverging_model_ends_a_script_with_a_fault_and_is_an_error_for_an_opera
 
 
 def _diverging(given: Scenario) -> Simulation:
-    """Return a simulation whose flexible model is not stable: its springs have hardly any damping."""
+    """Return a simulation whose flexible model is not stable: its springs are too stiff for its steps."""
     sim = Simulation(given)
     _, view, _ = parts(sim)
-    view.model.dof_damping[:] *= 1e-4
+    view.model.jnt_stiffness[:] *= 1e4
     return sim
 
 
