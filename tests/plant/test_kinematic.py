@@ -24,7 +24,9 @@ def start(*angles: float) -> PlantState:
 
 
 def move(state: PlantState, rates: Array, period: float, drive: float = 0.0, stops: Array = FREE) -> None:
-    KinematicPlant(stops, TRAVEL, period).move(state, rates, drive, Surroundings(), brakes=False, attached=0)
+    KinematicPlant(stops, TRAVEL, period).move(
+        state, rates, drive, Surroundings(), brakes=False, attached=0, by_angle=False
+    )
 
 
 def test_joints_move_by_rate_times_period() -> None:

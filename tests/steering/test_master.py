@@ -10,6 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.steering.layout import (
+    AIMS,
     ARRIVED,
     CAUSE,
     COMMAND,
@@ -49,7 +50,7 @@ class Follower:
         self.rules = steering_setup(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier", 10]
         self.command, self.state, self.report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
         self.command[LAW] = MASTER_LAW
-        self.state[:6] = angles
+        self.state[:6] = self.state[AIMS : AIMS + 6] = angles
 
     def step(self, master: Array) -> tuple[Array, Array]:
         """Return the rates of a step and the angles after it; check the limits of every step."""
@@ -61,6 +62,7 @@ class Follower:
         assert (np.abs(rates) <= most).all()
         assert (np.abs(rates - before) <= up * dt * (1.0 + 1e-9) + ROUNDING).all()
         self.state[:6] += rates * dt
+        self.state[AIMS : AIMS + 6] = self.state[:6]
         self.state[MEASURED : MEASURED + 6] = rates
         return rates, self.state[:6].copy()
 

@@ -40,7 +40,7 @@ class Alone:
         hard = loaded.arm().limits.hard
         for i, state in enumerate(self._states):
             self._command[STICKS : STICKS + 6] = sticks[i]
-            measured(self.angles[i], self.rates[i], 0.0, state)
+            measured(self.angles[i], self.rates[i], self.angles[i], 0.0, state)
             msteer(rules(), self._command, state, self._report)
             follow(state[RATES : RATES + 6], PERIOD, hard, self.angles[i], self.rates[i], self.commanded[i])
 

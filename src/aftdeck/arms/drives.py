@@ -98,6 +98,8 @@ class FlexibilityFile(Part, frozen=True):
 
     It lowers the highest frequency of the model.
     """
+    friction: Constant[Six[Friction]] | None = None
+    """Friction in the gearboxes, which acts while their windup changes; without it, they have no friction."""
 
 
 Radius = Annotated[Length, Bounds(0.0005, 10.0, "the Shuttle's booms have a radius of 0.19 m")]

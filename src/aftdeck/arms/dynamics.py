@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from aftdeck.arms.drives import ServoFile
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import JointRates
@@ -63,6 +65,7 @@ class Flexibility(NamedTuple):
         bending: (2,) EI of upper and lower boom [N m2].
         torsion: (2,) GJ of upper and lower boom [N m2].
         base: (3,) stiffness of the base about x, y and z of L [N m/rad].
+        friction: (6,) torque of friction in the gearboxes while their windup changes [N m]; 0 for none.
         damping: damping of each spring divided by its stiffness [s].
         added_inertia: moment of inertia of base and rotors, which have no mass of their own, about each axis [kg m2].
     """
@@ -71,6 +74,7 @@ class Flexibility(NamedTuple):
     bending: Array
     torsion: Array
     base: Array
+    friction: Array
     damping: float
     added_inertia: float
 
@@ -116,6 +120,7 @@ def flexibility_of(file: ArmFile) -> Flexibility | None:
         frozen(f.booms_bending.value),
         frozen(f.booms_torsion.value),
         frozen(f.base.value),
+        frozen(np.zeros(6) if f.friction is None else f.friction.value),
         float(f.damping.value),
         float(f.added_inertia.value),
     )

@@ -27,6 +27,7 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.steering import msteer as laws
 from aftdeck.steering.course import start_motion
 from aftdeck.steering.layout import (
+    AIMS,
     ANGLES,
     ARRIVED,
     COMMAND,
@@ -91,7 +92,7 @@ class Phase:
     def _step(self, theta: Array, theta_dot: Array | None) -> Array:
         """Run one step of the steering laws, and return the `report` array (`aftdeck.steering.layout`)."""
         state, report = self._state, np.zeros(REPORT)
-        state[ANGLES : ANGLES + 6] = theta
+        state[ANGLES : ANGLES + 6] = state[AIMS : AIMS + 6] = theta
         state[MEASURED : MEASURED + 6] = state[RATES : RATES + 6] if theta_dot is None else theta_dot
         laws.msteer(self._rules, self._command, state, report)
         self.TP = round(self.TP / self._rules[PERIOD] + 1.0) * float(self._rules[PERIOD])

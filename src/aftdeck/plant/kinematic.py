@@ -70,7 +70,15 @@ class KinematicPlant(NamedTuple):
         """Do nothing: there are no bodies."""
 
     def move(
-        self, state: PlantState, rates: Array, drive: float, around: Surroundings, *, brakes: bool, attached: int
+        self,
+        state: PlantState,
+        rates: Array,
+        drive: float,
+        around: Surroundings,
+        *,
+        brakes: bool,
+        attached: int,
+        by_angle: bool,
     ) -> None:
         """Move joints and telescope at the commanded rates for one control period (`Plant.move`)."""
         follow(rates, self.period, self.stops, state.angles, state.rates, state.commanded)

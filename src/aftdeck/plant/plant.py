@@ -111,7 +111,15 @@ class Plant(Protocol):
         """
 
     def move(
-        self, state: PlantState, rates: Array, drive: float, around: Surroundings, *, brakes: bool, attached: int
+        self,
+        state: PlantState,
+        rates: Array,
+        drive: float,
+        around: Surroundings,
+        *,
+        brakes: bool,
+        attached: int,
+        by_angle: bool,
     ) -> None:
         """Move arm and telescope for one control period, and measure the joints.
 
@@ -122,6 +130,7 @@ class Plant(Protocol):
             around: what acts on the bodies besides servos and brakes.
             brakes: whether the brakes of all joints are on.
             attached: number, from 1, of the payload that the arm carries; 0 for none.
+            by_angle: whether servos also turn the joints to the angles to which the commanded rates lead.
 
         Raises:
             SimulationError: the model diverged.

@@ -52,8 +52,8 @@ class Bodies(StatePart):
 
     Attributes:
         physics: MuJoCo's integration state: time, positions, velocities, activations, controls and warm start.
-        holds: (6,) angles that the servos hold while their joints are not commanded [rad]; NaN for a commanded joint.
-        brakes: (6,) angles at which the brakes hold the joints [rad]; NaN while the brakes are off.
+        holds: (6,) angles to which the servos turn the joints [rad]; NaN for none. They are the angles of joints that
+            are not commanded and, in modes that steer joint angles, those to which the commanded rates lead.
         frames: (n, 12) true poses of the arm's frames in L, in the order of `ArmModel.frames`.
         bends: (b, 6) bends of base and booms (`kinematics.bending`), in the order of `flexures_of`; (0, 6) if rigid.
         reference: (6,) rates from which the steering's acceleration limits count [rad/s].
@@ -80,7 +80,6 @@ class Bodies(StatePart):
 
     physics: Array
     holds: Array
-    brakes: Array
     frames: Array
     bends: Array
     reference: Array
@@ -129,6 +128,11 @@ class PlantState(StatePart):
         that counts from the measured rate holds below the torque that a heavy payload needs.
         """
         return self.rates if self.bodies is None else self.bodies.reference
+
+    @property
+    def holds(self) -> Array:
+        """Angles (6,) to which servos turn the joints, as `Bodies.holds`; the joint angles on the kinematic plant."""
+        return self.angles if self.bodies is None else self.bodies.holds
 
     @property
     def frames(self) -> Array:

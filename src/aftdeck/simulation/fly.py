@@ -16,6 +16,7 @@ from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
 from aftdeck.steering.course import start_motion
 from aftdeck.steering.layout import MOTION_ACTIVE, RATES
+from aftdeck.steering.mode import MODES
 from aftdeck.steering.msteer import msteer
 
 
@@ -72,6 +73,7 @@ def move_plant(flight: Flight, state: State, inputs: Inputs, rates: Array, teles
             surroundings(flight, state, inputs),
             brakes=state.panel.brakes,
             attached=state.script.attached,
+            by_angle=MODES[state.panel.mode].by_angle,
         )
     except SimulationError as error:
         if not state.by_script:

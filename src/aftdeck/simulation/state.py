@@ -162,7 +162,7 @@ class State(StatePart):
 
     def measure(self) -> None:
         """Copy the plant's angles and rates to `steering`. Steering laws, plans and checks start from them."""
-        measured(self.plant.angles, self.plant.reference, self.shoulder_offset, self.steering)
+        measured(self.plant.angles, self.plant.reference, self.plant.holds, self.shoulder_offset, self.steering)
 
     @property
     def rules(self) -> Array:

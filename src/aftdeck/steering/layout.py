@@ -104,7 +104,13 @@ SHOULDER_OFFSET = 21
 """Measured height of the shoulder minus its height in `rules` (L1) [m]: the telescope's extension."""
 MEASURED = 22
 """(6,) joint rates, as measured [rad/s]."""
-STATE = 28
+AIMS = 28
+"""(6,) angles to which servos turn the joints; the measured angle of a joint that no servo turns to an angle [rad].
+
+Mode 8 and MASTER steer from these angles. Steered from the angles that the encoders of a flexible arm measure, a joint
+that arrives would reverse its rate with every swing of the arm, and keep it swinging.
+"""
+STATE = 34
 
 # report
 DEMAND = 0

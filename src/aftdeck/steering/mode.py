@@ -51,6 +51,11 @@ class Mode:
         return self.kind in ("single", "master")
 
     @property
+    def by_angle(self) -> bool:
+        """Whether the mode steers the joints to angles, at which the servos then hold them: SINGLE and MASTER."""
+        return self.by_joint and self.laws[0] != DIRECT_LAW
+
+    @property
     def has_payload_axes(self) -> bool:
         """Whether a switch of the mode selects a second law, in which the RHC acts about the payload's axes."""
         return self.kind == "manual" and len(self.laws) > 1

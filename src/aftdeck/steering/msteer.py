@@ -20,6 +20,7 @@ from aftdeck.kinematics.linkage import Sines, Tip, lifted, sines, tip
 from aftdeck.kinematics.rates import FLOOR, rmsrat
 from aftdeck.law import law
 from aftdeck.steering.layout import (
+    AIMS,
     ANGLE,
     ANGLES,
     ARRIVED,
@@ -84,12 +85,13 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
 
 
 @law
-def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
+def measured(angles: Array, rates: Array, holds: Array, rise: float, state: Array) -> None:
     """Copy the measurements into the state.
 
     Args:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
+        holds: (6,) angles to which servos turn the joints [rad]; NaN for a joint that has no such angle.
         rise: measured height of the shoulder minus its height in `rules` [m].
         state: receives the measurements.
     """
@@ -97,6 +99,7 @@ def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
     for i in range(6):
         state[ANGLES + i] = angles[i]
         state[MEASURED + i] = rates[i]
+        state[AIMS + i] = angles[i] if holds[i] != holds[i] else holds[i]
 
 
 @law

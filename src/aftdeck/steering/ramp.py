@@ -6,7 +6,7 @@ import math
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MEASURED, RATE, RATE_UP, RATIO
+from aftdeck.steering.layout import AIMS, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MEASURED, RATE, RATE_UP, RATIO
 from aftdeck.steering.limiters import braked
 
 
@@ -16,7 +16,7 @@ def rate_towards(rules: Array, state: Array, goal: float, i: int) -> float:
 
     The result is at most the joint's rate limit.
     """
-    angle = goal - state[ANGLES + i]
+    angle = goal - state[AIMS + i]
     return math.copysign(min(braked(abs(angle), rules[RATE_UP + i], rules[DT]), rules[RATE + i]), angle)
 
 
@@ -34,7 +34,7 @@ def ramped(rules: Array, state: Array, report: Array, demanded: float, i: int, s
     """
     change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]
     rate = before + min(max(demanded - before, -change), change)
-    gap = rules[HIGH + i] - state[ANGLES + i] if rate > 0.0 else state[ANGLES + i] - rules[LOW + i]
+    gap = rules[HIGH + i] - state[AIMS + i] if rate > 0.0 else state[AIMS + i] - rules[LOW + i]
     allowed = braked(gap, rules[RATE_UP + i], rules[DT])
     if abs(rate) > allowed:
         report[RATIO] = min(report[RATIO], allowed / abs(rate))

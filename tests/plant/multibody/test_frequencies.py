@@ -142,7 +142,13 @@ def test_boom_vibrates_as_a_beam_with_a_body_at_its_end(srms: ArmModel) -> None:
     assert springs is not None
     stiff = 1e13
     rigid = Flexibility(
-        np.full(6, stiff), np.array([springs.bending[0], stiff]), np.full(2, stiff), np.full(3, stiff), 0.0, 1e-6
+        np.full(6, stiff),
+        np.array([springs.bending[0], stiff]),
+        np.full(2, stiff),
+        np.full(3, stiff),
+        np.zeros(6),
+        0.0,
+        1e-6,
     )
     boom = masses.booms[0]
     length, mass, rigidity = float(np.linalg.norm(boom.end)), boom.mass, float(springs.bending[0])

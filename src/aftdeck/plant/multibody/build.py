@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.masses import servo_needed
+from aftdeck.arms.masses import flexibility_needed, servo_needed
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.plant.multibody.chain import add_arm, set_mass
@@ -23,11 +23,17 @@ STEP = 0.002
 
 In 10 s of brisk motion, the tip is then off by 0.7 mm. With 5 ms, the flexible model diverges.
 """
-SERVOS, BRAKES, SLIDES = 1, 2, 3
+SERVOS, BRAKES, SLIDES, GEARBOXES = 1, 2, 3, 4
 """Groups of actuators; MuJoCo switches off whole groups."""
-BRAKE_STIFFNESS, BRAKE_DAMPING = 1e6, 2e5
-"""Stiffness [N m/rad] and damping [N m s/rad] of a brake that holds: 0.09 deg at the holding torque of the
-Shuttle's shoulder, 1573 N m (assumed)."""
+BRAKE_STIFFNESS, BRAKE_DAMPING = 1e8, 2e5
+"""Stiffness [N m/rad] and damping [N m s/rad] of a brake that does not slip (assumed).
+
+The stiffness is a hundred times that of the Shuttle's gearboxes, so that the arm's frequencies with the brakes on are
+those of its own springs. With this damping, MuJoCo's steps of 2 ms are stable.
+"""
+_NO_INPUT = int(mujoco.mjtCtrlInput.mjINPUT_NONE)
+_SLOW = 1e-3
+"""Rate at which static friction becomes kinetic friction [rad/s]; without effect, because here both are equal."""
 
 
 def arm_spec(
@@ -36,7 +42,8 @@ def arm_spec(
     """Return MuJoCo's specification of an arm, and of the payloads at the worksite.
 
     Joints: ``motor.NAME`` and, if flexible, ``gearbox.NAME`` for each joint; ``telescope`` and ``prong`` if the arm has
-    them. Actuators: ``servo.NAME``, ``brake.NAME``, ``drive.telescope``, ``drive.prong``. Bodies: the arm's frames,
+    them. Actuators: ``servo.NAME``, ``brake.NAME``, ``friction.NAME`` of the gearboxes, ``drive.telescope``,
+    ``drive.prong``. Bodies: the arm's frames,
     ``payload`` at the tip, without mass, and ``orbiter`` with the joint ``orbiter`` if it is free. The site ``tip`` has
     the axes of frame 7. With and without a payload, MuJoCo's state has the same size.
 
@@ -65,7 +72,7 @@ def arm_spec(
     last.add_site(name="tip", pos=tip)
     last.add_body(name="payload", pos=tip)
     add_payloads(spec, payloads, model.linkage.frames[-1], parent.name)
-    _add_actuators(spec, model)
+    _add_actuators(spec, model, flexible=flexible)
     return spec
 
 
@@ -74,13 +81,18 @@ def attach(spec: Any, payload: MassProperties) -> None:
     set_mass(spec.body("payload"), payload)
 
 
-def _add_actuators(spec: Any, model: ArmModel) -> None:
+def _add_actuators(spec: Any, model: ArmModel, *, flexible: bool) -> None:
     servo, slides = servo_needed(model), model.slides
+    springs = flexibility_needed(model) if flexible else None
     for i, name in enumerate(model.joints):
         _rate_servo(spec, f"servo.{name}", f"motor.{name}", servo.gain[i], servo.torque_limit[i], SERVOS)
-        brake = _actuator(spec, f"brake.{name}", f"motor.{name}", servo.holding_torque[i], BRAKES)
-        brake.gainprm[0] = BRAKE_STIFFNESS
-        brake.biasprm[:3] = [0.0, -BRAKE_STIFFNESS, -BRAKE_DAMPING]
+        most = servo.holding_torque[i]
+        _friction(spec, f"brake.{name}", f"motor.{name}", most, BRAKE_STIFFNESS, BRAKE_DAMPING, BRAKES)
+        if springs is not None and springs.friction[i] > 0.0:
+            most, stiffness = springs.friction[i], springs.gearboxes[i]
+            _friction(
+                spec, f"friction.{name}", f"gearbox.{name}", most, stiffness, springs.damping * stiffness, GEARBOXES
+            )
     if slides is not None:
         _rate_servo(spec, "drive.telescope", "telescope", slides.telescope_gain, slides.telescope_force, SLIDES)
         _rate_servo(spec, "drive.prong", "prong", slides.prong_gain, slides.prong_force, SLIDES)
@@ -90,6 +102,19 @@ def _rate_servo(spec: Any, name: str, joint: str, gain: float, most: float, grou
     actuator = _actuator(spec, name, joint, most, group)
     actuator.gainprm[0] = gain
     actuator.biasprm[:3] = [0.0, 0.0, -gain]
+
+
+def _friction(spec: Any, name: str, joint: str, most: float, stiffness: float, damping: float, group: int) -> None:
+    """Add friction of a joint that holds like a spring and slips at the torque `most` [N m].
+
+    It is the friction of Dahl, "Solid friction damping of mechanical vibrations", AIAA Journal 14 (1976): that of
+    Canudas de Wit, Olsson, Astrom and Lischinsky, "A new model for control of systems with friction", IEEE Transactions
+    on Automatic Control 40 (1995), with equal static and kinetic friction. MuJoCo has it as an actuator without input.
+    """
+    actuator = _actuator(spec, name, joint, most, group)
+    actuator.set_to_dcmotor(
+        motorconst=[0.0, 0.0], resistance=1.0, lugre=[stiffness, damping, most, most, _SLOW], ctrlspec=_NO_INPUT
+    )
 
 
 def _actuator(spec: Any, name: str, joint: str, most: float, group: int) -> Any:

@@ -13,19 +13,17 @@ from aftdeck.kinematics.bending import measure_bend
 from aftdeck.law import law
 
 NONE = math.nan
-"""Angle of a joint that no servo or brake holds."""
+"""Angle of a joint that no servo holds."""
 AT_LIMIT = 1.0 - 1e-9
 """Share of the greatest torque from which a motor or a brake counts as at its limit [1]."""
 
 
-MOTOR, RATE, SERVO, BRAKE = range(4)
-"""Rows of the joints' places: motor in MuJoCo's positions, its rate in the velocities, servo and brake in the controls.
-
-A motor's servo and brake have the same places in MuJoCo's actuators as in the controls.
-"""
-HOLD_GAIN, HOLD_RATE, ENCODER, TACHOMETER, TORQUE, HOLDING = range(6)
-"""Rows of the joints' constants: `Servo.hold_gain`, `hold_rate`, `encoder_step`, `tachometer_step`, `torque_limit` and
-`holding_torque`."""
+MOTOR, RATE, INPUT, SERVO, BRAKE, DEFLECTION = range(6)
+"""Rows of the joints' places: motor in MuJoCo's positions, its rate in the velocities, input of its servo in the
+controls, servo and brake in the actuators, and deflection of the brake in the activations."""
+HOLD_GAIN, HOLD_RATE, ENCODER, TACHOMETER, TORQUE, HOLDING, GIVE = range(7)
+"""Rows of the joints' constants: `Servo.hold_gain`, `hold_rate`, `encoder_step`, `tachometer_step`, `torque_limit`,
+`holding_torque`, and the deflection at which a brake slips."""
 
 
 @law
@@ -33,104 +31,117 @@ def command_joints(
     rates: Array,
     angles: Array,
     braked: bool,
+    by_angle: bool,
     places: Indices,
     servo: Array,
-    qpos: Array,
     holds: Array,
-    held: Array,
+    qvel: Array,
+    step: float,
     ctrl: Array,
+    act: Array,
 ) -> None:
     """Command servos and brakes.
 
-    A servo turns its joint at the given rate, or holds its position while the joint is not commanded. A brake holds the
-    angle that its motor had when the brakes were set.
+    A servo turns its joint at the given rate, or holds its position while the joint is not commanded. With `by_angle`,
+    it turns the joint at the given rate and towards the angle to which the rates lead.
 
     Args:
         rates: (6,) commanded joint rates [rad/s].
         angles: (6,) measured joint angles [rad].
         braked: whether the brakes are on; then no servo holds its joint.
-        places: (4, 6) places of the joints in MuJoCo's arrays.
-        servo: (6, 6) constants of the joints.
-        qpos: MuJoCo's positions.
-        holds: (6,) angles that the servos hold [rad], `NONE` for no hold; updated.
-        held: (6,) angles of the motors that the brakes hold [rad], `NONE` while the brakes are off; updated.
+        by_angle: whether servos also turn the joints to the angles to which the rates lead.
+        places: (6, 6) places of the joints in MuJoCo's arrays.
+        servo: (7, 6) constants of the joints.
+        holds: (6,) angles to which the servos turn the joints [rad], `NONE` for none; updated.
+        qvel: MuJoCo's velocities.
+        step: time for `deflect_brakes`, one step of MuJoCo [s].
         ctrl: MuJoCo's controls; written.
+        act: MuJoCo's activations; the brakes' deflections [rad] are written while the brakes are off.
     """
     for i in range(6):
-        if braked or rates[i] != 0.0:
+        if braked or (rates[i] != 0.0 and not by_angle):
             holds[i] = NONE
-            ctrl[places[SERVO, i]] = rates[i]
+            ctrl[places[INPUT, i]] = rates[i]
         else:
             if holds[i] != holds[i]:
                 holds[i] = angles[i]
             back, most = servo[HOLD_GAIN, i] * (holds[i] - angles[i]), servo[HOLD_RATE, i]
-            ctrl[places[SERVO, i]] = min(max(back, -most), most)
-        if not braked:
-            held[i] = NONE
-        elif held[i] != held[i]:
-            held[i] = qpos[places[MOTOR, i]]
-        ctrl[places[BRAKE, i]] = held[i] if braked else 0.0
+            ctrl[places[INPUT, i]] = rates[i] + min(max(back, -most), most)
+    if not braked:
+        deflect_brakes(places, servo, qvel, step, act)
 
 
 @law
-def _wanted(actuator: int, gains: Array, biases: Array, ctrl: Array, angle: float, rate: float) -> float:
-    """Return the torque of a servo or brake without its limit [N m].
+def deflect_brakes(places: Indices, servo: Array, qvel: Array, step: float, act: Array) -> None:
+    """Deflect the brakes as the motors do in the given time, so that brakes slip at once if they are set in motion.
 
     Args:
-        actuator: number of the actuator.
+        places: (6, 6) places of the joints in MuJoCo's arrays.
+        servo: (7, 6) constants of the joints.
+        qvel: MuJoCo's velocities.
+        step: time of the deflection [s].
+        act: MuJoCo's activations; the brakes' deflections [rad] are written.
+    """
+    for i in range(6):
+        turned, most = qvel[places[RATE, i]] * step, servo[GIVE, i]
+        act[places[DEFLECTION, i]] = min(max(turned, -most), most)
+
+
+@law
+def _wanted(i: int, places: Indices, gains: Array, biases: Array, ctrl: Array, rate: float) -> float:
+    """Return the torque of a servo without its limit [N m].
+
+    Args:
+        i: number of the joint.
+        places: (6, 6) places of the joints in MuJoCo's arrays.
         gains: (a, 10) MuJoCo's gains of all actuators.
-        biases: (a, 10) MuJoCo's biases of all actuators: by angle and by rate in the second and third column.
+        biases: (a, 10) MuJoCo's biases of all actuators; the third column is by rate.
         ctrl: MuJoCo's controls.
-        angle: angle of the motor [rad].
         rate: rate of the motor [rad/s].
     """
-    torque: float = gains[actuator, 0] * ctrl[actuator] + biases[actuator, 1] * angle + biases[actuator, 2] * rate
+    actuator = places[SERVO, i]
+    torque: float = gains[actuator, 0] * ctrl[places[INPUT, i]] + biases[actuator, 2] * rate
     return torque
 
 
 @law
 def jumps(
-    braked: bool,
     places: Indices,
     servo: Array,
     gains: Array,
     biases: Array,
     step: float,
     least: float,
-    qpos: Array,
     qvel: Array,
     acceleration: Array,
     ctrl: Array,
     torques: Array,
 ) -> bool:
-    """Return whether the torque of a motor or brake would jump between its limits in the coming control period.
+    """Return whether the torque of a motor would jump between its limits in the coming control period.
 
     This can be so if the torque has just reached its limit, and it is so if the last step changed the rate by too much.
     A joint whose limited torque balances a load changes its rate by less.
 
     Args:
-        braked: whether the brakes are on.
-        places: (4, 6) places of the joints in MuJoCo's arrays.
-        servo: (6, 6) constants of the joints.
+        places: (6, 6) places of the joints in MuJoCo's arrays.
+        servo: (7, 6) constants of the joints.
         gains: as in `_wanted`; biases and ctrl likewise.
         biases: (a, 10).
         step: duration of MuJoCo's steps [s].
         least: change of the torque without its limit in a step, from which the limited torque jumps, as a multiple of
             the limit [1].
-        qpos: MuJoCo's positions.
         qvel: MuJoCo's velocities.
         acceleration: MuJoCo's accelerations in its last step.
         ctrl: MuJoCo's controls.
         torques: (6,) torques at the end of the last control period [N m].
     """
-    acting, greatest = (BRAKE, HOLDING) if braked else (SERVO, TORQUE)
     for i in range(6):
-        actuator, rate, most = places[acting, i], places[RATE, i], servo[greatest, i]
-        wanted = _wanted(actuator, gains, biases, ctrl, qpos[places[MOTOR, i]], qvel[rate])
+        rate, most = places[RATE, i], servo[TORQUE, i]
+        wanted = _wanted(i, places, gains, biases, ctrl, qvel[rate])
         if abs(wanted) < most:
             continue
         stays = wanted * torques[i] >= AT_LIMIT * most * abs(wanted)
-        if not stays or abs(biases[actuator, 2] * acceleration[rate]) * step >= least * most:
+        if not stays or abs(biases[places[SERVO, i], 2] * acceleration[rate]) * step >= least * most:
             return True
     return False
 
@@ -138,10 +149,10 @@ def jumps(
 @law
 def measure_joints(
     braked: bool,
+    by_angle: bool,
     places: Indices,
     gearboxes: Indices,
     servo: Array,
-    stiffness: float,
     gains: Array,
     biases: Array,
     step: float,
@@ -151,7 +162,7 @@ def measure_joints(
     force: Array,
     angles: Array,
     rates: Array,
-    held: Array,
+    holds: Array,
     torques: Array,
     overdriven: Mask,
     given: Array,
@@ -162,18 +173,17 @@ def measure_joints(
 ) -> None:
     """Measure angles at the joints' outputs, rates of the motors, and torques of the acting servos or brakes.
 
-    Angles and rates are measured in steps; a step of 0 is exact. Brakes slip that are at their holding torque. Also
-    count the commanded rates.
+    Angles and rates are measured in steps; a step of 0 is exact. Also count the commanded rates.
 
     The torques are those that acted in the last step of MuJoCo. Its integrator takes the rate from the end of the step,
     unless the torque is at its limit; MuJoCo's own forces take it from the beginning.
 
     Args:
         braked: whether the brakes are on.
-        places: (4, 6) places of the joints in MuJoCo's arrays.
+        by_angle: whether servos also turn the joints to the angles to which the rates lead.
+        places: (6, 6) places of the joints in MuJoCo's arrays.
         gearboxes: (6,) places of the gearboxes' windup; (0,) if the model is rigid.
-        servo: (6, 6) constants of the joints.
-        stiffness: stiffness of a brake [N m/rad].
+        servo: (7, 6) constants of the joints.
         gains: as in `_wanted`; biases and ctrl likewise.
         biases: (a, 10).
         step: duration of MuJoCo's last step [s].
@@ -183,7 +193,8 @@ def measure_joints(
         force: MuJoCo's forces of the actuators [N m].
         angles: (6,) output [rad].
         rates: (6,) output [rad/s].
-        held: (6,) angles that the brakes hold [rad]; updated. `NONE` while the brakes are off.
+        holds: (6,) angles to which the servos turn the joints [rad]; updated. With `by_angle`, they move at the
+            commanded rates, but no farther ahead of a joint than where its greatest rate of return begins.
         torques: (6,) output [N m].
         overdriven: (6,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
         given: (6,) commanded joint rates [rad/s].
@@ -201,16 +212,17 @@ def measure_joints(
         rates[i] = rate if tachometer == 0.0 else nearest(rate / tachometer) * tachometer
         most = servo[greatest, i]
         torque = force[places[acting, i]]
-        if abs(torque) < AT_LIMIT * most:
-            torque = _wanted(places[acting, i], gains, biases, ctrl, motor - step * rate, rate)
-            torque = min(max(torque, -most), most)
+        if not braked and abs(torque) < AT_LIMIT * most:
+            torque = min(max(_wanted(i, places, gains, biases, ctrl, rate), -most), most)
         torques[i] = torque
         overdriven[i] = abs(torque) >= AT_LIMIT * most and rate * torque < 0.0
-        if held[i] == held[i]:
-            give = most / stiffness
-            held[i] = min(max(held[i], motor - give), motor + give)
         reference[i] = rates[i] if strict else given[i]
         commanded[i] += given[i] * period
+        if by_angle and given[i] != 0.0 and not braked:
+            ahead, most = holds[i] + given[i] * period - angles[i], servo[HOLD_RATE, i]
+            if servo[HOLD_GAIN, i] * abs(ahead) > most:
+                ahead = math.copysign(most / servo[HOLD_GAIN, i], ahead)
+            holds[i] = angles[i] + ahead
 
 
 @law

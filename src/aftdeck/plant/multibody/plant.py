@@ -123,11 +123,11 @@ class MultibodyPlant:
         view = one.view
         mujoco.mj_resetData(view.model, view.data)
         view.set_joints(state.angles, state.rates, state.stand.position, prong)
+        one.servos.begin()
         one.payloads.place(poses, motions)
         state.bodies = Bodies(
             physics=np.empty(mujoco.mj_stateSize(view.model, _STATE)),
             holds=np.full(6, np.nan),
-            brakes=np.full(6, np.nan),
             frames=np.empty((view.rows, POSE)),
             bends=np.zeros((view.flexures, BEND)),
             reference=state.rates.copy(),
@@ -147,7 +147,15 @@ class MultibodyPlant:
         _store(one, state)
 
     def move(
-        self, state: PlantState, rates: Array, drive: float, around: Surroundings, *, brakes: bool, attached: int
+        self,
+        state: PlantState,
+        rates: Array,
+        drive: float,
+        around: Surroundings,
+        *,
+        brakes: bool,
+        attached: int,
+        by_angle: bool,
     ) -> None:
         """Move the bodies for one control period, with the commanded rates held (`Plant.move`)."""
         bodies = state.bodies
@@ -162,7 +170,7 @@ class MultibodyPlant:
             one.jets.fire(state.base, bodies, around.velocity, self._period)
         if one.contacts is not None:
             one.contacts.select(around.near)
-        servos.command(bodies, state.angles, rates, brakes=brakes)
+        servos.command(bodies, state.angles, rates, brakes=brakes, by_angle=by_angle)
         if view.has_telescope:
             view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
         view.drive_prong(around.prong, self._period)
@@ -182,7 +190,7 @@ class MultibodyPlant:
             )
         _store(one, state)
         bodies.touches = () if one.contacts is None else one.contacts.touches(state.base, steps)
-        servos.measure(state, bodies, rates, brakes=brakes)
+        servos.measure(state, bodies, rates, brakes=brakes, by_angle=by_angle)
         height = view.height
         stand.velocity, stand.position = (height - stand.position) / self._period, height
 

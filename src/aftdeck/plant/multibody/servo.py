@@ -2,8 +2,8 @@
 
 A rate servo turns its joint with a torque in proportion to the difference between commanded and actual rate, up to its
 torque limit. If a load exceeds this limit, the joint gives way. While a joint is not commanded, its servo returns it
-slowly to the angle that it had when the command became zero. A brake holds its joint like a stiff spring and slips at
-its holding torque.
+slowly to the angle that it had when the command became zero. A brake holds its motor by friction, which is a stiff
+spring until it slips at its holding torque.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ import numpy as np
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.build import BRAKE_STIFFNESS, BRAKES, SERVOS
-from aftdeck.plant.multibody.joint_laws import BRAKE, SERVO, command_joints, jumps, measure_joints
+from aftdeck.plant.multibody.joint_laws import SERVO, command_joints, deflect_brakes, jumps, measure_joints
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies, PlantState
 
 CALM = 1.8
 """Change of a joint's rate in one step of MuJoCo with the greatest torque, as a multiple of the difference of rates at
-which a servo or brake reaches this torque [1]. MuJoCo integrates a torque at its limit explicitly; with 2 or more, it
+which a servo reaches this torque [1]. MuJoCo integrates a torque at its limit explicitly; with 2 or more, it
 would jump between both limits from step to step (derived)."""
 
 
@@ -43,9 +43,12 @@ class Servos:
         model = view.model
         drives = [model.actuator(f"servo.{name}").id for name in joints]
         brakes = [model.actuator(f"brake.{name}").id for name in joints]
+        inputs, deflections = model.actuator_ctrladr[drives], model.actuator_actadr[brakes]
         self._view, self._option = view, model.opt
         self._period, self._strict, self._braked = period, strict, False
-        self._places = np.array([view.motors, view.motor_rates, drives, brakes])  # rows as in `joint_laws`
+        self._places = np.array(
+            [view.motors, view.motor_rates, inputs, drives, brakes, deflections]
+        )  # rows as in `joint_laws`
         self._servo = np.array(
             [
                 servo.hold_gain,
@@ -54,43 +57,59 @@ class Servos:
                 servo.tachometer_step,
                 servo.torque_limit,
                 servo.holding_torque,
+                servo.holding_torque / BRAKE_STIFFNESS,
             ]
         )
         self._gains, self._biases = model.actuator_gainprm, model.actuator_biasprm
         armature = model.dof_armature[view.motor_rates]
-        calm = [CALM * float((armature / -self._biases[self._places[row], 2]).min()) for row in (SERVO, BRAKE)]
-        self._calm = [ceil(period / step - 1e-9) for step in calm]  # by whether the brakes are on
+        calm = CALM * float((armature / -self._biases[self._places[SERVO], 2]).min())
+        self._calm = ceil(period / calm - 1e-9)
         self._off = {True: 1 << SERVOS, False: 1 << BRAKES}  # with the brakes on, the servos are off
         self._option.disableactuator = self._off[False]
         self._ctrl, self._force, self._warm = view.data.ctrl, view.data.actuator_force, view.data.qacc_warmstart
+        self._act, self._step = view.data.act, float(model.opt.timestep)
 
-    def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool) -> None:
+    def begin(self) -> None:
+        """Deflect the brakes as the motors turn at the start of a run."""
+        deflect_brakes(self._places, self._servo, self._view.qvel, self._step, self._act)
+
+    def command(self, bodies: Bodies, angles: Array, rates: Array, *, brakes: bool, by_angle: bool) -> None:
         """Set the controls of servos and brakes for one control period.
 
         Args:
-            bodies: state of the bodies; the angles that servos and brakes hold are updated.
+            bodies: state of the bodies; the angles that the servos hold are updated.
             angles: (6,) measured joint angles [rad].
             rates: (6,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
+            by_angle: whether servos also turn the joints to the angles to which the rates lead.
         """
         command_joints(
-            rates, angles, brakes, self._places, self._servo, self._view.qpos, bodies.holds, bodies.brakes, self._ctrl
+            rates,
+            angles,
+            brakes,
+            by_angle,
+            self._places,
+            self._servo,
+            bodies.holds,
+            self._view.qvel,
+            self._step,
+            self._ctrl,
+            self._act,
         )
         if brakes != self._braked:
             self._option.disableactuator, self._braked = self._off[brakes], brakes
 
     def steps(self, usual: int, bodies: Bodies) -> int:
         """Return the number of steps of MuJoCo in this control period, after `command`: `usual`, or more (`CALM`)."""
-        calm, view = self._calm[self._braked], self._view
-        if calm <= usual or not jumps(
-            self._braked, self._places, self._servo, self._gains, self._biases, self._period / usual, CALM,
-            view.qpos, view.qvel, self._warm, self._ctrl, bodies.torques,
+        if self._braked or self._calm <= usual or not jumps(
+            self._places, self._servo, self._gains, self._biases, self._period / usual, CALM,
+            self._view.qvel, self._warm, self._ctrl, bodies.torques,
         ):  # fmt: skip
             return usual
-        return calm
+        return self._calm
 
-    def measure(self, state: PlantState, bodies: Bodies, rates: Array, *, brakes: bool) -> None:
-        """Measure the joints, let brakes slip that are at their holding torque, and count the commanded rates.
+    def measure(self, state: PlantState, bodies: Bodies, rates: Array, *, brakes: bool, by_angle: bool) -> None:
+        """Measure the joints, and count the commanded rates.
 
         Args:
             state: output: angles at the joints' outputs, in steps of the encoder, rates of the motors, in steps of the
@@ -98,11 +117,12 @@ class Servos:
             bodies: state of the bodies; torques and reference rates are written.
             rates: (6,) commanded joint rates [rad/s].
             brakes: whether the brakes are on.
+            by_angle: whether servos also turn the joints to the angles to which the rates lead.
         """
         view = self._view
         measure_joints(
-            brakes, self._places, view.gearboxes, self._servo, BRAKE_STIFFNESS, self._gains, self._biases,
+            brakes, by_angle, self._places, view.gearboxes, self._servo, self._gains, self._biases,
             self._option.timestep, view.qpos, view.qvel, self._ctrl, self._force,
-            state.angles, state.rates, bodies.brakes, bodies.torques, bodies.overdriven,
+            state.angles, state.rates, bodies.holds, bodies.torques, bodies.overdriven,
             rates, self._period, self._strict, bodies.reference, state.commanded,
         )  # fmt: skip

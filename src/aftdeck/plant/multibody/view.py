@@ -44,9 +44,9 @@ class View:
         self._frames = np.array([model.body(name).id for name in arm.frames])
         self._orbiter = _find(model, mujoco.mjtObj.mjOBJ_BODY, "orbiter")
         self._telescope = int(model.joint("telescope").qposadr[0]) if STAND in arm.frames else -1
-        self._drive = model.actuator("drive.telescope").id if STAND in arm.frames else -1
+        self._drive = _input(model, "drive.telescope") if STAND in arm.frames else -1
         self._prong = int(model.joint("prong").qposadr[0]) if PRONG in arm.frames else -1
-        self._grip = model.actuator("drive.prong").id if PRONG in arm.frames else -1
+        self._grip = _input(model, "drive.prong") if PRONG in arm.frames else -1
         self._height = float(arm.links[0])
         self.has_telescope, self.rows = self._telescope >= 0, len(self._frames)
         parts = flexures_of(arm) if len(self.gearboxes) else ()
@@ -112,6 +112,11 @@ class View:
             bends_of(self._frames, self._carriers, self._beyond, self._xpos, self._xmat, self._own, self._ends, bends)
         if self._telescope >= 0:  # the frame of the first joint does not rise with the telescope
             frames[1, :3] = 0.0
+
+
+def _input(model: Any, actuator: str) -> int:
+    """Return the place of an actuator's input in MuJoCo's controls."""
+    return int(model.actuator_ctrladr[model.actuator(actuator).id])
 
 
 def _find(model: Any, kind: Any, name: str) -> int:

@@ -167,7 +167,7 @@ def _placed(row: list[float]) -> tuple[Vec3, Rows]:
 def _copies(state: State) -> tuple[Array, Array]:
     """Return copies of the command and of the steering's state, with the present measurements, for a prediction."""
     steering = state.steering.copy()
-    measured(state.plant.angles, state.plant.rates, state.shoulder_offset, steering)
+    measured(state.plant.angles, state.plant.rates, state.plant.angles, state.shoulder_offset, steering)
     return state.command.copy(), steering
 
 

@@ -15,7 +15,7 @@ from aftdeck.simulation.operator.holds import effective_sticks
 from aftdeck.simulation.operator.master import turn_master
 from aftdeck.simulation.operator.sequence import finish, next_target
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import DRIVE, JOINT, KEPT, LAW, MASTER, STICKS
+from aftdeck.steering.layout import AIMS, DRIVE, JOINT, KEPT, LAW, MASTER, STICKS
 from aftdeck.steering.mode import MODES
 
 
@@ -48,7 +48,7 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
 def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
     panel = state.panel
     if inputs.joint is not None and inputs.joint != panel.joint:
-        state.command[KEPT + panel.joint] = state.plant.angles[panel.joint]  # mode 8 holds this joint from now on
+        state.command[KEPT + panel.joint] = state.steering[AIMS + panel.joint]  # mode 8 holds this joint from now on
         panel.joint = inputs.joint
     if inputs.rate is not None:
         panel.rate = inputs.rate
@@ -105,9 +105,9 @@ def _enter(flight: Flight, state: State, position: str) -> None:
         return
     panel = state.panel
     if mode.kind == "master":  # the master arm starts from the angles of the arm
-        state.command[MASTER : MASTER + 6] = state.plant.angles
+        state.command[MASTER : MASTER + 6] = state.steering[AIMS : AIMS + 6]
     if mode.kind == "single":  # mode 8 holds the joints at these angles, theta_0
-        state.command[KEPT : KEPT + 6] = state.plant.angles
+        state.command[KEPT : KEPT + 6] = state.steering[AIMS : AIMS + 6]
     panel.mode, panel.rate_hold_sticks, panel.position_hold_target, panel.point = position, None, None, 0
     panel.motion_began = state.tick - 1
     log(flight, state, "mode", "info", f"{position} entered: {mode.title}")

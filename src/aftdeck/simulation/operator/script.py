@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+import numpy as np
+
 from aftdeck.scenario.model import PhasePlan
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.simulation.constants.flight import Flight
@@ -17,7 +19,7 @@ from aftdeck.simulation.motion.stopping import is_at_rest
 from aftdeck.simulation.operator.relative_target import resolve_target
 from aftdeck.simulation.payloads.grasp import set_effector, update_steering
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
+from aftdeck.steering.layout import AIMS, ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
 from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Vec3
@@ -121,7 +123,7 @@ def _later_inputs(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
     if phase.joint_at is None:
         return _sticks(flight, state, phase)
     rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
-    gap = phase.joint_at - float(state.plant.angles[phase.joint])
+    gap = phase.joint_at - float(state.steering[AIMS + phase.joint])
     rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
     drive = min(1.0, rate / float(rules[RATE + phase.joint]))
     telescope = _telescope(flight, state, phase)
@@ -203,7 +205,8 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
     """Return whether a phase has reached its target. If CMD CK or the motion failed, end the script with "fault"."""
     panel = state.panel
     if MODES[phase.mode].kind == "master":
-        return bool(state.report[ARRIVED])
+        late = np.abs(state.plant.angles - state.steering[AIMS : AIMS + 6]).max()  # of the servos
+        return bool(state.report[ARRIVED] and late < flight.plant.accuracy.angle)
     if phase.joint_at is not None:
         at_angle = abs(phase.joint_at - state.plant.angles[phase.joint]) < flight.plant.accuracy.angle
         return bool(at_angle and abs(state.steering[RATES + phase.joint]) < flight.plant.accuracy.rate)

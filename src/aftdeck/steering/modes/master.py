@@ -15,7 +15,7 @@ from __future__ import annotations
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MASTER, RATE, RATE_UP, RATES
+from aftdeck.steering.layout import AIMS, ARRIVED, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MASTER, RATE, RATE_UP, RATES
 from aftdeck.steering.limiters import BY_STOP, braked
 from aftdeck.steering.ramp import ramped, rate_towards
 from aftdeck.steering.views import rates_at
@@ -30,7 +30,7 @@ def _target_angle(rules: Array, command: Array, state: Array, i: int) -> float:
 
     If the joint is past a stop, its present angle replaces that stop.
     """
-    angle = state[ANGLES + i]
+    angle = state[AIMS + i]
     return float(min(max(command[MASTER + i], min(rules[LOW + i], angle)), max(rules[HIGH + i], angle)))
 
 
@@ -44,7 +44,7 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     for i in range(6):
         target = _target_angle(rules, command, state, i)
         rate = ramped(rules, state, report, rate_towards(rules, state, target, i), i, BY_STOP)
-        left = abs(target - state[ANGLES + i])
+        left = abs(target - state[AIMS + i])
         if target != command[MASTER + i] and braked(left, rules[RATE_UP + i], rules[DT]) < rules[RATE + i]:
             report[CAUSE], report[LIMITING_JOINT] = BY_STOP, i
         if left > ARRIVAL or abs(rate) * rules[DT] > ARRIVAL:
