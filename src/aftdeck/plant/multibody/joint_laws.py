@@ -89,7 +89,6 @@ def measure_joints(
     overdriven: Mask,
     given: Array,
     period: float,
-    strict: bool,
     reference: Array,
     commanded: Array,
 ) -> None:
@@ -114,8 +113,7 @@ def measure_joints(
         overdriven: (6,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
         given: (6,) commanded joint rates [rad/s].
         period: control period [s].
-        strict: whether the steering's acceleration limits count from the measured rates.
-        reference: (6,) output: rates from which these limits count [rad/s].
+        reference: (6,) output: rates from which the steering's acceleration limits count [rad/s].
         commanded: (6,) angles that the joints would have without stops [rad]; updated.
     """
     acting, greatest = (BRAKE, HOLDING) if braked else (SERVO, TORQUE)
@@ -131,7 +129,7 @@ def measure_joints(
         if held[i] == held[i]:
             give = most / stiffness
             held[i] = min(max(held[i], motor - give), motor + give)
-        reference[i] = rates[i] if strict else given[i]
+        reference[i] = given[i]
         commanded[i] += given[i] * period
 
 

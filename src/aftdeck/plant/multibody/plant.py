@@ -77,7 +77,6 @@ class MultibodyPlant:
         period: float,
         *,
         thrusters: Thrusters | None = None,
-        strict: bool = False,
         gauged: bool = False,
     ) -> None:
         """Set up the plant.
@@ -88,13 +87,12 @@ class MultibodyPlant:
             travel: range and rate of the telescope.
             period: control period [s].
             thrusters: the orbiter's jets; None if it is fixed.
-            strict: whether the steering's acceleration limits count from the measured rates, as published.
             gauged: whether the plant has gauges, which take time in each step.
         """
         self.readings: Readings | None = None
         self._thrusters, self._gauged = thrusters, gauged
         self._steps = math.ceil(period / STEP - 1e-9)
-        self._travel, self._period, self._strict = travel, period, strict
+        self._travel, self._period = travel, period
         self._apart = [self._model(one, arm, solids=False) for one, _ in models]
         self._near = [self._model(one, arm, solids=True) for _, one in models]
         self._kind: Literal["rigid", "flexible"] = "flexible" if len(self._apart[0].view.gearboxes) else "rigid"
@@ -106,7 +104,7 @@ class MultibodyPlant:
         view.limit(arm.limits.hard)
         contacts = ContactPairs(model, view.data) if solids else None
         jets = None if self._thrusters is None else Jets(model, view.data, self._thrusters)
-        servos = Servos(view, arm.joints, servo_needed(arm), self._period, strict=self._strict)
+        servos = Servos(view, arm.joints, servo_needed(arm), self._period)
         gauges = Gauges(view, arm) if self._gauged else None
         return _Model(view, servos, Payloads(model, view.data), contacts, jets, gauges)
 

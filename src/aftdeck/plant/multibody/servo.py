@@ -21,9 +21,7 @@ from aftdeck.plant.state import Bodies, PlantState
 class Servos:
     """Servos and brakes of one model."""
 
-    def __init__(
-        self, view: View, joints: tuple[str, ...], servo: Servo, period: float, *, strict: bool = False
-    ) -> None:
+    def __init__(self, view: View, joints: tuple[str, ...], servo: Servo, period: float) -> None:
         """Set up the servos and brakes of a model.
 
         Args:
@@ -31,13 +29,12 @@ class Servos:
             joints: names of the joints.
             servo: constants of the servos.
             period: control period [s].
-            strict: whether the steering's acceleration limits count from the measured rates.
         """
         model = view.model
         drives = [model.actuator(f"servo.{name}").id for name in joints]
         brakes = [model.actuator(f"brake.{name}").id for name in joints]
         self._view, self._option = view, model.opt
-        self._period, self._strict, self._braked = period, strict, False
+        self._period, self._braked = period, False
         self._places = np.array([view.motors, view.motor_rates, drives, brakes])  # rows as in `joint_laws`
         self._servo = np.array(
             [
@@ -82,5 +79,5 @@ class Servos:
         measure_joints(
             brakes, self._places, view.gearboxes, self._servo, BRAKE_STIFFNESS, view.qpos, view.qvel, self._force,
             state.angles, state.rates, bodies.brakes, bodies.torques, bodies.overdriven,
-            rates, self._period, self._strict, bodies.reference, state.commanded,
+            rates, self._period, bodies.reference, state.commanded,
         )  # fmt: skip

@@ -35,7 +35,6 @@ def multibody_plant(scenario: Scenario, site: Site, *, gauged: bool = False) -> 
         travel_of_stand(arm),
         scenario.control_period,
         thrusters=_thrusters(scenario, site),
-        strict=scenario.strict,
         gauged=gauged,
     )
 
