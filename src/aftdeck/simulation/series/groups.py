@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_type_hints
 
+from aftdeck.matrices import length
 from aftdeck.plant.readings import CUTS, Load, Readings
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Bend, Dynamics, Force, Frame, Holding, Placed
@@ -124,7 +125,7 @@ def _bends(scenario: Scenario) -> Fields:
 
 
 def _contact(frame: Frame, _: object) -> Sequence[float | str]:
-    found = max(_dynamics(frame).contacts, key=lambda force: math.hypot(*force.force), default=None)
+    found = max(_dynamics(frame).contacts, key=lambda touch: length(touch.force), default=None)
     if found is None:
         return (0.0, 0.0, 0.0, *(_NOTHING,) * 3, "")
     return (*found.force, *found.position, f"{found.a} on {found.b}")

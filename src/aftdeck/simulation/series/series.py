@@ -78,8 +78,8 @@ class Series:
     def table(self) -> Table:
         """Return the steps so far as a table; numbers are arrays (n,), texts are tuples."""
         texts = [column.kind == "text" for column in self._columns]
-        numbers = iter(np.asarray(self._numbers).reshape(-1, len(texts) - sum(texts)).T)
-        words = iter([tuple(self._texts[k :: sum(texts)]) for k in range(sum(texts))])
+        numbers = iter(np.asarray(self._numbers).reshape(-1, texts.count(False)).T)
+        words = iter([tuple(self._texts[k :: texts.count(True)]) for k in range(texts.count(True))])
         values: list[Sequence[Cell]] = [next(words) if text else next(numbers) for text in texts]
         return Table(self._columns, values)
 
