@@ -17,8 +17,12 @@ from aftdeck.report.run_metrics import RunMetrics
 from aftdeck.report.series import series_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.run import run
+from aftdeck.study.case import Runner
+from aftdeck.study.design import cases
 from aftdeck.study.file import load_study
+from aftdeck.study.plan import plan_of
 from tests.plant.multibody.flights import scenario
+from tests.study.studies import FOUR, written
 
 PUSH = "[[phase]]\nname = 'push'\nmode = 'ORB UNL'\ntranslation = [1.0, 0.0, -1.0]\nduration = '3 s'\n"
 
@@ -60,6 +64,17 @@ def test_time_at_the_torque_limit_is_that_of_a_motor_too_weak(share: float) -> N
         at_limit = np.abs(torques[name]) >= given.arm.model.servo.torque_limit[k] * (1.0 - 1e-9)
         assert found[AT_LIMIT[k]].number == pytest.approx(at_limit.sum() * given.control_period)
     assert (sum(found[metric].number or 0.0 for metric in AT_LIMIT) > 0.0) == (share < 1.0)
+
+
+def test_study_that_names_a_moment_has_its_value(tmp_path: Path) -> None:
+    text = FOUR.replace("repeats = 2", "metrics = ['peak_moment_upper_boom_n_m', 'peak_torque_joint_2_n_m']")
+    written(tmp_path, text)
+    short = tmp_path / "short.toml"
+    short.write_text(short.read_text().replace('arm = "srms"', 'arm = "srms"\nplant = "rigid"'))
+    study = load_study(tmp_path / "study.toml")
+    row = Runner(plan_of(study)).run(cases(study)[0]).row
+    moment, torque = row["peak_moment_upper_boom_n_m"], row["peak_torque_joint_2_n_m"]
+    assert isinstance(moment, float) and isinstance(torque, float) and moment > 1.0 and torque > 1.0
 
 
 def test_study_has_gauges_only_if_it_names_a_metric_that_needs_them(tmp_path: Path) -> None:
