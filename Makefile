@@ -55,6 +55,7 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	$(PY) -m aftdeck.recording.document --check docs/recording.md
 	$(PY) -m aftdeck.scenario.ranges_document --check docs/files.md
 	$(PY) -m aftdeck.report.catalogue --check docs/metrics.md
+	$(PY) -m aftdeck.simulation.series.document --check docs/series.md
 	$(PY) -m aftdeck.gym.document --check docs/environments.md
 	$(PY) -m aftdeck.export.document --check docs/export.md
 	$(PY) -m aftdeck.simulation.observe.field_values --check
@@ -73,6 +74,7 @@ generate: .venv/.dev  ## generate the call of Frame, web/src/link/protocol.ts an
 	$(PY) -m aftdeck.recording.document docs/recording.md
 	$(PY) -m aftdeck.scenario.ranges_document docs/files.md
 	$(PY) -m aftdeck.report.catalogue docs/metrics.md
+	$(PY) -m aftdeck.simulation.series.document docs/series.md
 	$(PY) -m aftdeck.gym.document docs/environments.md
 	$(PY) -m aftdeck.export.document docs/export.md
 

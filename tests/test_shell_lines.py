@@ -95,8 +95,8 @@ PREPARED: dict[str, Callable[[Path, Run], None]] = {
 }
 """Files that a page takes for granted."""
 SLOW = {
-    *("dynamics.md", "mainprior.md", "metrics.md", "operators.md", "recording.md", "studies.md", "visual-scene.md"),
-    "worksite.md",
+    *("dynamics.md", "mainprior.md", "metrics.md", "operators.md", "recording.md", "series.md", "studies.md"),
+    *("visual-scene.md", "worksite.md"),
 }
 """Pages whose lines take more than a few seconds."""
 LONG = {"studies.md"}

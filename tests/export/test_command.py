@@ -29,7 +29,7 @@ def no_library(monkeypatch: pytest.MonkeyPatch) -> None:
             raise ModuleNotFoundError(f"No module named {library!r}", name=library)
         return WITHOUT(name, package)
 
-    monkeypatch.setattr("aftdeck.report.extra.importlib.import_module", found)
+    monkeypatch.setattr("aftdeck.extra.importlib.import_module", found)
 
 
 @pytest.mark.parametrize(

@@ -86,7 +86,7 @@ def test_rerun_with_an_own_arm_differs_and_verifies(tmp_path: Path) -> None:
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)  # a path is relative to the working folder
         outcome = rerun(path, ("arm=arms/mine/arm.toml", "worksite=site.toml"), out)
-    assert outcome.first is not None and "rate_limits" in {c.field for c in outcome.first.fields}
+    assert outcome.first is not None and "rate_limits[0]" in {c.field for c in outcome.first.fields}
     delete_files(folder)
     assert verify(out).equal
     back = rerun(out, ("arm=srms",))

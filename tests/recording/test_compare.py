@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import msgspec
+import numpy as np
 import pytest
 
+from aftdeck.recording.changed import rerun
 from aftdeck.recording.compare import Comparison, EventChange, alike, first_difference
 from aftdeck.recording.convert import frame_record
 from aftdeck.recording.records import FrameRecord
-from aftdeck.simulation.frame import Event
+from aftdeck.recording.run import record
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.frame import Event, Goal
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.run import Simulation, run
 from tests.recording.flown import bay
 
 JOINTS = ("a", "b", "c", "d", "e", "f")
@@ -54,6 +60,38 @@ def test_first_difference_has_its_fields_and_values(records: list[FrameRecord]) 
         ("rate", '"coarse"', '"vernier"'),
         ("drive", "0.0", "0.25"),
     ]
+
+
+def test_difference_is_told_value_by_value(records: list[FrameRecord]) -> None:
+    frame = records[7]
+    a, b, c, d, e, _ = frame.angles
+    goal = Goal((1.0, 2.0, 3.0), frame.orientation, 4.0, 0.0, 0.0)
+    hand = msgspec.structs.replace(frame.work.hand, flags=("RIGID", "CAPTURE"))
+    other = msgspec.structs.replace(
+        frame, angles=(a, b, c, d, e, 0.5), work=msgspec.structs.replace(frame.work, hand=hand), goal=goal
+    )
+    found = {change.field: change.after for change in first_difference(frame, other).fields}
+    assert found.keys() == {"angles[5]", "work.hand.flags", "goal"}
+    further = msgspec.structs.replace(other, goal=msgspec.structs.replace(goal, position=(1.0, 2.0, 3.5), distance=3.0))
+    (place, distance) = first_difference(other, further).fields
+    assert (place.field, place.before, place.after) == ("goal.position[2]", "3.0", "3.5")
+    assert distance.field == "goal.distance"
+
+
+def test_tip_is_the_true_one(tmp_path: Path) -> None:
+    record("sts-400-closed", tmp_path / "run.mcap")
+    outcome = rerun(tmp_path / "run.mcap", ("plant=flexible",))
+    before = run("sts-400-closed").table("tip")
+    after = run(load_scenario("sts-400-closed", {"plant": "flexible"})).table("true_tip", "tip")
+    steps = min(len(before["time_s"]), len(after["time_s"]))
+    tips = [
+        np.array([table[f"{tip}_{axis}_m"][:steps] for axis in "xyz"])
+        for table, tip in ((before, "tip"), (after, "true_tip"), (after, "tip"))
+    ]
+    true, measured = (np.linalg.norm(tip - tips[0], axis=0) for tip in tips[1:])
+    assert outcome.greatest_tip_m.value == pytest.approx(true.max(), abs=1e-6)
+    assert outcome.greatest_tip_m.value != pytest.approx(measured.max(), abs=1e-3)
+    assert outcome.tip_at_end_m == pytest.approx(true[-1], abs=1e-6)
 
 
 def test_greatest_differences_have_their_times(records: list[FrameRecord]) -> None:

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
+from aftdeck import extra
 from aftdeck.errors import InputError
-from aftdeck.report import extra
 from aftdeck.study.case import Outcome, Runner
 from aftdeck.study.design import cases
 from aftdeck.study.file import Study

@@ -6,11 +6,11 @@ import math
 from typing import TYPE_CHECKING
 
 from aftdeck.cli.arm import PayloadAxis
-from aftdeck.cli.printing import print_json
+from aftdeck.cli.printing import print_cautions, print_json
 from aftdeck.errors import InputError
 from aftdeck.lines import print_line
 from aftdeck.plant.multibody.frequencies import frequencies
-from aftdeck.plant.usual_payload import PAYLOAD_MASS, usual_payload
+from aftdeck.plant.usual_payload import HEAVIEST, PAYLOAD_MASS, usual_payload
 from aftdeck.scenario.changes import value_of
 from aftdeck.simulation.constants.multibody import orbiter_in_l
 from aftdeck.units import Mass
@@ -19,10 +19,17 @@ from aftdeck.worksite.file.schema import ORBITER_MASS
 from aftdeck.worksite.model import OrbiterMass
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
+    from aftdeck.bodies.mass_properties import MassProperties
     from aftdeck.bounds import Bounds
     from aftdeck.kinematics.arm import Arm
+
+
+SCALED = 10.0
+"""Ratio to the usual orbiter's mass beyond which its proportions are no longer those of a spacecraft (assumed) [1]."""
+ROUNDED = 1e-9
+"""Excess of an angle [rad] or of a share of a mass [1] that comes from the conversion of units."""
 
 
 def print_frequencies(
@@ -34,7 +41,7 @@ def print_frequencies(
     orbiter_mass: str | None,
     as_json: bool,
 ) -> None:
-    """Print the natural frequencies of an arm, lowest first.
+    """Print the natural frequencies of an arm, lowest first; on standard error, cautions about strange arguments.
 
     Raises:
         ArmError: the arm has no table `flexibility`.
@@ -57,11 +64,32 @@ def print_frequencies(
         x, y, z = (moment * mass / usual.mass for moment in usual.inertia)
         orbiter = orbiter_in_l(arm.model.mount, OrbiterMass(mass, (x, y, z), usual.centre))
     found = frequencies(arm.model, angles, payload=payload, orbiter=orbiter).tolist()
+    cautions = list(_cautions(arm, angles, payload, orbiter))
+    print_cautions(cautions)
     if as_json:
-        print_json({"arm": arm.name, "frequencies_hz": found})
+        print_json({"arm": arm.name, "frequencies_hz": found, "cautions": cautions})
         return
     for number, frequency in enumerate(found, start=1):
         print_line(f"{number:>3}  {frequency:>10.4f} Hz")
+
+
+def _cautions(
+    arm: Arm, angles: Sequence[float], payload: MassProperties | None, orbiter: MassProperties | None
+) -> Iterator[str]:
+    """Yield what is strange about a pose, a payload and an orbiter, although it can be computed."""
+    for joint, angle, (low, high) in zip(arm.joints, angles, arm.limits.hard.tolist(), strict=True):
+        if not low - ROUNDED <= angle <= high + ROUNDED:
+            least, given, most = (f"{math.degrees(value):.4g}" for value in (low, angle, high))
+            yield f"--pose: {joint} at {given} deg is beyond its hard stops, {least} and {most} deg"
+    if payload is not None and payload.mass > HEAVIEST * (1.0 + ROUNDED):
+        yield f"--payload-mass: {payload.mass:.6g} kg is more than the Shuttle's heaviest payload, {HEAVIEST:.6g} kg"
+    usual = load_worksite("orbiter").orbiter
+    assert usual is not None, "the orbiter's worksite has an orbiter"
+    if orbiter is not None and not usual.mass / SCALED <= orbiter.mass <= usual.mass * SCALED:
+        yield (
+            f"--orbiter-mass: {orbiter.mass:.6g} kg is far from the {usual.mass:.6g} kg of the orbiter whose centre of "
+            "mass and proportions are taken"
+        )
 
 
 def _mass(option: str, text: str, bounds: Bounds) -> float:

@@ -108,7 +108,7 @@ def _writer(
 ) -> tuple[Path, Callable[[Sequence[Flight], Path, Plan, Callable[[float], None] | None], list[Episode]]]:
     """Return the folder and the writer; raise `InputError` if its library is missing or the folder exists."""
     from aftdeck.export.written import check_new_folder
-    from aftdeck.report.extra import needed
+    from aftdeck.extra import needed
 
     if lerobot is not None:
         from aftdeck.export.lerobot import write_lerobot

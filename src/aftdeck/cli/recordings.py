@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from aftdeck.recording.reader import Recording
     from aftdeck.recording.replay import Verdict
 
-MAX_FIELDS = 6
+MAX_FIELDS = 10
 """Maximum number of fields printed for the first difference."""
 MAX_EVENTS = 20
 """Maximum number of changed log lines that are printed."""
@@ -216,7 +216,7 @@ def _print_fields(fields: tuple[object, ...]) -> None:
         assert isinstance(change, FieldChange)
         print_line(f"    {change.field}: {change.before} -> {change.after}")
     if len(fields) > MAX_FIELDS:
-        print_line(f"    and {len(fields) - MAX_FIELDS} more fields")
+        print_line(f"    and {len(fields) - MAX_FIELDS} more values")
 
 
 def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool) -> None:
@@ -255,7 +255,7 @@ def _print_outcome(file: Path, o: Outcome) -> None:
         print_line(f"  first        at {o.first.time_s:.2f} s:")
         _print_fields(o.first.fields)
     print_line(
-        f"  tip          difference at most {o.greatest_tip_m.value:.3f} m, at {o.greatest_tip_m.time_s:.2f} s; "
+        f"  true tip     difference at most {o.greatest_tip_m.value:.3f} m, at {o.greatest_tip_m.time_s:.2f} s; "
         f"{o.tip_at_end_m:.3f} m at the end"
     )
     if o.joint:

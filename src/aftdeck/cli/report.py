@@ -12,7 +12,7 @@ import typer
 
 from aftdeck.cli.app import Json, app
 from aftdeck.cli.printing import print_json
-from aftdeck.errors import AftdeckError
+from aftdeck.errors import AftdeckError, InputError
 from aftdeck.lines import print_error, print_line
 from aftdeck.whole_file import write_new
 
@@ -29,7 +29,8 @@ _COLUMN = 14
 @app.command(
     short_help="Compute the metrics of recorded runs, as text, table or page.",
     epilog="Examples: aftdeck report run.mcap; aftdeck report run.mcap -o report.html; "
-    "aftdeck report first.mcap second.mcap -o both.html; aftdeck report P07-*.mcap --table runs.parquet",
+    "aftdeck report first.mcap second.mcap -o both.html; aftdeck report P07-*.mcap --table runs.parquet; "
+    "aftdeck report run.mcap --series run.csv --columns torques,loads",
 )
 def report(
     files: Annotated[list[Path], typer.Argument(metavar="RECORDING...", help="Recordings (.mcap).")],
@@ -45,25 +46,47 @@ def report(
             metavar="FILE", help="Write a row for each run, with all metrics as columns with units: .csv or .parquet."
         ),
     ] = None,
+    series: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Write the time history of one run, a row for each step, with units: .csv or .parquet."
+        ),
+    ] = None,
+    columns: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME,...",
+            help="Groups or columns of the time history (docs/series.md); default: all. Needs --series.",
+        ),
+    ] = None,
+    gauges: Annotated[
+        bool,
+        typer.Option(
+            "--gauges", help="Simulate runs with masses again, for the metrics of the moments inside the arm."
+        ),
+    ] = False,
     as_json: Json = False,
 ) -> None:
-    """Compute the metrics of recorded runs: times, path, clearance, use of the sticks, captures, limits.
+    """Compute the metrics of recorded runs: times, path, clearance, use of the sticks, captures, limits, loads.
 
     Several runs are shown side by side. Each metric has one definition; docs/metrics.md lists them all. A recording
-    that cannot be read is left out, and the exit code is then 2.
+    that cannot be read is left out, and the exit code is then 2. With --series, write a run's time history instead.
     """
-    from aftdeck.report.new_file import TABLE_ENDINGS, check_new_file
-
-    if table is not None:
-        check_new_file(table, TABLE_ENDINGS)
-    if out is not None:
-        check_new_file(out, (".html",))
+    if series is not None:
+        if len(files) > 1 or table is not None or out is not None or gauges:
+            raise InputError("--series needs one recording, and cannot be combined with --table, --out and --gauges")
+        _write_series(files[0], series, () if columns is None else columns.split(","), as_json)
+        return
+    if columns is not None:
+        raise InputError("--columns needs --series")
+    _check_new(table, out)
     if out is None:
-        rows = list(_read(files, "aftdeck.report.of_recording:recorded_row"))
+        rows = list(_read(files, f"aftdeck.report.of_recording:{'gauged' if gauges else 'recorded'}_row"))
     else:
         with ExitStack() as page:
             prepare = partial(_prepare_page, page)
-            runs: list[Gathered] = list(_read(files, "aftdeck.report.page.gather:gathered", prepare))
+            gather = "with_gauges" if gauges else "gathered"
+            runs: list[Gathered] = list(_read(files, f"aftdeck.report.page.gather:{gather}", prepare))
             from aftdeck.report.table import row_of
 
             rows = [row_of(run.recording, run.metrics) for run in runs]
@@ -95,6 +118,33 @@ def _read(files: Sequence[Path], read: str, meanwhile: Callable[[], object] = la
             print_error(str(found))
         else:
             yield found
+
+
+def _check_new(table: Path | None, page: Path | None) -> None:
+    """Check that the files can be written."""
+    from aftdeck.new_file import check_new_file
+    from aftdeck.table import ENDINGS
+
+    if table is not None:
+        check_new_file(table, ENDINGS)
+    if page is not None:
+        check_new_file(page, (".html",))
+
+
+def _write_series(file: Path, out: Path, columns: Sequence[str], as_json: bool) -> None:
+    """Write the time history of a recorded run."""
+    from aftdeck.progress_bar import ProgressBar
+    from aftdeck.recording.reader import Recording
+    from aftdeck.report.series import series_of
+
+    _check_new(out, None)
+    with ProgressBar(f"{out}") as progress:
+        table = series_of(Recording(file), columns, progress)
+    table.write(out)
+    if as_json:
+        print_json([column._asdict() for column in table.columns], indent=2)
+    else:
+        print_line(f"{out}: {len(table['time_s'])} steps, {len(table)} columns")
 
 
 def _prepare_page(page: ExitStack) -> None:

@@ -17,21 +17,8 @@ from aftdeck.errors import InputError
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import JOINTS, Inputs
+from aftdeck.table import Column
 from aftdeck.units import short
-
-
-class Column(NamedTuple):
-    """One number of an action.
-
-    Attributes:
-        name: name of the column.
-        unit: unit; empty for a deflection or a switch.
-        definition: what it is, and which number stands for what.
-    """
-
-    name: str
-    unit: str
-    definition: str
 
 
 class Field(NamedTuple):

@@ -16,7 +16,7 @@ from aftdeck.export.pictures import Painter
 from aftdeck.export.plan import Plan
 from aftdeck.export.samples import samples
 from aftdeck.export.written import about_of, episode_of, new_folder, numbers_of
-from aftdeck.report.extra import needed
+from aftdeck.extra import needed
 
 FOLDER = Path("meta", "aftdeck")
 """Folder of the description in a dataset."""

@@ -18,7 +18,7 @@ from aftdeck.export.pictures import Painter
 from aftdeck.export.plan import Plan
 from aftdeck.export.samples import Seen, samples
 from aftdeck.export.written import about_of, episode_of, new_folder, numbers_of
-from aftdeck.report.extra import needed
+from aftdeck.extra import needed
 
 FOLDER = Path("aftdeck")
 """Folder of the description in a dataset."""

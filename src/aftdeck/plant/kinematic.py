@@ -48,6 +48,10 @@ class KinematicPlant(NamedTuple):
     period: float
 
     @property
+    def readings(self) -> None:
+        """None: nothing has a mass."""
+
+    @property
     def accuracy(self) -> Accuracy:
         """Differences of rounding only."""
         return Accuracy(1e-9, 5e-8, 1e-9)

@@ -8,6 +8,7 @@ from typing import Literal, NamedTuple, Protocol
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
+from aftdeck.plant.readings import Readings
 from aftdeck.plant.spread import Spread
 from aftdeck.plant.state import PlantState
 from aftdeck.steering.mode import LawChoice
@@ -80,6 +81,10 @@ class Plant(Protocol):
 
     A plant holds constants of the run only. What changes is in the `PlantState` that its methods receive.
     """
+
+    @property
+    def readings(self) -> Readings | None:
+        """Readings of the last step; None without gauges and before the first step."""
 
     @property
     def accuracy(self) -> Accuracy:

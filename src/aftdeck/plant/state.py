@@ -123,9 +123,10 @@ class PlantState(StatePart):
     def reference(self) -> Array:
         """Rates (6,) from which the steering's acceleration limits count [rad/s].
 
-        They are the measured rates on the kinematic plant, and under `strict`. Otherwise they are the commanded rates:
-        a servo turns its joint with a torque in proportion to the difference of the two, which an acceleration limit
-        that counts from the measured rate holds below the torque that a heavy payload needs.
+        They are the measured rates on the kinematic plant, and the commanded rates with masses: a servo turns its joint
+        with a torque in proportion to the difference of the two, which an acceleration limit that counts from the
+        measured rate holds below the torque that a heavy payload needs. The steering as published (`strict`) counts
+        from them, too; otherwise it would not move such a payload.
         """
         return self.rates if self.bodies is None else self.bodies.reference
 

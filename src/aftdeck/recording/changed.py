@@ -38,6 +38,7 @@ class Outcome(msgspec.Struct, frozen=True):
     first: Difference | None
     """First difference between frames; None if all compared frames are equal. Events are compared separately."""
     greatest_tip_m: Greatest
+    """Greatest distance between the true positions of the tips: with masses, not what the encoders measure."""
     greatest_joint_rad: Greatest
     joint: str
     """Name of the joint whose angle differs most; empty if no angle differs."""

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
+from typing import Any
 
 import msgspec
 
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.resample import SAME_TIME
+from aftdeck.tuples import Vec3
 
 _NOT_COMPARED = {"wall_s", "latency_ms", "sha256", "tick", "events", "motions"}
 """Fields that are not compared value by value: equal runs may differ in them. Events are compared separately; files of
@@ -17,7 +19,11 @@ earlier versions lack `motions`, which follow from the state."""
 
 
 class FieldChange(msgspec.Struct, frozen=True):
-    """Field whose values differ; both values as JSON."""
+    """Value that differs, of a frame or of an environment; before and after, as JSON or as text.
+
+    In a frame, `field` is the place of a single number, text or truth value, such as ``dynamics.torques[2]``. It is the
+    place of a list or an object if only one frame has it, or if the lists differ in length.
+    """
 
     field: str
     before: str
@@ -30,7 +36,7 @@ class Difference(msgspec.Struct, frozen=True):
     time_s: float
     tick: int
     fields: tuple[FieldChange, ...]
-    """Fields that differ; empty if the frames differ only in decimals that are not recorded, or as text."""
+    """Values that differ; empty if the frames differ only in decimals that are not recorded, or as text."""
 
 
 class Greatest(msgspec.Struct, frozen=True):
@@ -49,7 +55,7 @@ class EventChange(msgspec.Struct, frozen=True):
 
 
 def first_difference(before: FrameRecord, after: FrameRecord, *, events: bool = False) -> Difference:
-    """Return the recorded fields in which two frames differ, with their log lines if `events`."""
+    """Return the recorded values in which two frames differ, with their log lines if `events`."""
     fields = list(_changes(before, after))
     if events:
         fields.append(FieldChange("events", _shown(before.events), _shown(after.events)))
@@ -63,9 +69,37 @@ def alike(before: FrameRecord, after: FrameRecord) -> bool:
 
 def _changes(before: FrameRecord, after: FrameRecord) -> Iterator[FieldChange]:
     for name in FrameRecord.__struct_fields__:
-        old, new = getattr(before, name), getattr(after, name)
-        if old != new and name not in _NOT_COMPARED:
-            yield FieldChange(name, _shown(old), _shown(new))
+        if name not in _NOT_COMPARED:
+            yield from _values(name, getattr(before, name), getattr(after, name))
+
+
+def _values(place: str, old: Any, new: Any) -> Iterator[FieldChange]:
+    """Yield the differing values of two objects, lists or single values."""
+    if old == new:
+        return
+    parts = _parts(old)
+    if not parts or parts != _parts(new):
+        yield FieldChange(place, _shown(old), _shown(new))
+        return
+    for part in parts:
+        if isinstance(part, str):
+            yield from _values(f"{place}.{part}", getattr(old, part), getattr(new, part))
+        else:
+            yield from _values(f"{place}[{part}]", old[part], new[part])
+
+
+def _parts(value: object) -> tuple[str, ...] | range:
+    """Return the names of an object's fields, or the indices of a list; empty for a single value."""
+    if isinstance(value, msgspec.Struct):
+        return value.__struct_fields__
+    if isinstance(value, tuple):
+        return getattr(value, "_fields", range(len(value)))
+    return ()
+
+
+def true_tip(frame: FrameRecord) -> Vec3:
+    """Return the true position of the tip in L [m]; without masses, the encoders measure it."""
+    return frame.position if frame.dynamics is None else frame.dynamics.position
 
 
 def _shown(value: object) -> str:
@@ -77,10 +111,10 @@ class Comparison:
 
     Attributes:
         first: first difference; None if all compared frames are equal.
-        tip: greatest distance between the tips [m].
+        tip: greatest distance between the true positions of the tips [m].
         joint: greatest difference of a joint angle [rad].
         joint_name: name of that joint; empty if no angle differs.
-        tip_at_end: distance between the tips at the last time at which both runs have a frame [m].
+        tip_at_end: distance between these positions at the last time at which both runs have a frame [m].
         compared: number of compared pairs of frames.
     """
 
@@ -114,7 +148,7 @@ class Comparison:
         self.compared += 1
         if self.first is None and not alike(before, after):
             self.first = first_difference(before, after)
-        self.tip_at_end = math.dist(before.position, after.position)
+        self.tip_at_end = math.dist(true_tip(before), true_tip(after))
         if self.tip_at_end > self.tip.value:
             self.tip = Greatest(self.tip_at_end, before.time_s)
         differences = [abs(a - b) for a, b in zip(before.angles, after.angles, strict=True)]

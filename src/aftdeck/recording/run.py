@@ -38,6 +38,7 @@ def record(
     inputs: Callable[[Simulation], Inputs | None] | None = None,
     progress: Callable[[float], None] | None = None,
     stepped: Callable[[Simulation], None] | None = None,
+    gauged: bool = False,
     index: Index | None = None,
     unlisted: Callable[[str], None] | None = None,
 ) -> Run:
@@ -52,6 +53,7 @@ def record(
         inputs: function that is called before every step and returns manual inputs, as in `simulation.run.run`.
         progress: called repeatedly with the fraction of the maximum duration that has passed, 0 to 1.
         stepped: called with the simulation after every step.
+        gauged: as for `Simulation`; the recording is the same.
         index: list of recordings to which the file is added.
         unlisted: called with the reason if the file could not be added to the list.
 
@@ -76,7 +78,9 @@ def record(
             stepped(sim)
 
     try:
-        done = run(loaded, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=record_step)
+        done = run(
+            loaded, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=record_step, gauged=gauged
+        )
     except BaseException:
         recorder.close("stopped")
         raise

@@ -13,6 +13,7 @@ from aftdeck.report.metrics import (
     desk,
     forces,
     limits,
+    loads,
     moments,
     path,
     pictures,
@@ -34,6 +35,7 @@ SUBJECTS: dict[str, tuple[Metric, ...]] = {
     "Limits": limits.METRICS,
     "Alarms": (*alarms.METRICS, *announcements.METRICS),
     "Forces": forces.METRICS,
+    "Torques, loads and bends": loads.METRICS,
     "Pictures": pictures.METRICS,
     "Station": desk.METRICS,
 }

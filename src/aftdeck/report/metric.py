@@ -7,6 +7,7 @@ from typing import NamedTuple, Protocol
 
 from aftdeck.report.quantity import UNITS, Quantity
 from aftdeck.simulation.frame import Frame
+from aftdeck.table import with_unit
 from aftdeck.worksite.watch.alarm import Level
 
 PONTILLO = "Pontillo (MIT, 2010)"
@@ -46,8 +47,7 @@ class Metric(NamedTuple):
     @property
     def column(self) -> str:
         """Name of a table's column, with the unit: ``tip_path_m``, ``closing_speed_m_s``."""
-        unit = UNITS[self.quantity].replace("/", "_").replace(" ", "_").lower()
-        return f"{self.name}_{unit}" if unit else self.name
+        return with_unit(self.name, UNITS[self.quantity])
 
 
 class Value(NamedTuple):

@@ -19,6 +19,7 @@ Quantity = Literal[
     "turn rate",
     "force",
     "impulse",
+    "torque",
     "milliseconds",
     "words",
 ]
@@ -39,6 +40,7 @@ UNITS: dict[Quantity, str] = dict.fromkeys(get_args(Quantity), "") | {
     "turn rate": "rad/s",
     "force": "N",
     "impulse": "N s",
+    "torque": "N m",
     "milliseconds": "ms",
 }
 """SI unit of each quantity; empty for a number without a unit, and for a text."""

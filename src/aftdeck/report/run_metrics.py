@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from aftdeck.plant.readings import Readings
 from aftdeck.recording.delays import Delays
 from aftdeck.recording.message import Message
 from aftdeck.recording.records import ControllersRecord, Note, Shown
@@ -13,6 +14,7 @@ from aftdeck.report.metrics.clearance import Clearance
 from aftdeck.report.metrics.desk import Desk
 from aftdeck.report.metrics.forces import Forces
 from aftdeck.report.metrics.limits import Limits
+from aftdeck.report.metrics.loads import Loads
 from aftdeck.report.metrics.moments import Moments
 from aftdeck.report.metrics.path import Path
 from aftdeck.report.metrics.pictures import Pictures
@@ -42,7 +44,7 @@ class RunMetrics:
 
     def _begin(self) -> None:
         scenario, period_s = self._scenario, self._scenario.control_period
-        self._alarms = Alarms()
+        self._alarms, self._loads = Alarms(), Loads(scenario)
         self._announcements = Announcements()
         self._steps = Steps(scenario, self._progress)
         self._collectors: tuple[Collector, ...] = (
@@ -60,13 +62,14 @@ class RunMetrics:
         )
         self._before: Frame | None = None
 
-    def see(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
-        """Add the next frame, and the lamps that are lit in it."""
+    def see(self, frame: Frame, lamps: tuple[Lamp, ...], readings: Readings | None = None) -> None:
+        """Add the next frame, the lamps that are lit in it, and the readings of its step; None without gauges."""
         if frame.events and any(event.kind == "initialise" for event in frame.events):
             self._begin()
         for collector in self._collectors:
             collector.see(frame, self._before)
         self._alarms.see(lamps)
+        self._loads.see(frame, readings)
         self._before = frame
 
     def note(self, message: Message) -> None:
@@ -94,5 +97,6 @@ class RunMetrics:
         for collector in self._collectors:
             found.update(collector.found())
         found.update(self._alarms.found())
+        found.update(self._loads.found())
         found.update(self._desk.found(delays))
         return found

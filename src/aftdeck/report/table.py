@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, BinaryIO
 
 from aftdeck.encodable import encodable
 from aftdeck.recording.reader import Recording
 from aftdeck.report.catalogue import METRICS
-from aftdeck.report.extra import needed
 from aftdeck.report.metric import Metric, Value
-from aftdeck.report.new_file import TABLE_ENDINGS, check_new_file
-from aftdeck.whole_file import new_file, write_new
+from aftdeck.report.quantity import UNITS
+from aftdeck.table import Cell, Column, Table
 
-Cell = bool | int | float | str | None
 Row = dict[str, Cell]
 
 RUN_COLUMNS = ("recording", "scenario", "participant", "condition", "seed", "began", "ended", "version")
-"""Columns that tell which run a row belongs to."""
+"""Columns that tell which run a row belongs to; all but the seed are texts."""
 
 
 def row_of(recording: Recording, metrics: Mapping[Metric, Value]) -> Row:
@@ -59,25 +54,17 @@ def write_table(rows: Sequence[Row], file: Path) -> None:
     """Write rows to a new CSV or Parquet file, with the names of the columns; a missing value is an empty cell or null.
 
     Raises:
-        InputError: the file exists already or cannot be written, its name has another ending, or pyarrow is missing.
+        InputError: as for `Table.write`.
     """
-    check_new_file(file, TABLE_ENDINGS)
-    names = [*RUN_COLUMNS, *(metric.column for metric in METRICS)]
-    if file.suffix == ".parquet":
-        with new_file(file) as out:
-            _write_parquet(rows, names, out)
-        return
-    text = io.StringIO(newline="")
-    table = csv.DictWriter(text, names)
-    table.writeheader()
-    table.writerows(rows)
-    write_new(file, text.getvalue())
+    columns = [*map(_of_run, RUN_COLUMNS), *map(column_of, METRICS)]
+    Table(columns, [[row[column.name] for row in rows] for column in columns]).write(file)
 
 
-def _write_parquet(rows: Sequence[Row], names: Sequence[str], file: BinaryIO) -> None:
-    """Write a Parquet file; a column is text if it describes the run or a metric without a number, else a double."""
-    arrow: Any = needed("pyarrow")
-    texts = {*RUN_COLUMNS, *(metric.column for metric in METRICS if metric.is_text)}
-    kinds = {name: arrow.string() if name in texts else arrow.float64() for name in names} | {"seed": arrow.int64()}
-    schema = arrow.schema([(name, kinds[name]) for name in names])
-    needed("pyarrow.parquet").write_table(arrow.Table.from_pylist([dict(row) for row in rows], schema), file)
+def column_of(metric: Metric) -> Column:
+    """Return the column of a metric."""
+    about = f"{metric.title}. {metric.definition}"
+    return Column(metric.column, UNITS[metric.quantity], about, "text" if metric.is_text else "number")
+
+
+def _of_run(name: str) -> Column:
+    return Column(name, "", f"{name} of the run", "whole number" if name == "seed" else "text")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from aftdeck.bodies.pose import HERE, POSE, compose
 from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import observe
 from aftdeck.matrices import product
+from aftdeck.scenario.fit import TOLERANCE
 from aftdeck.scenario.model import Scenario, Start
 from aftdeck.scenario.schema import Part
 from aftdeck.scenario.target import Target
@@ -28,7 +30,7 @@ from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State, new_state
 from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.conditions import failure_text
+from aftdeck.worksite.conditions import failure_text, quantity_text
 from aftdeck.worksite.seats.latches import Latches
 
 
@@ -41,24 +43,40 @@ def initial_state(flight: Flight, start: Start | None = None) -> State:
 
     Raises:
         ScenarioError: initial conditions give a held payload that the end effector could not have captured in this
-            pose. Without `start`, those of the parts of the problem are checked too.
+            pose, or, on a plant with contact forces, begin with one part inside another. Without `start`, those of the
+            parts of the problem are checked too.
     """
-    scenario, problems = flight.scenario, []
+    scenario = flight.scenario
     state = _state_at(flight, scenario.start if start is None else start)
     found = {"initial": state}
     if start is None:
         found |= {
-            f"initialise.{part}": _state_at(flight, begin) for part, begin in scenario.parts.items() if begin.grasped
+            f"initialise.{part}": _state_at(flight, begin)
+            for part, begin in scenario.parts.items()
+            if begin.grasped or flight.plant.has_contact_forces
         }
-    for name, at in found.items():
-        k = at.worksite.held
-        if k is not None and (why := failure_text(holding(flight, at, k), flight.scenario.arm.model.units)):
-            title = flight.site.cargo[k].title
-            problems.append(f"{scenario.name}: {name}.grasped: {title} cannot have been captured in this pose: {why}")
+    problems = [f"{scenario.name}: {problem}" for name, at in found.items() for problem in _misfits(flight, at, name)]
     if problems:
         raise ScenarioError(problems)
     state.panel.keyed = _first_target(scenario)
     return state
+
+
+def _misfits(flight: Flight, state: State, name: str) -> Iterator[str]:
+    """Yield the reasons for which no run can begin in a state, whose conditions have the key `name` in the file."""
+    worksite, units = state.worksite, flight.scenario.arm.model.units
+    k = worksite.held
+    if k is not None and (why := failure_text(holding(flight, state, k), units)):
+        yield f"{name}.grasped: {flight.site.cargo[k].title} cannot have been captured in this pose: {why}"
+    if not flight.plant.has_contact_forces:
+        return
+    overlaps = [
+        f"{contact.a} is {quantity_text(contact.depth, 'm', units)} inside {contact.b}"
+        for contact in worksite.contacts.standing(flight.site.layout, worksite.watch.found, units)
+        if contact.depth > TOLERANCE and not worksite.permitted[contact.group]
+    ]
+    if overlaps:
+        yield f"{name}: starts where {'; '.join(overlaps)}: the plant {flight.scenario.plant!r} would throw them apart"
 
 
 def _first_target(scenario: Scenario) -> Target | None:

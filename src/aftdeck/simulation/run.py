@@ -11,6 +11,7 @@ from typing import Literal, cast
 import msgspec
 
 from aftdeck.errors import InputError, SimulationError
+from aftdeck.plant.readings import Readings
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario, Start
 from aftdeck.simulation.begin import initial_state
@@ -22,9 +23,11 @@ from aftdeck.simulation.observe.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.plain import plain_inputs, whole
 from aftdeck.simulation.resume import resume
+from aftdeck.simulation.series.series import Series
 from aftdeck.simulation.step import step
 from aftdeck.simulation.summary import Summary, Tally
 from aftdeck.state_part import digest, encoded
+from aftdeck.table import Table
 from aftdeck.units import short
 from aftdeck.worksite.report import Near
 
@@ -47,7 +50,9 @@ class Simulation:
         seed: seed of all random values (the kinematic plant has no random values).
     """
 
-    def __init__(self, scenario: Scenario | str | Path, seed: int | None = None, *, digests: bool = True) -> None:
+    def __init__(
+        self, scenario: Scenario | str | Path, seed: int | None = None, *, digests: bool = True, gauged: bool = False
+    ) -> None:
         """Prepare a run.
 
         Args:
@@ -55,14 +60,15 @@ class Simulation:
             seed: seed of the run; None for the scenario's seed.
             digests: whether every frame has the digest of the exact state. Without digests, a step with its frame takes
                 about a tenth less time.
+            gauged: whether a plant with masses has gauges, for `readings`. The run is the same, and takes longer.
         """
         self.scenario = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
         self.seed = self.scenario.seed if seed is None else whole(seed, "seed")
         self._frame: Frame | None = None
-        self._digests, self._seal = digests, b""
+        self._digests, self._gauged, self._seal = digests, gauged, b""
         self._given: Inputs | None = None
         self._flown = Inputs()
-        self._flight = run_constants(self.scenario)
+        self._flight = run_constants(self.scenario, gauged=self._gauged)
         self._state = initial_state(self._flight)
         constants = f"{self.scenario.text}\n{self.scenario.changes}\n{self.scenario.arm.model.source}"
         self._stepped = False
@@ -80,7 +86,7 @@ class Simulation:
         """Set the fields from those of another simulation, and make the constants of the run."""
         saved = cast("bytes", fields["_saved"])
         vars(self).update((name, value) for name, value in fields.items() if name != "_saved")
-        self._flight = run_constants(self.scenario)
+        self._flight = run_constants(self.scenario, gauged=self._gauged)
         self._state = resume(self._flight, saved)
 
     @property
@@ -92,6 +98,11 @@ class Simulation:
     def frame(self) -> Frame | None:
         """Frame of the last step; None before the first step, and between `restore` and the next step."""
         return self.look() if self._stepped else None
+
+    @property
+    def readings(self) -> Readings | None:
+        """Readings of the gauges in the last step; None without gauges or masses, and whenever `frame` is None."""
+        return self._flight.plant.readings if self._stepped else None
 
     @property
     def cameras(self) -> tuple[str, ...]:
@@ -237,6 +248,31 @@ class Run(msgspec.Struct, frozen=True):
     frames: tuple[Frame, ...]
     events: tuple[Event, ...]
     summary: Summary
+    inputs: tuple[Inputs | None, ...]
+    """Inputs that the caller gave to each step; None for a step of the script."""
+
+    def table(self, *columns: str) -> Table:
+        """Return the time history of the run, a row for each step.
+
+        If a column needs gauges, or if the run has not kept its frames, the run is repeated, which gives the same
+        steps.
+
+        Args:
+            columns: names of groups or of columns (docs/series.md); none for all.
+
+        Raises:
+            InputError: there is no such group or column.
+        """
+        series = Series(self.scenario, columns)
+        if len(self.frames) == len(self.inputs) and not series.gauged:
+            for frame in self.frames:
+                series.see(frame, None)
+            return series.table()
+        sim = Simulation(self.scenario, self.summary.seed, digests=False, gauged=series.gauged)
+        for given in self.inputs:
+            sim.advance(given)
+            series.see(sim.look(), sim.readings)
+        return series.table()
 
 
 def run(
@@ -249,6 +285,7 @@ def run(
     seen: Callable[[Frame], None] | None = None,
     stepped: Callable[[Simulation], None] | None = None,
     digests: bool = True,
+    gauged: bool = False,
 ) -> Run:
     """Run a scenario headless to its end, with the inputs of its script or of a function.
 
@@ -262,13 +299,15 @@ def run(
         seen: called with every frame.
         stepped: called with the simulation after every step.
         digests: whether frames and summary have digests, as for `Simulation`.
+        gauged: whether a plant with masses has gauges, as for `Simulation`; `stepped` can then read them.
 
     Raises:
         InputError: `inputs` returned None for the first step, or inputs that hand controllers and switches cannot
             produce.
     """
-    sim = Simulation(scenario, seed, digests=digests)
+    sim = Simulation(scenario, seed, digests=digests, gauged=gauged)
     frames: list[Frame] = []
+    flown: list[Inputs | None] = []
     tally = Tally()
     while not sim.ended:
         given = None if inputs is None else inputs(sim)
@@ -276,6 +315,7 @@ def run(
             break
         sim.advance(given)
         sim.add_to(tally)
+        flown.append(sim.given)
         if keep_frames or seen is not None:
             frame = sim.look()
             if keep_frames:
@@ -290,4 +330,5 @@ def run(
         raise InputError("inputs: got None for the first step, expected Inputs")
     last = sim.look()
     summary = tally.summary(sim.scenario, sim.seed, sim.ended or "completed", last)
-    return Run(sim.scenario, tuple(frames) if keep_frames else (last,), tuple(tally.events), summary)
+    kept = tuple(frames) if keep_frames else (last,)
+    return Run(sim.scenario, kept, tuple(tally.events), summary, tuple(flown))

@@ -34,7 +34,7 @@ FAR = 1e3
 
 def warm_up(scenario: Scenario) -> None:
     """Call every law once, which compiles it: run a few steps of the scenario in a new state."""
-    flight = run_constants(scenario)
+    flight = run_constants(scenario, gauged=True)
     state = initial_state(flight)
     arm = scenario.arm
     here = target_at(arm.forward(scenario.initial_angles))

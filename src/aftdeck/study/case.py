@@ -87,10 +87,16 @@ class Runner:
         inputs = None if flown is None else until_the_end(flown, scenario.ticks)
         if recording is None:
             summary = run(
-                scenario, case.seed, inputs=inputs, keep_frames=False, stepped=watch.see, digests=False
+                scenario,
+                case.seed,
+                inputs=inputs,
+                keep_frames=False,
+                stepped=watch.see,
+                digests=False,
+                gauged=plan.gauged,
             ).summary
         else:
-            summary = _recorded(scenario, case, inputs, watch, shown, recording)
+            summary = _recorded(scenario, case, inputs, watch, shown, recording, gauged=plan.gauged)
         return results(plan, scenario, spec, watch, summary)
 
 
@@ -101,6 +107,8 @@ def _recorded(
     watch: Watch,
     shown: Monitors,
     path: Path,
+    *,
+    gauged: bool,
 ) -> Summary:
     """Run a case with a recording; the file appears when it is complete, and replaces an older one.
 
@@ -119,6 +127,7 @@ def _recorded(
             shown=shown,
             inputs=inputs,
             stepped=watch.see,
+            gauged=gauged,
         )
     except RecordingError:
         raise

@@ -8,11 +8,11 @@ from typing import Any
 
 import msgspec
 
-from aftdeck.report.extra import needed
-from aftdeck.report.table import Cell
+from aftdeck.extra import needed
 from aftdeck.study.factor import Factor, Level
 from aftdeck.study.file import Study
 from aftdeck.study.keys import Change
+from aftdeck.table import Cell
 
 
 class Case(msgspec.Struct, frozen=True):

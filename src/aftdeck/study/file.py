@@ -14,6 +14,7 @@ from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.files import Problem, Text, Where, beside, examine, find_toml, read, sentences
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.report.catalogue import METRICS
+from aftdeck.report.metrics.loads import NEED_GAUGES
 from aftdeck.scenario.load import Source, find_scenario
 from aftdeck.schema_check import problems_of
 from aftdeck.study.carried import Carried, carry
@@ -59,6 +60,13 @@ class Study(NamedTuple):
     def metric_columns(self) -> tuple[str, ...]:
         """Columns of the metrics in the table of results."""
         return self.spec.metrics or tuple(metric.column for metric in METRICS)
+
+    @property
+    def gauged(self) -> bool:
+        """Whether the study names a metric that needs gauges; they take time, so that not every study has them."""
+        spec = self.spec
+        named = (*spec.metrics, *spec.report.responses, *spec.success.at_most, *spec.success.at_least)
+        return not NEED_GAUGES.isdisjoint(named)
 
 
 def built_in() -> tuple[str, ...]:

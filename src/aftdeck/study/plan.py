@@ -22,6 +22,8 @@ class Plan(msgspec.Struct, frozen=True):
     monitors: dict[str, Any]
     metrics: tuple[str, ...]
     success: SuccessSpec
+    gauged: bool = False
+    """Whether the runs have gauges."""
 
 
 def plan_of(study: Study) -> Plan:
@@ -34,4 +36,5 @@ def plan_of(study: Study) -> Plan:
         msgspec.to_builtins(study.spec.monitors),
         study.metric_columns,
         study.spec.success,
+        study.gauged,
     )

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from aftdeck.errors import InputError
-from aftdeck.report.extra import needed
+from aftdeck.extra import needed
 from aftdeck.study.case import Outcome
 from aftdeck.study.file import Study
 from aftdeck.study.table import results_table, times_table

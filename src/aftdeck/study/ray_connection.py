@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from aftdeck.errors import InputError
-from aftdeck.report.extra import needed
+from aftdeck.extra import needed
 from aftdeck.study.ray_access import MODE, mode_for
 
 LOCAL, AUTO = "local", "auto"

@@ -10,13 +10,14 @@ from pathlib import Path
 
 from aftdeck.report.intervals import Interval
 from aftdeck.report.page.document import Line, charts, document, facts, figure, table
-from aftdeck.report.table import Cell, Row
+from aftdeck.report.table import Row
 from aftdeck.study.case import Outcome
 from aftdeck.study.factor import Factor
 from aftdeck.study.figures import response_chart, success_chart, title_of
 from aftdeck.study.file import Study
 from aftdeck.study.statistics import effect, groups, success_rate
 from aftdeck.study.worst import recording_of, worst
+from aftdeck.table import Cell
 from aftdeck.version import __version__
 from aftdeck.whole_file import write_whole
 

@@ -9,13 +9,14 @@ from typing import get_args
 
 import msgspec
 
-from aftdeck.report.table import Cell, Row
+from aftdeck.report.table import Row
 from aftdeck.simulation.summary import Ended
 from aftdeck.study.columns import NUMERIC, OUTCOME
 from aftdeck.study.design import Case, cases
 from aftdeck.study.file import Study
 from aftdeck.study.plan import plan_of
 from aftdeck.study.result import GIVEN_UP, row_of
+from aftdeck.table import Cell
 
 ENDED = (*get_args(Ended), GIVEN_UP)
 """How a run can end."""

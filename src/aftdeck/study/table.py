@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from aftdeck.extra import needed
 from aftdeck.law_folder import state_of_the_laws
 from aftdeck.report.catalogue import METRICS
-from aftdeck.report.extra import needed
-from aftdeck.report.quantity import UNITS
-from aftdeck.report.table import Row
+from aftdeck.report.table import Row, column_of
 from aftdeck.study.case import Outcome
 from aftdeck.study.columns import ABOUT, NUMERIC, OUTCOME
 from aftdeck.study.factor import Factor
@@ -79,12 +78,12 @@ def _fields(study: Study, arrow: Any) -> list[tuple[str, Any, dict[str, str]]]:
     outcome = [(name, kinds[name], {"description": ABOUT[name]}) for name in OUTCOME]
     metrics = [
         (
-            metric.column,
-            arrow.string() if metric.is_text else arrow.float64(),
-            {"description": f"{metric.title}. {metric.definition}", "unit": UNITS[metric.quantity]},
+            column.name,
+            arrow.string() if column.kind == "text" else arrow.float64(),
+            {"description": column.definition, "unit": column.unit},
         )
-        for metric in METRICS
-        if metric.column in study.metric_columns
+        for column in map(column_of, METRICS)
+        if column.name in study.metric_columns
     ]
     order = {name: place for place, name in enumerate(study.metric_columns)}
     return head + factors + outcome + sorted(metrics, key=lambda metric: order[metric[0]])

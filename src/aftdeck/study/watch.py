@@ -33,7 +33,7 @@ class Watch:
     def see(self, sim: Simulation) -> None:
         """Add the step that a simulation has made."""
         self._sim, frame = sim, sim.look()
-        self._metrics.see(frame, lit_lamps(self._scenario, frame))
+        self._metrics.see(frame, lit_lamps(self._scenario, frame), sim.readings)
 
     def state(self) -> bytes:
         """Return the digest of the exact state after the last step."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 
@@ -210,3 +211,23 @@ def test_command_rejects_what_it_cannot_compute(arguments: tuple[str, ...], name
     code, _, error = aftdeck("arm", *arguments)
     assert code == 2
     assert named in error
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        (("--pose", "900", "0", "0", "0", "0", "0", "--deg"), "shoulder_yaw"),
+        (("--pose", "0", "0", "0.1", "0", "0", "0"), "elbow_pitch"),
+        (("--free", "--orbiter-mass", "1"), "--orbiter-mass"),
+        (("--free", "--orbiter-mass", "1e6"), ""),
+        (("--payload-mass", "70000 lb"), "--payload-mass"),
+        (("--payload-mass", "65000 lb", "--free", "--orbiter-mass", "85000"), ""),
+        (("--pose", "180", "0", "0", "0", "0", "0", "--deg"), ""),
+    ],
+)
+def test_command_cautions_of_strange_arguments(arguments: tuple[str, ...], named: str, aftdeck: Run) -> None:
+    code, out, err = aftdeck("arm", "srms", "frequencies", *arguments, "--json")
+    cautions = json.loads(out)["cautions"]
+    assert code == 0
+    assert len(cautions) == bool(named) and all(named in caution for caution in cautions)
+    assert [line.removeprefix("caution: ") for line in err.splitlines()] == cautions

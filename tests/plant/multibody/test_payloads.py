@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from typing import cast
 
 import mujoco
@@ -208,3 +209,24 @@ def test_inertia_of_a_uniform_prism_equals_that_of_its_triangles() -> None:
         square += own * (abs(a) ** 2 + abs(b) ** 2 + (a.conjugate() * b).real) / 6.0
     polar = mass * square / area
     assert found == pytest.approx(np.diag([polar, *[polar / 2 + mass * length**2 / 12] * 2]))
+
+
+@BOTH
+def test_payload_that_starts_inside_the_arm_is_rejected(plant: str) -> None:
+    inside = ((-1.0, "payload"), (-3.0, "payload"))
+    for ahead, name in inside:
+        with pytest.raises(ScenarioError) as error:
+            free_flyer(plant, ahead=ahead)
+        assert name in str(error.value) and "initial" in str(error.value)
+    sim = free_flyer(plant, ahead=0.5)
+    with pytest.raises(ScenarioError):  # at a start other than the scenario's
+        sim.restart(replace(sim.scenario.start, angles=at_the_payload(sim)))
+    assert not sim.step().work.contacts
+
+
+def at_the_payload(sim: Simulation) -> Array:
+    """Return joint angles with which the end effector is inside the free flyer."""
+    arm, start = sim.scenario.arm, sim.scenario.start
+    tip = arm.forward(start.angles)
+    angles: Array = arm.inverse(Pose(tip.position + tip.rotation @ [1.5, 0.0, 0.0], tip.rotation), near=start.angles)[0]
+    return angles

@@ -52,6 +52,8 @@ export function shown(quantity: Quantity, units: Units): Shown {
       return scaled('N', 1, 0);
     case 'impulse':
       return scaled('N s', 1, 1);
+    case 'torque':
+      return scaled('N m', 1, 0);
     case 'milliseconds':
       return scaled('ms', 1, 0);
     case 'words':

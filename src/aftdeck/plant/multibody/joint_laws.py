@@ -167,7 +167,6 @@ def measure_joints(
     overdriven: Mask,
     given: Array,
     period: float,
-    strict: bool,
     reference: Array,
     commanded: Array,
 ) -> None:
@@ -199,8 +198,7 @@ def measure_joints(
         overdriven: (6,) output: 1 for a joint that turns against its motor or brake at its greatest torque.
         given: (6,) commanded joint rates [rad/s].
         period: control period [s].
-        strict: whether the steering's acceleration limits count from the measured rates.
-        reference: (6,) output: rates from which these limits count [rad/s].
+        reference: (6,) output: rates from which the steering's acceleration limits count [rad/s].
         commanded: (6,) angles that the joints would have without stops [rad]; updated.
     """
     acting, greatest = (BRAKE, HOLDING) if braked else (SERVO, TORQUE)
@@ -216,7 +214,7 @@ def measure_joints(
             torque = min(max(_wanted(i, places, gains, biases, ctrl, rate), -most), most)
         torques[i] = torque
         overdriven[i] = abs(torque) >= AT_LIMIT * most and rate * torque < 0.0
-        reference[i] = rates[i] if strict else given[i]
+        reference[i] = given[i]
         commanded[i] += given[i] * period
         if by_angle and given[i] != 0.0 and not braked:
             ahead, most = holds[i] + given[i] * period - angles[i], servo[HOLD_RATE, i]

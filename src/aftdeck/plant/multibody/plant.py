@@ -22,11 +22,13 @@ from aftdeck.kinematics.bending import BEND
 from aftdeck.plant.linear_actuator import Travel
 from aftdeck.plant.multibody.build import STEP
 from aftdeck.plant.multibody.contacts import ContactPairs
+from aftdeck.plant.multibody.gauges import Gauges
 from aftdeck.plant.multibody.jets import Jets, Thrusters
 from aftdeck.plant.multibody.payloads import HOLDERS, Payloads
 from aftdeck.plant.multibody.servo import Servos
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.plant import Accuracy, Surroundings
+from aftdeck.plant.readings import Readings
 from aftdeck.plant.spread import Spread, spread_of
 from aftdeck.plant.state import Bodies, PlantState
 from aftdeck.steering.mode import LawChoice
@@ -44,6 +46,7 @@ class _Model(NamedTuple):
         payloads: payloads of the worksite.
         contacts: solids that can touch; None if the model has none.
         jets: the orbiter's jets; None if it is fixed.
+        gauges: gauges; None without them.
     """
 
     view: View
@@ -51,6 +54,7 @@ class _Model(NamedTuple):
     payloads: Payloads
     contacts: ContactPairs | None
     jets: Jets | None
+    gauges: Gauges | None
 
 
 class MultibodyPlant:
@@ -59,7 +63,10 @@ class MultibodyPlant:
     There are two models for each payload that the scenario attaches, and two without a payload: one without solids,
     which is faster and used while no solids are near each other, and one with them. All have the same degrees of
     freedom. The bodies' state is in the `PlantState`; MuJoCo's data is a workspace that receives the state before
-    each step, so that a copied or restored state continues exactly.
+    each step, so that a copied or restored state continues exactly. Gauges only read: they do not change the motion.
+
+    Attributes:
+        readings: readings of the last step; None without gauges.
     """
 
     def __init__(
@@ -70,7 +77,7 @@ class MultibodyPlant:
         period: float,
         *,
         thrusters: Thrusters | None = None,
-        strict: bool = False,
+        gauged: bool = False,
     ) -> None:
         """Set up the plant.
 
@@ -80,11 +87,12 @@ class MultibodyPlant:
             travel: range and rate of the telescope.
             period: control period [s].
             thrusters: the orbiter's jets; None if it is fixed.
-            strict: whether the steering's acceleration limits count from the measured rates, as published.
+            gauged: whether the plant has gauges, which take time in each step.
         """
-        self._thrusters = thrusters
+        self.readings: Readings | None = None
+        self._thrusters, self._gauged = thrusters, gauged
         self._steps = math.ceil(period / STEP - 1e-9)
-        self._travel, self._period, self._strict = travel, period, strict
+        self._travel, self._period = travel, period
         self._apart = [self._model(one, arm, solids=False) for one, _ in models]
         self._near = [self._model(one, arm, solids=True) for _, one in models]
         self._kind: Literal["rigid", "flexible"] = "flexible" if len(self._apart[0].view.gearboxes) else "rigid"
@@ -95,8 +103,9 @@ class MultibodyPlant:
         view.limit(arm.limits.hard)
         contacts = ContactPairs(model, view.data) if solids else None
         jets = None if self._thrusters is None else Jets(model, view.data, self._thrusters)
-        servos = Servos(view, arm.joints, servo_needed(arm), self._period, strict=self._strict)
-        return _Model(view, servos, Payloads(model, view.data), contacts, jets)
+        servos = Servos(view, arm.joints, servo_needed(arm), self._period)
+        gauges = Gauges(view, arm) if self._gauged else None
+        return _Model(view, servos, Payloads(model, view.data), contacts, jets, gauges)
 
     @property
     def accuracy(self) -> Accuracy:
@@ -160,7 +169,7 @@ class MultibodyPlant:
         """Move the bodies for one control period, with the commanded rates held (`Plant.move`)."""
         bodies = state.bodies
         assert bodies is not None, "`begin` sets the bodies"
-        one = (self._near if len(around.near) else self._apart)[attached]
+        one, self.readings = (self._near if len(around.near) else self._apart)[attached], None
         view, servos = one.view, one.servos
         model, data, stand = view.model, view.data, state.stand
         mujoco.mj_setState(model, data, bodies.physics, _STATE)
@@ -176,23 +185,38 @@ class MultibodyPlant:
         view.drive_prong(around.prong, self._period)
         steps = servos.steps(self._steps, bodies)
         model.opt.timestep = self._period / steps
-        if one.contacts is None:
-            mujoco.mj_step(model, data, nstep=steps)
-            one.payloads.add()
-        else:
-            for _ in range(steps):
-                mujoco.mj_step(model, data)
-                one.payloads.add()
-                one.contacts.add()
+        _advance(one, steps)
         if view.diverged():
             raise SimulationError(
                 f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
             )
         _store(one, state)
         bodies.touches = () if one.contacts is None else one.contacts.touches(state.base, steps)
+        if one.gauges is not None:
+            self.readings = one.gauges.read()
         servos.measure(state, bodies, rates, brakes=brakes, by_angle=by_angle)
         height = view.height
         stand.velocity, stand.position = (height - stand.position) / self._period, height
+
+
+def _advance(one: _Model, steps: int) -> None:
+    """Make steps of MuJoCo, and add up the forces of holders and contacts over them."""
+    model, data, contacts, gauges = one.view.model, one.view.data, one.contacts, one.gauges
+    if gauges is not None:
+        gauges.clear()
+    if contacts is None and gauges is None:
+        mujoco.mj_step(model, data, nstep=steps)
+    else:
+        for _ in range(steps):
+            if gauges is None:
+                mujoco.mj_step(model, data)
+            else:
+                gauges.step()
+            if contacts is not None:
+                one.payloads.add()
+                contacts.add()
+    if contacts is None:
+        one.payloads.add()
 
 
 def _store(one: _Model, state: PlantState) -> None:

@@ -28,9 +28,7 @@ would jump between both limits from step to step (derived)."""
 class Servos:
     """Servos and brakes of one model."""
 
-    def __init__(
-        self, view: View, joints: tuple[str, ...], servo: Servo, period: float, *, strict: bool = False
-    ) -> None:
+    def __init__(self, view: View, joints: tuple[str, ...], servo: Servo, period: float) -> None:
         """Set up the servos and brakes of a model.
 
         Args:
@@ -38,14 +36,13 @@ class Servos:
             joints: names of the joints.
             servo: constants of the servos.
             period: control period [s].
-            strict: whether the steering's acceleration limits count from the measured rates.
         """
         model = view.model
         drives = [model.actuator(f"servo.{name}").id for name in joints]
         brakes = [model.actuator(f"brake.{name}").id for name in joints]
         inputs, deflections = model.actuator_ctrladr[drives], model.actuator_actadr[brakes]
         self._view, self._option = view, model.opt
-        self._period, self._strict, self._braked = period, strict, False
+        self._period, self._braked = period, False
         self._places = np.array(
             [view.motors, view.motor_rates, inputs, drives, brakes, deflections]
         )  # rows as in `joint_laws`
@@ -124,5 +121,5 @@ class Servos:
             brakes, by_angle, self._places, view.gearboxes, self._servo, self._gains, self._biases,
             self._option.timestep, view.qpos, view.qvel, self._ctrl, self._force,
             state.angles, state.rates, bodies.holds, bodies.torques, bodies.overdriven,
-            rates, self._period, self._strict, bodies.reference, state.commanded,
+            rates, self._period, bodies.reference, state.commanded,
         )  # fmt: skip

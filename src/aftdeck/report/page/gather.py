@@ -14,6 +14,7 @@ from aftdeck.arrays import Array
 from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
+from aftdeck.recording.gauged import messages_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Note, Shown
 from aftdeck.report.curves import Lane, Strip
@@ -93,11 +94,20 @@ class Gathered:
         return encodable(self.recording.path.stem)
 
 
-def gathered(recording: Recording) -> Gathered:
+def with_gauges(recording: Recording) -> Gathered:
+    """Return the data of a recorded run, with the metrics that need gauges; raises as `gathered`."""
+    return gathered(recording, gauged=True)
+
+
+def gathered(recording: Recording, *, gauged: bool = False) -> Gathered:
     """Return the data of a recorded run.
 
+    Args:
+        recording: the recording.
+        gauged: as for `metrics_of`.
+
     Raises:
-        RecordingError: the recording has no step, or is damaged.
+        RecordingError: the recording has no step, or is damaged, or its re-simulation differs from it.
     """
     scenario = scenario_of(recording.opening)
     period_s = recording.opening.control_period_s
@@ -105,7 +115,7 @@ def gathered(recording: Recording) -> Gathered:
     read, poses = readings(scenario), ScenePoses(scenario)
     tip, held, events = array("d"), array("d"), list[Event]()
     moments = _Moments()
-    for message in recording.messages():
+    for message, gauges in messages_of(recording, gauged=gauged):
         metrics.note(message)
         if isinstance(message, Note):
             events.append(Event(message.time_s, message.kind, message.level, message.text))
@@ -114,7 +124,7 @@ def gathered(recording: Recording) -> Gathered:
             moments.monitors = (*message.mon_1, *message.mon_2)
         elif isinstance(message, FrameRecord):
             lamps = lit_lamps(scenario, message, recording.delays)
-            metrics.see(message, lamps)
+            metrics.see(message, lamps, gauges)
             lanes.add(message, lamps)
             strips.add(read(message, message.latency_ms))
             events += message.events

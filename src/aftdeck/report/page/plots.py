@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.extra import needed
 from aftdeck.report.curves import Lane, Strip
-from aftdeck.report.extra import needed
 from aftdeck.report.page.document import figure
 from aftdeck.report.page.gather import Gathered
 from aftdeck.report.page.svg import COLOURS, chart

@@ -10,8 +10,8 @@ from collections.abc import Callable
 from html import escape
 from typing import Any
 
+from aftdeck.extra import needed
 from aftdeck.folders import user_folder, usual_folder
-from aftdeck.report.extra import needed
 
 COLOURS = ("#1f5fa8", "#c2571a", "#2e7d4f", "#7a4aa0", "#a8322f", "#5b6770", "#8a7a12", "#0e7c86")
 _STYLE = {

@@ -61,8 +61,8 @@ class Flight:
         return replace(self, plant=kinematic_plant(self.scenario))
 
 
-def run_constants(scenario: Scenario) -> Flight:
-    """Return the constants of a run of a scenario."""
+def run_constants(scenario: Scenario, *, gauged: bool = False) -> Flight:
+    """Return the constants of a run of a scenario; `gauged`: whether its plant has gauges (`plant.readings`)."""
     model = scenario.arm.model
 
     def pairs(limits: Array) -> tuple[Pair, ...]:
@@ -71,7 +71,7 @@ def run_constants(scenario: Scenario) -> Flight:
     site = site_of(scenario)
     return Flight(
         scenario,
-        plant_of(scenario, site),
+        plant_of(scenario, site, gauged=gauged),
         site,
         Cameras(scenario),
         travel_of_stand(model),

@@ -22,7 +22,7 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.worksite.model import OrbiterMass
 
 
-def multibody_plant(scenario: Scenario, site: Site) -> MultibodyPlant:
+def multibody_plant(scenario: Scenario, site: Site, *, gauged: bool = False) -> MultibodyPlant:
     """Return the plant of a scenario with the plant ``rigid`` or ``flexible``; `scenario.build` has checked it."""
     arm = scenario.arm.model
     models = [
@@ -35,7 +35,7 @@ def multibody_plant(scenario: Scenario, site: Site) -> MultibodyPlant:
         travel_of_stand(arm),
         scenario.control_period,
         thrusters=_thrusters(scenario, site),
-        strict=scenario.strict,
+        gauged=gauged,
     )
 
 

@@ -9,13 +9,16 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.constants.site import Site
 
 
-def plant_of(scenario: Scenario, site: Site) -> Plant:
-    """Return the plant that the scenario names. Only a plant with masses imports MuJoCo."""
+def plant_of(scenario: Scenario, site: Site, *, gauged: bool = False) -> Plant:
+    """Return the plant that the scenario names, with gauges if it has masses and `gauged` is true.
+
+    Only a plant with masses imports MuJoCo.
+    """
     if scenario.plant == "kinematic":
         return kinematic_plant(scenario)
     from aftdeck.simulation.constants.multibody import multibody_plant
 
-    return multibody_plant(scenario, site)
+    return multibody_plant(scenario, site, gauged=gauged)
 
 
 def kinematic_plant(scenario: Scenario) -> KinematicPlant:

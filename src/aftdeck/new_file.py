@@ -1,4 +1,4 @@
-"""Check of a file that a report is going to write."""
+"""Check of a file that a command is going to write."""
 
 from __future__ import annotations
 
@@ -6,9 +6,6 @@ from pathlib import Path
 
 from aftdeck.errors import InputError
 from aftdeck.files import check_new
-
-TABLE_ENDINGS = (".csv", ".parquet")
-"""Endings of a table's name."""
 
 
 def check_new_file(file: Path, endings: tuple[str, ...]) -> None:

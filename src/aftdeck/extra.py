@@ -1,4 +1,4 @@
-"""Libraries of the extras of Aftdeck, imported when a report or a study needs them."""
+"""Libraries of the extras of Aftdeck, imported when something needs them."""
 
 from __future__ import annotations
 

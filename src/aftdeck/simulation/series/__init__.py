@@ -1,0 +1,1 @@
+"""Time histories of a run."""
