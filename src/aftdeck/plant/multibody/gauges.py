@@ -31,7 +31,7 @@ class Gauges:
 
     def __init__(self, view: View, arm: ArmModel) -> None:
         model = view.model
-        self._view, self._model, self._data = view, model, view.data
+        self._model, self._data = model, view.data
         booms = [model.body(arm.linkage.frames[row]).id for row in BOOMS]
         self._bodies = np.array([*booms, model.body("payload").id])
         self._axes = np.array([*booms, model.body(arm.linkage.frames[-1]).id])
