@@ -33,8 +33,8 @@ SWITCHES = ("A", "B")
 _SEATED = 1e-6
 """A trunnion that is less than this above its seat is at its seat [m]: a rounding error is no failure."""
 _GIVES = 2e-3
-"""A trunnion that is less than this below its seat is at its seat [m]: on a plant with contact forces, guides give under
-a load (assumed; 0.4 mm were seen at 400 N)."""
+"""A trunnion that is less than this below its seat is at its seat [m]: on a plant with contact forces, guides give
+under a load (assumed; 0.4 mm were seen at 400 N)."""
 _SQUARE = 1e-9
 """Tolerance in the check that a guide's directions are perpendicular unit vectors [1]."""
 
