@@ -156,8 +156,10 @@ def measure_joints(
     gains: Array,
     biases: Array,
     step: float,
+    brake_damping: float,
     qpos: Array,
     qvel: Array,
+    act: Array,
     ctrl: Array,
     force: Array,
     angles: Array,
@@ -186,8 +188,10 @@ def measure_joints(
         gains: as in `_wanted`; biases and ctrl likewise.
         biases: (a, 10).
         step: duration of MuJoCo's last step [s].
+        brake_damping: damping of a brake that does not slip [N m s/rad].
         qpos: MuJoCo's positions.
         qvel: MuJoCo's velocities.
+        act: MuJoCo's activations.
         ctrl: MuJoCo's controls.
         force: MuJoCo's forces of the actuators [N m].
         angles: (6,) output [rad].
@@ -210,8 +214,13 @@ def measure_joints(
         rates[i] = rate if tachometer == 0.0 else nearest(rate / tachometer) * tachometer
         most = servo[greatest, i]
         torque = force[places[acting, i]]
-        if not braked and abs(torque) < AT_LIMIT * most:
-            torque = min(max(_wanted(i, places, gains, biases, ctrl, rate), -most), most)
+        if abs(torque) < AT_LIMIT * most:
+            if braked:
+                begin = act[places[DEFLECTION, i]] - step * rate
+                torque = -most / servo[GIVE, i] * begin - brake_damping * rate
+            else:
+                torque = _wanted(i, places, gains, biases, ctrl, rate)
+            torque = min(max(torque, -most), most)
         torques[i] = torque
         overdriven[i] = abs(torque) >= AT_LIMIT * most and rate * torque < 0.0
         reference[i] = given[i]

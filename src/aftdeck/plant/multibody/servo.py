@@ -14,7 +14,7 @@ import numpy as np
 
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
-from aftdeck.plant.multibody.build import BRAKE_STIFFNESS, BRAKES, SERVOS
+from aftdeck.plant.multibody.build import BRAKE_DAMPING, BRAKE_STIFFNESS, BRAKES, SERVOS
 from aftdeck.plant.multibody.joint_laws import SERVO, command_joints, deflect_brakes, jumps, measure_joints
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies, PlantState
@@ -119,7 +119,7 @@ class Servos:
         view = self._view
         measure_joints(
             brakes, by_angle, self._places, view.gearboxes, self._servo, self._gains, self._biases,
-            self._option.timestep, view.qpos, view.qvel, self._ctrl, self._force,
+            self._option.timestep, BRAKE_DAMPING, view.qpos, view.qvel, self._act, self._ctrl, self._force,
             state.angles, state.rates, bodies.holds, bodies.torques, bodies.overdriven,
             rates, self._period, bodies.reference, state.commanded,
         )  # fmt: skip
