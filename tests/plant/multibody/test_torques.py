@@ -14,7 +14,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.plant.multibody.test_payloads import BOTH
 
-FINE = STEP / 8.0
+FINE = STEP / 32.0
 """Step of MuJoCo in the run beside [s]."""
 WITHIN = 0.05
 """Greatest difference, as a share of the greatest torque of the motor or brake [1]."""

@@ -147,6 +147,23 @@ def jumps(
 
 
 @law
+def seizes(places: Indices, servo: Array, step: float, least: float, qvel: Array) -> bool:
+    """Return whether a brake slips, or seizes with vibrations of its rotor, in the coming control period.
+
+    Args:
+        places: (6, 6) places of the joints in MuJoCo's arrays.
+        servo: (7, 6) constants of the joints.
+        step: duration of MuJoCo's steps [s].
+        least: share of the deflection at which a brake slips, from which a deflection in one step counts [1].
+        qvel: MuJoCo's velocities.
+    """
+    greatest = 0.0
+    for i in range(6):
+        greatest = max(greatest, abs(qvel[places[RATE, i]]) * step / servo[GIVE, i])
+    return greatest > least
+
+
+@law
 def measure_joints(
     braked: bool,
     by_angle: bool,

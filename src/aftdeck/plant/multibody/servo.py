@@ -15,7 +15,7 @@ import numpy as np
 from aftdeck.arms.dynamics import Servo
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.build import BRAKE_DAMPING, BRAKE_STIFFNESS, BRAKES, SERVOS
-from aftdeck.plant.multibody.joint_laws import SERVO, command_joints, deflect_brakes, jumps, measure_joints
+from aftdeck.plant.multibody.joint_laws import SERVO, command_joints, deflect_brakes, jumps, measure_joints, seizes
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.state import Bodies, PlantState
 
@@ -23,6 +23,11 @@ CALM = 1.8
 """Change of a joint's rate in one step of MuJoCo with the greatest torque, as a multiple of the difference of rates at
 which a servo reaches this torque [1]. MuJoCo integrates a torque at its limit explicitly; with 2 or more, it
 would jump between both limits from step to step (derived)."""
+FINE = 2e-4
+"""Greatest step of MuJoCo while a brake seizes [s]: its rotor vibrates at 60 to 150 Hz (derived)."""
+SEIZING = 0.01
+"""Deflection of a brake in one step, as a share of that at which it slips, from which it counts as seizing [1]
+(assumed; the arm that swings on its brakes deflects them by less than a tenth of this)."""
 
 
 class Servos:
@@ -61,6 +66,7 @@ class Servos:
         armature = model.dof_armature[view.motor_rates]
         calm = CALM * float((armature / -self._biases[self._places[SERVO], 2]).min())
         self._calm = ceil(period / calm - 1e-9)
+        self._fine = ceil(period / FINE - 1e-9)
         self._off = {True: 1 << SERVOS, False: 1 << BRAKES}  # with the brakes on, the servos are off
         self._option.disableactuator = self._off[False]
         self._ctrl, self._force, self._warm = view.data.ctrl, view.data.actuator_force, view.data.qacc_warmstart
@@ -97,10 +103,16 @@ class Servos:
             self._option.disableactuator, self._braked = self._off[brakes], brakes
 
     def steps(self, usual: int, bodies: Bodies) -> int:
-        """Return the number of steps of MuJoCo in this control period, after `command`: `usual`, or more (`CALM`)."""
-        if self._braked or self._calm <= usual or not jumps(
-            self._places, self._servo, self._gains, self._biases, self._period / usual, CALM,
-            self._view.qvel, self._warm, self._ctrl, bodies.torques,
+        """Return the number of steps of MuJoCo in this control period, after `command`.
+
+        It is `usual`, or more if a torque would jump (`CALM`) or a brake seizes (`FINE`).
+        """
+        step, qvel = self._period / usual, self._view.qvel
+        if self._braked:
+            return max(usual, self._fine) if seizes(self._places, self._servo, step, SEIZING, qvel) else usual
+        if self._calm <= usual or not jumps(
+            self._places, self._servo, self._gains, self._biases, step, CALM,
+            qvel, self._warm, self._ctrl, bodies.torques,
         ):  # fmt: skip
             return usual
         return self._calm
