@@ -140,6 +140,7 @@ def test_without_numba_nothing_is_compiled(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("module", "call"), [("aftdeck.visual.warm", "warm_up"), ("aftdeck.gym.reach.batch", "_call_laws")]
 )

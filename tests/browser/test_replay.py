@@ -172,6 +172,7 @@ BRIGHT = f"""(() => {{
 """A number that changes with the picture in the look of 1972; 0 if it is black."""
 
 
+@pytest.mark.slow
 def test_replay_has_the_look_of_1972_at_the_playhead(replay: Flight) -> None:
     monitor = replay.page.locator(".monitor").first
     assert monitor.get_by_role("button", name="Planes").count() == 0

@@ -86,6 +86,7 @@ def test_action_beyond_the_travel_is_full_deflection() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_environments_in_processes_of_their_own_equal_those_in_one() -> None:
     states = []
     for apart in (False, True):

@@ -19,7 +19,7 @@ from aftdeck.simulation.survey.lenses import Lenses, lenses_along, lenses_in_scr
 from aftdeck.worksite import load_worksite
 from aftdeck.worksite.file.check import distance
 from tests import loaded
-from tests.scenario.missions import FLOWN, VERY_LONG
+from tests.scenario.missions import SCRIPTED, but_very_long
 
 MISSION = "concept-1972-script"
 LONGEST = {
@@ -34,7 +34,8 @@ OUTSIDE = 0.02
 arm's cameras are a little ahead of the covers."""
 
 
-@pytest.mark.parametrize("name", [*FLOWN, pytest.param(VERY_LONG, marks=[pytest.mark.slow, pytest.mark.long])])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", but_very_long(SCRIPTED))
 def test_no_lens_is_inside_a_solid_while_a_script_runs(name: str) -> None:
     assert lenses_along(Simulation(name, digests=False)) == ()
 

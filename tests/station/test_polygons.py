@@ -296,6 +296,7 @@ EYE = from_page.FreeEye((1.0, 2.0, -9.0), (0.0, 0.6, 0.8), (1.0, 0.0, 0.0), 1.0)
 BLIND = msgspec.structs.replace(EYE, up=EYE.ahead)
 
 
+@pytest.mark.slow
 def test_an_engineering_view_is_drawn_from_the_eye_of_its_page(station: Station) -> None:
     """Two pages direct the same view, and each has its own picture."""
     with station.page() as first, station.page() as second:

@@ -37,6 +37,7 @@ def test_a_permanent_list_agrees_with_rays_in_all_directions(camera: str) -> Non
     assert met > 20
 
 
+@pytest.mark.slow
 def test_an_aimed_camera_uses_its_list_at_the_start() -> None:
     """The lens of this camera is ahead of the axes of its drive, so that aiming the camera moves the eye."""
     for changes in ({}, {"cameras.B": {"pan": -0.5, "tilt": 0.7}}):

@@ -6,13 +6,13 @@ decimals. The recording, its schema and its documentation are derived from these
 
 from __future__ import annotations
 
-from math import hypot
 from typing import Annotated, Literal, NamedTuple
 
 import msgspec
 
 from aftdeck.bodies.cameras import Setting
 from aftdeck.field_meta import field_meta
+from aftdeck.matrices import length
 from aftdeck.tuples import Rows, Six, Vec3
 from aftdeck.worksite.report import Motion, Work
 
@@ -167,7 +167,7 @@ class Force(msgspec.Struct, frozen=True, gc=False):
     @property
     def peak(self) -> float:
         """Greatest force within the control step, as far as it is known [N]."""
-        return hypot(*self.force) if self.greatest is None else self.greatest
+        return length(self.force) if self.greatest is None else self.greatest
 
 
 class Holding(msgspec.Struct, frozen=True, gc=False):

@@ -13,7 +13,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.steering.mode import MODES
 from tests.plant.multibody.flights import BAY, move, scenario
 from tests.plant.multibody.test_plant import parts, push
-from tests.scenario.missions import SCRIPTED, but_very_long
+from tests.scenario.missions import SCRIPTED, VERY_LONG
 
 PERIOD = 0.02
 PUSHED, WITHIN = 5.0, 120.0
@@ -22,6 +22,8 @@ RAISED = "joints = ['0 deg', '30 deg', '-5 deg', '0 deg', '0 deg', '0 deg']"
 """Nearly straight arm, which swings longest."""
 POUNDS = 32_000.0
 STICKS = Inputs(translation=(1.0, -1.0, -1.0), rotation=(1.0, 1.0, -1.0))
+LONGEST = {VERY_LONG, "concept-1972-script"}
+"""Scripts whose tests take more than half a minute."""
 FORCE = np.array([10.0, -20.0, 20.0])
 """Force on the wrist from outside [N]."""
 
@@ -96,7 +98,9 @@ def test_tip_rests_after_a_force_from_outside(mode: str, pounds: float, plant: s
 
 @pytest.mark.slow
 @pytest.mark.parametrize("plant", ["rigid", "flexible"])
-@pytest.mark.parametrize("name", but_very_long(SCRIPTED))
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.long) if name in LONGEST else name for name in SCRIPTED]
+)
 def test_tip_rests_after_every_script(name: str, plant: str) -> None:
     given = load_scenario(name)
     if plant == "flexible" and given.arm.model.flexibility is None:
