@@ -155,8 +155,13 @@ _COLLISIONS = """async () => {
 
 def assert_tidy(page: Scripted) -> None:
     """Assert that nothing scrolls, overlaps, leaves its group or is cut off without an ellipsis."""
-    clashes = page.script(_CLASHES) + collisions(page)
-    assert clashes == [], clashes
+    found = clashes(page)
+    assert found == [], found
+
+
+def clashes(page: Scripted) -> list[str]:
+    """Return a sentence for each text or part that `assert_tidy` rejects."""
+    return list(page.script(_CLASHES)) + collisions(page)
 
 
 def collisions(page: Scripted, within: str = "body") -> list[str]:

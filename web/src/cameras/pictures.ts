@@ -474,7 +474,7 @@ export class Pictures {
   }
 
   /** For each monitor and the view of all cameras, whether it has the look of 1972. */
-  private get seventies(): Seventies {
+  get seventies(): Seventies {
     return this.listener.polygons ? this.appearance.seventies : [false, false, false];
   }
 

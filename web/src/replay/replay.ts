@@ -191,9 +191,9 @@ export class Replay {
     }
   }
 
-  /** Returns whether the pictures must be drawn again, because the frame, a camera or the window's size has changed. */
+  /** Returns whether the pictures must be drawn again, because the frame, a camera, the look or the window's size has changed. */
   private isNew(frame: Frame): boolean {
-    const { canvas, monitors, showsPlane, exaggerates, matrixOpen, moved } = this.pictures;
+    const { canvas, monitors, seventies, showsPlane, exaggerates, matrixOpen, moved } = this.pictures;
     const { clientWidth, clientHeight } = canvas;
     const state = [
       frame.tick,
@@ -203,6 +203,7 @@ export class Replay {
       exaggerates,
       matrixOpen,
       moved,
+      ...seventies,
       this.polygons?.received,
       ...monitors.shown,
     ].join();
