@@ -99,8 +99,8 @@ SLOW = {
     *("visual-scene.md", "worksite.md"),
 }
 """Pages whose lines take more than a few seconds."""
-LONG = {"operators.md", "studies.md"}
-"""Pages whose lines take minutes: flights of operators, a cluster of two nodes, and five studies."""
+LONG = {"operators.md", "recording.md", "studies.md", "worksite.md"}
+"""Pages whose lines take a minute or more: missions, flights of operators, a cluster of two nodes, and five studies."""
 
 
 def reason_not_to_run(line: Line) -> str:
