@@ -79,7 +79,8 @@ class Surroundings(NamedTuple):
 class Plant(Protocol):
     """Model of the arm between steering and worksite (JSC-12628: integration driver with body and servo models).
 
-    A plant holds constants of the run only. What changes is in the `PlantState` that its methods receive.
+    A plant holds constants of the run, and the readings of its last step. What else changes is in the `PlantState` that
+    its methods receive.
     """
 
     @property

@@ -5,7 +5,7 @@ No step needs them, and to find them takes time. They are therefore no part of t
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 import msgspec
 
@@ -17,7 +17,7 @@ Cut = Literal["upper_boom", "lower_boom", "end_effector"]
 
 The root of a boom is the origin of the frame that carries it, behind the joint that turns it.
 """
-CUTS: tuple[Cut, ...] = ("upper_boom", "lower_boom", "end_effector")
+CUTS: tuple[Cut, ...] = get_args(Cut)
 """All cuts, from the shoulder to the tip."""
 
 

@@ -37,16 +37,15 @@ def messages_of(recording: Recording, *, gauged: bool) -> Iterator[tuple[Message
     digests = opening.digests == declaration(State)
     sim = Simulation(scenario, opening.seed, gauged=True)
     for entry in recording.entries_with_inputs():
-        message = entry.message
+        message, readings = entry.message, None
         if isinstance(message, Input):
             sim.advance(inputs_of(message))
         elif isinstance(message, FrameRecord):
             if not (digests and sim.seal().hex()[:DIGITS] == message.sha256):
                 _check(recording, message, sim)
-            yield message, sim.readings
-            continue
+            readings = sim.readings
         if message is not None:
-            yield message, None
+            yield message, readings
 
 
 def _check(recording: Recording, recorded: FrameRecord, sim: Simulation) -> None:

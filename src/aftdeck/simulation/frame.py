@@ -6,7 +6,7 @@ decimals. The recording, its schema and its documentation are derived from these
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, Literal, NamedTuple, get_args
 
 import msgspec
 
@@ -170,11 +170,17 @@ class Force(msgspec.Struct, frozen=True, gc=False):
         return length(self.force) if self.greatest is None else self.greatest
 
 
+Holder = Literal["end effector", "orbiter", "space"]
+"""What can hold a payload."""
+HOLDERS: tuple[Holder, ...] = get_args(Holder)
+"""All holders, in the order of the columns of `Bodies.held`."""
+
+
 class Holding(msgspec.Struct, frozen=True, gc=False):
     """Force by which something holds a payload of the worksite."""
 
     payload: Annotated[str, field_meta("name of the payload")]
-    by: Annotated[Literal["end effector", "orbiter", "space"], field_meta("what holds the payload")]
+    by: Annotated[Holder, field_meta("what holds the payload")]
     force: Annotated[float, field_meta("force at the payload's centre, at the end of the step", "N", decimals=3)]
     greatest: Annotated[
         float | None,

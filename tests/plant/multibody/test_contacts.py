@@ -26,19 +26,24 @@ OVER_THE_BAY = [7.3, 0.0, 3.7]
 """Place above the payload bay's floor, in the scene [m]."""
 
 
-def thrown(velocity: list[float], **dynamics: object) -> Simulation:
-    """Return a run in which the concept's payload moves through the bay without rotation [m/s]."""
-    start = {"position": OVER_THE_BAY, "velocity": velocity}
+def thrown(velocity: list[float], place: list[float] = OVER_THE_BAY, period: float = 0.02) -> Simulation:
+    """Return a run in which the concept's payload moves through the bay without rotation.
+
+    Args:
+        velocity: its velocity [m/s].
+        place: its place at the start [m].
+        period: control period [s].
+    """
+    start = {"position": place, "velocity": velocity}
     changes: dict[tuple[str | int, ...], object] = {
         ("plant",): "rigid",
         ("phase",): [],
         ("initialise",): {},
         ("cargo",): [{"name": "payload", "mass": MASS, "start": start}],
         ("duration",): "300 s",
+        ("control_period",): period,
     }
-    return Simulation(
-        aftdeck.load_scenario("concept-1972", changes | {("dynamics", key): value for key, value in dynamics.items()})
-    )
+    return Simulation(aftdeck.load_scenario("concept-1972", changes))
 
 
 @pytest.fixture(scope="module")

@@ -14,10 +14,9 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.payloads.forces import ENDED_AFTER
 from aftdeck.simulation.run import Simulation
+from tests.plant.multibody.test_contacts import MASS, thrown
 from tests.plant.multibody.test_payloads import BOTH, bodies_of
 
-MASS = 2000.0
-"""Mass of the body that is thrown [kg]."""
 CHOSEN = [0.005, 0.02, 0.08]
 """Control periods [s]."""
 
@@ -34,16 +33,7 @@ class Impact(NamedTuple):
 
 def impact(speed: float, period: float, lasts: float) -> Impact:
     """Throw a body onto the payload bay's floor, from 2.6 m above it."""
-    start = {"position": [7.3, 0.0, 2.0], "velocity": [0.0, 0.0, -speed]}
-    changes: dict[tuple[str | int, ...], object] = {
-        ("plant",): "rigid",
-        ("phase",): [],
-        ("initialise",): {},
-        ("cargo",): [{"name": "payload", "mass": MASS, "start": start}],
-        ("duration",): "300 s",
-        ("control_period",): period,
-    }
-    sim = Simulation(aftdeck.load_scenario("concept-1972", changes))
+    sim = thrown([0.0, 0.0, -speed], [7.3, 0.0, 2.0], period)
     forces, lines, deepest, before = Forces(period), [], 0.0, None
     for _ in range(round(lasts / period)):
         frame = sim.step(Inputs())

@@ -32,6 +32,7 @@ export type Rows = readonly [Vec3, Vec3, Vec3];
 export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';
 export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
 export type Cause = '' | 'reach' | 'seat' | 'switch' | 'contact' | 'limit' | 'miss' | 'time';
+export type Holder = 'end effector' | 'orbiter' | 'space';
 
 /** A box, centred at its position. */
 export interface Box {
@@ -1323,7 +1324,7 @@ export interface Holding {
   /** name of the payload */
   readonly payload: string;
   /** what holds the payload */
-  readonly by: 'end effector' | 'orbiter' | 'space';
+  readonly by: Holder;
   /** force at the payload's centre, at the end of the step [N] */
   readonly force: number;
   /** greatest force within the control step, if solids are near each other, else that at its end; null in files of earlier versions [N] */

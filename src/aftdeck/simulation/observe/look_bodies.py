@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 import numpy as np
 
 from aftdeck.arrays import Array
@@ -14,13 +12,10 @@ from aftdeck.matrices import distance
 from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
-from aftdeck.simulation.frame import Bend, Dynamics, Force, Holding, Placed
+from aftdeck.simulation.frame import HOLDERS, Bend, Dynamics, Force, Holding, Placed
 from aftdeck.simulation.observe.frame_numbers import six
 from aftdeck.simulation.state import State
 from aftdeck.tuples import Rows, Six, Vec3
-
-_HOLDERS: tuple[Literal["end effector", "orbiter", "space"], ...] = ("end effector", "orbiter", "space")
-"""Names of the columns of `Bodies.held`."""
 
 
 @law
@@ -85,7 +80,7 @@ def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
     return tuple(
         Holding(site.cargo[k].name, holder, force, greatest)
         for k, forces in enumerate(zip(bodies.held.tolist(), bodies.held_greatest.tolist(), strict=True))
-        for holder, force, greatest in zip(_HOLDERS, *forces, strict=True)
+        for holder, force, greatest in zip(HOLDERS, *forces, strict=True)
         if greatest
     )
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from typing import Literal, NamedTuple, get_type_hints
+from typing import NamedTuple, get_type_hints
 
 from aftdeck.matrices import length
 from aftdeck.plant.readings import CUTS, Load, Readings
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Bend, Dynamics, Force, Frame, Holding, Placed
+from aftdeck.simulation.frame import HOLDERS, Bend, Dynamics, Force, Frame, Holding, Placed
 from aftdeck.table import Column, with_unit
 from aftdeck.tuples import Rows
 from aftdeck.worksite.report import Cargo, Near
@@ -19,8 +19,6 @@ MATRIX = tuple(f"r{i}{j}" for i in "123" for j in "123")
 """Elements of an attitude's matrix: row, column."""
 JETS = tuple(f"{how}_{axis}" for how in ("about", "along") for axis in ("forward", "starboard", "down"))
 """Axes of the orbiter's jets: torques about, then forces along."""
-HOLDERS: tuple[Literal["end effector", "orbiter", "space"], ...] = ("end effector", "orbiter", "space")
-"""What can hold a payload, as `Holding.by` names it."""
 _NOTHING = math.nan
 
 Fields = tuple[Column, ...]
