@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import msgspec
-from playwright.sync_api import Locator, Page
+from playwright.sync_api import Locator, Page, TimeoutError
 
 from aftdeck.station.messages.frame import Frame
 
@@ -44,6 +44,14 @@ WATCH = """() => {
 }"""
 """Check CONDITION after every change of the page; set `window.shown` when it is true for the first time."""
 
+STATE = f"""() => {{
+    const {{ lastFrame, frames, restarts }} = window.__aftdeck ?? {{}};
+    const {{ time_s, translation, rotation, mode, position_hold, rate_hold }} = lastFrame ?? {{}};
+    const state = {{ time_s, translation, rotation, mode, position_hold, rate_hold, frames, restarts }};
+    return {{ ...state, who: {WHO}, hidden: document.hidden, body: document.body.className }};
+}}"""
+"""JavaScript: what the page shows, for the message of a failed test."""
+
 
 class Flight:
     """A page, its keys, and the last frame that pictures, lamps and read-outs show."""
@@ -78,7 +86,16 @@ class Flight:
         expression = (
             f"() => {{ const frame = window.__aftdeck?.lastFrame; return frame && ({condition}) && {{ frame }}; }}"
         )
-        return msgspec.convert(self.page.wait_for_function(expression, timeout=timeout_ms).json_value()["frame"], Frame)
+        try:
+            found = self.page.wait_for_function(expression, timeout=timeout_ms)
+        except TimeoutError as error:
+            raise AssertionError(f"not within {timeout_ms:g} ms: {condition}; {self._state()}") from error
+        return msgspec.convert(found.json_value()["frame"], Frame)
+
+    def _state(self) -> str:
+        """Return what the page shows now, and its errors so far, for the message of a failed wait."""
+        seen = self.script(STATE)
+        return f"{seen}, errors of the page: {[*map(str, self.page.page_errors())]}"
 
     @contextmanager
     def shows(self, condition: str) -> Iterator[None]:

@@ -57,7 +57,7 @@ def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
 
 
 def test_both_pictures_are_drawn(firefox: Firefox) -> None:
-    firefox.until("window.__aftdeck.frames > 10")
+    until_redrawn(firefox)  # the full panel has another size, which clears the canvas
     assert min(firefox.script(COLOURS)) > 50
 
 
