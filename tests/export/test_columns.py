@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from aftdeck.errors import InputError
 from aftdeck.export.columns import MODE_NUMBERS, SCRIPT, Encoding
+from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import POSITIONS, Inputs
@@ -36,6 +37,7 @@ def fields() -> dict[str, st.SearchStrategy[Any]]:
         "joint": st.sampled_from([None, *range(6)]),
         "master": st.none() | six,
         "target": st.none() | st.builds(Target, st.tuples(*[number] * 3), rows, st.none() | six),
+        "disturbances": st.just(()),
         "camera": st.none() | st.builds(CameraDrive, st.sampled_from(DRIVEN), stick, stick, stick, st.booleans()),
     }
 
@@ -97,6 +99,11 @@ def test_number_without_a_position_is_rejected(column: str, value: float, part: 
 
 def test_every_mode_has_a_number_of_its_own() -> None:
     assert set(MODE_NUMBERS) == set(MODES) and len(set(MODE_NUMBERS.values())) == len(MODES)
+
+
+def test_disturbances_have_no_numbers() -> None:
+    with pytest.raises(InputError, match="disturbances"):
+        ENCODING.encode(Inputs(disturbances=(Disturbance("tip", (1.0, 0.0, 0.0)),)))
 
 
 def test_mode_without_a_number_is_rejected() -> None:

@@ -182,6 +182,24 @@ def test_scenario_whose_control_period_does_not_divide_the_step_is_rejected(tmp_
         CaptureEnv(tmp_path / "own.toml")
 
 
+def test_disturbances_of_a_scenario_act_in_every_episode(tmp_path: Path) -> None:
+    """At their time of the episode, and with the same steps if nothing disturbs."""
+    text, file = aftdeck.load_scenario("tutorial").text, tmp_path / "own.toml"
+    file.write_text(f"{text}\n[[disturbance]]\non = 'tip'\nbegin = 0.3\nduration = 0.4\nforce = [40, 0, 0]\n", "utf-8")
+    calm, pushed = CaptureEnv(plant="rigid"), CaptureEnv(file, plant="rigid")
+    for seed in (0, 1):
+        seen = [env.reset(seed=seed)[0] for env in (calm, pushed)]
+        assert np.array_equal(seen[0], seen[1])
+        acting = []
+        for _ in range(12):
+            steps = [env.step(np.zeros(len(env.mission.controls), dtype=np.float32))[0] for env in (calm, pushed)]
+            dynamics = pushed._sim.look().dynamics
+            assert dynamics is not None
+            acting.append(bool(dynamics.disturbances))
+        assert any(acting) and not acting[-1] and sum(acting) == 4
+        assert not np.array_equal(steps[0], steps[1])
+
+
 def test_impossible_action_is_rejected_and_changes_nothing() -> None:
     env = DockEnv()
     env.reset(seed=0)

@@ -14,6 +14,7 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
+from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import JOINTS, Inputs
@@ -208,6 +209,19 @@ def _camera(driven: Sequence[str]) -> Field:
     return Field("camera", columns, numbers, drive, held=True)
 
 
+def _disturbances() -> Field:
+    """Return the field without columns: disturbances are no actions of the operator."""
+
+    def numbers(value: Sequence[Disturbance]) -> Sequence[float]:
+        if value:
+            raise InputError(
+                "disturbances: those of the inputs have no numbers in a dataset; let the scenario plan them"
+            )
+        return ()
+
+    return Field("disturbances", (), numbers, tuple)
+
+
 class Encoding:
     """Encoding of a scenario's inputs.
 
@@ -221,7 +235,7 @@ class Encoding:
         """Take the names of the cameras that have a drive, in their order (`Simulation.cameras`)."""
         made = {name: _stick(name) for name in _STICKS} | {name: _switch(name) for name in _SWITCHES}
         made |= {name: _button(name) for name in _BUTTONS}
-        made |= {"target": _target(), "master": _master(), "camera": _camera(driven)}
+        made |= {"target": _target(), "master": _master(), "camera": _camera(driven), "disturbances": _disturbances()}
         self.fields = tuple(made[name] for name in Inputs.__struct_fields__)
         self.columns = (*(column for field in self.fields for column in field.columns), SCRIPT)
         self.names = tuple(column.name for column in self.columns)

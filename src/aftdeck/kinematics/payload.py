@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.frames import Pose
 from aftdeck.matrices import product
 from aftdeck.shapes import Shape
@@ -30,8 +31,9 @@ class Payload:
         por: (3,) vector from the payload's centre to its point of resolution, in payload axes [m].
         shapes: drawn shapes, in payload axes about the payload's centre.
         solids: solids, each with (8, 3) vertices in payload axes about the payload's centre [m].
-        inertia: (3, 3) moments of inertia about the payload's centre, in payload axes [kg m2]; zero if only the mass
+        inertia: (3, 3) tensor of inertia about the centre of mass, in payload axes [kg m2]; zero if only the mass
             matters.
+        centre_of_mass: (3,) vector from the payload's centre to its centre of mass, in payload axes [m].
     """
 
     mass: float
@@ -41,11 +43,18 @@ class Payload:
     shapes: tuple[Shape, ...] = ()
     solids: tuple[Array, ...] = ()
     inertia: Array = field(default_factory=lambda: np.zeros((3, 3)))
+    centre_of_mass: Array = field(default_factory=lambda: np.zeros(3))
 
     @cached_property
     def packed(self) -> Array:
         """Array (15,) for the laws: rotation row by row, then centre, then point of resolution."""
         return np.concatenate((self.rotation.ravel(), self.centre, self.por))
+
+    @property
+    def properties(self) -> MassProperties:
+        """Mass properties in frame 7, with the tip as origin."""
+        turned = product(product(self.rotation, self.inertia), self.rotation.T)
+        return MassProperties(self.mass, product(self.rotation, self.centre + self.centre_of_mass), turned)
 
     def pose(self, tip: Pose) -> Pose:
         """Return the payload's centre and axes (T_B8 = T_B7 T_78, r_7B = r_6B + T_B8 r_87) for tip poses (...)."""

@@ -11,6 +11,7 @@ from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.motion.stopping import watch_stop
 from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
+from aftdeck.simulation.payloads.disturbances import disturb
 from aftdeck.simulation.payloads.surroundings import surroundings
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import update_worksite
@@ -52,7 +53,8 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     # limit the motion to what contacts, berths and walls allow
     telescope = limit_motion(flight, state, inputs.telescope)
 
-    # move the plant, then the worksite: contacts, captures, berths
+    # move the plant, with what disturbs it, then the worksite: contacts, captures, berths
+    disturb(flight, state, inputs)
     move_plant(flight, state, inputs, rates, telescope)
     if state.plant.bodies is not None:
         watch_stop(flight, state, state.plant.bodies)

@@ -209,6 +209,17 @@ class Bend(msgspec.Struct, frozen=True, gc=False):
     rotation: Annotated[Vec3, field_meta("rotation vector of the part's end", "rad", "part")]
 
 
+class Wrench(msgspec.Struct, frozen=True, gc=False):
+    """Disturbance that acts on a body in one control step, in the axes that L has when the step begins."""
+
+    body: Annotated[str, field_meta("what it acts on: `tip`, `orbiter`, or the name of a payload")]
+    force: Annotated[Vec3, field_meta("mean force on the body", "N", "L", decimals=3)]
+    torque: Annotated[
+        Vec3, field_meta("mean torque on the body in addition to that of the force", "N m", "L", decimals=3)
+    ]
+    position: Annotated[Vec3, field_meta("point at which the force acts", "m", "L")]
+
+
 class Dynamics(msgspec.Struct, frozen=True, gc=False):
     """Motion of the bodies behind the joints: what the encoders do not show, on a plant with masses.
 
@@ -235,6 +246,7 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
     contacts: Annotated[tuple[Force, ...], field_meta("forces between parts in contact")]
     holds: Annotated[tuple[Holding, ...], field_meta("forces that hold the worksite's payloads")]
     bends: Annotated[tuple[Bend, ...], field_meta("bends of base and booms; empty if the arm is rigid")]
+    disturbances: Annotated[tuple[Wrench, ...], field_meta("forces and torques that disturb bodies")] = ()
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):

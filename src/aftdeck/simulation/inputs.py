@@ -11,6 +11,7 @@ import msgspec
 from aftdeck.bounds import COMPONENT, COORDINATE, ROTATION, Bounds
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.steering.mode import LawChoice
@@ -79,6 +80,9 @@ class Inputs(msgspec.Struct, frozen=True):
     """Re-initialisation of arm and payloads in this step, to the start of the full problem or of one of its parts."""
     camera: CameraDrive | None = None
     """Command of a camera's drive in this step; `simulation.camera_drives.Cameras.check` checks it."""
+    disturbances: tuple[Disturbance, ...] = ()
+    """Forces and torques on bodies in this step, on a plant with masses. The command delay does not delay them.
+    `simulation.payloads.disturbances` checks them."""
 
     def check(self, arm: Arm) -> None:
         """Check that hand controllers and switches can produce these inputs, which have plain values.
@@ -145,6 +149,7 @@ EXPECTED: dict[str, str] = {
     "joint": f"0 to {JOINTS - 1}",
     "master": f"six finite joint angles [rad], each from {ROTATION.least:g} to {ROTATION.greatest:g}",
     "camera": "a CameraDrive",
+    "disturbances": "at most 64 Disturbances: each on a body, with a force (3,) and a torque (3,)",
     "target": "a Target: a position (3,), a rotation (3, 3), and six joint angles or None",
 }
 """What each field allows, for error messages."""

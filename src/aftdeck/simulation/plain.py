@@ -16,6 +16,7 @@ import msgspec
 
 from aftdeck.errors import InputError
 from aftdeck.plain_values import flag, items, number, numbers, text, whole_number
+from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import EXPECTED, JOINTS, STICKS, Inputs
@@ -72,12 +73,12 @@ def whole(value: object, name: str) -> int:
 
 
 def _all_plain(inputs: Inputs) -> bool:
-    """Return whether the inputs are plain and have no target, master angles or camera.
+    """Return whether the inputs are plain and have no target, master angles, camera or disturbances.
 
     This test is quick, and its result is True in most steps.
     """
     values = msgspec.structs.astuple(inputs)
-    if not _plain_types(*map(type, values)):
+    if not _plain_types(*map(type, values)) or inputs.disturbances:
         return False
     deflections = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
     return (
@@ -144,6 +145,33 @@ def _plain_drive(camera: object) -> CameraDrive:
     return CameraDrive(*cast("Any", values))
 
 
+_DISTURBANCE: Mapping[str, tuple[Callable[[Any], object], str]] = {
+    "on": (text, "the name of a body"),
+    **dict.fromkeys(("force", "torque"), (lambda values: numbers(values, 3), "3 numbers")),
+    "frame": (text, "the name of a coordinate frame"),
+    "at": (_optional(lambda values: numbers(values, 3)), "3 coordinates, or None"),
+}
+"""Conversion of each field of `Disturbance`, and what is allowed."""
+MOST_DISTURBANCES = 64
+"""Greatest number of disturbances in a step's inputs (assumed)."""
+
+
+def _plain_disturbances(given: object) -> tuple[Disturbance, ...]:
+    if not isinstance(given, tuple | list) or len(given) > MOST_DISTURBANCES:
+        raise TypeError
+    return tuple(_plain_disturbance(one) for one in given)
+
+
+def _plain_disturbance(given: object) -> Disturbance:
+    if not isinstance(given, Disturbance):
+        raise TypeError
+    fields = [
+        _converted(given, name, "disturbances: ", expected, convert)
+        for name, (convert, expected) in _DISTURBANCE.items()
+    ]
+    return Disturbance(*cast("Any", fields))
+
+
 def _conversions() -> Mapping[str, tuple[Callable[[Any], object], set[type]]]:
     """Return for each field of `Inputs` its conversion, and the types of the values that need none."""
     found: dict[str, tuple[Callable[[Any], object], set[type]]] = {}
@@ -159,7 +187,7 @@ def _conversion(name: str, kind: object) -> tuple[Callable[[Any], object], type]
     if name in STICKS:
         return (_deflection, float) if STICKS[name] == 1 else (_deflections, tuple)
     if name in _OWN:
-        return _OWN[name], type(None)
+        return _OWN[name], tuple if name == "disturbances" else type(None)
     if kind is bool:
         return flag, bool
     return (whole_number, int) if kind is int else (text, str)
@@ -169,7 +197,8 @@ _OWN: Mapping[str, Callable[[Any], object]] = {
     "master": lambda angles: numbers(angles, JOINTS),
     "target": plain_target,
     "camera": _plain_drive,
+    "disturbances": _plain_disturbances,
 }
-"""Conversion of the fields that hold more than one value; the quick test accepts only None there."""
+"""Conversion of the fields that hold more than one value; the quick test accepts only None there, or no disturbance."""
 _CONVERT = {name: convert for name, (convert, _) in _conversions().items()}
 _PLAIN_TYPES = [kinds for _, kinds in _conversions().values()]

@@ -21,6 +21,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.observe.look_work import all_near
+from aftdeck.simulation.payloads.disturbances import check_disturbances
 from aftdeck.simulation.plain import plain_inputs, whole
 from aftdeck.simulation.resume import resume
 from aftdeck.simulation.series.series import Series
@@ -133,7 +134,8 @@ class Simulation:
 
         Raises:
             InputError: a value has another type, hand controllers and switches cannot produce the inputs, the target is
-                not a pose or contradicts its joint angles, or the camera has no drive. The state is then unchanged.
+                not a pose or contradicts its joint angles, the camera has no drive, or a disturbance cannot act. The
+                state is then unchanged.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
@@ -157,6 +159,8 @@ class Simulation:
         plain.check(self._state.arm)
         if plain.camera is not None:
             self._flight.cameras.check(plain.camera)
+        if plain.disturbances:
+            check_disturbances(self._flight, self._state, plain.disturbances)
         return plain
 
     def seal(self) -> bytes:

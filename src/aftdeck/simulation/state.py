@@ -14,7 +14,7 @@ from aftdeck.plant.state import PlantState, new_plant_state
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame import Check, Event, Level, Sequence, WayOut
+from aftdeck.simulation.frame import Check, Event, Level, Sequence, WayOut, Wrench
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Checking, Premises
@@ -123,6 +123,7 @@ class State(StatePart):
         by_script: True if the script supplied the inputs of the last step.
         phase: name of the script's phase in the last step; "" with manual inputs.
         checking: CMD CK in progress; None if no check is in progress.
+        disturbances: forces and torques that disturb bodies in this step, on a plant with masses.
         ways_out: escape directions from nearby singularities, from exceeded joint limits and from contacts.
         events: log lines of the present step.
     """
@@ -143,6 +144,7 @@ class State(StatePart):
     by_script: bool = False
     phase: str = ""
     checking: Checking | None = None
+    disturbances: tuple[Wrench, ...] = ()
     ways_out: tuple[WayOut, ...] = ()
     events: list[Event] = msgspec.field(default_factory=list)
 

@@ -14,13 +14,16 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
+from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.bodies.solid import Solid
-from aftdeck.frames import Pose, endori
+from aftdeck.frames import Mount, Pose, endori
 from aftdeck.matrices import product
 from aftdeck.shapes import Shape
 from aftdeck.tuples import Vec3
 
 Frame = Literal["orbiter", "space"]
+OrbiterMotion = Literal["free", "held", "fixed"]
+"""Motion of the orbiter on a plant with masses: it drifts, jets hold its attitude besides, or it does not move."""
 
 
 class Body(msgspec.Struct, frozen=True):
@@ -153,8 +156,10 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     title: str
     mass: float
     """Mass [kg]."""
-    inertia: Vec3
-    """Moments of inertia about the payload's axes, through its centre [kg m2]; products of inertia are zero."""
+    inertia: Array
+    """(3, 3) tensor of inertia about the centre of mass, along the payload's axes [kg m2]."""
+    centre_of_mass: Array
+    """(3,) vector from the payload's centre to its centre of mass, in its axes [m]."""
     shapes: tuple[Shape, ...]
     """Shapes that draw the payload."""
     solids: tuple[Solid, ...]
@@ -179,6 +184,11 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
     limit_cycle: LimitCycle | None
     details: tuple[Shape, ...]
     """Shapes that only decorate the payload's fixture, as `Body.details`. `aftdeck.details` adds those of its hull."""
+
+    @property
+    def properties(self) -> MassProperties:
+        """Mass properties in the payload's own frame."""
+        return MassProperties(self.mass, self.centre_of_mass, self.inertia)
 
 
 class BarAcquisition(msgspec.Struct, frozen=True):
@@ -279,10 +289,22 @@ class OrbiterMass(msgspec.Struct, frozen=True):
     """Mass [kg]."""
     inertia: Vec3
     """Moments of inertia about roll, pitch and yaw axis, through the centre of mass [kg m2]."""
-    centre: Vec3
-    """Centre of mass: structural Xo, Yo, Zo [m]."""
+    centre: Vec3 | None
+    """Centre of mass: structural Xo, Yo, Zo [m]; None for the origin of the arm's orbiter frame."""
     jets: Jets | None = None
     """Jets that hold its attitude; None if it has none."""
+    motion: OrbiterMotion = "free"
+    """Motion on a plant with masses, unless the scenario gives another."""
+
+    def in_l(self, mount: Mount) -> MassProperties:
+        """Return the orbiter's mass properties in L, the base frame of the arm with this mount."""
+        panel = mount.orbiter_origin
+        if self.centre is not None:
+            x, y, z = self.centre
+            panel = np.array([-x, y, -z])
+        to_l = mount.rotation.T
+        turned = product(product(to_l, np.diag(self.inertia)), mount.rotation)
+        return MassProperties(self.mass, product(to_l, panel - mount.origin), turned)
 
 
 class Worksite(msgspec.Struct, frozen=True, eq=False):

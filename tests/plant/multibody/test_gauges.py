@@ -15,10 +15,12 @@ from aftdeck.bodies.mass_properties import MassProperties, joined
 from aftdeck.plant.multibody import plant as plant_module
 from aftdeck.plant.readings import CUTS, Cut, Readings
 from aftdeck.plant.state import Bodies
+from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.plant.multibody.flights import scenario
+from tests.plant.multibody.points import cloud
 
 PERIOD = 0.002
 """Control period of one step of MuJoCo [s]: every step is then seen."""
@@ -81,18 +83,16 @@ def test_gauges_do_not_change_the_run(plant: str) -> None:
 
 
 @pytest.mark.parametrize("cut", CUTS)
-@pytest.mark.parametrize("pounds", [0.0, 8000.0])
-def test_load_is_the_rate_of_the_momentum_beyond_the_cut(cut: Cut, pounds: float) -> None:
-    sim = Simulation(scenario("rigid", pounds=pounds, head=f"control_period = {PERIOD}"), gauged=True)
+@pytest.mark.parametrize("body", ["", "[payload]\nmass = '8000 lb'\n", f"[payload]\n{cloud(3).toml()}"])
+def test_load_is_the_rate_of_the_momentum_beyond_the_cut(cut: Cut, body: str) -> None:
+    sim = Simulation(scenario("rigid", body, head=f"control_period = {PERIOD}"), gauged=True)
     model = sim.scenario.arm.model
     first = {"upper_boom": 2, "lower_boom": 3, "end_effector": len(model.frames)}[cut]
     parts = rigid_bodies(model, first)
     payload = sim.scenario.payload
     tip = np.array([float(model.links[4]), 0.0, 0.0])
     if payload is not None:
-        inertia = payload.rotation @ payload.inertia @ payload.rotation.T
-        centre = payload.rotation @ payload.centre
-        parts.append((len(model.frames) - 1, MassProperties(payload.mass, tip + centre, inertia)))
+        parts.append((len(model.frames) - 1, payload.properties.moved(tip)))
     poses, were, earlier, errors, sizes = [], None, None, [], []
     for step in range(150):
         sim.advance(PUSH)
@@ -113,7 +113,7 @@ def test_load_is_the_rate_of_the_momentum_beyond_the_cut(cut: Cut, pounds: float
     for half in (slice(0, 3), slice(3, 6)):
         size = np.abs(np.array(sizes)[:, half]).max()
         assert np.abs(np.array(errors)[:, half]).max() <= 0.02 * size + 1e-6, (size, cut)
-        assert size > 1.0 or (cut == "end_effector" and pounds == 0.0)
+        assert size > 1.0 or (cut == "end_effector" and not body)
 
 
 @BOTH
@@ -149,3 +149,44 @@ def test_loads_of_the_flexible_arm_are_those_of_fine_steps(monkeypatch: pytest.M
     fine = history(given)
     assert (np.abs(coarse.max(axis=0) - fine.max(axis=0)) <= 0.03 * fine.max(axis=0)).all()
     assert (np.abs(coarse - fine).max(axis=0) <= 0.1 * fine.max(axis=0)).all()
+
+
+@BOTH
+@pytest.mark.parametrize("on", ["tip", "payload"])
+@pytest.mark.parametrize("held", ["own", "worksite"])
+def test_static_loads_balance_a_constant_disturbance(plant: str, on: str, held: str) -> None:
+    """Of the braked arm on a fixed orbiter, after its swing has been averaged: sums of forces and moments are zero."""
+    force, torque, at = np.array([3.0, -2.0, 4.0]), np.array([5.0, 1.0, -6.0]), np.array([0.4, -0.3, 0.2])
+    if held == "own":
+        given = scenario(plant, f"[payload]\n{cloud(4, 300.0).toml()}")
+    else:
+        changes: dict[tuple[str | int, ...], object] = {
+            ("plant",): plant, ("phase",): [], ("dynamics",): {"orbiter": "fixed"}, ("step",): [],
+            ("cargo",): [{"name": "payload", **cloud(4, 300.0).fields()}],
+        }  # fmt: skip
+        given = aftdeck.load_scenario("srms-berth", changes)
+    push = Disturbance(on, tuple(force.tolist()), tuple(torque.tolist()), "L", tuple(at.tolist()))
+    sim = Simulation(given, gauged=True)
+    steps, last = 1700, 1200
+    sums = {cut: np.zeros(6) for cut in CUTS}
+    expected = {cut: np.zeros(6) for cut in CUTS}
+    links = given.arm.model.linkage.frames
+    for step in range(steps):
+        frame = sim.step(Inputs(brakes=True, disturbances=(push,)))
+        if step < steps - last:
+            continue
+        assert frame.dynamics is not None
+        place, frames = np.array(frame.dynamics.disturbances[0].position), bodies_of(sim).frames
+        for cut, row in zip(CUTS, (2, 3, len(links) - 1), strict=True):
+            own = frames[given.arm.model.frames.index(links[row])]
+            axes, origin = own[3:].reshape(3, 3), own[:3]
+            if cut == "end_effector":
+                origin = np.array(frame.dynamics.position)
+            moment = torque + np.cross(place - origin, force)
+            sums[cut] += np.concatenate(load(sim, cut)) / last
+            if not (cut == "end_effector" and on == "tip"):
+                expected[cut] -= np.concatenate([axes.T @ force, axes.T @ moment]) / last
+    for cut in CUTS:
+        size = float(np.abs(expected[cut][3:]).max())
+        assert sums[cut][:3] == pytest.approx(expected[cut][:3], abs=0.15), cut
+        assert sums[cut][3:] == pytest.approx(expected[cut][3:], abs=0.04 * size + 0.6), cut

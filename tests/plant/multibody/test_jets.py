@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import cast
 
 import mujoco
@@ -16,9 +17,15 @@ from aftdeck.errors import ScenarioError
 from aftdeck.frames import oriend
 from aftdeck.plant.multibody.jets import _pulse, _switch
 from aftdeck.plant.multibody.plant import MultibodyPlant
+from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.payloads.jets import attitude_torques
 from aftdeck.simulation.run import Simulation
+from aftdeck.worksite.file.load import worksite_text
+from tests.each import each, seeds
+from tests.loaded import arm
 from tests.plant.multibody.flights import scenario
+from tests.plant.multibody.points import cloud
 from tests.plant.multibody.test_payloads import bodies_of
 
 DEADBAND, RATE = math.radians(1.0), math.radians(0.02)
@@ -147,6 +154,24 @@ def test_free_flyer_with_attitude_control_stays_in_its_deadband() -> None:
     assert np.all(speeds < 1.5 * np.abs(cycle.rate) + 1e-6)
 
 
+def test_saved_run_continues_to_the_last_bit_when_a_payloads_jets_fire() -> None:
+    """The payload's own axes are those of the restored state, not those where the other simulation was."""
+    sim, fired = flyer("fixed"), 0
+    for _ in range(4000):
+        if attitude_torques(sim._flight, sim._state):
+            fired += 1
+            other = Simulation(sim.scenario)
+            other.restore(sim.save())
+            sim.advance(Inputs())
+            other.advance(Inputs())
+            assert other.save() == sim.save()
+            if fired == 3:
+                return
+        else:
+            sim.advance(Inputs())
+    raise AssertionError("the jets did not fire three times")
+
+
 def test_tumbling_body_follows_eulers_equations() -> None:
     start, inertia = [0.02, 0.05, -0.03], (3000.0, 9000.0, 10_500.0)
     given = aftdeck.load_scenario(
@@ -187,13 +212,55 @@ def test_saved_run_continues_to_the_last_bit_during_a_pulse() -> None:
     assert sim.save() == other.save()
 
 
-@pytest.mark.parametrize(("worksite", "orbiter"), [("space", "free"), ("space", "held")])
-def test_worksite_without_an_orbiter_rejects_its_motion(worksite: str, orbiter: str) -> None:
-    changes: dict[tuple[str | int, ...], object] = {
-        ("plant",): "rigid",
-        ("worksite",): worksite,
-        ("dynamics",): {"orbiter": orbiter},
-    }
+@pytest.mark.parametrize("orbiter", ["free", "held"])
+def test_worksite_without_an_orbiter_rejects_its_motion(orbiter: str, tmp_path: Path) -> None:
+    path = tmp_path / "bare.toml"
+    path.write_text(worksite_text("space").text.split("[orbiter]")[0])
+    changes: dict[tuple[str | int, ...], object] = {("plant",): "rigid", ("worksite",): str(path)}
     with pytest.raises(ScenarioError, match=r"dynamics.orbiter.*\[orbiter\]"):
-        aftdeck.load_scenario("uncradle", changes)
-    assert aftdeck.load_scenario("uncradle", {("plant",): "rigid", ("worksite",): worksite}).orbiter == "fixed"
+        aftdeck.load_scenario("uncradle", changes | {("dynamics",): {"orbiter": orbiter}})
+    assert aftdeck.load_scenario("uncradle", changes).orbiter == "fixed"
+
+
+def test_orbiter_is_fixed_in_empty_space_unless_the_scenario_frees_it() -> None:
+    changes: dict[tuple[str | int, ...], object] = {("plant",): "rigid", ("worksite",): "space"}
+    assert aftdeck.load_scenario("uncradle", changes).orbiter == "fixed"
+    for motion in ("free", "held"):
+        assert aftdeck.load_scenario("uncradle", changes | {("dynamics",): {"orbiter": motion}}).orbiter == motion
+
+
+@pytest.mark.parametrize("plant", ["rigid", "flexible"])
+@pytest.mark.parametrize("orbiter", ["free", "held"])
+@each("seed", seeds(1, 20))
+def test_orbiter_moves_in_empty_space_as_at_its_own_worksite(plant: str, orbiter: str, seed: int) -> None:
+    """The Shuttle's arm and orbiter are the same in both worksites; nothing is near the arm."""
+    rng = np.random.default_rng(seed)
+    body = f"[payload]\n{cloud(seed).toml()}"
+    runs = [Simulation(scenario(plant, body, orbiter=orbiter, worksite=site)) for site in ("orbiter", "space")]
+    sticks = [tuple(rng.uniform(-1.0, 1.0, 3).tolist()) for _ in range(3)]
+    for n in range(200):
+        inputs = Inputs(translation=sticks[0], rotation=sticks[1], orbiter=sticks[2] if n < 120 else (0.0, 0.0, 0.0))
+        for sim in runs:
+            sim.advance(inputs)
+    near, empty = (bodies_of(sim) for sim in runs)
+    assert np.array_equal(near.physics, empty.physics)
+    assert near.fired[3:].any() and np.array_equal(near.fired, empty.fired)
+    assert float(np.linalg.norm(runs[1]._state.plant.base[:3])) > 0.05
+
+
+@pytest.mark.parametrize("orbiter", ["free", "held"])
+def test_orbiter_in_empty_space_carries_every_arm(orbiter: str) -> None:
+    """Translation by jets, of the concept's arm: its orbiter's centre of mass is the origin of its orbiter frame."""
+    joints = arm("concept-1972").model.limits.hard.mean(axis=1).tolist()
+    given = parse_scenario(
+        "title = 't'\narm = 'concept-1972'\nworksite = 'space'\nplant = 'rigid'\n"
+        f"[initial]\njoints = {joints}\n[dynamics]\norbiter = '{orbiter}'\n",
+        "a", "a.toml", Path(),
+    )  # fmt: skip
+    sim, mount = Simulation(given), given.arm.model.mount
+    assert given.worksite.orbiter is not None
+    body = given.worksite.orbiter.in_l(mount)
+    assert mount.rotation @ body.centre + mount.origin == pytest.approx(mount.orbiter_origin)
+    for _ in range(200):
+        frame = sim.step(Inputs(orbiter=(0.0, 1.0, 0.0)))
+    assert float(np.linalg.norm(frame.work.orbiter_velocity)) == pytest.approx(0.06096, abs=0.003)

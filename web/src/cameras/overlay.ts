@@ -1,4 +1,4 @@
-/** Overlay of a monitor's picture: lens, axes, minimum clearance, contacts and their forces. */
+/** Overlay of a monitor's picture: lens, axes, minimum clearance, contacts, and forces of contacts and disturbances. */
 
 import type { ClosestPoints, Frame, Vec3 } from '../link/protocol';
 import type { GapLine, Touch } from '../panel/monitors/gap-overlay';
@@ -58,7 +58,10 @@ function touches(scene: Scene, { camera, rect, free }: View, { work, display }: 
   });
 }
 
-/** Returns the arrows of the contact forces. An arrow begins at the contact and points along the force on the second part. */
+/**
+ * Returns the arrows of the forces of contacts and disturbances. An arrow begins where the force acts, and points along
+ * the force on the second part or on the disturbed body.
+ */
 function pushes(scene: Scene, { camera, rect, free }: View, { display }: Frame): readonly PushArrow[] {
   const { width, height } = rect;
   return display.pushes.flatMap(({ point, force }) => {

@@ -1303,6 +1303,8 @@ export interface Dynamics {
   readonly holds: readonly Holding[];
   /** bends of base and booms; empty if the arm is rigid */
   readonly bends: readonly Bend[];
+  /** forces and torques that disturb bodies */
+  readonly disturbances: readonly Wrench[];
 }
 
 /** Force between two parts in contact, in one control step. */
@@ -1343,6 +1345,18 @@ export interface Bend {
   readonly displacement: Vec3;
   /** rotation vector of the part's end [rad], along the axes of part */
   readonly rotation: Vec3;
+}
+
+/** Disturbance that acts on a body in one control step, in the axes that L has when the step begins. */
+export interface Wrench {
+  /** what it acts on: `tip`, `orbiter`, or the name of a payload */
+  readonly body: string;
+  /** mean force on the body [N], along the axes of L */
+  readonly force: Vec3;
+  /** mean torque on the body in addition to that of the force [N m], along the axes of L */
+  readonly torque: Vec3;
+  /** point at which the force acts [m], along the axes of L */
+  readonly position: Vec3;
 }
 
 /** A mechanism in motion. */
@@ -1386,7 +1400,7 @@ export interface Display {
   readonly gap: ClosestPoints | null;
   /** Closest points of each contact, in the order of `Work.contacts`. */
   readonly contacts: readonly ClosestPoints[];
-  /** Forces between parts in contact, in the order of `Dynamics.contacts`. */
+  /** Forces between parts in contact, in the order of `Dynamics.contacts`, then those of `Dynamics.disturbances`. */
   readonly pushes: readonly Push[];
   /** Newest look-ahead; null before the first one. */
   readonly ahead: Ahead | null;
@@ -1508,11 +1522,11 @@ export interface ClosestPoints {
   readonly normal: Vec3;
 }
 
-/** Force between two parts in contact, in the scene frame. */
+/** Force between two parts in contact, or of a disturbance, in the scene frame. */
 export interface Push {
   /** Point at which the force acts [m]. */
   readonly point: Vec3;
-  /** Force on the second part [N]. */
+  /** Force on the second part, or on the disturbed body [N]. */
   readonly force: Vec3;
 }
 

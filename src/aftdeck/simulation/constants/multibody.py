@@ -7,19 +7,17 @@ from typing import Any
 import numpy as np
 
 from aftdeck.bodies.hexahedron import unpack
-from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.bodies.pose import pose_of
-from aftdeck.frames import Mount, Pose
+from aftdeck.frames import Pose
 from aftdeck.kinematics.payload import Payload
 from aftdeck.plant.linear_actuator import travel_of_stand
-from aftdeck.plant.multibody.build import arm_spec, attach, in_tip_frame
+from aftdeck.plant.multibody.build import arm_spec, attach
 from aftdeck.plant.multibody.contacts import add_solids
 from aftdeck.plant.multibody.jets import Thrusters
 from aftdeck.plant.multibody.plant import MultibodyPlant
 from aftdeck.plant.plant import LEAST_PULSE
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.constants.site import Site
-from aftdeck.worksite.model import OrbiterMass
 
 
 def multibody_plant(scenario: Scenario, site: Site, *, gauged: bool = False) -> MultibodyPlant:
@@ -55,12 +53,11 @@ def _compiled(scenario: Scenario, site: Site, payload: Payload | None, *, solids
     """Return the compiled model with one payload of the scenario, or without."""
     arm = scenario.arm.model
     mass = scenario.worksite.orbiter
-    orbiter = orbiter_in_l(arm.mount, mass) if scenario.orbiter != "fixed" and mass is not None else None
-    payloads = [MassProperties(one.mass, np.zeros(3), np.diag(one.inertia)) for one in scenario.cargo]
+    orbiter = mass.in_l(arm.mount) if scenario.orbiter != "fixed" and mass is not None else None
+    payloads = [one.properties for one in scenario.cargo]
     spec = arm_spec(arm, flexible=scenario.plant == "flexible", orbiter=orbiter, payloads=payloads)
     if payload is not None:
-        centre = payload.rotation @ payload.centre
-        attach(spec, in_tip_frame(payload.mass, centre, payload.rotation, payload.inertia))
+        attach(spec, payload.properties)
     if solids:
         _add_solids(spec, site)
     return spec.compile()
@@ -75,10 +72,3 @@ def _add_solids(spec: Any, site: Site) -> None:
     homes |= {payload.name: (spec.body(f"cargo.{k}"), here) for k, payload in enumerate(site.cargo)}
     frames = [layout.frames[frame] for frame in layout.frame.tolist()]
     add_solids(spec, [unpack(solid) for solid in layout.solids], frames, homes)
-
-
-def orbiter_in_l(mount: Mount, orbiter: OrbiterMass) -> MassProperties:
-    """Return the orbiter's mass properties in L."""
-    x, y, z = orbiter.centre
-    centre = mount.rotation.T @ (np.array([-x, y, -z]) - mount.origin)
-    return MassProperties(orbiter.mass, centre, mount.rotation.T @ np.diag(orbiter.inertia) @ mount.rotation)

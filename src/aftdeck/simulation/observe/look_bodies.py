@@ -61,6 +61,7 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
         _contacts(site, bodies),
         _holds(site, bodies),
         _bends(flight, bodies),
+        state.disturbances,
     )
 
 

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.state import State
 
 
 def delayed(state: State, inputs: Inputs) -> Inputs:
-    """Return the inputs that act in this step, and add the operator's present inputs to the queue."""
+    """Return the inputs that act in this step, and add the operator's present inputs to the queue.
+
+    Disturbances are no commands: they act at once.
+    """
     if not state.delayed_inputs:
         return inputs
     state.delayed_inputs.append(inputs)
-    return state.delayed_inputs.pop(0)
+    late = state.delayed_inputs.pop(0)
+    if not (late.disturbances or inputs.disturbances):
+        return late
+    return replace(late, disturbances=inputs.disturbances)

@@ -91,11 +91,19 @@ def packed_in_grasp(flight: Flight, state: State) -> Array | None:
 
 
 def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
-    """Return payload k as the steering uses it; `grasp` (12,) is its pose in the frame of the last joint."""
+    """Return payload k in the grasp; `grasp` (12,) is its pose in the frame of the last joint."""
     inside = np.empty(POSE)
     relative(flight.site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
-    return Payload(flight.site.cargo[k].mass, rotation, product(rotation.T, inside[:3]), np.zeros(3))
+    cargo = flight.site.cargo[k]
+    return Payload(
+        cargo.mass,
+        rotation,
+        product(rotation.T, inside[:3]),
+        np.zeros(3),
+        inertia=cargo.inertia,
+        centre_of_mass=cargo.centre_of_mass,
+    )
 
 
 def pose_in_hand(flight: Flight, state: State, k: int) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.frames import oriend_rows
 from aftdeck.matrices import product
-from aftdeck.plant.plant import NO_COMMAND
+from aftdeck.plant.plant import NO_COMMAND, Push
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.state import State
@@ -52,8 +52,8 @@ def translation_command(flight: Flight, state: State, inputs: Inputs) -> Array:
     )
 
 
-def attitude_torques(flight: Flight, state: State) -> list[tuple[int, Array]]:
-    """Return the torques of free flyers with attitude control, in their axes [N m].
+def attitude_torques(flight: Flight, state: State) -> list[Push]:
+    """Return the torques of free flyers with attitude control.
 
     When an angle leaves its deadband, the jets turn the rate of this axis around within one control period.
     """
@@ -63,14 +63,15 @@ def attitude_torques(flight: Flight, state: State) -> list[tuple[int, Array]]:
             continue
         turned = product(floating.reference.T, bodies.payloads[k, 3:].reshape(3, 3)).tolist()
         rows: Rows = (tuple(turned[0]), tuple(turned[1]), tuple(turned[2]))
-        rates, torque = bodies.motions[k, :3].tolist(), np.zeros(3)
+        rates, change = bodies.motions[k, :3].tolist(), np.zeros(3)
         cycle = floating.cycle
         for axis, angle in enumerate(oriend_rows(rows)):
             band, rate = float(cycle[BAND][axis]), abs(float(cycle[RATE][axis]))
             wanted = -rate if angle > band else rate if angle < -band else rates[axis]
             if (angle > band and rates[axis] > wanted) or (angle < -band and rates[axis] < wanted):
-                inertia = flight.site.cargo[k].inertia[axis]
-                torque[axis] = inertia * (wanted - rates[axis]) / flight.scenario.control_period
-        if any(torque.tolist()):
-            found.append((k, torque))
+                change[axis] = wanted - rates[axis]
+        if any(change.tolist()):
+            torque = product(flight.site.cargo[k].inertia, change) / flight.scenario.control_period
+            turned = product(bodies.payloads[k, 3:].reshape(3, 3), torque)
+            found.append(Push(k, np.zeros(3), turned, bodies.payloads[k, :3]))
     return found

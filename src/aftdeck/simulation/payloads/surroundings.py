@@ -14,6 +14,7 @@ from aftdeck.plant.plant import MOST_PAIRS, NOTHING_NEAR, Hold, Surroundings
 from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.payloads.disturbances import pushes
 from aftdeck.simulation.payloads.grasp import nearest_fixture, pose_in_hand
 from aftdeck.simulation.payloads.jets import attitude_torques, translation_command
 from aftdeck.simulation.state import State
@@ -35,12 +36,15 @@ def surroundings(flight: Flight, state: State, inputs: Inputs) -> Surroundings:
     """Return what acts on the bodies in the next control period, besides servos and brakes."""
     if state.plant.bodies is None:
         return NOTHING
+    found = attitude_torques(flight, state)
+    if state.disturbances:
+        found += pushes(flight, state)
     return Surroundings(
         _holds(flight, state),
         _near(flight, state),
         state.worksite.prong.position,
         translation_command(flight, state, inputs),
-        attitude_torques(flight, state),
+        found,
     )
 
 

@@ -8,8 +8,10 @@ from typing import NamedTuple, get_type_hints
 
 from aftdeck.matrices import length
 from aftdeck.plant.readings import CUTS, Load, Readings
+from aftdeck.scenario.disturbance import ORBITER, TIP
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import HOLDERS, Bend, Dynamics, Force, Frame, Holding, Placed
+from aftdeck.scenario.payload import PART
+from aftdeck.simulation.frame import HOLDERS, Bend, Dynamics, Force, Frame, Holding, Placed, Wrench
 from aftdeck.table import Column, with_unit
 from aftdeck.tuples import Rows
 from aftdeck.worksite.report import Cargo, Near
@@ -145,6 +147,26 @@ def _hold_values(frame: Frame, _: object) -> Sequence[float | str]:
     return [found.get((cargo.name, by), 0.0) for cargo in frame.work.cargo for by in HOLDERS]
 
 
+def _disturbances(scenario: Scenario) -> Fields:
+    payloads = [(cargo.name, f"payload_{number}") for number, cargo in enumerate(scenario.cargo, start=1)]
+    return tuple(
+        column
+        for name, beginning in (*((one, one) for one in (TIP, ORBITER)), *(payloads or [(PART, PART)]))
+        for column in (
+            *_of(Wrench, "force", f"{beginning}_disturbing_force", XYZ, name),
+            *_of(Wrench, "torque", f"{beginning}_disturbing_torque", XYZ, name),
+        )
+    )
+
+
+def _disturbance_values(frame: Frame, _: object) -> Sequence[float | str]:
+    acting, values = _dynamics(frame).disturbances, []
+    for name in (TIP, ORBITER, *([cargo.name for cargo in frame.work.cargo] or [PART])):
+        own = [(*one.force, *one.torque) for one in acting if one.body == name]
+        values += [math.fsum(column) for column in zip(*own, strict=True)] if own else [0.0] * 6
+    return values
+
+
 def _loads(_: Scenario) -> Fields:
     return tuple(
         column
@@ -242,6 +264,7 @@ GROUPS = (
         masses=True,
     ),
     Group("holds", _holds, _hold_values, masses=True),
+    Group("disturbances", _disturbances, _disturbance_values, masses=True),
     Group("loads", _loads, _load_values, masses=True, gauged=True),
     Group(
         "orbiter_rates",

@@ -170,9 +170,11 @@ class Displays:
         return Aim(_vec3(shown.position), panel_attitude(shown.rotation))
 
     def _pushes(self, frame: sim.Frame) -> tuple[Push, ...]:
-        """Return the forces between parts in contact."""
-        contacts = () if frame.dynamics is None else frame.dynamics.contacts
-        return tuple(Push(self._poses.point(each.position), self._poses.vector(each.force)) for each in contacts)
+        """Return the forces between parts in contact, and those of disturbances."""
+        if frame.dynamics is None:
+            return ()
+        forces: tuple[sim.Force | sim.Wrench, ...] = (*frame.dynamics.contacts, *frame.dynamics.disturbances)
+        return tuple(Push(self._poses.point(each.position), self._poses.vector(each.force)) for each in forces)
 
     def _gap(self, near: Near) -> ClosestPoints:
         a, b = self._poses.point(near.point_a), self._poses.point(near.point_b)

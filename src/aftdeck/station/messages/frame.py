@@ -48,12 +48,12 @@ class ClosestPoints(msgspec.Struct, frozen=True, gc=False):
 
 
 class Push(msgspec.Struct, frozen=True, gc=False):
-    """Force between two parts in contact, in the scene frame."""
+    """Force between two parts in contact, or of a disturbance, in the scene frame."""
 
     point: Vec3
     """Point at which the force acts [m]."""
     force: Vec3
-    """Force on the second part [N]."""
+    """Force on the second part, or on the disturbed body [N]."""
 
 
 class Ahead(msgspec.Struct, frozen=True):
@@ -189,7 +189,7 @@ class Display(msgspec.Struct, frozen=True):
     contacts: tuple[ClosestPoints, ...]
     """Closest points of each contact, in the order of `Work.contacts`."""
     pushes: tuple[Push, ...]
-    """Forces between parts in contact, in the order of `Dynamics.contacts`."""
+    """Forces between parts in contact, in the order of `Dynamics.contacts`, then those of `Dynamics.disturbances`."""
     ahead: Ahead | None
     """Newest look-ahead; null before the first one."""
     axes: Quat

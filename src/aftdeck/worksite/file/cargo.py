@@ -57,7 +57,8 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
         name=file.name,
         title=file.title,
         mass=float(file.mass),
-        inertia=_inertia(file),
+        inertia=frozen(_inertia(file)),
+        centre_of_mass=frozen(np.zeros(3) if (centre := file.mass_centre()) is None else centre),
         shapes=tuple(shape for piece in pieces for shape in piece.shapes) + file.shapes,
         solids=tuple(
             solid
@@ -77,16 +78,14 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
     )
 
 
-def _inertia(file: CargoFile) -> Vec3:
-    """Return the moments of inertia about the payload's axes: given, or those of a uniform body [kg m2]."""
-    if file.inertia is not None:
-        return _plain(file.inertia)
+def _inertia(file: CargoFile) -> Array:
+    """Return the tensor of inertia (3, 3) along the payload's axes: given, or that of a uniform body [kg m2]."""
+    if (given := file.tensor()) is not None:
+        return given
     body, mass, end = file.body, float(file.mass), np.array([0.5 * file.body.length, 0.0, 0.0])
     if isinstance(body, PrismBody):
-        own = uniform_prism(mass, float(body.across), body.sides, -end, end)
-    else:
-        own = cylinder(mass, float(body.radius), -end, end)
-    return _plain(tuple(np.diag(own.inertia).tolist()))
+        return uniform_prism(mass, float(body.across), body.sides, -end, end).inertia
+    return cylinder(mass, float(body.radius), -end, end).inertia
 
 
 def part_of(cargo: str, fitting: str) -> str:

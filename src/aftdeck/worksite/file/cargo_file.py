@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from aftdeck.arms.model import Sides
-from aftdeck.bodies.mass_properties import impossible
 from aftdeck.shapes import Material, Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed
-from aftdeck.worksite.file.tables import Inertia, Placed, Range, Table, Text, Turn, ordered, positive
+from aftdeck.worksite.file.mass_file import MassTable
+from aftdeck.worksite.file.tables import Placed, Range, Table, Text, Turn, ordered, positive
 
 
 class PrismBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="prism"):
@@ -154,7 +154,7 @@ class LimitCycleFile(Table, frozen=True, kw_only=True):
                 )
 
 
-class CargoFile(Table, frozen=True, kw_only=True):
+class CargoFile(MassTable, frozen=True, kw_only=True):
     """A payload. The origin of its own frame is at its body's centre; the x axis is along the body.
 
     A scenario refers to the payload by its name.
@@ -164,8 +164,6 @@ class CargoFile(Table, frozen=True, kw_only=True):
     title: Text
     source: Text
     mass: Mass
-    inertia: Inertia | None = None
-    """Moments of inertia about the payload's axes, through its centre. If they are not given, the body is uniform."""
     body: PrismBody | CylinderBody
     shapes: tuple[Shape, ...] = ()
     """Additional shapes that draw the payload."""
@@ -177,12 +175,12 @@ class CargoFile(Table, frozen=True, kw_only=True):
     limit_cycle: LimitCycleFile | None = None
 
     def __post_init__(self) -> None:
-        """Reject a mass that is not above zero, and moments of inertia that no body has (ValueError).
+        """Reject a mass that is not above zero, and a tensor of inertia that no body has (ValueError).
 
         Reject also a payload that has neither receptacle nor grapple, or has both (ValueError).
         """
         positive(mass=self.mass)
-        if self.inertia is not None and (why := impossible(*self.inertia)):
+        if why := self.tensor_problem():
             raise ValueError(why)
         if (self.receptacle is None) == (self.grapple is None):
             given = "neither is" if self.receptacle is None else "both are"

@@ -197,10 +197,11 @@ def _orbiter(file: OrbiterFile) -> OrbiterMass:
     return OrbiterMass(
         float(file.mass),
         _plain(file.inertia),
-        _plain(file.centre),
+        None if file.centre is None else _plain(file.centre),
         None
         if jets is None
         else Jets(_plain(jets.torque), float(jets.least_pulse), float(jets.angle), float(jets.rate)),
+        file.motion,
     )
 
 

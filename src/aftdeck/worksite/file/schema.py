@@ -12,14 +12,14 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.bodies.camera_file import CameraFile, DriveFile
-from aftdeck.bodies.mass_properties import impossible
+from aftdeck.bodies.mass_properties import impossible, tensor
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Material, Shape, without_lamps
 from aftdeck.units import Angle, AngularRate, Length, Mass, MomentOfInertia, Speed, Time, Torque
 from aftdeck.worksite.file.cargo_file import CargoFile
 from aftdeck.worksite.file.solid_file import SolidFile
 from aftdeck.worksite.file.tables import Placed, Point, Range, Table, Text, ordered, positive
-from aftdeck.worksite.model import Relation
+from aftdeck.worksite.model import OrbiterMotion, Relation
 
 FITTING_OF: dict[Relation, str] = {
     "acquisition": "receptacle",
@@ -257,14 +257,18 @@ class OrbiterFile(Table, frozen=True, kw_only=True):
     mass: Annotated[Mass, ORBITER_MASS]
     inertia: tuple[OrbiterInertia, OrbiterInertia, OrbiterInertia]
     """Moments of inertia about roll, pitch and yaw axis, through the centre of mass."""
-    centre: Point
-    """Centre of mass: structural Xo, Yo, Zo."""
+    centre: Point | None = None
+    """Centre of mass: structural Xo, Yo, Zo. Without it, it is the origin of the arm's orbiter frame."""
     jets: JetsFile | None = None
+    motion: OrbiterMotion = "free"
+    """Motion on a plant with masses, unless a scenario gives another (`dynamics.orbiter`)."""
     source: Text
 
     def __post_init__(self) -> None:
-        """Reject moments of inertia that no body has (ValueError)."""
-        if why := impossible(*self.inertia):
+        """Reject moments of inertia that no body has, and a motion that needs jets (ValueError)."""
+        if self.motion == "held" and self.jets is None:
+            raise ValueError("motion 'held' needs the table jets, which hold the attitude")
+        if why := impossible(tensor(self.inertia)):
             raise ValueError(why)
 
 

@@ -6,8 +6,7 @@ from typing import Annotated
 
 import msgspec
 
-from aftdeck.bounds import Bounds
-from aftdeck.units import Angle, Length, MomentOfInertia, Quantity
+from aftdeck.units import Angle, Length, Quantity
 
 Text = Annotated[str, msgspec.Meta(min_length=1)]
 Point = tuple[Length, Length, Length]
@@ -15,9 +14,6 @@ Turn = tuple[Angle, Angle, Angle]
 """Roll, pitch, yaw about fixed x, y, z, applied in that order."""
 Range = tuple[Length, Length]
 """Lower end, then upper end."""
-_Moment = Annotated[MomentOfInertia, Bounds(1e-9, 1e10, "the ISS has about 1e8 kg m2")]
-Inertia = tuple[_Moment, _Moment, _Moment]
-"""Moments of inertia of a payload about its axes, through its centre."""
 
 
 class Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):

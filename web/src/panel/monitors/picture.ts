@@ -136,7 +136,7 @@ export class Picture {
     this.gap.show(line, touches, picture);
   }
 
-  /** Draws the forces between parts in contact, at picture rate. */
+  /** Draws the forces of contacts and disturbances, at picture rate. */
   setPushes(arrows: readonly PushArrow[]): void {
     this.pushes.show(arrows);
   }

@@ -1,4 +1,4 @@
-/** Overlay of a picture: forces between parts in contact, as arrows with their values. */
+/** Overlay of a picture: forces of contacts and disturbances, as arrows with their values. */
 
 import { setAttribute, setText, svg } from '../parts/dom';
 import type { Point } from './label-place';
