@@ -16,6 +16,7 @@ import numpy as np
 
 from aftdeck.errors import InputError
 from aftdeck.recording.convert import input_record, inputs_of
+from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import POSITIONS, Inputs
@@ -129,6 +130,17 @@ def _rotation(rng: random.Random) -> object:
     return _anything(rng) if rng.random() < 0.2 else rng.choice(made)
 
 
+def _disturbance(rng: random.Random) -> object:
+    made: Any = (
+        rng.choice(("tip", "orbiter", "payload", np.str_("tip"), OwnText("tip"), _anything(rng))),
+        _sequence(rng, 3),
+        _sequence(rng, 3),
+        rng.choice(("L", "space", "orbiter", "tip", "payload", _anything(rng))),
+        rng.choice((None, _sequence(rng, 3))),
+    )
+    return Disturbance(*made) if rng.random() < 0.9 else _anything(rng)
+
+
 def _field(name: str, rng: random.Random) -> object:
     """Return a value for a field of `Inputs`: plausible, of an unusual type, or anything at all."""
     if rng.random() < 0.25:
@@ -143,6 +155,9 @@ def _field(name: str, rng: random.Random) -> object:
     if name == "camera":
         drive: Any = (rng.choice(("A", "B", _anything(rng))), _number(rng), _number(rng), _number(rng), _anything(rng))
         return CameraDrive(*drive)
+    if name == "disturbances":
+        found = [_disturbance(rng) for _ in range(rng.randrange(3))]
+        return rng.choice((tuple, list, deque, iter))(found) if rng.random() < 0.9 else _disturbance(rng)
     if name == "joint":
         return rng.choice((int, np.int8, np.array, float, str))(rng.randrange(7))
     if name == "mode":

@@ -1,20 +1,32 @@
-"""Make the tables of docs/dynamics.md again that benchmarks measure; name some of `TABLES` to make only these."""
+"""Make the tables of the pages about dynamics again that benchmarks measure; name some of `TABLES` for only these."""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import NamedTuple
 
-from benchmarks import flight_tests, plants, ring_down, stops
+from benchmarks import flight_tests, linear_models, plants, ring_down, stops
 
-PAGE = Path(__file__).parent.parent / "docs" / "dynamics.md"
+DOCS = Path(__file__).parent.parent / "docs"
+
+
+class Table(NamedTuple):
+    """Table of a page: the page's name, and the function that returns the table's lines."""
+
+    page: str
+    lines: Callable[[], Iterable[str]]
+
+
 TABLES = {
-    "flight_tests": lambda: flight_tests.table(flight_tests.FULL),
-    "plants": lambda: plants.table(plants.FULL),
-    "ring_down": lambda: ring_down.table(ring_down.FULL),
-    "stops": lambda: stops.table(stops.FULL),
+    "flight_tests": Table("dynamics.md", lambda: flight_tests.table(flight_tests.FULL)),
+    "linear_models": Table("dynamics-python.md", lambda: linear_models.table(linear_models.FULL)),
+    "plants": Table("dynamics.md", lambda: plants.table(plants.FULL)),
+    "ring_down": Table("dynamics.md", lambda: ring_down.table(ring_down.FULL)),
+    "stops": Table("dynamics.md", lambda: stops.table(stops.FULL)),
 }
-"""Lines of each table, by the name of its benchmark."""
+"""Tables by the name of their benchmark."""
 
 
 def replaced(page: str, table: list[str]) -> str:
@@ -25,7 +37,7 @@ def replaced(page: str, table: list[str]) -> str:
     """
     lines = page.split("\n")
     if lines.count(table[0]) != 1:
-        raise ValueError(f"{PAGE.name}: expected one table with the heading {table[0]!r}, got {lines.count(table[0])}")
+        raise ValueError(f"expected one table with the heading {table[0]!r}, got {lines.count(table[0])}")
     first = lines.index(table[0])
     last = first
     while lines[last].startswith("|"):
@@ -38,8 +50,8 @@ def main(names: list[str]) -> None:
     if unknown := sorted(set(names) - set(TABLES)):
         sys.exit(f"unknown tables {', '.join(unknown)}; the tables are {', '.join(TABLES)}")
     for name in names or TABLES:
-        table = list(TABLES[name]())
-        PAGE.write_text(replaced(PAGE.read_text(), table))
+        path, table = DOCS / TABLES[name].page, list(TABLES[name].lines())
+        path.write_text(replaced(path.read_text(), table))
         print(name, flush=True)
 
 

@@ -37,7 +37,9 @@ def test_readme_begins_with_its_two_commands() -> None:
     assert [line.split("#")[0].strip() for line in lines[1:3]] == ["make fly", "make test"]
 
 
-@pytest.mark.parametrize("page", [README, ROOT / "docs" / "own-servos.md"], ids=lambda page: page.name)
+@pytest.mark.parametrize(
+    "page", [README, ROOT / "docs" / "own-servos.md", ROOT / "docs" / "dynamics-python.md"], ids=lambda page: page.name
+)
 def test_python_of_a_page_gives_the_results_it_shows(page: Path) -> None:
     failed, tried = doctest.testfile(str(page), module_relative=False, encoding="utf-8")
     assert tried > 0

@@ -56,6 +56,7 @@ LAYERS = (
     ("worksite",),
     ("scenario",),
     ("simulation",),
+    ("analysis",),
     ("historical",),
     ("scene",),
     ("details",),

@@ -10,9 +10,13 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from aftdeck.analysis.dynamics import Dynamics, dynamics
+    from aftdeck.analysis.linear_model import LinearModel
+    from aftdeck.bodies.mass_properties import MassProperties
     from aftdeck.bodies.separation import Separation, separation
     from aftdeck.frames import Pose
     from aftdeck.kinematics.arm import Arm, load_arm
+    from aftdeck.scenario.disturbance import Disturbance
     from aftdeck.scenario.load import load_scenario
     from aftdeck.scenario.model import Scenario
     from aftdeck.scenario.target import Target
@@ -30,11 +34,16 @@ _HOMES = {
     "load_scenario": "aftdeck.scenario.load",
     "Inputs": "aftdeck.simulation.inputs",
     "Target": "aftdeck.scenario.target",
+    "Disturbance": "aftdeck.scenario.disturbance",
     "Frame": "aftdeck.simulation.frame",
     "Simulation": "aftdeck.simulation.run",
     "Run": "aftdeck.simulation.run",
     "Summary": "aftdeck.simulation.summary",
     "run": "aftdeck.simulation.run",
+    "Dynamics": "aftdeck.analysis.dynamics",
+    "LinearModel": "aftdeck.analysis.linear_model",
+    "MassProperties": "aftdeck.bodies.mass_properties",
+    "dynamics": "aftdeck.analysis.dynamics",
     "Separation": "aftdeck.bodies.separation",
     "separation": "aftdeck.bodies.separation",
     "__version__": "aftdeck.version",
@@ -42,8 +51,12 @@ _HOMES = {
 
 __all__ = [
     "Arm",
+    "Disturbance",
+    "Dynamics",
     "Frame",
     "Inputs",
+    "LinearModel",
+    "MassProperties",
     "Pose",
     "Run",
     "Scenario",
@@ -52,6 +65,7 @@ __all__ = [
     "Summary",
     "Target",
     "__version__",
+    "dynamics",
     "load_arm",
     "load_scenario",
     "run",

@@ -15,6 +15,7 @@ from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Rate
 from aftdeck.scenario.target import Target
+from aftdeck.units import POUND
 from tests.kinematics.poses import AXES, BODY, structural
 from tests.steering.flying import BAY, fly, kinds, scenario, speed
 
@@ -147,7 +148,8 @@ def test_scenario_por_limits_replace_those_of_the_arm_for_any_payload() -> None:
 def test_payload_mass_selects_the_por_limits() -> None:
     made = scenario(BAY, '[payload]\nmass = "15000 lb"\nposition = ["3 m", 0, 0]\nyaw = "90 deg"\npor = [0, 1, 0]')
     por = por_with(made.arm.model, made.payload.mass if made.payload else 0.0, made.por)
-    assert por.translation[0] == pytest.approx(0.2 * 0.3048)
+    assert por.translation == pytest.approx(por_with(made.arm.model, 15_000.0 * POUND, made.por).translation)
+    assert por.translation[0] < por_with(made.arm.model, 5_000.0 * POUND, made.por).translation[0]
     assert made.payload is not None and made.payload.centre.tolist() == [3.0, 0.0, 0.0]
     # the payload is rotated by 90 deg about axis 3, so its axis 1 is axis 2 of frame 7
     assert made.payload.rotation[:, 0] == pytest.approx([0.0, 1.0, 0.0])

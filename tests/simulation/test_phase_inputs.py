@@ -12,7 +12,7 @@ import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.errors import ScenarioError
 from aftdeck.simulation.frame import Frame
-from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, fly, scenario
+from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, fly, heavy_por, scenario
 
 CONCEPT = (10.0, 50.0, -80.0, 15.0, 20.0, -10.0)
 V, W = np.array([0.1, -0.2, 0.05]), np.array([0.3, 0.6, -0.5])
@@ -133,9 +133,8 @@ def test_phase_detaches_the_payload() -> None:
     push = 'mode = "ORB UNL"\ntranslation = [0.2, 0.0, 0.0]\nduration = 8\n'
     frames = by_script(BAY, push + payload, push, push + "detached = true\n")
     assert [frames[k].payload is None for k in (99, 199, 299)] == [False, False, True]
-    assert frames[199].por_limits[0] == pytest.approx(0.115 * FOOT) and frames[299].por_limits[0] == pytest.approx(
-        2.0 * FOOT
-    )
+    assert frames[199].por_limits[0] == pytest.approx(heavy_por().translation[0])
+    assert frames[299].por_limits[0] == pytest.approx(2.0 * FOOT)
     assert "CAPTURE" in frames[199].work.hand.flags and "CAPTURE" not in frames[299].work.hand.flags
 
 

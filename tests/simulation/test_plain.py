@@ -82,7 +82,7 @@ def as_numpy(given: Inputs, data: st.DataObject) -> Inputs:
         if isinstance(value, float):
             return number(value)
         if isinstance(value, tuple):
-            return some(value)
+            return some(value) if value else list(value)
         if isinstance(value, CameraDrive):
             return CameraDrive(*map(of, msgspec.structs.astuple(value)))
         if isinstance(value, aftdeck.Target):

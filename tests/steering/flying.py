@@ -9,10 +9,13 @@ from pathlib import Path
 import numpy as np
 
 import aftdeck
+from aftdeck.arms.load import PorLimits
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.frame import Frame
+from aftdeck.units import POUND
+from tests.loaded import arm
 
 FOOT = 0.3048
 BAY = (-31.0, 79.0, -103.0, -77.0, 17.0, -128.0)
@@ -37,6 +40,11 @@ BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
     ]
 )
 """Conversion from L (aft, port, down) to the orbiter's axes (forward, starboard, down); L leans 19.48 deg to port."""
+
+
+def heavy_por() -> PorLimits:
+    """Return the limits of the point of resolution of the Shuttle's arm with 32,000 lb."""
+    return arm().model.por_limits(32_000.0 * POUND)
 
 
 def scenario(joints: Sequence[float] = BAY, extra: str = "", name: str = "test") -> Scenario:

@@ -31,7 +31,7 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.limiters import BY_STOP
 from aftdeck.steering.msteer import msteer
 from tests.each import each, seeds
-from tests.steering.flying import BAY, fly, kinds, scenario
+from tests.steering.flying import BAY, FOOT, fly, heavy_por, kinds, scenario
 
 ROUNDING = 1e-12
 """Rounding of an angle [rad]."""
@@ -178,5 +178,5 @@ def test_master_is_followed_more_slowly_with_a_payload() -> None:
     made = scenario(BAY, 'mode = "MASTER"\n[payload]\nmass = "32000 lb"')
     empty = scenario(BAY, 'mode = "MASTER"')
     plain, loaded = (steering_setup(s, s.payload).rules["MASTER", "coarse", 10] for s in (empty, made))
-    assert loaded[RATE : RATE + 6] == pytest.approx(plain[RATE : RATE + 6] * 0.115 / 2.0)
+    assert loaded[RATE : RATE + 6] == pytest.approx(plain[RATE : RATE + 6] * heavy_por().translation[0] / (2.0 * FOOT))
     assert kinds(aftdeck.Simulation(made).step(aftdeck.Inputs())) == set()

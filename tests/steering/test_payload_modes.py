@@ -14,7 +14,18 @@ from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame
 from tests.kinematics.poses import turned
 from tests.reference.tables import table
-from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, fly, kinds, log_of, scenario, speed, turning
+from tests.steering.flying import (
+    BAY,
+    BODY_FROM_L,
+    PAYLOAD,
+    fly,
+    heavy_por,
+    kinds,
+    log_of,
+    scenario,
+    speed,
+    turning,
+)
 
 Stick = tuple[float, float, float]
 ZERO = (0.0, 0.0, 0.0)
@@ -95,23 +106,24 @@ def test_strict_rotates_about_the_tip(mode: str, mixed: bool) -> None:
 
 @MODES
 def test_heavy_payload_reaches_por_limits_within_acceleration(mode: str, mixed: bool) -> None:
-    most, most_turn = 0.115 * FOOT, math.radians(0.24)
+    most, most_turn = heavy_por().translation[0], heavy_por().rotation[0]
+    time = most / heavy_por().acceleration
     push, turn = {"translation": UNIT["-2"]}, {"rotation": UNIT["3"]}
     for stick, reached, limit in ((push, speed, most), (turn, turning, most_turn)):
-        frames = flown(mode, mixed, f"control_period = 0.05\n{HEAVY}", 18.0, **stick)
+        frames = flown(mode, mixed, f"control_period = 0.05\n{HEAVY}", time + 1.0, **stick)
         assert frames[-1].por_limits == pytest.approx((most, most_turn))
         values = np.array([reached(f) for f in frames])
         assert values[-1] == pytest.approx(limit) and values.max() <= limit * (1 + 1e-9)
-        # the limit is reached in 17 s, at a constant acceleration
-        assert np.diff(values, prepend=0.0).max() <= limit / 17.0 * 0.05 * (1 + 1e-9)
-        assert values[round(8.5 / 0.05) - 1] == pytest.approx(0.5 * limit, rel=1e-6)
-        assert [f.time_s for f in frames if "POR acceleration" in kinds(f)][-1] == pytest.approx(17.0, abs=0.06)
+        # the limit is reached at a constant acceleration
+        assert np.diff(values, prepend=0.0).max() <= limit / time * 0.05 * (1 + 1e-9)
+        assert values[round(0.5 * time / 0.05) - 1] == pytest.approx(0.5 * limit, rel=1e-6)
+        assert [f.time_s for f in frames if "POR acceleration" in kinds(f)][-1] == pytest.approx(time, abs=0.06)
 
 
 @MODES
 def test_por_acceleration_keeps_its_limits(mode: str, mixed: bool) -> None:
     rng = np.random.default_rng(200)
-    up, turn_up = 0.115 * FOOT / 17.0, math.radians(0.24) / 17.0
+    up, turn_up = heavy_por().acceleration, heavy_por().angular_acceleration
     sim = aftdeck.Simulation(scenario(BAY, HEAVY))
     before = sim.step(aftdeck.Inputs(mode=mode, payload_axes=mixed))
     for _ in range(12):

@@ -1,7 +1,7 @@
 """Checks of an arm file that field types cannot express: bodies, the order of the limits, and the sum of the masses.
 
 `arms.bodies` checks the tables that only a concept arm has: `stand`, `booms` and `effector`. `arms.dynamics` checks
-brakes and housings.
+brakes and links.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from aftdeck.arms.covers import corners, cover_problem
 from aftdeck.arms.dynamics import drive_problems
 from aftdeck.arms.geometry import linkage_of
 from aftdeck.arms.limits import JointRates, Limits, limit_problems
+from aftdeck.arms.links import link_problems
 from aftdeck.arms.model import ArmFile, HeadingArmFile, PorRow, YawArmFile
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.errors import InputError
@@ -38,6 +39,8 @@ def arm_problems(file: ArmFile) -> list[Problem]:
         found.append(Problem(("joints",), f"has to be six different names, got {', '.join(file.joints)}"))
     if not found and isinstance(file, HeadingArmFile):
         found = _block_problems(file)
+    if isinstance(file, YawArmFile):
+        found += link_problems(file)
     return found + _por_problems(file.por) + _mass_problems(file) + drive_problems(file)
 
 

@@ -1,6 +1,6 @@
-"""Tables of an arm file that only a plant with masses needs: servos, flexibility, housings, drives of other parts.
+"""Tables of an arm file that only a plant with masses needs: servos, flexibility, links, drives of other parts.
 
-All these tables are optional. `arms.load.ArmModel` has their values as arrays; `arms.masses` uses the housings.
+All these tables are optional. `arms.load.ArmModel` has their values as arrays; `arms.links` uses the links.
 """
 
 from __future__ import annotations
@@ -77,9 +77,6 @@ BeamRigidity = Annotated[
 """Rigidity of a boom: EI for bending, GJ for torsion."""
 DampingTime = Annotated[Time, Bounds(0.0, 1.0, "with 1 s, a mode of 0.3 Hz is damped critically")]
 """Damping of a spring divided by its stiffness."""
-AddedInertia = Annotated[
-    MomentOfInertia, Bounds(1e-9, 1e4, "the Shuttle's housings have about 1 kg m2, and nothing turns without inertia")
-]
 
 
 class FlexibilityFile(Part, frozen=True):
@@ -93,32 +90,32 @@ class FlexibilityFile(Part, frozen=True):
     base: Constant[tuple[GearboxStiffness, GearboxStiffness, GearboxStiffness]]
     """Stiffness of the base about x, y and z of L."""
     damping: Constant[DampingTime]
-    added_inertia: Constant[AddedInertia]
-    """Moment of inertia, about each axis, of base and rotors, which have no mass of their own.
-
-    It lowers the highest frequency of the model.
-    """
     friction: Constant[Six[Friction]] | None = None
     """Friction in the gearboxes, which acts while their windup changes; without it, they have no friction."""
 
 
 Radius = Annotated[Length, Bounds(0.0005, 10.0, "the Shuttle's booms have a radius of 0.19 m")]
-LinkInertia = Annotated[MomentOfInertia, Bounds(1e-9, 1e6, "the Shuttle's wrist has 1 to 5 kg m2")]
+LinkInertia = Annotated[MomentOfInertia, Bounds(1e-9, 1e7, "the Shuttle's booms have about 1000 kg m2")]
+_Seven = tuple[_T, _T, _T, _T, _T, _T, _T]
+"""Values of the links: foot, shoulder, both booms, the links behind wrist pitch and wrist yaw, end effector."""
 
 
-class HousingsFile(Part, frozen=True):
-    """Sizes and moments of inertia of housings and booms, for the family of the Shuttle's arm."""
+class LinksFile(Part, frozen=True):
+    """Moments of inertia and sizes of the links, for the family of the Shuttle's arm (`arms.links`).
 
-    radius: Constant[Radius]
-    """Radius of the uniform sphere that represents a joint's housing at yaw, shoulder and elbow."""
+    A link extends from its joint to the next one; the foot from the vehicle to the first joint.
+    """
+
+    inertia: Constant[_Seven[tuple[LinkInertia, LinkInertia, LinkInertia]]]
+    """Moments of inertia about the joint at which a link begins: along the link, about the pitch axis, across both."""
+    foot: Constant[Annotated[Length, Bounds(1e-3, 200.0, "the Shuttle's arm is 15 m long")]]
+    """Length of the foot, which is below the first joint."""
     boom_radius: Constant[Radius]
     """Radius of the uniform cylinder that represents a boom."""
-    wrist_yaw_to_roll: Constant[Annotated[Length, Bounds(0.0, 200.0, "the Shuttle's arm is 15 m long")]]
-    """Distance of the wrist roll joint from the wrist yaw joint; the last link begins there."""
-    wrist_inertia: Constant[
-        tuple[tuple[LinkInertia, LinkInertia], tuple[LinkInertia, LinkInertia], tuple[LinkInertia, LinkInertia]]
-    ]
-    """Moments of inertia of the links behind wrist pitch, yaw and roll: about the link's axis, then across it."""
+    wrist_yaw_to_roll: Constant[Annotated[Length, Bounds(1e-3, 200.0, "the Shuttle's arm is 15 m long")]]
+    """Distance of the wrist roll joint from the wrist yaw joint; the end effector begins there."""
+    centre: Constant[_Seven[Annotated[Length, Bounds(0.0, 200.0, "the Shuttle's booms are 7 m long")]]] | None = None
+    """Distance of each link's centre of mass from its joint; without it, `arms.links` has the rule."""
 
 
 DriveForce = Annotated[Force, Bounds(1e-3, 1e6, "a telescope that moves 7 t by 1 ft/s within 1 s needs 2,000 N")]

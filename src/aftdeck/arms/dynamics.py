@@ -11,7 +11,6 @@ from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import JointRates
 from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
 from aftdeck.arrays import Array
-from aftdeck.bodies.mass_properties import impossible
 from aftdeck.files import Problem
 
 
@@ -67,7 +66,6 @@ class Flexibility(NamedTuple):
         base: (3,) stiffness of the base about x, y and z of L [N m/rad].
         friction: (6,) torque of friction in the gearboxes while their windup changes [N m]; 0 for none.
         damping: damping of each spring divided by its stiffness [s].
-        added_inertia: moment of inertia of base and rotors, which have no mass of their own, about each axis [kg m2].
     """
 
     gearboxes: Array
@@ -76,7 +74,6 @@ class Flexibility(NamedTuple):
     base: Array
     friction: Array
     damping: float
-    added_inertia: float
 
 
 def servo_of(file: ArmFile, rates: JointRates) -> Servo | None:
@@ -122,22 +119,12 @@ def flexibility_of(file: ArmFile) -> Flexibility | None:
         frozen(f.base.value),
         frozen(np.zeros(6) if f.friction is None else f.friction.value),
         float(f.damping.value),
-        float(f.added_inertia.value),
     )
 
 
 def drive_problems(file: ArmFile) -> list[Problem]:
-    """Return a problem for each brake that is weaker than its motor, and for a wrist roll joint beyond the tip."""
-    found = [] if file.servo is None else _brake_problems(file.joints, file.servo)
-    if isinstance(file, YawArmFile) and file.housings is not None:
-        at, tip = file.housings.wrist_yaw_to_roll.value, file.geometry.wrist_yaw_to_tip.value
-        if at > tip:
-            what = f"the wrist roll joint has to be before the tip, at {tip:g} m at most; got {at:g} m"
-            found.append(Problem(("housings", "wrist_yaw_to_roll"), what))
-        for i, (along, across) in enumerate(file.housings.wrist_inertia.value):
-            if why := impossible(along, across, across):
-                found.append(Problem(("housings", "wrist_inertia", "value", i), why))
-    return found
+    """Return a problem for each brake that is weaker than its motor."""
+    return [] if file.servo is None else _brake_problems(file.joints, file.servo)
 
 
 def _brake_problems(joints: tuple[str, ...], servo: ServoFile) -> list[Problem]:

@@ -1,11 +1,7 @@
 """Masses of an arm, distributed over the frames that carry them by stated rules.
 
-Family of the Shuttle's arm. The yaw housing is a sphere at the first joint and fixed to the vehicle. The shoulder is a
-sphere midway between yaw and pitch joint. Booms are uniform cylinders between the centres of their joints. Half of the
-elbow is fixed to the upper boom's end and half to the lower boom's beginning, both as spheres at the joint. Half of the
-wrist pitch housing is a sphere at the lower boom's end. Each link behind wrist pitch, wrist yaw and wrist roll has half
-of the housing at its beginning and half of the next one; the last link has the whole end effector. Its mass is midway
-along the link, with the inertia that the file gives.
+Family of the Shuttle's arm. `arms.links` has the rule. The foot is fixed to the vehicle; on a flexible arm, it turns
+with the base.
 
 Family of the concept arm. Upper and lower arm are uniform boxes from pin to pin. The hand is uniform in the volume of
 stub, palm, fixed finger and prong. The telescope's tube is a uniform box.
@@ -18,13 +14,14 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arms.blocks import Block, blocks_of
-from aftdeck.arms.drives import HousingsFile, SlidesFile
+from aftdeck.arms.drives import SlidesFile
 from aftdeck.arms.dynamics import Flexibility, Servo
 from aftdeck.arms.geometry import STAND
+from aftdeck.arms.links import BOOMS, links_of
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.model import HeadingArmFile, YawArmFile
 from aftdeck.arrays import Array
-from aftdeck.bodies.mass_properties import MassProperties, box, cylinder, joined, sphere
+from aftdeck.bodies.mass_properties import MassProperties, box, cylinder, joined
 from aftdeck.errors import ArmError
 
 HAND = ("stub", "palm", "fixed finger", "prong")
@@ -75,7 +72,7 @@ def masses_of(model: ArmModel) -> ArmMasses:
     """Return the masses of an arm.
 
     Raises:
-        ArmError: the arm's file lacks the table `housings` or `slides`, or a part has no mass.
+        ArmError: the arm's file lacks the table `links` or `slides`, or a part has no mass.
     """
     file = model.source
     parts = file.masses.parts.value
@@ -85,9 +82,9 @@ def masses_of(model: ArmModel) -> ArmMasses:
             f"{', '.join(massless)}"
         )
     if isinstance(file, YawArmFile):
-        if file.housings is None:
-            raise _lacking(model, "housings")
-        return _of_yaw_arm(model, file, file.housings)
+        if file.links is None:
+            raise _lacking(model, "links")
+        return _of_yaw_arm(model, file)
     if file.slides is None:
         raise _lacking(model, "slides")
     return _of_heading_arm(model, file, file.slides)
@@ -125,33 +122,16 @@ def _lacking(model: ArmModel, table: str) -> ArmError:
     return ArmError(f"the arm {model.name!r} cannot have a {plant} plant: its file has no table [{table}]")
 
 
-def _of_yaw_arm(model: ArmModel, file: YawArmFile, housings: HousingsFile) -> ArmMasses:
-    m, radius = file.masses.parts.value, float(housings.radius.value)
-    frames, steps = model.linkage.frames, model.linkage.steps
-    half_elbow = sphere(0.5 * m.elbow, radius)
-    half_wrist = sphere(0.5 * m.wrist_pitch, radius)
-    to_yaw, to_tip = float(steps[4][0]), float(file.geometry.wrist_yaw_to_tip.value)
-    to_roll = float(housings.wrist_yaw_to_roll.value)
-    links = (
-        (0.5 * m.wrist_pitch + 0.5 * m.wrist_yaw, 0.5 * to_yaw),
-        (0.5 * m.wrist_yaw + 0.5 * m.wrist_roll, 0.5 * to_roll),
-        (0.5 * m.wrist_roll + m.end_effector, 0.5 * (to_roll + to_tip)),
-    )
-    bodies = {
-        frames[0]: sphere(m.yaw_housing, radius),
-        frames[1]: sphere(m.shoulder, radius, 0.5 * steps[1]),
-        frames[3]: half_elbow,
-    }
-    for frame, (mass, ahead), (along, across) in zip(frames[4:], links, housings.wrist_inertia.value, strict=True):
-        bodies[frame] = MassProperties(mass, np.array([ahead, 0.0, 0.0]), np.diag([along, across, across]))
-    boom_radius = float(housings.boom_radius.value)
-    return ArmMasses(
-        bodies,
-        (
-            Boom("upper_boom", frames[2], steps[2], m.upper_boom, boom_radius, half_elbow),
-            Boom("lower_boom", frames[3], steps[3], m.lower_boom, boom_radius, half_wrist),
-        ),
-    )
+def _of_yaw_arm(model: ArmModel, file: YawArmFile) -> ArmMasses:
+    bodies, booms = {}, []
+    for link, frame in zip(links_of(file), model.linkage.frames, strict=True):
+        if link.name in BOOMS:
+            shares = link.shares()
+            bodies[frame] = shares.beginning
+            booms.append(Boom(link.name, frame, link.end, shares.rod, link.radius, shares.tip))
+        else:
+            bodies[frame] = link.whole()
+    return ArmMasses(bodies, tuple(booms))
 
 
 def _of_heading_arm(model: ArmModel, file: HeadingArmFile, slides: SlidesFile) -> ArmMasses:

@@ -13,7 +13,7 @@ from typing import Annotated, Generic, Literal, TypeVar
 import msgspec
 
 from aftdeck.arms.constant import Confidence, Constant, Part, Text
-from aftdeck.arms.drives import FlexibilityFile, HousingsFile, ServoFile, SlidesFile
+from aftdeck.arms.drives import FlexibilityFile, LinksFile, ServoFile, SlidesFile
 from aftdeck.bodies.cover import FEWEST_SIDES
 from aftdeck.bounds import Bounds
 from aftdeck.shapes import Axis
@@ -139,16 +139,17 @@ class PorRow(Part, frozen=True):
 
 
 class YawParts(Part, frozen=True):
-    """Masses of an arm's parts [kg], for the family of the Shuttle's arm."""
+    """Masses of an arm's links [kg], for the family of the Shuttle's arm; each with the housing at its beginning."""
 
-    yaw_housing: Mass
+    foot: Mass
+    """From the vehicle to the first joint, and fixed to the vehicle."""
     shoulder: Mass
     upper_boom: Mass
-    elbow: Mass
     lower_boom: Mass
     wrist_pitch: Mass
+    """From wrist pitch to wrist yaw."""
     wrist_yaw: Mass
-    wrist_roll: Mass
+    """From wrist yaw to wrist roll."""
     end_effector: Mass
 
 
@@ -287,8 +288,8 @@ class YawArmFile(_AnyArm, frozen=True, kw_only=True, tag="yaw-pitch-pitch-pitch-
     masses: MassesFile[YawParts]
     bodies: tuple[BoxBody | PrismBody, ...] = ()
     """Collision bodies of the arm."""
-    housings: HousingsFile | None = None
-    """Sizes and inertias; a plant with masses needs them."""
+    links: LinksFile | None = None
+    """Moments of inertia and sizes of the links; a plant with masses needs them."""
     flexibility: FlexibilityFile | None = None
     """Springs; a flexible plant needs them."""
 

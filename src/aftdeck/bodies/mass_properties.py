@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike
 from aftdeck.arrays import Array
 
 _ORIGIN = (0.0, 0.0, 0.0)
+_ROUNDING = 1e-9
+"""Rounding of a principal moment, as a share of the greatest one [1]."""
 
 
 class MassProperties(NamedTuple):
@@ -31,12 +33,40 @@ class MassProperties(NamedTuple):
         return self._replace(centre=self.centre + np.asarray(by))
 
 
-def impossible(a: float, b: float, c: float) -> str:
-    """Return why no body has these principal moments of inertia; "" if one has."""
-    greatest = max(a, b, c)
-    if 2.0 * greatest <= a + b + c:
+def tensor(moments: Sequence[float], products: Sequence[float] = _ORIGIN) -> Array:
+    """Return a tensor of inertia (3, 3) [kg m2].
+
+    Args:
+        moments: Ixx, Iyy, Izz [kg m2].
+        products: Ixy, Ixz, Iyz, the tensor's elements off the diagonal: Ixy is minus the integral of x y dm [kg m2].
+    """
+    (a, b, c), (d, e, f) = moments, products
+    return np.array([[a, d, e], [d, b, f], [e, f, c]], dtype=np.float64)
+
+
+def impossible(inertia: Array) -> str:
+    """Return why no body has this tensor of inertia (3, 3) [kg m2]; "" if one has.
+
+    The principal moments have to be above zero, and none may exceed the sum of the others.
+    """
+    least, middle, greatest = principal = np.linalg.eigvalsh(inertia).tolist()
+    if least > 0.0 and greatest <= (least + middle) * (1.0 + _ROUNDING):
         return ""
-    return f"no body has the moments of inertia {a:g}, {b:g}, {c:g} kg m2: the greatest exceeds the sum of the others"
+    given = _listed(inertia[k, k] for k in range(3))
+    if products := [inertia[i, j] for i, j in ((0, 1), (0, 2), (1, 2)) if np.triu(inertia, 1).any()]:
+        given += f" and the products {_listed(products)} kg m2: its principal moments would be {_listed(principal)}"
+    rule = "the greatest exceeds the sum of the others" if least > 0.0 else "each has to be above 0"
+    return f"no body has the moments of inertia {given} kg m2: {rule}"
+
+
+def _listed(values: Iterable[float]) -> str:
+    return ", ".join(f"{value:g}" for value in values)
+
+
+def about(mass: float, place: Array) -> Array:
+    """Return the inertia (3, 3) of a mass at a place (3,) [m] about the origin [kg m2]: the parallel-axis theorem."""
+    inertia: Array = mass * (place @ place * np.eye(3) - np.outer(place, place))
+    return inertia
 
 
 def sphere(mass: float, radius: float, centre: ArrayLike = _ORIGIN) -> MassProperties:
@@ -77,6 +107,5 @@ def joined(bodies: Sequence[MassProperties]) -> MassProperties:
     centre = sum((body.mass * body.centre for body in bodies), np.zeros(3)) / mass
     inertia = np.zeros((3, 3))
     for body in bodies:
-        arm = body.centre - centre
-        inertia += body.inertia + body.mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+        inertia += body.inertia + about(body.mass, body.centre - centre)
     return MassProperties(float(mass), centre, inertia)

@@ -77,6 +77,14 @@ def arm(
         PayloadAxis | None,
         typer.Option(help="frequencies: axis along which the payload, a cylinder, lies; default: pitch."),
     ] = None,
+    payload: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SCENARIO",
+            help="frequencies: the payload that the end effector holds at the start of a scenario, in place of a "
+            "cylinder.",
+        ),
+    ] = None,
     free: Annotated[bool, typer.Option("--free", help="frequencies: on a free orbiter; default: fixed.")] = False,
     orbiter_mass: Annotated[
         str | None, typer.Option(metavar="MASS", help="frequencies: mass of the free orbiter; default: 100000 kg.")
@@ -86,7 +94,7 @@ def arm(
     """Print poses, joint angles, limits, modes or natural frequencies of an arm.
 
     The natural frequencies are those of the flexible arm with its brakes on. Its payload is a uniform cylinder with the
-    density of 65,000 lb in 60 by 15 ft; its centre is at the tip.
+    density of 65,000 lb in 60 by 15 ft, whose centre is at the tip, or the payload of a scenario.
     """
     from aftdeck.kinematics.arm import load_arm
 
@@ -95,6 +103,7 @@ def arm(
             "--pose": pose,
             "--payload-mass": payload_mass,
             "--payload-axis": payload_axis,
+            "--payload": payload,
             "--free": free or None,
             "--orbiter-mass": orbiter_mass,
         }
@@ -117,7 +126,7 @@ def arm(
             from aftdeck.cli.arm_frequencies import print_frequencies
 
             angles = [math.radians(q) if deg else q for q in pose or [0.0] * 6]
-            print_frequencies(loaded, angles, payload_mass, payload_axis, free, orbiter_mass, as_json)
+            print_frequencies(loaded, angles, payload_mass, payload_axis, payload, free, orbiter_mass, as_json)
 
 
 def _numbers(texts: list[str], expected: int, question: str) -> list[float]:

@@ -12,7 +12,9 @@ from aftdeck.lines import print_line
 from aftdeck.plant.multibody.frequencies import frequencies
 from aftdeck.plant.usual_payload import HEAVIEST, PAYLOAD_MASS, usual_payload
 from aftdeck.scenario.changes import value_of
-from aftdeck.simulation.constants.multibody import orbiter_in_l
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.begin import initial_state
+from aftdeck.simulation.constants.flight import run_constants
 from aftdeck.units import Mass
 from aftdeck.worksite.file.load import load_worksite
 from aftdeck.worksite.file.schema import ORBITER_MASS
@@ -37,6 +39,7 @@ def print_frequencies(
     angles: Sequence[float],
     payload_mass: str | None,
     payload_axis: PayloadAxis | None,
+    payload_of: str | None,
     free: bool,
     orbiter_mass: str | None,
     as_json: bool,
@@ -45,7 +48,8 @@ def print_frequencies(
 
     Raises:
         ArmError: the arm has no table `flexibility`.
-        InputError: an angle is not finite, a mass is not plausible, or an option lacks the option that it refers to.
+        InputError: an angle is not finite, a mass is not plausible, an option lacks the option that it refers to, or
+            the end effector of the scenario holds nothing.
     """
     if not all(map(math.isfinite, angles)):
         raise InputError(f"--pose: angles have to be finite, got {' '.join(map(str, angles))}")
@@ -53,8 +57,11 @@ def print_frequencies(
         raise InputError("--payload-axis needs --payload-mass")
     if orbiter_mass is not None and not free:
         raise InputError("--orbiter-mass needs --free")
-    payload = orbiter = None
+    payload = None if payload_of is None else _held(payload_of)
+    orbiter = None
     if payload_mass is not None:
+        if payload is not None:
+            raise InputError("--payload has its own mass: give either --payload or --payload-mass")
         axis = list(PayloadAxis).index(payload_axis or PayloadAxis.pitch)
         payload = usual_payload(_mass("--payload-mass", payload_mass, PAYLOAD_MASS), axis)
     if free:
@@ -62,9 +69,10 @@ def print_frequencies(
         assert usual is not None, "the orbiter's worksite has an orbiter"
         mass = usual.mass if orbiter_mass is None else _mass("--orbiter-mass", orbiter_mass, ORBITER_MASS)
         x, y, z = (moment * mass / usual.mass for moment in usual.inertia)
-        orbiter = orbiter_in_l(arm.model.mount, OrbiterMass(mass, (x, y, z), usual.centre))
+        orbiter = OrbiterMass(mass, (x, y, z), usual.centre).in_l(arm.model.mount)
     found = frequencies(arm.model, angles, payload=payload, orbiter=orbiter).tolist()
-    cautions = list(_cautions(arm, angles, payload, orbiter))
+    option = "--payload-mass" if payload_of is None else "--payload"
+    cautions = list(_cautions(arm, angles, option, payload, orbiter))
     print_cautions(cautions)
     if as_json:
         print_json({"arm": arm.name, "frequencies_hz": found, "cautions": cautions})
@@ -74,15 +82,15 @@ def print_frequencies(
 
 
 def _cautions(
-    arm: Arm, angles: Sequence[float], payload: MassProperties | None, orbiter: MassProperties | None
+    arm: Arm, angles: Sequence[float], option: str, payload: MassProperties | None, orbiter: MassProperties | None
 ) -> Iterator[str]:
-    """Yield what is strange about a pose, a payload and an orbiter, although it can be computed."""
+    """Yield what is strange about a pose, a payload (from an option) and an orbiter, although it can be computed."""
     for joint, angle, (low, high) in zip(arm.joints, angles, arm.limits.hard.tolist(), strict=True):
         if not low - ROUNDED <= angle <= high + ROUNDED:
             least, given, most = (f"{math.degrees(value):.4g}" for value in (low, angle, high))
             yield f"--pose: {joint} at {given} deg is beyond its hard stops, {least} and {most} deg"
     if payload is not None and payload.mass > HEAVIEST * (1.0 + ROUNDED):
-        yield f"--payload-mass: {payload.mass:.6g} kg is more than the Shuttle's heaviest payload, {HEAVIEST:.6g} kg"
+        yield f"{option}: {payload.mass:.6g} kg is more than the Shuttle's heaviest payload, {HEAVIEST:.6g} kg"
     usual = load_worksite("orbiter").orbiter
     assert usual is not None, "the orbiter's worksite has an orbiter"
     if orbiter is not None and not usual.mass / SCALED <= orbiter.mass <= usual.mass * SCALED:
@@ -90,6 +98,15 @@ def _cautions(
             f"--orbiter-mass: {orbiter.mass:.6g} kg is far from the {usual.mass:.6g} kg of the orbiter whose centre of "
             "mass and proportions are taken"
         )
+
+
+def _held(name: str) -> MassProperties:
+    """Return the mass properties of the payload that the end effector holds at the start of a scenario."""
+    scenario = load_scenario(name)
+    payload = initial_state(run_constants(scenario)).carried.payload
+    if payload is None:
+        raise InputError(f"--payload: the end effector of {scenario.name!r} holds no payload at the start")
+    return payload.properties
 
 
 def _mass(option: str, text: str, bounds: Bounds) -> float:

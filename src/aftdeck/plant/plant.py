@@ -57,6 +57,27 @@ class Hold(NamedTuple):
     give: float = 0.1
 
 
+Pushed = int | Literal["hand", "attached", "orbiter"]
+"""A body that can be pushed: index of a payload of the worksite, the last joint's body, the payload that the scenario
+itself attaches, or the orbiter."""
+
+
+class Push(NamedTuple):
+    """Force and torque on a body in one control period, in the frame that is fixed in space and was L at the start.
+
+    Attributes:
+        on: the body.
+        force: (3,) force [N].
+        torque: (3,) torque in addition to that of the force [N m].
+        place: (3,) point at which the force acts when the period begins [m].
+    """
+
+    on: Pushed
+    force: Array
+    torque: Array
+    place: Array
+
+
 class Surroundings(NamedTuple):
     """What acts on the bodies besides servos and brakes, in one control period.
 
@@ -66,14 +87,14 @@ class Surroundings(NamedTuple):
         prong: position of the prong, for an arm that has one [m].
         velocity: (3,) commanded velocity of the orbiter in space, along forward, starboard and down [m/s]; NaN for an
             axis that is not commanded.
-        torques: for payloads with attitude control, the torque of their jets in the payload's axes [N m].
+        pushes: disturbances, and torques of payloads with attitude control.
     """
 
     holds: Sequence[Hold] = ()
     near: Indices = NOTHING_NEAR
     prong: float = 0.0
     velocity: Array = NO_COMMAND
-    torques: Sequence[tuple[int, Array]] = ()
+    pushes: Sequence[Push] = ()
 
 
 class Plant(Protocol):

@@ -25,18 +25,18 @@ NO_SPREAD = Spread(0.0, 0.0, 0.0)
 """Spread of a plant without masses."""
 _Key = tuple[Literal["rigid", "flexible"], LawChoice, bool]
 _SPREADS: dict[_Key, Spread] = {
-    ("rigid", "position", False): Spread(0.0, 0.0, 0.052),
+    ("rigid", "position", False): Spread(0.0, 0.0, 0.051),
     ("flexible", "position", False): Spread(0.0, 0.0, 0.048),
-    ("rigid", "position", True): Spread(0.0, 0.0, 0.194),
-    ("flexible", "position", True): Spread(0.0, 0.0, 0.178),
-    ("rigid", "closed loop", False): Spread(0.0, 3.0, 0.003),
-    ("flexible", "closed loop", False): Spread(0.0, 3.0, 0.019),
-    ("rigid", "closed loop", True): Spread(0.68, 3.0, 0.003),
-    ("flexible", "closed loop", True): Spread(1.45, 3.0, 0.01),
-    ("rigid", "open loop", False): Spread(0.0, 3.0, 0.035),
-    ("flexible", "open loop", False): Spread(0.0, 3.0, 0.033),
-    ("rigid", "open loop", True): Spread(0.0, 0.0, 0.14),
-    ("flexible", "open loop", True): Spread(0.0, 0.0, 0.125),
+    ("rigid", "position", True): Spread(0.0, 3.0, 0.163),
+    ("flexible", "position", True): Spread(0.0, 3.0, 0.141),
+    ("rigid", "closed loop", False): Spread(0.0, 3.0, 0.005),
+    ("flexible", "closed loop", False): Spread(0.0, 3.0, 0.022),
+    ("rigid", "closed loop", True): Spread(0.7, 3.0, 0.003),
+    ("flexible", "closed loop", True): Spread(1.22, 3.0, 0.024),
+    ("rigid", "open loop", False): Spread(0.0, 3.0, 0.033),
+    ("flexible", "open loop", False): Spread(0.0, 3.0, 0.031),
+    ("rigid", "open loop", True): Spread(0.0, 0.0, 0.139),
+    ("flexible", "open loop", True): Spread(0.0, 0.0, 0.118),
 }
 """Greatest values of random motions and built-in scenarios of the Shuttle's arm, without and with payloads up to
 65,000 lb; printed by ``python -m benchmarks.spread``. Other arms have no values of their own."""

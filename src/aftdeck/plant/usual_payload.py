@@ -9,7 +9,7 @@ from aftdeck.bounds import Bounds
 from aftdeck.units import FOOT, POUND, Mass
 
 HEAVIEST = 65_000 * POUND
-"""Mass of the heaviest payload of the Shuttle [kg]; the published frequencies with a heavy payload fit it (derived)."""
+"""Mass of the heaviest payload of the Shuttle [kg] (firm)."""
 LONGEST, WIDEST = 60 * FOOT, 15 * FOOT
 """Length and diameter of the heaviest payload, a cylinder that fills the payload bay [m] (firm)."""
 

@@ -15,6 +15,7 @@ from aftdeck.scenario.all_cameras import present_cameras
 from aftdeck.scenario.attached import Grasp
 from aftdeck.scenario.camera_settings import camera_settings
 from aftdeck.scenario.chosen_payloads import present_cargo
+from aftdeck.scenario.disturbance import Disturbable, payload_names, planned
 from aftdeck.scenario.fit import misfits
 from aftdeck.scenario.light import lamps_of, lighting
 from aftdeck.scenario.limits import check_por, limited_arm, por_with
@@ -32,7 +33,7 @@ from aftdeck.scenario.steps import task_steps
 from aftdeck.scenario.target import AtSeat
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.file.load import worksite_of
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Cargo, OrbiterMotion, Worksite
 
 BUILT_IN = Path(__file__).parent / "builtin"
 """Folder of the scenarios that come with Aftdeck."""
@@ -85,6 +86,9 @@ def build(
         problems.add(("next",), f"no built-in scenario {spec.next!r}")
     steps = task_steps(problems, arm, spec.step, references)
     _check_plant(problems, spec, arm, worksite, cargo, grasp.payloads)
+    orbiter = spec.dynamics.orbiter or _usual_motion(worksite)
+    names = payload_names([one.name for one in cargo], own=bool(grasp.payloads))
+    disturbances = planned(problems, spec, Disturbable(spec.plant, orbiter, names))
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
@@ -108,7 +112,7 @@ def build(
         worksite=worksite,
         seed=spec.seed,
         plant=spec.plant,
-        orbiter=spec.dynamics.orbiter or ("fixed" if worksite.orbiter is None else "free"),
+        orbiter=orbiter,
         inhibit=spec.dynamics.inhibit,
         duration=float(spec.duration),
         ticks=round(spec.duration / spec.control_period),
@@ -142,6 +146,7 @@ def build(
         por=spec.limits.por,
         own_payloads=tuple(grasp.payloads),
         payload=payload,
+        disturbances=disturbances,
         phases=tuple(phase for phase in phases if phase is not None),
         steps=tuple(steps),
         next=spec.next or "",
@@ -221,6 +226,11 @@ def _check_plant(
     for name, mass in masses:
         if why := PAYLOAD_MASS.problem(mass, ""):
             problems.add(("plant",), f"{spec.plant!r} cannot move {name}, because of its mass: {why}")
+
+
+def _usual_motion(worksite: Worksite | None) -> OrbiterMotion:
+    """Return the motion of a worksite's orbiter, unless the scenario gives another."""
+    return "fixed" if worksite is None or worksite.orbiter is None else worksite.orbiter.motion
 
 
 def _check_orbiter(problems: Problems, spec: ScenarioFile, worksite: Worksite | None) -> None:

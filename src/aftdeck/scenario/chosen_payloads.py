@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from aftdeck.bodies.mass_properties import impossible
+from aftdeck.arms.geometry import frozen
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import CargoSpec
 from aftdeck.worksite.file.cargo import start_of
@@ -16,7 +16,7 @@ from aftdeck.worksite.model import Cargo, Worksite
 def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Cargo, ...]:
     """Return the worksite's payloads that a scenario lists.
 
-    A mass, moments of inertia or a start pose that the scenario gives for a payload replace those of the worksite's
+    A mass, its distribution or a start pose that the scenario gives for a payload replace those of the worksite's
     file.
     """
     if worksite is None:
@@ -36,13 +36,14 @@ def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence
         if spec.mass is not None and spec.mass <= 0.0:
             problems.add(("cargo", i, "mass"), f"has to be above 0, got {spec.mass:g} kg")
         elif spec.mass is not None:
-            x, y, z = (value * spec.mass / payload.mass for value in payload.inertia)
-            payload = msgspec.structs.replace(payload, mass=float(spec.mass), inertia=(x, y, z))
-        if spec.inertia is not None and (why := impossible(*spec.inertia)):
+            inertia = frozen(payload.inertia * spec.mass / payload.mass)
+            payload = msgspec.structs.replace(payload, mass=float(spec.mass), inertia=inertia)
+        if why := spec.tensor_problem():
             problems.add(("cargo", i, "inertia"), why)
-        elif spec.inertia is not None:
-            x, y, z = map(float, spec.inertia)
-            payload = msgspec.structs.replace(payload, inertia=(x, y, z))
+        elif (given := spec.tensor()) is not None:
+            payload = msgspec.structs.replace(payload, inertia=frozen(given))
+        if (centre := spec.mass_centre()) is not None:
+            payload = msgspec.structs.replace(payload, centre_of_mass=frozen(centre))
         if spec.start is not None:
             try:
                 payload = msgspec.structs.replace(

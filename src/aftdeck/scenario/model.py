@@ -14,12 +14,13 @@ from aftdeck.bodies.cameras import Setting
 from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.disturbance import Disturbable, Planned, payload_names
 from aftdeck.scenario.light import Lighting
-from aftdeck.scenario.schema import FreeContact, Orbiter, Part, Plant, PorOverride, Rate, ScenarioGroup, Until
+from aftdeck.scenario.schema import FreeContact, Part, Plant, PorOverride, Rate, ScenarioGroup, Until
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.steering.mode import MODES, LawChoice
-from aftdeck.worksite.model import Cargo, Worksite
+from aftdeck.worksite.model import Cargo, OrbiterMotion, Worksite
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,6 +204,7 @@ class Scenario:
         own_payloads: payloads that the scenario itself attaches to the end effector: the payload of `[payload]`, then
             the payloads of the phases. The end effector neither captures nor releases these payloads.
         payload: the payload of `[payload]`, which is attached at the start; None if there is none.
+        disturbances: forces and torques that act for a time, on a plant with masses.
         phases: the script; empty if there is none.
         steps: steps of the operator's task; empty if the scenario describes none.
         next: name of the scenario that the station proposes after the last step; empty if it proposes none.
@@ -220,7 +222,7 @@ class Scenario:
     worksite: Worksite
     seed: int
     plant: Plant
-    orbiter: Orbiter
+    orbiter: OrbiterMotion
     inhibit: bool
     duration: float
     ticks: int
@@ -254,6 +256,7 @@ class Scenario:
     por: PorOverride
     own_payloads: tuple[Payload, ...]
     payload: Payload | None
+    disturbances: tuple[Planned, ...]
     phases: tuple[PhasePlan, ...]
     steps: tuple[TaskStep, ...]
     next: str
@@ -269,6 +272,12 @@ class Scenario:
     def flexures(self) -> tuple[Flexure, ...]:
         """Parts of the arm that bend on the scenario's plant."""
         return flexures_of(self.arm.model) if self.plant == "flexible" else ()
+
+    @cached_property
+    def disturbable(self) -> Disturbable:
+        """What disturbances can act on."""
+        names = payload_names([one.name for one in self.cargo], own=bool(self.own_payloads))
+        return Disturbable(self.plant, self.orbiter, names)
 
     @property
     def initial_angles(self) -> np.ndarray:

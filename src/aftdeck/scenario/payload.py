@@ -8,7 +8,7 @@ import numpy as np
 
 from aftdeck.arms.covers import cover_problem, hexahedra
 from aftdeck.arms.geometry import frozen
-from aftdeck.bodies.mass_properties import box, impossible
+from aftdeck.bodies.mass_properties import box
 from aftdeck.files import Where
 from aftdeck.frames import endori
 from aftdeck.kinematics.payload import Payload
@@ -43,7 +43,7 @@ def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Pa
     if spec.mass <= 0.0:
         problems.add((*where, "mass"), f"has to be above 0, got {spec.mass:g} kg")
         return None
-    if spec.inertia is not None and (why := impossible(*spec.inertia)):
+    if why := spec.tensor_problem():
         problems.add((*where, "inertia"), why)
         return None
     turned = endori(spec.roll, spec.pitch, spec.yaw)
@@ -52,5 +52,12 @@ def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Pa
         if given is None:
             return None
         turned = given
-    inertia = usual_payload(float(spec.mass)).inertia if spec.inertia is None else np.diag(spec.inertia)
-    return Payload(float(spec.mass), frozen(turned), frozen(spec.position), frozen(spec.por), inertia=frozen(inertia))
+    inertia, centre = spec.tensor(), spec.mass_centre()
+    return Payload(
+        float(spec.mass),
+        frozen(turned),
+        frozen(spec.position),
+        frozen(spec.por),
+        inertia=frozen(usual_payload(float(spec.mass)).inertia if inertia is None else inertia),
+        centre_of_mass=frozen(np.zeros(3) if centre is None else centre),
+    )

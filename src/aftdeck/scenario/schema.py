@@ -24,13 +24,16 @@ from aftdeck.units import (
     Angle,
     AngularAcceleration,
     AngularRate,
+    Force,
     Length,
     Mass,
     Speed,
     Time,
+    Torque,
 )
 from aftdeck.worksite.file.cargo_file import StartFile
-from aftdeck.worksite.file.tables import Inertia
+from aftdeck.worksite.file.mass_file import MassTable
+from aftdeck.worksite.model import OrbiterMotion
 
 Stick = Annotated[float, Bounds(-1.0, 1.0, "1 is the full deflection")]
 Sticks = tuple[Stick, Stick, Stick]
@@ -128,17 +131,16 @@ class Initial(_Part, frozen=True):
     grasped: GraspSpec | None = None
 
 
-class CargoSpec(_Part, frozen=True):
+class CargoSpec(MassTable, frozen=True, kw_only=True):
     """A payload of the worksite's file that is present in the run.
 
-    `start`, `mass` and `inertia` replace that file's values. If `mass` is given without `inertia`, the moments of
-    inertia change in proportion to it.
+    `start`, `mass`, `inertia` with its `products`, and `centre_of_mass` replace that file's values. If `mass` is given
+    without `inertia`, the tensor of inertia changes in proportion to it.
     """
 
     name: Text
     start: StartFile | None = None
     mass: Mass | None = None
-    inertia: Inertia | None = None
 
 
 class InitialiseSpec(_Part, frozen=True):
@@ -222,31 +224,31 @@ class LimitsOverride(RatesOverride, frozen=True):
     reach: SixRanges | None = None
 
 
-Orbiter = Literal["free", "held", "fixed"]
-"""Motion of the orbiter on a plant with masses."""
+CONTROL_PERIOD = Bounds(0.001, 0.2, "the arm's own computer ran at 0.08 s")
+"""Plausible duration of a control step [s]."""
 
 
 class DynamicsSpec(_Part, frozen=True):
     """Properties of a plant with masses; the kinematic plant ignores them.
 
     `orbiter` is `free` if the orbiter reacts to the arm's motion and drifts, `held` if jets hold its attitude besides,
-    and `fixed` if it keeps its position and attitude. Without `orbiter`, it is free if its mass is known, else fixed.
+    and `fixed` if it keeps its position and attitude. Without `orbiter`, it moves as the worksite's file says (`motion`
+    in ``[orbiter]``), and is fixed if its mass is not known.
     `inhibit` tells whether a detrimental contact also inhibits the arm, as on the kinematic plant.
     """
 
-    orbiter: Orbiter | None = None
+    orbiter: OrbiterMotion | None = None
     inhibit: bool = False
 
 
-class AttachedSpec(_Part, frozen=True):
-    """A payload as the steering uses it.
+class AttachedSpec(MassTable, frozen=True, kw_only=True):
+    """A payload that the scenario attaches to the end effector.
 
     `position` is r_87, the vector from the tip to the payload's centre, in payload axes. `roll`, `pitch`, `yaw` or a
     `matrix` give the rotation from frame 7 to the payload's axes (T_78). The angles are ENDORI's roll, elevation,
     azimuth; azimuth is applied first. `por` is the vector from the payload's centre to its point of resolution, in
-    payload axes. `inertia` gives the moments of inertia about the payload axes, through its centre. Without `inertia`,
-    the payload is uniform: a box around its `body` entries, or a cylinder with 1/4 of its length as diameter and the
-    density of 65,000 lb in 60 x 15 ft, its axis along payload axis 1.
+    payload axes. Without `inertia`, the payload has that of a uniform box around its `body` entries, or of a cylinder
+    with 1/4 of its length as diameter and the density of 65,000 lb in 60 x 15 ft, its axis along payload axis 1.
     """
 
     mass: Mass
@@ -256,10 +258,9 @@ class AttachedSpec(_Part, frozen=True):
     yaw: Angle = Angle(0.0)
     matrix: tuple[Row, Row, Row] | None = None
     por: Point = (Length(0.0), Length(0.0), Length(0.0))
-    inertia: Inertia | None = None
 
 
-class PayloadSpec(AttachedSpec, frozen=True):
+class PayloadSpec(AttachedSpec, frozen=True, kw_only=True):
     """A payload that is attached to the end effector from the start and is never released.
 
     The `shape` entries are drawn. The `body` entries collide; they enclose the drawn shapes. Both kinds of entries are
@@ -324,6 +325,30 @@ class Phase(_Part, frozen=True):
     detached: bool = False
     until: Until | None = None
     duration: Time | None = None
+
+
+class DisturbanceSpec(_Part, frozen=True):
+    """A force and a torque that act on a body for a time, on a plant with masses.
+
+    `on` is `tip`, `orbiter`, the name of a payload of the worksite, or `payload` for the payload that the scenario
+    itself attaches. The disturbance acts from the time `begin` of the run for `duration`, whoever flies. `force` acts
+    at the point `at`: of a payload, from its centre in its axes; of the tip, from the tip in frame 7; of the orbiter,
+    in the orbiter frame. Without `at`, it acts at the tip itself, or at the body's centre of mass. `torque` acts in
+    addition.
+
+    `frame` gives the axes of both: `orbiter`, `panel`, `L`, `space` (the axes of L at the start of the run, which do
+    not turn), `tip` (frame 7) or the name of a payload. Force and torque are constant within a control period, in the
+    axes at its beginning. In a period of which the disturbance covers a part, they act with this share, so that the
+    impulse is exact.
+    """
+
+    on: Text
+    duration: Time
+    begin: Time = Time(0.0)
+    force: tuple[Force, Force, Force] = (Force(0.0), Force(0.0), Force(0.0))
+    torque: tuple[Torque, Torque, Torque] = (Torque(0.0), Torque(0.0), Torque(0.0))
+    frame: Text = "orbiter"
+    at: Point | None = None
 
 
 class PointSpec(_Part, frozen=True):
@@ -391,7 +416,7 @@ class ScenarioFile(_Part, frozen=True):
     """Values that replace those in the worksite's ``[dimensions]``."""
     seed: Annotated[int, Bounds(0, 2**53, "JSON and JavaScript represent no greater integer exactly")] = 0
     duration: Time = Time(600.0)
-    control_period: Annotated[Time, Bounds(0.001, 0.2, "the arm's own computer ran at 0.08 s")] = Time(0.02)
+    control_period: Annotated[Time, CONTROL_PERIOD] = Time(0.02)
     command_delay: Delay = Time(0.0)
     telemetry_delay: Delay = Time(0.0)
     camera_delay: Delay = Time(0.0)
@@ -421,6 +446,7 @@ class ScenarioFile(_Part, frozen=True):
     light: LightSpec = LightSpec()
     cameras: dict[str, CameraSpec] = msgspec.field(default_factory=dict)
     """Settings of cameras at the start, by the camera's name."""
+    disturbance: tuple[DisturbanceSpec, ...] = ()
     phase: tuple[Phase, ...] = ()
     step: tuple[StepSpec, ...] = ()
     next: Text | None = None

@@ -22,11 +22,18 @@ AT_BAY = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
 
 
 def scenario(
-    plant: str, body: str = "", *, initial: str = BAY, pounds: float = 0.0, orbiter: str = "fixed", head: str = ""
+    plant: str,
+    body: str = "",
+    *,
+    initial: str = BAY,
+    pounds: float = 0.0,
+    orbiter: str = "fixed",
+    worksite: str = "",
+    head: str = "",
 ) -> Scenario:
-    """Return a scenario in empty space; its payload's centre is at the tip."""
+    """Return a scenario in empty space, or with an orbiter that moves; its payload's centre is at the tip."""
     payload = f"[payload]\nmass = '{pounds} lb'\n" if pounds else ""
-    worksite = "space" if orbiter == "fixed" else "orbiter"
+    worksite = worksite or ("space" if orbiter == "fixed" else "orbiter")
     text = (
         f"title = 'a flight'\nworksite = '{worksite}'\nplant = '{plant}'\nduration = '600 s'\n{head}\n"
         f"[dynamics]\norbiter = '{orbiter}'\n[initial]\n{initial}\n{payload}{body}\n"

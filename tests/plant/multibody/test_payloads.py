@@ -133,9 +133,12 @@ def test_release_changes_no_velocity() -> None:
         sim.step(Inputs())
     after = bodies_of(sim).motions[0].copy()
     assert np.abs(after - before).max() < 0.02 * (force + 1.0) / 15_000.0 + 1e-6
+    impulse = 0.0
     for _ in range(50):
-        sim.step(Inputs())
-    assert bodies_of(sim).motions[0, 3:] == pytest.approx(after[3:], abs=1e-12)
+        frame = sim.step(Inputs())
+        assert frame.dynamics is not None
+        impulse += 0.02 * sum(math.hypot(*contact.force) for contact in frame.dynamics.contacts)
+    assert np.linalg.norm(bodies_of(sim).motions[0, 3:] - after[3:]) <= 1e-12 + 1.01 * impulse / 15_000.0
     assert bodies_of(sim).motions[0, :3] == pytest.approx(after[:3], abs=1e-6)  # it tumbles by its inertia
 
 
@@ -191,9 +194,9 @@ def test_greatest_force_of_a_capture_is_logged(plant: str) -> None:
 
 def test_mass_of_a_scenario_scales_the_inertia_and_inertia_replaces_it() -> None:
     own, heavy = (scenario("rigid", [{"name": "payload", "mass": mass}]).cargo[0] for mass in (1000.0, 3000.0))
-    assert heavy.inertia == pytest.approx([3.0 * value for value in own.inertia])
+    assert heavy.inertia == pytest.approx(3.0 * own.inertia)
     given = scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 250.0]}]).cargo[0]
-    assert given.inertia == (100.0, 200.0, 250.0)
+    assert given.inertia == pytest.approx(np.diag([100.0, 200.0, 250.0]))
     with pytest.raises(ScenarioError, match=r"cargo\[0\].inertia"):
         scenario("rigid", [{"name": "payload", "inertia": [100.0, 200.0, 350.0]}])
 

@@ -13,7 +13,6 @@ import numpy as np
 
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.masses import flexibility_needed, servo_needed
-from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.plant.multibody.chain import add_arm, set_mass
 from aftdeck.plant.multibody.payloads import add_payloads
@@ -123,8 +122,3 @@ def _actuator(spec: Any, name: str, joint: str, most: float, group: int) -> Any:
     actuator.forcelimited, actuator.forcerange = True, [-most, most]
     actuator.group = group
     return actuator
-
-
-def in_tip_frame(mass: float, centre: Array, rotation: Array, inertia: Array) -> MassProperties:
-    """Return a payload's mass properties in frame 7, from its centre in frame 7 and its inertia in payload axes."""
-    return MassProperties(mass, centre, rotation @ inertia @ rotation.T)

@@ -23,6 +23,8 @@ GAUSS = (0.5 * (1.0 - 1.0 / np.sqrt(3.0)), 0.5 * (1.0 + 1.0 / np.sqrt(3.0)))
 DUST = MassProperties(1e-3, np.zeros(3), 1e-4 * np.eye(3))
 """Mass properties of a body between two joints: MuJoCo allows no moving body without mass."""
 AXES = np.eye(3)
+_ROUNDING = 1e-9
+"""Rounding of a principal moment of inertia, as a share of the greatest one [1]."""
 
 Body = Any
 """A body of MuJoCo's specification; the library has no types."""
@@ -70,7 +72,7 @@ class _Chain:
         """Add the base's springs between the vehicle and the first joint."""
         if self._springs is None:
             return at
-        body = self._body(at, "base", np.zeros(3))
+        body = self._body(at, "base", np.zeros(3), self._masses.bodies.get(self._model.linkage.frames[0]))
         for axis, name, stiffness in zip(AXES, "xyz", self._springs.base, strict=True):
             self._hinge(body, f"base.{name}", axis, stiffness)
         return body
@@ -123,11 +125,10 @@ class _Chain:
     ) -> Body:
         """Add a body with its mass properties; a body of the arm's frames has those of `ArmMasses`."""
         body = parent.add_body(name=name, pos=at)
-        parts = [self._masses.bodies[name]] if name in self._masses.bodies else []
+        foot = self._springs is not None and name == self._model.linkage.frames[0]  # it moves with the base
+        parts = [self._masses.bodies[name]] if name in self._masses.bodies and not foot else []
         parts += [self._carried(boom) for boom in self._masses.booms if boom.frame == name]
         parts += [] if properties is None else [properties]
-        if not parts and moving and self._springs is not None:
-            parts.append(DUST._replace(inertia=self._springs.added_inertia * np.eye(3)))
         if parts or moving:
             set_mass(body, joined(parts) if parts else DUST)
         return body
@@ -146,8 +147,14 @@ class _Chain:
 
 
 def set_mass(body: Body, properties: MassProperties) -> None:
-    """Set the mass properties of a body."""
+    """Set the mass properties of a body.
+
+    MuJoCo rejects a flat plate whose greatest principal moment exceeds the sum of the others by rounding.
+    """
     i = properties.inertia
+    least, middle, greatest = np.linalg.eigvalsh(i)
+    if np.triu(i, 1).any() and least + middle < greatest * (1.0 + _ROUNDING):
+        i = i + 2.0 * _ROUNDING * greatest * np.eye(3)
     body.explicitinertial = True
     body.mass, body.ipos = properties.mass, properties.centre
     body.fullinertia = [i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2]]

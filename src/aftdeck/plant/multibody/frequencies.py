@@ -33,7 +33,7 @@ def frequencies(
         orbiter: the free orbiter, in L; None if the arm's base is fixed.
 
     Raises:
-        ArmError: the arm's file has no table `flexibility`, `servo` or `housings`.
+        ArmError: the arm's file has no table `flexibility`, `servo` or `links`.
     """
     spec = arm_spec(arm, flexible=True, orbiter=orbiter)
     if payload is not None:
@@ -41,11 +41,19 @@ def frequencies(
     view = View(spec.compile(), arm)
     view.set_joints(np.asarray(angles, dtype=np.float64), np.zeros(6), float(arm.links[0]))
     mujoco.mj_forward(view.model, view.data)
-    mass, stiffness = matrices(view)
+    return vibrations(*matrices(view))[0][0 if orbiter is None else RIGID_MODES :]
+
+
+def vibrations(mass: Array, stiffness: Array) -> tuple[Array, Array]:
+    """Return the natural frequencies (m,) of a mass and a stiffness matrix (n, n), lowest first [Hz], and their shapes.
+
+    The shapes are the columns of an (n, m) matrix, each of modal mass 1: its product with the mass matrix and itself.
+    """
     root = np.linalg.inv(np.linalg.cholesky(mass))
-    squares = np.linalg.eigvalsh(root @ stiffness @ root.T)[0 if orbiter is None else RIGID_MODES :]
+    scaled = root @ stiffness @ root.T
+    squares = np.linalg.eigvalsh(scaled)  # those of `eigh` are lost in rounding if stiffnesses differ by 1e7
     found: Array = np.sqrt(np.maximum(squares, 0.0)) / (2.0 * np.pi)
-    return found
+    return found, root.T @ np.linalg.eigh(scaled)[1]
 
 
 def matrices(view: View) -> tuple[Array, Array]:

@@ -27,51 +27,6 @@ HOLD_GAIN, HOLD_RATE, ENCODER, TACHOMETER, TORQUE, HOLDING, GIVE = range(7)
 
 
 @law
-def command_joints(
-    rates: Array,
-    angles: Array,
-    braked: bool,
-    by_angle: bool,
-    places: Indices,
-    servo: Array,
-    holds: Array,
-    qvel: Array,
-    step: float,
-    ctrl: Array,
-    act: Array,
-) -> None:
-    """Command servos and brakes.
-
-    A servo turns its joint at the given rate, or holds its position while the joint is not commanded. With `by_angle`,
-    it turns the joint at the given rate and towards the angle to which the rates lead.
-
-    Args:
-        rates: (6,) commanded joint rates [rad/s].
-        angles: (6,) measured joint angles [rad].
-        braked: whether the brakes are on; then no servo holds its joint.
-        by_angle: whether servos also turn the joints to the angles to which the rates lead.
-        places: (6, 6) places of the joints in MuJoCo's arrays.
-        servo: (7, 6) constants of the joints.
-        holds: (6,) angles to which the servos turn the joints [rad], `NONE` for none; updated.
-        qvel: MuJoCo's velocities.
-        step: time for `deflect_brakes`, one step of MuJoCo [s].
-        ctrl: MuJoCo's controls; written.
-        act: MuJoCo's activations; the brakes' deflections [rad] are written while the brakes are off.
-    """
-    for i in range(6):
-        if braked or (rates[i] != 0.0 and not by_angle):
-            holds[i] = NONE
-            ctrl[places[INPUT, i]] = rates[i]
-        else:
-            if holds[i] != holds[i]:
-                holds[i] = angles[i]
-            back, most = servo[HOLD_GAIN, i] * (holds[i] - angles[i]), servo[HOLD_RATE, i]
-            ctrl[places[INPUT, i]] = rates[i] + min(max(back, -most), most)
-    if not braked:
-        deflect_brakes(places, servo, qvel, step, act)
-
-
-@law
 def deflect_brakes(places: Indices, servo: Array, qvel: Array, step: float, act: Array) -> None:
     """Deflect the brakes as the motors do in the given time, so that brakes slip at once if they are set in motion.
 
@@ -105,7 +60,7 @@ def _wanted(i: int, places: Indices, gains: Array, biases: Array, ctrl: Array, r
 
 
 @law
-def jumps(
+def _jumps(
     places: Indices,
     servo: Array,
     gains: Array,
@@ -147,20 +102,87 @@ def jumps(
 
 
 @law
-def seizes(places: Indices, servo: Array, step: float, least: float, qvel: Array) -> bool:
-    """Return whether a brake slips, or seizes with vibrations of its rotor, in the coming control period.
+def _deflected(places: Indices, servo: Array, step: float, qvel: Array) -> float:
+    """Return the greatest deflection of a brake in one step, as a share of that at which it slips [1].
 
     Args:
         places: (6, 6) places of the joints in MuJoCo's arrays.
         servo: (7, 6) constants of the joints.
         step: duration of MuJoCo's steps [s].
-        least: share of the deflection at which a brake slips, from which a deflection in one step counts [1].
         qvel: MuJoCo's velocities.
     """
     greatest = 0.0
     for i in range(6):
         greatest = max(greatest, abs(qvel[places[RATE, i]]) * step / servo[GIVE, i])
-    return greatest > least
+    return greatest
+
+
+USUAL, JUMPS, SEIZES, SLIPS = range(4)
+"""What decides how fine MuJoCo's steps have to be: nothing; a servo's torque that would jump from limit to limit; a
+brake that seizes, with vibrations of its rotor; a brake that slips."""
+
+
+@law
+def command_joints(
+    rates: Array,
+    angles: Array,
+    braked: bool,
+    by_angle: bool,
+    places: Indices,
+    servo: Array,
+    gains: Array,
+    biases: Array,
+    step: float,
+    bounds: Array,
+    qvel: Array,
+    acceleration: Array,
+    torques: Array,
+    holds: Array,
+    ctrl: Array,
+    act: Array,
+) -> int:
+    """Command servos and brakes; return what decides how fine the steps of the coming control period have to be.
+
+    A servo turns its joint at the given rate, or holds its position while the joint is not commanded. With `by_angle`,
+    it turns the joint at the given rate and towards the angle to which the rates lead.
+
+    Args:
+        rates: (6,) commanded joint rates [rad/s].
+        angles: (6,) measured joint angles [rad].
+        braked: whether the brakes are on; then no servo holds its joint.
+        by_angle: whether servos also turn the joints to the angles to which the rates lead.
+        places: (6, 6) places of the joints in MuJoCo's arrays.
+        servo: (7, 6) constants of the joints.
+        gains: (a, 10) MuJoCo's gains of all actuators.
+        biases: (a, 10) MuJoCo's biases of all actuators; the third column is by rate.
+        step: usual duration of MuJoCo's steps [s].
+        bounds: (3,) bounds for `_jumps`, and of a brake's deflection in one step, as a share of that at which it slips:
+            from the first it seizes, from the second it slips [1].
+        qvel: MuJoCo's velocities.
+        acceleration: MuJoCo's accelerations in its last step.
+        torques: (6,) torques at the end of the last control period [N m].
+        holds: (6,) angles to which the servos turn the joints [rad], `NONE` for none; updated.
+        ctrl: MuJoCo's controls; written.
+        act: MuJoCo's activations; the brakes' deflections [rad] are written while the brakes are off.
+
+    Returns:
+        `USUAL`, `JUMPS`, `SEIZES` or `SLIPS`.
+    """
+    for i in range(6):
+        if braked or (rates[i] != 0.0 and not by_angle):
+            holds[i] = NONE
+            ctrl[places[INPUT, i]] = rates[i]
+        else:
+            if holds[i] != holds[i]:
+                holds[i] = angles[i]
+            back, most = servo[HOLD_GAIN, i] * (holds[i] - angles[i]), servo[HOLD_RATE, i]
+            ctrl[places[INPUT, i]] = rates[i] + min(max(back, -most), most)
+    if braked:
+        share = _deflected(places, servo, step, qvel)
+        return SLIPS if share > bounds[2] else SEIZES if share > bounds[1] else USUAL
+    deflect_brakes(places, servo, qvel, step, act)
+    jumps = _jumps(places, servo, gains, biases, step, bounds[0], qvel, acceleration, ctrl, torques)
+    return JUMPS if jumps else USUAL
 
 
 @law

@@ -68,7 +68,7 @@ class Payloads:
 
     def __init__(self, model: Any, data: Any) -> None:
         self._model, self._data = model, data
-        self._active, self._applied = data.eq_active, data.xfrc_applied
+        self._active = data.eq_active
         self._xpos, self._xmat, self._qvel = data.xpos, data.xmat, data.qvel
         joints = [model.joint(i) for i in range(model.njnt) if model.joint(i).name.startswith("cargo.")]
         self.count = len(joints)
@@ -109,14 +109,6 @@ class Payloads:
             held = hold.closed == 1.0
             model.eq_solref[weld] = (hold.give, 1.0) if held else (-NO_SPRING, -damping)
             model.eq_solimp[weld] = FIRM if held else LOOSE
-
-    def push(self, torques: Sequence[tuple[int, Array]]) -> None:
-        """Set the torques of the payloads' own jets, in their axes, for one control period [N m]."""
-        if self.count == 0:
-            return
-        self._applied[self._bodies] = 0.0
-        for k, torque in torques:
-            self._applied[self._bodies[k], 3:] = self._xmat[self._bodies[k]].reshape(3, 3) @ torque
 
     def add(self) -> None:
         """Find the holding forces of MuJoCo's last step, and the greatest since `connect`."""

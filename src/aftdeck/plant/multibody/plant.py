@@ -25,6 +25,7 @@ from aftdeck.plant.multibody.contacts import ContactPairs
 from aftdeck.plant.multibody.gauges import Gauges
 from aftdeck.plant.multibody.jets import Jets, Thrusters
 from aftdeck.plant.multibody.payloads import HOLDERS, Payloads
+from aftdeck.plant.multibody.pushes import Pushes
 from aftdeck.plant.multibody.servo import Servos
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.plant import Accuracy, Surroundings
@@ -46,6 +47,7 @@ class _Model(NamedTuple):
         payloads: payloads of the worksite.
         contacts: solids that can touch; None if the model has none.
         jets: the orbiter's jets; None if it is fixed.
+        pushes: disturbances, and jets of payloads.
         gauges: gauges; None without them.
     """
 
@@ -54,6 +56,7 @@ class _Model(NamedTuple):
     payloads: Payloads
     contacts: ContactPairs | None
     jets: Jets | None
+    pushes: Pushes
     gauges: Gauges | None
 
 
@@ -103,9 +106,10 @@ class MultibodyPlant:
         view.limit(arm.limits.hard)
         contacts = ContactPairs(model, view.data) if solids else None
         jets = None if self._thrusters is None else Jets(model, view.data, self._thrusters)
-        servos = Servos(view, arm.joints, servo_needed(arm), self._period)
+        servos = Servos(view, arm.joints, servo_needed(arm), self._period, self._steps)
         gauges = Gauges(view, arm) if self._gauged else None
-        return _Model(view, servos, Payloads(model, view.data), contacts, jets, gauges)
+        pushes = Pushes(model, view.data, arm.linkage.frames[-1])
+        return _Model(view, servos, Payloads(model, view.data), contacts, jets, pushes, gauges)
 
     @property
     def accuracy(self) -> Accuracy:
@@ -174,22 +178,24 @@ class MultibodyPlant:
         model, data, stand = view.model, view.data, state.stand
         mujoco.mj_setState(model, data, bodies.physics, _STATE)
         one.payloads.connect(around.holds)
-        one.payloads.push(around.torques)
         if one.jets is not None:
             one.jets.fire(state.base, bodies, around.velocity, self._period)
+        if around.pushes:
+            one.pushes.begin(around.pushes)
         if one.contacts is not None:
             one.contacts.select(around.near)
-        servos.command(bodies, state.angles, rates, brakes=brakes, by_angle=by_angle)
+        steps = servos.command(bodies, state.angles, rates, brakes=brakes, by_angle=by_angle)
         if view.has_telescope:
             view.drive_telescope((stand.after(self._travel, drive, self._period) - stand.position) / self._period)
         view.drive_prong(around.prong, self._period)
-        steps = servos.steps(self._steps, bodies)
         model.opt.timestep = self._period / steps
         _advance(one, steps)
         if view.diverged():
             raise SimulationError(
                 f"the model of the bodies diverged within the control step that ends at {data.time:g} s"
             )
+        if around.pushes:
+            one.pushes.end(around.pushes)
         _store(one, state)
         bodies.touches = () if one.contacts is None else one.contacts.touches(state.base, steps)
         if one.gauges is not None:

@@ -1,0 +1,168 @@
+"""Links of an arm of the Shuttle's family as rigid bodies, from their masses and moments of inertia.
+
+The file gives moments about the joint at which a link begins. If it gives no centre of mass, the link is taken as a
+uniform rod from there to the next joint with a housing at the joint whose moment along the link is, on average, as
+great as those across it. A boom may also have a housing at its end: two more unknowns, which its centre decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arms.geometry import linkage_of
+from aftdeck.arms.model import YawArmFile
+from aftdeck.arrays import Array
+from aftdeck.bodies.mass_properties import MassProperties, about, cylinder, impossible, joined
+from aftdeck.files import Problem
+
+BOOMS = ("upper_boom", "lower_boom")
+"""Links that bend on a flexible arm."""
+_ROUNDED = 1e-3
+"""Share of a link's mass by which a housing may be lighter than nothing, because the file's numbers are rounded [1]."""
+
+
+class Shares(NamedTuple):
+    """Parts of a boom.
+
+    Attributes:
+        rod: mass of the uniform cylinder between the joints [kg].
+        beginning: the housing at the beginning, in the link's frame.
+        tip: the housing at the end, whose coordinates begin there.
+    """
+
+    rod: float
+    beginning: MassProperties
+    tip: MassProperties
+
+
+@dataclass(frozen=True)
+class Link:
+    """One link.
+
+    Attributes:
+        name: name of the link, such as ``upper_boom``.
+        begin: (3,) place of the joint at which the link begins, in the link's frame [m].
+        end: (3,) place of the next joint, or of the tip [m].
+        mass: mass [kg].
+        moments: (3,) moments of inertia about the joint: along the link, about the pitch axis, across both [kg m2].
+        centre: distance of the centre of mass from the joint [m]; None if the file does not give it.
+        radius: radius of the rod [m].
+    """
+
+    name: str
+    begin: Array
+    end: Array
+    mass: float
+    moments: Array
+    centre: float | None
+    radius: float
+
+    def whole(self) -> MassProperties:
+        """Return the link as one rigid body, in the link's frame."""
+        centre = self.begin + self._distance * self._axes[:, 0]
+        return MassProperties(self.mass, centre, self._inertia - about(self.mass, centre - self.begin))
+
+    def shares(self) -> Shares:
+        """Return the uniform rod and the housings of which the link consists. The tip's housing is a point."""
+        length, rod = self._length, self._rod
+        end = 0.0 if self.centre is None else self.mass * self.centre / length - 0.5 * rod
+        tip = MassProperties(end, np.zeros(3), np.zeros((3, 3)))
+        others = joined(
+            [cylinder(rod, self.radius, np.zeros(3), self.end - self.begin), tip.moved(self.end - self.begin)]
+        )
+        left = self._inertia - others.inertia - about(others.mass, others.centre)
+        return Shares(rod, MassProperties(self.mass - rod - end, self.begin, left), tip)
+
+    def problems(self) -> Iterator[str]:
+        """Yield why no body has these values."""
+        if why := impossible(self.whole().inertia):
+            yield f"{self.name}: with the centre of mass {self._distance:.4g} m from its joint, {why}"
+        elif self.name in BOOMS:
+            shares = self.shares()
+            parts = {"rod": shares.rod, "housing": shares.beginning.mass, "housing at the end": shares.tip.mass}
+            for part, mass in parts.items():
+                if mass < -_ROUNDED * self.mass:
+                    given = f"{self.mass:g} kg and the moments {self._given}"
+                    yield f"{self.name}: with {given}, the {part} would have {mass:.4g} kg"
+
+    @property
+    def _given(self) -> str:
+        return ", ".join(f"{moment:g}" for moment in self.moments) + " kg m2"
+
+    @property
+    def _length(self) -> float:
+        return float(np.linalg.norm(self.end - self.begin))
+
+    @property
+    def _axes(self) -> Array:
+        """Axes of the moments, as columns."""
+        along = (self.end - self.begin) / self._length
+        pitch = np.array([0.0, 1.0, 0.0])
+        return np.stack([along, pitch, np.cross(along, pitch)], axis=1)
+
+    @property
+    def _inertia(self) -> Array:
+        """Inertia about the joint, along the axes of the link's frame."""
+        found: Array = self._axes @ np.diag(self.moments) @ self._axes.T
+        return found
+
+    @property
+    def _rod(self) -> float:
+        """Mass of the uniform rod [kg]. Housings, as points or spheres, add equally to the moments along and across."""
+        length = self._length
+        along, across = float(self.moments[0]), float(np.mean(self.moments[1:]))
+        unit = length**2 / 3.0 - 0.25 * self.radius**2
+        if self.centre is None:
+            return max(across - along, 0.0) / unit
+        return (self.mass * self.centre * length - across + along) / (0.5 * length**2 - unit)
+
+    @property
+    def _distance(self) -> float:
+        """Distance of the centre of mass from the joint [m]."""
+        return 0.5 * self._length * self._rod / self.mass if self.centre is None else self.centre
+
+
+def links_of(file: YawArmFile) -> tuple[Link, ...]:
+    """Return the links of an arm whose file has the table `links`, from the foot to the end effector."""
+    table, parts, steps = file.links, file.masses.parts.value, linkage_of(file).steps
+    assert table is not None, "the caller has checked that there is a table `links`"
+    roll = np.array([float(table.wrist_yaw_to_roll.value), 0.0, 0.0])
+    tip = np.array([float(file.geometry.wrist_yaw_to_tip.value), 0.0, 0.0])
+    none = np.zeros(3)
+    foot = np.array([0.0, 0.0, float(table.foot.value)])
+    spans = ((foot, none), *((none, np.asarray(step)) for step in steps[1:5]), (none, roll), (roll, tip))
+    names = parts.__struct_fields__
+    centres = (None,) * len(names) if table.centre is None else table.centre.value
+    return tuple(
+        Link(
+            name,
+            begin,
+            end,
+            float(getattr(parts, name)),
+            np.array(moments, dtype=np.float64),
+            None if centre is None else float(centre),
+            float(table.boom_radius.value) if name in BOOMS else 0.0,
+        )
+        for name, (begin, end), moments, centre in zip(names, spans, table.inertia.value, centres, strict=True)
+    )
+
+
+def link_problems(file: YawArmFile) -> list[Problem]:
+    """Return a problem for each link that no body can be, and for a wrist roll joint beyond the tip."""
+    if file.links is None:
+        return []
+    at, tip = file.links.wrist_yaw_to_roll.value, file.geometry.wrist_yaw_to_tip.value
+    if at >= tip:
+        what = f"the wrist roll joint has to be before the tip, at less than {tip:g} m; got {at:g} m"
+        return [Problem(("links", "wrist_yaw_to_roll"), what)]
+    if not all(link.mass > 0.0 for link in links_of(file)):
+        return []  # a plant with masses refuses such an arm
+    return [
+        Problem(("links", "inertia", "value", i), why)
+        for i, link in enumerate(links_of(file))
+        for why in link.problems()
+    ]
