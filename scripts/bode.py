@@ -29,7 +29,7 @@ def draw() -> Figure:
             gain.plot(bode.frequencies, 20.0 * np.log10(bode.gain), line, color=colour, lw=width, label=label)
             phase.plot(bode.frequencies, np.degrees(bode.phase), line, color=colour, lw=width)
     gain.set_xscale("log")
-    gain.set_ylabel("measured / commanded rate, dB")
+    gain.set_ylabel("gain, dB")
     phase.set_ylabel("phase, °")
     phase.set_xlabel("frequency, Hz")
     phase.set_yticks(range(-90, 91, 45))
