@@ -6,14 +6,14 @@ neighbouring spheres and rods inside a link differ.
 
 from __future__ import annotations
 
-import tomllib
 from typing import Any
 
 import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, about, cylinder, joined, sphere
-from aftdeck.files import Text
+from aftdeck.errors import ScenarioError
+from aftdeck.files import Text, raw_contents
 from aftdeck.scenario.changes import as_toml
 from aftdeck.units import Length, Mass, MomentOfInertia
 
@@ -25,7 +25,7 @@ _FOOT = 0.5
 def of_today(file: Text) -> Text:
     """Return a recorded arm file in today's form; the same file if it has that form already, or is no arm file."""
     try:
-        raw = tomllib.loads(file.text)
+        raw = raw_contents(file)
         parts = raw["masses"]["parts"]["value"]
         if "yaw_housing" not in parts:
             return file
@@ -45,7 +45,7 @@ def of_today(file: Text) -> Text:
                 "boom_radius": housings["boom_radius"],
                 "wrist_yaw_to_roll": housings["wrist_yaw_to_roll"],
             }
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+    except (ScenarioError, ValueError, TypeError, KeyError, AttributeError):
         return file  # the reader of arm files says what is wrong with it
     return Text(file.name, "\n".join([*(f"{as_toml(key)} = {as_toml(value)}" for key, value in raw.items()), ""]))
 

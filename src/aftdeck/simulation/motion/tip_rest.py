@@ -21,8 +21,8 @@ AT_REST = 5e-3
 WINDOW, WINDOW_LOADED = 4.0, 20.0
 """Windows of time without and with a payload [s].
 
-Each is at least half the longest period of the flexible arm (2.8 s; with 65,000 lb 38 s), so that no turning point of a
-swing counts as rest.
+Each is at least half the longest period of the straight flexible arm (2.8 s; with 32,000 lb 32 s, with 65,000 lb 50 s,
+for which it is a little shorter), so that no turning point of a swing counts as rest.
 """
 SLOTS = 40
 """Number of slots of a window; a slot has at least one control period."""
