@@ -122,6 +122,9 @@ def test_joints_return_to_the_angles_that_their_mode_holds(plant: str, mode: str
     assert np.abs(sim._state.plant.angles - held).max() > 1e-3
     push(sim, np.zeros(3))
     idle(sim, 40.0)
-    assert sim._state.plant.angles == pytest.approx(held, abs=5e-4)
+    servo = sim.scenario.arm.model.servo
+    assert servo is not None
+    sticks = servo.friction / (servo.gain * servo.hold_gain)  # closer to its angle, a motor does not overcome friction
+    assert (np.abs(sim._state.plant.angles - held) <= 1.05 * sticks + 3.0 * servo.encoder_step).all()
     assert parts(sim)[2].holds == pytest.approx(held, abs=1e-4)
     assert sim.look().rates_commanded == (0.0,) * 6
