@@ -18,7 +18,6 @@ from aftdeck.analysis.dynamics import dynamics
 from aftdeck.analysis.linear_model import LinearModel
 from aftdeck.analysis.linearise import Engaged
 from aftdeck.arrays import Array
-from aftdeck.plant.usual_payload import usual_payload
 from aftdeck.units import POUND
 from benchmarks.plant_answers import PlantAnswers, scenario_of
 
@@ -26,8 +25,6 @@ POSE = np.radians([0.0, 60.0, -80.0, -20.0, 0.0, 0.0])
 """Joint angles: the arm is half stretched, and its end effector points down [rad]."""
 LASTS, FREQUENCY = 20.0, 0.1
 """Time of an answer [s], and frequency of the commands [Hz]: two cycles."""
-ACROSS = 1
-"""Axis of frame 7 along which the payload lies: parallel to the pitch axes."""
 
 
 class Case(NamedTuple):
@@ -74,15 +71,15 @@ def tips(case: Case, *, flexible: bool) -> Iterator[tuple[float, float, float]]:
 
     The first difference is without friction and steps of encoders and tachometers, the second with both [1].
     """
-    payload = usual_payload(case.pounds * POUND, ACROSS) if case.pounds else None
-    model = dynamics("srms", payload=payload, flexible=flexible).linear(POSE, case.engaged)
+    arm = dynamics("srms", payload=case.pounds * POUND if case.pounds else None, flexible=flexible)
+    model = arm.linear(POSE, case.engaged)
     place = model.outputs.index("tip.x")
     for size in case.sizes:
         inputs = given(model, case.engaged, size)
         expected = model.response(inputs)[:, place : place + 3]
         moves, apart = float(np.linalg.norm(expected, axis=1).max()), []
         for exact in (True, False):
-            scenario = scenario_of("srms", POSE, payload, flexible=flexible, exact=exact)
+            scenario = scenario_of("srms", POSE, arm.payload, flexible=flexible, exact=exact)
             found = PlantAnswers(scenario).to(inputs, case.engaged)[:, place : place + 3]
             apart.append(float(np.linalg.norm(found - expected, axis=1).max()) / moves)
         yield moves, apart[0], apart[1]

@@ -4,25 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import cast
 
-import msgspec
-import mujoco
 import numpy as np
 
+from aftdeck.analysis.given import without_friction
 from aftdeck.analysis.linearise import Engaged
-from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties
+from aftdeck.bodies.pose import pose_of
 from aftdeck.kinematics.arm import Arm
-from aftdeck.plant.multibody.plant import MultibodyPlant
-from aftdeck.plant.plant import Surroundings
+from aftdeck.plant.plant import Push, Surroundings
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.run import Simulation
-from aftdeck.worksite.file.load import load_worksite
 
-STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 COMMANDED = 1e-12
 """Rate that is added to commands, because a joint with a rate of 0 is not commanded [rad/s]."""
 
@@ -55,24 +50,10 @@ def scenario_of(
     text = (
         f"title = 'small inputs'\narm = '{arm}'\nworksite = 'space'\n"
         f"plant = '{'flexible' if flexible else 'rigid'}'\ncontrol_period = {period!r}\nduration = '600 s'\n"
-        f"[initial]\njoints = {angles.tolist()}\n{carried}"
+        f"dynamics = {{ orbiter = '{orbiter}' }}\n[initial]\njoints = {angles.tolist()}\n{carried}"
     )
     given = parse_scenario(text, "small", "small.toml", Path())
-    if orbiter == "free":
-        moving = msgspec.structs.replace(given.worksite, orbiter=load_worksite("orbiter").orbiter)
-        given = replace(given, orbiter="free", worksite=moving)
     return replace(given, arm=Arm(without_friction(given.arm.model))) if exact else given
-
-
-def without_friction(model: ArmModel) -> ArmModel:
-    """Return an arm without friction in motors and gearboxes, and without steps of encoders and tachometers."""
-    zero, springs = np.zeros(6), model.flexibility
-    assert model.servo is not None
-    return replace(
-        model,
-        servo=model.servo._replace(friction=zero, encoder_step=zero, tachometer_step=zero),
-        flexibility=None if springs is None else springs._replace(friction=zero),
-    )
 
 
 class PlantAnswers:
@@ -80,11 +61,9 @@ class PlantAnswers:
 
     def __init__(self, scenario: Scenario) -> None:
         self._sim = Simulation(scenario)
-        self._plant = cast(MultibodyPlant, self._sim._flight.plant)
+        self._plant = self._sim._flight.plant
         self._attached = self._sim._state.script.attached
-        self._view = self._plant._apart[self._attached].view
-        self._last = scenario.arm.model.linkage.frames[-1]
-        self._frame = scenario.arm.model.frames.index(self._last)
+        self._frame = scenario.arm.model.frames.index(scenario.arm.model.linkage.frames[-1])
         self._to_tip = np.array([float(scenario.arm.model.links[4]), 0.0, 0.0])
         self._rest = self._sim._state.plant.angles.copy()
         self._tip = self._pose()
@@ -101,7 +80,7 @@ class PlantAnswers:
         bodies = state.bodies
         assert bodies is not None
         braked, held = engaged == "brakes", engaged == "hold"
-        around = Surroundings(prong=self._sim._state.worksite.prong.position)
+        prong = self._sim._state.worksite.prong.position
         bodies.holds[:] = self._rest if held else np.nan
         for row in inputs:
             place, turn = self._pose()
@@ -109,10 +88,12 @@ class PlantAnswers:
             moved = turn @ self._tip[1].T
             rotated = 0.5 * np.array([moved[2, 1] - moved[1, 2], moved[0, 2] - moved[2, 0], moved[1, 0] - moved[0, 1]])
             measured = [angles, state.rates.copy(), place - self._tip[0], rotated]
-            self._push(row[:3], row[3:6])
+            base = pose_of(state.base)
+            push = Push("hand", row[:3], row[3:6], base.position + base.rotation @ place)
             if held and not follow:
                 bodies.holds[:] = self._rest + row[12:]
             rates = np.zeros(6) if braked else row[6:12] + (0.0 if held else COMMANDED)
+            around = Surroundings(prong=prong, pushes=(push,))
             self._plant.move(state, rates, 0.0, around, brakes=braked, attached=self._attached, by_angle=held)
             found.append(np.concatenate([*measured, bodies.torques]))
         return np.array(found)
@@ -124,14 +105,3 @@ class PlantAnswers:
         row = bodies.frames[self._frame].copy()
         axes = row[3:].reshape(3, 3)
         return row[:3] + axes @ self._to_tip, axes
-
-    def _push(self, force: Array, moment: Array) -> None:
-        """Push the tip in the next control period; MuJoCo's force acts at the centre of mass of the last body."""
-        bodies, model, data = self._sim._state.plant.bodies, self._view.model, self._view.data
-        assert bodies is not None
-        mujoco.mj_setState(model, data, bodies.physics, STATE)
-        mujoco.mj_kinematics(model, data)
-        body = model.body(self._last).id
-        lever = data.site("tip").xpos - data.xipos[body]
-        data.xfrc_applied[body] = [*force, *(moment + np.cross(lever, force))]
-        mujoco.mj_getState(model, data, bodies.physics, STATE)

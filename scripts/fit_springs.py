@@ -20,7 +20,7 @@ from aftdeck.arms.load import ArmModel, load_model
 from aftdeck.arms.masses import flexibility_needed
 from aftdeck.arrays import Array
 from aftdeck.plant.multibody.build import arm_spec, attach
-from aftdeck.plant.multibody.frequencies import RIGID_MODES, matrices
+from aftdeck.plant.multibody.frequencies import RIGID_MODES, matrices, natural_frequencies
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.usual_payload import usual_payload
 from aftdeck.units import INCH, POUND
@@ -60,9 +60,8 @@ class Case(NamedTuple):
 
     def errors(self, springs: Array) -> Array:
         """Return the relative errors of the frequencies with these stiffnesses."""
-        root = np.linalg.inv(np.linalg.cholesky(self.mass))
-        squares = np.linalg.eigvalsh(root @ np.diag(self.share @ springs) @ root.T)[self.rigid : self.rigid + 6]
-        return np.sqrt(np.maximum(squares, 0.0)) / (2.0 * math.pi) / self.published - 1.0
+        found = natural_frequencies(self.mass, np.diag(self.share @ springs))
+        return found[self.rigid : self.rigid + 6] / self.published - 1.0
 
 
 def springs_of(arm: ArmModel) -> Array:

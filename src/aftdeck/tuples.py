@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
 """One number for each joint; or a twist, angular velocity first."""
@@ -10,3 +12,9 @@ Rows = tuple[Vec3, Vec3, Vec3]
 
 In files a rotation is a quaternion, w, x, y, z.
 """
+
+
+def plain_vector(values: Iterable[float]) -> Vec3:
+    """Return three numbers, for example quantities of a file, as Python floats."""
+    x, y, z = map(float, values)
+    return x, y, z

@@ -20,7 +20,7 @@ from aftdeck.bodies.mass_properties import MassProperties
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm, load_arm
 from aftdeck.plant.multibody.build import arm_spec, attach
-from aftdeck.plant.multibody.frequencies import RIGID_MODES
+from aftdeck.plant.multibody.frequencies import RIGID_MODES, stiffnesses
 from aftdeck.plant.multibody.view import View
 from aftdeck.scenario.schema import CONTROL_PERIOD
 from aftdeck.units import Time, short
@@ -87,7 +87,7 @@ class Dynamics:
     @property
     def stiffness(self) -> Array:
         """Stiffness K of the springs (n, n) [N m/rad]; a diagonal matrix, 0 for a rigid arm."""
-        return np.diag(self._model.jnt_stiffness[self._model.dof_jntid])
+        return np.diag(stiffnesses(self._model))
 
     @property
     def damping(self) -> Array:

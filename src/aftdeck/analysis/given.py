@@ -22,15 +22,19 @@ PITCH = 1
 """Axis of frame 7 along which a payload of which only the mass is given lies."""
 
 
-def smooth(model: ArmModel) -> ArmModel:
-    """Return an arm without friction in motors and gearboxes, without steps of the encoders, and without stops."""
+def without_friction(model: ArmModel) -> ArmModel:
+    """Return an arm without friction in motors and gearboxes, and without steps of encoders and tachometers."""
     springs, exact = model.flexibility, np.zeros(6)
     return replace(
         model,
         servo=servo_needed(model)._replace(friction=exact, encoder_step=exact, tachometer_step=exact),
         flexibility=None if springs is None else springs._replace(friction=exact),
-        limits=model.limits._replace(hard=np.tile([-1e6, 1e6], (6, 1))),
     )
+
+
+def smooth(model: ArmModel) -> ArmModel:
+    """Return an arm without friction, as `without_friction`, and without stops."""
+    return replace(without_friction(model), limits=model.limits._replace(hard=np.tile([-1e6, 1e6], (6, 1))))
 
 
 def given_payload(payload: object) -> MassProperties | None:

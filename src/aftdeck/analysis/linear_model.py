@@ -77,10 +77,6 @@ class LinearModel:
     outputs: tuple[str, ...]
     period: float
 
-    def __post_init__(self) -> None:
-        for matrix in (self.A, self.B, self.C, self.D):
-            matrix.flags.writeable = False
-
     def poles(self) -> Poles:
         """Return the poles.
 

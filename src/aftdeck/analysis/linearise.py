@@ -14,6 +14,7 @@ import numpy as np
 
 from aftdeck.analysis.coordinates import SIX, coordinates_of, opened
 from aftdeck.analysis.linear_model import LinearModel
+from aftdeck.arms.geometry import frozen
 from aftdeck.arms.load import ArmModel
 from aftdeck.arrays import Array
 from aftdeck.plant.linear_actuator import Travel
@@ -55,10 +56,10 @@ def linearised(
     after, torques = slopes[: len(states)], slopes[len(states) :]
     measured = np.concatenate([sampled.measured(), np.pad(in_l, ((0, 0), (0, len(states) - in_l.shape[1])))])
     return LinearModel(
-        A=after[:, : len(states)].copy(),
-        B=after[:, len(states) :].copy(),
-        C=np.concatenate([measured, torques[:, : len(states)]]),
-        D=np.concatenate([np.zeros((len(measured), len(inputs))), torques[:, len(states) :]]),
+        A=frozen(after[:, : len(states)]),
+        B=frozen(after[:, len(states) :]),
+        C=frozen(np.concatenate([measured, torques[:, : len(states)]])),
+        D=frozen(np.concatenate([np.zeros((len(measured), len(inputs))), torques[:, len(states) :]])),
         states=states,
         inputs=inputs,
         outputs=(
@@ -98,11 +99,8 @@ class _Sampled:
         self._rest, self._angles = self._view.qpos.copy(), angles
         self._brakes = [int(model.actuator(f"brake.{name}").actadr[0]) for name in joints]
         names = coordinates_of(model)
-        self._turned = [[names.index(f"motor.{name}")] for name in joints]
-        if len(self._view.gearboxes):
-            self._turned = [
-                [*at, names.index(f"gearbox.{name}")] for at, name in zip(self._turned, joints, strict=True)
-            ]
+        kinds = ("motor", "gearbox") if len(self._view.gearboxes) else ("motor",)
+        self._turned = [[names.index(f"{kind}.{name}") for kind in kinds] for name in joints]
         self.states = (
             *(f"position.{name}" for name in names),
             *(f"rate.{name}" for name in names),

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.plant.multibody.frequencies import matrices, vibrations
+from aftdeck.plant.multibody.frequencies import matrices, natural_frequencies, natural_shapes
 from aftdeck.plant.multibody.view import View
 
 
@@ -38,7 +38,8 @@ def modes_of(view: View, damping: Array, jacobian: Array, drifting: int) -> Mode
         jacobian: (6, n) motion of the tip relative to L: displacement, then rotation.
         drifting: number of the modes of frequency zero, which are left out.
     """
-    frequencies, columns = (found[..., drifting:] for found in vibrations(*matrices(view)))
+    equations = matrices(view)
+    frequencies, columns = natural_frequencies(*equations)[drifting:], natural_shapes(*equations)[:, drifting:]
     free = np.setdiff1d(np.arange(view.model.nv), view.motor_rates)
     shapes = np.zeros((len(frequencies), view.model.nv))
     shapes[:, free] = columns.T

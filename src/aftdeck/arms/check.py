@@ -1,7 +1,7 @@
 """Checks of an arm file that field types cannot express: bodies, the order of the limits, and the sum of the masses.
 
 `arms.bodies` checks the tables that only a concept arm has: `stand`, `booms` and `effector`. `arms.dynamics` checks
-brakes and links.
+the brakes, and `arms.links` the links of an arm of the Shuttle's family.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """Links of an arm of the Shuttle's family as rigid bodies, from their masses and moments of inertia.
 
-The file gives moments about the joint at which a link begins. If it gives no centre of mass, the link is taken as a
-uniform rod from there to the next joint with a housing at the joint whose moment along the link is, on average, as
-great as those across it. A boom may also have a housing at its end: two more unknowns, which its centre decides.
+The file gives a link's mass, and its moments about the joint at which it begins. Without a centre of mass, the link is
+taken as a uniform rod from this joint to the next, and a housing at this joint. The housing's moment along the link is
+the mean of its moments across it: this gives the mass of the rod, and with it the centre of mass. If the file gives the
+centre of mass too, a boom also has a housing at its end, as a point.
 """
 
 from __future__ import annotations
@@ -159,10 +160,7 @@ def link_problems(file: YawArmFile) -> list[Problem]:
     if at >= tip:
         what = f"the wrist roll joint has to be before the tip, at less than {tip:g} m; got {at:g} m"
         return [Problem(("links", "wrist_yaw_to_roll"), what)]
-    if not all(link.mass > 0.0 for link in links_of(file)):
+    links = links_of(file)
+    if not all(link.mass > 0.0 for link in links):
         return []  # a plant with masses refuses such an arm
-    return [
-        Problem(("links", "inertia", "value", i), why)
-        for i, link in enumerate(links_of(file))
-        for why in link.problems()
-    ]
+    return [Problem(("links", "inertia", "value", i), why) for i, link in enumerate(links) for why in link.problems()]

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from aftdeck.arrays import Array
 
 _ORIGIN = (0.0, 0.0, 0.0)
-_ROUNDING = 1e-9
+ROUNDING = 1e-9
 """Rounding of a principal moment, as a share of the greatest one [1]."""
 
 
@@ -50,7 +50,7 @@ def impossible(inertia: Array) -> str:
     The principal moments have to be above zero, and none may exceed the sum of the others.
     """
     least, middle, greatest = principal = np.linalg.eigvalsh(inertia).tolist()
-    if least > 0.0 and greatest <= (least + middle) * (1.0 + _ROUNDING):
+    if least > 0.0 and greatest <= (least + middle) * (1.0 + ROUNDING):
         return ""
     given = _listed(inertia[k, k] for k in range(3))
     if products := [inertia[i, j] for i, j in ((0, 1), (0, 2), (1, 2)) if np.triu(inertia, 1).any()]:

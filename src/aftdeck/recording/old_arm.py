@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from aftdeck.arms.model import YawParts
 from aftdeck.arrays import Array
 from aftdeck.bodies.mass_properties import MassProperties, about, cylinder, joined, sphere
 from aftdeck.errors import ScenarioError
@@ -30,7 +31,7 @@ def of_today(file: Text) -> Text:
         if "yaw_housing" not in parts:
             return file
         masses = {name: float(Mass.read(value)) for name, value in parts.items()}
-        names = ("foot", "shoulder", "upper_boom", "lower_boom", "wrist_pitch", "wrist_yaw", "end_effector")
+        names = YawParts.__struct_fields__
         raw.get("flexibility", {}).pop("added_inertia", None)
         housings = raw.pop("housings", None)
         if housings is None:

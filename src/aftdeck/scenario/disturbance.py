@@ -13,13 +13,15 @@ from aftdeck.scenario.payload import PART
 from aftdeck.scenario.poses import FRAMES
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import DisturbanceSpec, Plant, ScenarioFile
-from aftdeck.tuples import Vec3
+from aftdeck.tuples import Vec3, plain_vector
 from aftdeck.units import Force, Torque
 from aftdeck.worksite.model import OrbiterMotion
 
 TIP, ORBITER, SPACE = "tip", "orbiter", "space"
 """Bodies and coordinate frames that every scenario has, besides its payloads."""
 ZERO = (0.0, 0.0, 0.0)
+MOST_DISTURBANCES = 64
+"""Greatest number of disturbances in a step's inputs (assumed)."""
 _ROUNDING = 1e-9
 """Share of a control period that comes from rounding [1]."""
 
@@ -132,10 +134,5 @@ def planned(problems: Problems, spec: ScenarioFile, disturbable: Disturbable) ->
 
 
 def _disturbance(spec: DisturbanceSpec) -> Disturbance:
-    at = None if spec.at is None else _plain(spec.at)
-    return Disturbance(spec.on, _plain(spec.force), _plain(spec.torque), spec.frame, at)
-
-
-def _plain(values: tuple[float, float, float]) -> Vec3:
-    x, y, z = map(float, values)
-    return x, y, z
+    at = None if spec.at is None else plain_vector(spec.at)
+    return Disturbance(spec.on, plain_vector(spec.force), plain_vector(spec.torque), spec.frame, at)

@@ -331,10 +331,10 @@ class DisturbanceSpec(_Part, frozen=True):
     """A force and a torque that act on a body for a time, on a plant with masses.
 
     `on` is `tip`, `orbiter`, the name of a payload of the worksite, or `payload` for the payload that the scenario
-    itself attaches. The disturbance acts from the time `begin` of the run for `duration`, whoever flies. `force` acts
-    at the point `at`: of a payload, from its centre in its axes; of the tip, from the tip in frame 7; of the orbiter,
-    in the orbiter frame. Without `at`, it acts at the tip itself, or at the body's centre of mass. `torque` acts in
-    addition.
+    itself attaches. The disturbance acts from the time `begin` of the run for `duration`, with every operator. `force`
+    acts at the point `at`: of a payload, from its centre in its axes; of the tip, from the tip in frame 7; of the
+    orbiter, in the orbiter frame. Without `at`, it acts at the tip itself, or at the body's centre of mass. `torque`
+    acts in addition.
 
     `frame` gives the axes of both: `orbiter`, `panel`, `L`, `space` (the axes of L at the start of the run, which do
     not turn), `tip` (frame 7) or the name of a payload. Force and torque are constant within a control period, in the

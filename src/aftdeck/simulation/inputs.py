@@ -11,7 +11,7 @@ import msgspec
 from aftdeck.bounds import COMPONENT, COORDINATE, ROTATION, Bounds
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
-from aftdeck.scenario.disturbance import Disturbance
+from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.steering.mode import LawChoice
@@ -149,7 +149,7 @@ EXPECTED: dict[str, str] = {
     "joint": f"0 to {JOINTS - 1}",
     "master": f"six finite joint angles [rad], each from {ROTATION.least:g} to {ROTATION.greatest:g}",
     "camera": "a CameraDrive",
-    "disturbances": "at most 64 Disturbances: each on a body, with a force (3,) and a torque (3,)",
+    "disturbances": f"at most {MOST_DISTURBANCES} Disturbances: each on a body, with a force (3,) and a torque (3,)",
     "target": "a Target: a position (3,), a rotation (3, 3), and six joint angles or None",
 }
 """What each field allows, for error messages."""

@@ -16,7 +16,7 @@ import msgspec
 
 from aftdeck.errors import InputError
 from aftdeck.plain_values import flag, items, number, numbers, text, whole_number
-from aftdeck.scenario.disturbance import Disturbance
+from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import EXPECTED, JOINTS, STICKS, Inputs
@@ -152,8 +152,6 @@ _DISTURBANCE: Mapping[str, tuple[Callable[[Any], object], str]] = {
     "at": (_optional(lambda values: numbers(values, 3)), "3 coordinates, or None"),
 }
 """Conversion of each field of `Disturbance`, and what is allowed."""
-MOST_DISTURBANCES = 64
-"""Greatest number of disturbances in a step's inputs (assumed)."""
 
 
 def _plain_disturbances(given: object) -> tuple[Disturbance, ...]:

@@ -16,15 +16,13 @@ from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.masses import Boom, flexibility_needed, masses_of, servo_needed
 from aftdeck.arrays import Array
-from aftdeck.bodies.mass_properties import MassProperties, joined
+from aftdeck.bodies.mass_properties import ROUNDING, MassProperties, joined
 
 GAUSS = (0.5 * (1.0 - 1.0 / np.sqrt(3.0)), 0.5 * (1.0 + 1.0 / np.sqrt(3.0)))
 """Places of a boom's hinges, as shares of its length: with them, the two hinges bend at the tip exactly as a beam."""
 DUST = MassProperties(1e-3, np.zeros(3), 1e-4 * np.eye(3))
 """Mass properties of a body between two joints: MuJoCo allows no moving body without mass."""
 AXES = np.eye(3)
-_ROUNDING = 1e-9
-"""Rounding of a principal moment of inertia, as a share of the greatest one [1]."""
 
 Body = Any
 """A body of MuJoCo's specification; the library has no types."""
@@ -52,6 +50,9 @@ class _Chain:
     def __init__(self, model: ArmModel, *, flexible: bool) -> None:
         self._model, self._servo, self._masses = model, servo_needed(model), masses_of(model)
         self._springs = flexibility_needed(model) if flexible else None
+        self._bodies = dict(self._masses.bodies)
+        if flexible:
+            self._bodies["base"] = self._bodies.pop(model.linkage.frames[0])  # the foot turns with the base
 
     def add_to(self, parent: Body) -> Body:
         frames, linkage = self._model.linkage.frames, self._model.linkage
@@ -72,7 +73,7 @@ class _Chain:
         """Add the base's springs between the vehicle and the first joint."""
         if self._springs is None:
             return at
-        body = self._body(at, "base", np.zeros(3), self._masses.bodies.get(self._model.linkage.frames[0]))
+        body = self._body(at, "base", np.zeros(3))
         for axis, name, stiffness in zip(AXES, "xyz", self._springs.base, strict=True):
             self._hinge(body, f"base.{name}", axis, stiffness)
         return body
@@ -125,8 +126,7 @@ class _Chain:
     ) -> Body:
         """Add a body with its mass properties; a body of the arm's frames has those of `ArmMasses`."""
         body = parent.add_body(name=name, pos=at)
-        foot = self._springs is not None and name == self._model.linkage.frames[0]  # it moves with the base
-        parts = [self._masses.bodies[name]] if name in self._masses.bodies and not foot else []
+        parts = [self._bodies[name]] if name in self._bodies else []
         parts += [self._carried(boom) for boom in self._masses.booms if boom.frame == name]
         parts += [] if properties is None else [properties]
         if parts or moving:
@@ -153,8 +153,8 @@ def set_mass(body: Body, properties: MassProperties) -> None:
     """
     i = properties.inertia
     least, middle, greatest = np.linalg.eigvalsh(i)
-    if np.triu(i, 1).any() and least + middle < greatest * (1.0 + _ROUNDING):
-        i = i + 2.0 * _ROUNDING * greatest * np.eye(3)
+    if np.triu(i, 1).any() and least + middle < greatest * (1.0 + ROUNDING):
+        i = i + 2.0 * ROUNDING * greatest * np.eye(3)
     body.explicitinertial = True
     body.mass, body.ipos = properties.mass, properties.centre
     body.fullinertia = [i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2]]

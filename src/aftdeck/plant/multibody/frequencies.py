@@ -41,19 +41,25 @@ def frequencies(
     view = View(spec.compile(), arm)
     view.set_joints(np.asarray(angles, dtype=np.float64), np.zeros(6), float(arm.links[0]))
     mujoco.mj_forward(view.model, view.data)
-    return vibrations(*matrices(view))[0][0 if orbiter is None else RIGID_MODES :]
+    return natural_frequencies(*matrices(view))[0 if orbiter is None else RIGID_MODES :]
 
 
-def vibrations(mass: Array, stiffness: Array) -> tuple[Array, Array]:
-    """Return the natural frequencies (m,) of a mass and a stiffness matrix (n, n), lowest first [Hz], and their shapes.
+def natural_frequencies(mass: Array, stiffness: Array) -> Array:
+    """Return the natural frequencies (n,) of a mass and a stiffness matrix (n, n), lowest first [Hz]."""
+    root = np.linalg.inv(np.linalg.cholesky(mass))
+    squares = np.linalg.eigvalsh(root @ stiffness @ root.T)  # those of `eigh` lose digits if stiffnesses differ by 1e7
+    found: Array = np.sqrt(np.maximum(squares, 0.0)) / (2.0 * np.pi)
+    return found
 
-    The shapes are the columns of an (n, m) matrix, each of modal mass 1: its product with the mass matrix and itself.
+
+def natural_shapes(mass: Array, stiffness: Array) -> Array:
+    """Return the shapes of the natural modes as columns (n, n), lowest frequency first.
+
+    Each has modal mass 1: its product with the mass matrix and itself.
     """
     root = np.linalg.inv(np.linalg.cholesky(mass))
-    scaled = root @ stiffness @ root.T
-    squares = np.linalg.eigvalsh(scaled)  # those of `eigh` are lost in rounding if stiffnesses differ by 1e7
-    found: Array = np.sqrt(np.maximum(squares, 0.0)) / (2.0 * np.pi)
-    return found, root.T @ np.linalg.eigh(scaled)[1]
+    shapes: Array = root.T @ np.linalg.eigh(root @ stiffness @ root.T)[1]
+    return shapes
 
 
 def matrices(view: View) -> tuple[Array, Array]:
@@ -62,10 +68,10 @@ def matrices(view: View) -> tuple[Array, Array]:
     mass = np.zeros((model.nv, model.nv))
     mujoco.mj_fullM(model, data, mass)
     free = np.setdiff1d(np.arange(model.nv), view.motor_rates)
-    return mass[np.ix_(free, free)], np.diag(_stiffness(model)[free])
+    return mass[np.ix_(free, free)], np.diag(stiffnesses(model)[free])
 
 
-def _stiffness(model: Any) -> Array:
+def stiffnesses(model: Any) -> Array:
     """Return the stiffness of each degree of freedom: the first term of MuJoCo's polynomial."""
     first: Array = model.jnt_stiffness.reshape(model.njnt, -1)[model.dof_jntid, 0]
     return first

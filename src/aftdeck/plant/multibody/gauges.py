@@ -19,6 +19,7 @@ from aftdeck.law import law
 from aftdeck.matrices import product
 from aftdeck.plant.multibody.view import View
 from aftdeck.plant.readings import CUTS, Load, Readings
+from aftdeck.tuples import plain_vector
 
 BOOMS = (2, 3)
 """Indices of the frames that carry upper and lower boom, in `Linkage.frames`, for both families of arms."""
@@ -92,12 +93,7 @@ class Gauges:
             self._data.qvel[at + 3 : at + 6] - product(self._data.xmat[body].reshape(3, 3).T, product(axes, turn))
             for body, at in zip(self._payloads, self._rates, strict=True)
         ]
-        return Readings(tuple(loads), _vector(turn), _vector(velocity), tuple(map(_vector, rates)))
-
-
-def _vector(values: Array) -> tuple[float, float, float]:
-    x, y, z = values.tolist()
-    return x, y, z
+        return Readings(tuple(loads), plain_vector(turn), plain_vector(velocity), tuple(map(plain_vector, rates)))
 
 
 @law

@@ -20,7 +20,7 @@ from aftdeck.simulation.frame import Wrench
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
-from aftdeck.tuples import Vec3
+from aftdeck.tuples import plain_vector
 
 
 def check_disturbances(flight: Flight, state: State, given: Iterable[Disturbance]) -> None:
@@ -71,9 +71,9 @@ def _wrench(flight: Flight, state: State, given: Disturbance, share: float) -> W
         return None
     return Wrench(
         given.on,
-        _vector(share * product(axes, np.array(given.force))),
-        _vector(share * product(axes, np.array(given.torque))),
-        _vector(place),
+        plain_vector(share * product(axes, np.array(given.force))),
+        plain_vector(share * product(axes, np.array(given.torque))),
+        plain_vector(place),
     )
 
 
@@ -137,8 +137,3 @@ def _frame(flight: Flight, state: State, name: str) -> tuple[Pose, Array] | None
 def _attached(flight: Flight, state: State) -> Payload | None:
     number = state.script.attached
     return flight.scenario.own_payloads[number - 1] if number else None
-
-
-def _vector(values: Array) -> Vec3:
-    x, y, z = values.tolist()
-    return x, y, z

@@ -17,7 +17,7 @@ from aftdeck.elementary import sincos
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere
-from aftdeck.tuples import Vec3
+from aftdeck.tuples import Vec3, plain_vector
 from aftdeck.worksite.file.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
 from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, moved
 from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
@@ -169,7 +169,7 @@ def _in_fixture(grapple: GrappleFile, shapes: tuple[Shape, ...]) -> tuple[Shape,
     """Return shapes in a fixture's axes as shapes in the payload's axes."""
     if not shapes:
         return ()
-    return (Group(position=_plain(grapple.position), rotation=_plain(grapple.rotation), shapes=shapes),)
+    return (Group(position=plain_vector(grapple.position), rotation=plain_vector(grapple.rotation), shapes=shapes),)
 
 
 def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
@@ -289,8 +289,3 @@ def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, tru
 
 def _pose(placed: GrappleFile | StartFile) -> Pose:
     return Pose(frozen(placed.position), frozen(endori(*placed.rotation)))
-
-
-def _plain(values: tuple[float, float, float]) -> Vec3:
-    x, y, z = map(float, values)
-    return x, y, z

@@ -14,7 +14,7 @@ from aftdeck.bodies.solid import Solid
 from aftdeck.frames import IDENTITY, Pose, oriend
 from aftdeck.matrices import length, product
 from aftdeck.shapes import Group, Shape
-from aftdeck.tuples import Vec3
+from aftdeck.tuples import Vec3, plain_vector
 from aftdeck.worksite.file.schema import HousingFile, WorksiteFile
 from aftdeck.worksite.file.solids import CORNERS, as_solids, moved
 
@@ -65,7 +65,7 @@ def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
     side /= length(side.tolist())
     for x, y, shapes in ((ahead, side, housing.turned), (level, left, housing.upright)):
         if shapes:
-            found.shapes.append(Group(position=_plain(at), rotation=_turn(x, y), shapes=shapes))
+            found.shapes.append(Group(position=plain_vector(at), rotation=_turn(x, y), shapes=shapes))
     low, high = (np.array([span[k] for span in (housing.x, housing.y, housing.z)], dtype=np.float64) for k in (0, 1))
     corners = product(low + CORNERS * (high - low), np.array([level, left, up]))
     low, high = corners.min(axis=0), corners.max(axis=0)
@@ -75,8 +75,3 @@ def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
 def _turn(x: Array, y: Array) -> Vec3:
     """Return the rotation of a group whose x and y axes have these directions: roll, pitch, yaw [rad]."""
     return oriend(np.column_stack([x, y, np.cross(x, y)]))
-
-
-def _plain(point: Array) -> Vec3:
-    x, y, z = point.tolist()
-    return x, y, z

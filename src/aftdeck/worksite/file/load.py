@@ -15,7 +15,7 @@ from aftdeck.dimensions import KEY, derive
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import Problem, Text, as_path, examine, is_file, line_of, read, sentences
 from aftdeck.shapes import Shape
-from aftdeck.tuples import Vec3
+from aftdeck.tuples import plain_vector
 from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
 from aftdeck.worksite.file.check import (
     ARM,
@@ -171,7 +171,7 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         cameras=tuple(cameras.values()),
         text=text,
         dimensions=file.dimensions,
-        origin=_plain(file.origin),
+        origin=plain_vector(file.origin),
         solids=solids,
         mounted=mounted,
         seats=seats,
@@ -196,11 +196,11 @@ def _orbiter(file: OrbiterFile) -> OrbiterMass:
     jets = file.jets
     return OrbiterMass(
         float(file.mass),
-        _plain(file.inertia),
-        None if file.centre is None else _plain(file.centre),
+        plain_vector(file.inertia),
+        None if file.centre is None else plain_vector(file.centre),
         None
         if jets is None
-        else Jets(_plain(jets.torque), float(jets.least_pulse), float(jets.angle), float(jets.rate)),
+        else Jets(plain_vector(jets.torque), float(jets.least_pulse), float(jets.angle), float(jets.rate)),
         file.motion,
     )
 
@@ -215,7 +215,7 @@ def _body(
 ) -> tuple[Body, tuple[Solid, ...]]:
     """Return a body, and its solids in the coordinate frame to which the body is fixed."""
     shapes = [*file.shapes, *ports, *cameras.shapes]
-    body = Body(file.name, (), file.details, file.fixed_to, _plain(file.position), _plain(file.rotation))
+    body = Body(file.name, (), file.details, file.fixed_to, plain_vector(file.position), plain_vector(file.rotation))
     solids: list[Solid] = []
     solids += cameras.as_solids(file.fixed_to, body.pose)
     for k, solid in enumerate(file.solids):
@@ -305,9 +305,4 @@ def _acquisition(file: BarFile | SnareFile | None) -> BarAcquisition | SnareCapt
 
 def _bay(file: BayFile) -> Bay:
     (a, b), (c, d), (e, f) = file.x, file.y, file.z
-    return Bay(_plain((a, c, e)), _plain((b, d, f)))
-
-
-def _plain(values: tuple[float, float, float]) -> Vec3:
-    x, y, z = map(float, values)
-    return x, y, z
+    return Bay(plain_vector((a, c, e)), plain_vector((b, d, f)))
