@@ -229,7 +229,8 @@ def test_quotations_agree_with_the_page_of_figures() -> None:
         found[0]
         for found in quotations
         if not any(
-            section.startswith(f"`{found['name']}`") and f"\n| {found['figure']} | {found['value']} |" in section
+            section.startswith(f"`{found['name']}`")
+            and f"\n| {found['figure']} | {' '.join(found['value'].split())} |" in section
             for section in sections
         )
     ]
