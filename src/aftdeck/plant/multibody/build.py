@@ -30,6 +30,9 @@ BRAKE_STIFFNESS, BRAKE_DAMPING = 1e8, 2e5
 The stiffness is a hundred times that of the Shuttle's gearboxes, so that the arm's frequencies with the brakes on are
 those of its own springs. With this damping, MuJoCo's steps of 2 ms are stable.
 """
+_DISABLED = int(mujoco.mjtDisableBit.mjDSBL_AUTORESET | mujoco.mjtDisableBit.mjDSBL_ISLAND)
+"""What MuJoCo does not do: reset a state that diverged, and look for groups of constraints that are independent of each
+other. There are too few constraints to save the time of looking, 6 to 9 % of a step; the result is the same."""
 _NO_INPUT = int(mujoco.mjtCtrlInput.mjINPUT_NONE)
 _SLOW = 1e-3
 """Rate at which static friction becomes kinetic friction [rad/s]; without effect, because here both are equal."""
@@ -59,7 +62,7 @@ def arm_spec(
     spec.option.gravity = np.zeros(3)
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.timestep = STEP
-    spec.option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)
+    spec.option.disableflags |= _DISABLED
     spec.compiler.autolimits = False
     parent = spec.worldbody
     if orbiter is not None:

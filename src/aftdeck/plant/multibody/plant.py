@@ -104,6 +104,8 @@ class MultibodyPlant:
         """Return a compiled model with its workspace."""
         view = View(model, arm)
         view.limit(arm.limits.hard)
+        if not solids:
+            model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
         contacts = ContactPairs(model, view.data) if solids else None
         jets = None if self._thrusters is None else Jets(model, view.data, self._thrusters)
         servos = Servos(view, arm.joints, servo_needed(arm), self._period, self._steps)
