@@ -62,6 +62,7 @@ NAMES = {
     "ray": Benchmark(STUDIES, "benchmarks.studies", "on_ray"),
     "plants": Benchmark(PHYSICS, "benchmarks.plants", "table", by_default=False, limit_s=DAY),
     "ring-down": Benchmark(PHYSICS, "benchmarks.ring_down", "table", by_default=False, limit_s=DAY),
+    "jets": Benchmark(PHYSICS, "benchmarks.jets", "table", by_default=False, limit_s=DAY),
     "linear-models": Benchmark(PHYSICS, "benchmarks.linear_models", "table", by_default=False, limit_s=DAY),
     "stops": Benchmark(PHYSICS, "benchmarks.stops", "table", by_default=False, limit_s=DAY),
     "strict": Benchmark(PHYSICS, "benchmarks.strict", "table", by_default=False, limit_s=DAY),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from benchmarks import flight_tests, linear_models, plants, ring_down, stops
+from benchmarks import flight_tests, jets, linear_models, plants, ring_down, stops
 
 DOCS = Path(__file__).parent.parent / "docs"
 
@@ -21,6 +21,7 @@ class Table(NamedTuple):
 
 TABLES = {
     "flight_tests": Table("dynamics.md", lambda: flight_tests.table(flight_tests.FULL)),
+    "jets": Table("dynamics.md", lambda: jets.table(jets.FULL)),
     "linear_models": Table("dynamics-python.md", lambda: linear_models.table(linear_models.FULL)),
     "plants": Table("dynamics.md", lambda: plants.table(plants.FULL)),
     "ring_down": Table("dynamics.md", lambda: ring_down.table(ring_down.FULL)),
