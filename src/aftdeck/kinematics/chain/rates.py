@@ -1,0 +1,178 @@
+"""Joint rates for a twist of the tip, the motion of redundant joints, and distances from singularities.
+
+The rates are those of least weighted size that make the twist. A chain that cannot make the whole twist follows it as
+well as it can: the weighted difference is least. Source: Whitney, "Resolved motion rate control of manipulators and
+human prostheses", IEEE Transactions on Man-Machine Systems 10 (1969).
+
+The *rank* of a chain is the number of independent twists that it can make in most postures. At a singularity it makes
+fewer.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.kinematics.chain.factors import factorise
+from aftdeck.kinematics.chain.posture import SLIDES, axis_of
+from aftdeck.law import law
+
+FLOOR = 1e-7
+"""Share of the greatest singular value below which a smaller one counts as this share [1]. The rates remain finite."""
+
+
+class Weighted(NamedTuple):
+    """Singular values of a Jacobian with weights: diag(follow) J diag(sqrt(weights)) = left diag(values) right^T.
+
+    Attributes:
+        left: (6, k), `factors.factorise`.
+        right: (n, k).
+        values: (k,) greatest first.
+    """
+
+    left: Array
+    right: Array
+    values: Array
+
+
+@law
+def weigh(matrix: Array, weights: Array, follow: Array) -> Weighted:
+    """Return the singular values of a Jacobian with weights.
+
+    Args:
+        matrix: (6, n) Jacobian in L.
+        weights: (n,) weights of the joints: a joint with twice the weight takes twice the share of a motion.
+        follow: (6,) weights of the twist's components [s/rad, then s/m]; they matter only where not all can be made.
+    """
+    joints = matrix.shape[1]
+    fewest = min(6, joints)
+    scaled, left, right = np.empty((6, joints)), np.empty((6, fewest)), np.empty((joints, fewest))
+    values = np.empty(fewest)
+    for j in range(joints):
+        share = sqrt(weights[j])
+        for i in range(6):
+            scaled[i, j] = follow[i] * matrix[i, j] * share
+    factorise(scaled, left, right, values)
+    return Weighted(left, right, values)
+
+
+@law
+def resolve(w: Weighted, weights: Array, follow: Array, rank: int, twist: Array, rates: Array) -> None:
+    """Write the joint rates for a twist.
+
+    Args:
+        w: from `weigh`, with the same weights.
+        weights: (n,) as in `weigh`; follow likewise.
+        follow: (6,).
+        rank: rank of the chain.
+        twist: (6,) angular velocity [rad/s], then translational velocity [m/s] of the tip, in L.
+        rates: (n,) output [rad/s or m/s].
+    """
+    for j in range(rates.shape[0]):
+        rates[j] = 0.0
+    floor = FLOOR * w.values[0]
+    if floor == 0.0:  # no joint moves the tip
+        return
+    for k in range(rank):
+        part = 0.0
+        for i in range(6):
+            part += w.left[i, k] * follow[i] * twist[i]
+        value = w.values[k]
+        part *= 1.0 / max(value, floor)
+        for j in range(rates.shape[0]):
+            rates[j] += w.right[j, k] * part
+    for j in range(rates.shape[0]):
+        rates[j] *= sqrt(weights[j])
+
+
+@law
+def swing(w: Weighted, weights: Array, rank: int, joint: int, rates: Array) -> bool:
+    """Write the rates that turn one joint by 1 and do not move the tip; return False if there are none.
+
+    Among all such rates, these are of least weighted size. Added to those of `resolve`, a multiple of them holds the
+    joint, or turns it at a wanted rate.
+
+    Args:
+        w: from `weigh`.
+        weights: (n,) as in `weigh`.
+        rank: rank of the chain.
+        joint: number of the joint.
+        rates: (n,) output: 1 for the joint.
+    """
+    for j in range(rates.shape[0]):
+        rates[j] = 1.0 if j == joint else 0.0
+    for k in range(rank):  # what remains of the joint's unit rate without the rates that move the tip
+        part = w.right[joint, k]
+        for j in range(rates.shape[0]):
+            rates[j] -= part * w.right[j, k]
+    free = rates[joint]
+    if free < FLOOR:
+        return False
+    for j in range(rates.shape[0]):
+        rates[j] *= sqrt(weights[j]) / (sqrt(weights[joint]) * free)
+    return True
+
+
+@law
+def rank_left(w: Weighted, rank: int) -> float:
+    """Return how near a chain is to a singularity: the last singular value of its rank, as a share of the first [1]."""
+    return float(w.values[rank - 1] / w.values[0]) if w.values[0] > 0.0 else 0.0
+
+
+@law
+def freeing_joint(
+    chain: Array, joints: Array, tip: Array, w: Weighted, weights: Array, follow: Array, rank: int
+) -> int:
+    """Return the joint whose motion changes the last singular value of the rank most: at a singularity, it frees it.
+
+    Args:
+        chain: (n, 16) the chain.
+        joints: (n, 12) poses of the joints in L.
+        tip: (12,) pose of the tip in L.
+        w: from `weigh`.
+        weights: (n,) as in `weigh`; follow likewise.
+        follow: (6,).
+        rank: rank of the chain.
+    """
+    count = chain.shape[0]
+    best, found = -1.0, 0
+    change = np.empty(6)
+    for k in range(count):
+        slope = 0.0
+        for j in range(count):
+            _column_change(chain, joints, tip, j, k, change)
+            for i in range(6):
+                slope += w.left[i, rank - 1] * follow[i] * change[i] * sqrt(weights[j]) * w.right[j, rank - 1]
+        if abs(slope) > best:
+            best, found = abs(slope), k
+    return found
+
+
+@law
+def _column_change(chain: Array, joints: Array, tip: Array, j: int, k: int, change: Array) -> None:
+    """Write the derivative (6,) of column `j` of the Jacobian with respect to the coordinate of joint `k`."""
+    for i in range(6):
+        change[i] = 0.0
+    ax, ay, az = axis_of(chain, joints, j)
+    bx, by, bz = axis_of(chain, joints, k)
+    if chain[k, SLIDES] != 0.0:
+        if k > j and chain[j, SLIDES] == 0.0:  # it moves the tip away from the axis
+            change[3], change[4], change[5] = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        return
+    if k >= j:  # it turns what is beyond it: the tip, as seen from the axis
+        if chain[j, SLIDES] == 0.0:
+            x, y, z = tip[0] - joints[k, 0], tip[1] - joints[k, 1], tip[2] - joints[k, 2]
+            vx, vy, vz = by * z - bz * y, bz * x - bx * z, bx * y - by * x
+            change[3], change[4], change[5] = ay * vz - az * vy, az * vx - ax * vz, ax * vy - ay * vx
+        return
+    cx, cy, cz = by * az - bz * ay, bz * ax - bx * az, bx * ay - by * ax  # it turns the axis
+    if chain[j, SLIDES] != 0.0:
+        change[3], change[4], change[5] = cx, cy, cz
+        return
+    change[0], change[1], change[2] = cx, cy, cz
+    x, y, z = tip[0] - joints[j, 0], tip[1] - joints[j, 1], tip[2] - joints[j, 2]
+    vx, vy, vz = ay * z - az * y, az * x - ax * z, ax * y - ay * x
+    change[3], change[4], change[5] = by * vz - bz * vy, bz * vx - bx * vz, bx * vy - by * vx

@@ -1,0 +1,189 @@
+"""Coordinates of the joints for a pose of the tip, by a search from given ones.
+
+Each step solves the linear equations for the rest of the way with damping, which grows while steps fail. Joints stay
+within their limits. Source: Levenberg and Marquardt's method, as More describes it, "The Levenberg-Marquardt
+algorithm", Numerical Analysis, Lecture Notes in Mathematics 630 (1978).
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE
+from aftdeck.elementary import atan2
+from aftdeck.kinematics.chain.factors import factorise
+from aftdeck.kinematics.chain.posture import place_joints, write_jacobian
+from aftdeck.law import law
+
+STEPS = 200
+"""Greatest number of steps of a search."""
+LONGEST = 0.5
+"""Greatest step of a joint [rad, or characteristic lengths]."""
+ENOUGH = 1e-13
+"""Miss at which a search ends [rad, or characteristic lengths]."""
+
+
+class Found(NamedTuple):
+    """End of a search.
+
+    Attributes:
+        turn: angle between the tip's axes and those of the goal [rad].
+        distance: distance of the tip from the goal [m].
+        steps: number of steps.
+    """
+
+    turn: float
+    distance: float
+    steps: int
+
+
+@law
+def miss_of(tip: Array, goal: Array, miss: Array) -> None:
+    """Write the displacement from the tip to the goal: rotation vector [rad], then translation [m], in L.
+
+    Args:
+        tip: (12,) pose of the tip.
+        goal: (12,) pose to reach.
+        miss: (6,) output.
+    """
+    x = y = z = trace = 0.0
+    for k in range(3):  # the matrix goal tip^T; its antisymmetric part is the axis times the sine
+        a, b, c = goal[3 + k], goal[6 + k], goal[9 + k]
+        d, e, f = tip[3 + k], tip[6 + k], tip[9 + k]
+        x += c * e - b * f
+        y += a * f - c * d
+        z += b * d - a * e
+        trace += a * d + b * e + c * f
+    size = sqrt(x * x + y * y + z * z)
+    angle = atan2(size, trace - 1.0)
+    if size > 1e-9:
+        per = angle / size
+        miss[0], miss[1], miss[2] = per * x, per * y, per * z
+    elif trace > 0.0:
+        miss[0], miss[1], miss[2] = 0.5 * x, 0.5 * y, 0.5 * z
+    else:  # half a turn, whose axis the antisymmetric part does not give: any step away from it helps
+        miss[0], miss[1], miss[2] = angle, 0.0, 0.0
+    for i in range(3):
+        miss[3 + i] = goal[i] - tip[i]
+
+
+@law
+def search(chain: Array, hand: Array, goal: Array, limits: Array, scale: float, follow: Array, q: Array) -> Found:
+    """Move the joints to where the tip is at a pose, or as near to it as this search gets.
+
+    Args:
+        chain: (n, 16) the chain.
+        hand: (12,) pose of the tip in the last joint's frame.
+        goal: (12,) pose to reach, in L.
+        limits: (n, 2) least and greatest coordinate of each joint [rad or m].
+        scale: characteristic length of the chain [m].
+        follow: (6,) weights of the miss's components [1/rad, then 1/m].
+        q: (n,) coordinates at the start; those found are written into it.
+    """
+    count = chain.shape[0]
+    fewest = min(6, count)
+    joints, tip, trial = np.empty((count, POSE)), np.empty(POSE), np.empty(count)
+    matrix, left, right, values = (
+        np.empty((6, count)),
+        np.empty((6, fewest)),
+        np.empty((count, fewest)),
+        np.empty(fewest),
+    )
+    miss, units = np.empty(6), np.empty(count)
+    for i in range(count):
+        q[i] = min(max(q[i], limits[i, 0]), limits[i, 1])
+        units[i] = scale if chain[i, 15] != 0.0 else 1.0
+    place_joints(chain, hand, q, joints, tip)
+    miss_of(tip, goal, miss)
+    before, damping, steps = _size(miss, follow), 1e-3, 0
+    while steps < STEPS and before > ENOUGH:
+        steps += 1
+        write_jacobian(chain, joints, tip, matrix)
+        for j in range(count):
+            for i in range(6):
+                matrix[i, j] *= follow[i] * units[j]
+        _hold(matrix, miss, follow, q, limits)
+        factorise(matrix, left, right, values)
+        better = False
+        while damping < 1e6:
+            _step(left, right, values, miss, follow, damping * before, units, limits, q, trial)
+            place_joints(chain, hand, trial, joints, tip)
+            miss_of(tip, goal, miss)
+            after = _size(miss, follow)
+            if after < before:
+                better = True
+                break
+            place_joints(chain, hand, q, joints, tip)
+            miss_of(tip, goal, miss)
+            damping *= 8.0
+        if not better:
+            break
+        for i in range(count):
+            q[i] = trial[i]
+        gained = before - after
+        before, damping = after, max(damping * 0.125, 1e-12)
+        if gained < 1e-15 * before:
+            break
+    return Found(
+        sqrt(miss[0] * miss[0] + miss[1] * miss[1] + miss[2] * miss[2]),
+        sqrt(miss[3] * miss[3] + miss[4] * miss[4] + miss[5] * miss[5]),
+        steps,
+    )
+
+
+@law
+def _size(miss: Array, follow: Array) -> float:
+    """Return the weighted size of a miss."""
+    square = 0.0
+    for i in range(6):
+        square += (follow[i] * miss[i]) ** 2
+    return sqrt(square)
+
+
+@law
+def _hold(matrix: Array, miss: Array, follow: Array, q: Array, limits: Array) -> None:
+    """Take the joints out of the equations that are at a limit and would have to pass it."""
+    for j in range(matrix.shape[1]):
+        pull = 0.0
+        for i in range(6):
+            pull += matrix[i, j] * follow[i] * miss[i]
+        if (q[j] <= limits[j, 0] and pull < 0.0) or (q[j] >= limits[j, 1] and pull > 0.0):
+            for i in range(6):
+                matrix[i, j] = 0.0
+
+
+@law
+def _step(
+    left: Array,
+    right: Array,
+    values: Array,
+    miss: Array,
+    follow: Array,
+    damping: float,
+    units: Array,
+    limits: Array,
+    q: Array,
+    trial: Array,
+) -> None:
+    """Write the joints' coordinates after a damped step into `trial` (n,)."""
+    count = q.shape[0]
+    for j in range(count):
+        trial[j] = 0.0
+    for k in range(values.shape[0]):
+        part = 0.0
+        for i in range(6):
+            part += left[i, k] * follow[i] * miss[i]
+        bottom = values[k] * values[k] + damping
+        part = part * values[k] / bottom if bottom > 0.0 else 0.0
+        for j in range(count):
+            trial[j] += right[j, k] * part
+    most = 0.0
+    for j in range(count):
+        most = max(most, abs(trial[j]))
+    share = LONGEST / most if most > LONGEST else 1.0
+    for j in range(count):
+        trial[j] = min(max(q[j] + trial[j] * share * units[j], limits[j, 0]), limits[j, 1])
