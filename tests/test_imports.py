@@ -20,6 +20,7 @@ LAYERS = (
         "schema_check",
         "tuples",
         "dimensions",
+        "unit_sizes",
         "encodable",
         "errors",
         "extra",

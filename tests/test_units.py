@@ -5,28 +5,28 @@ from __future__ import annotations
 import datetime
 import keyword
 import math
-import subprocess
-import sys
 import time
+from typing import Any
 
+import pint
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aftdeck import units
+from aftdeck.unit_sizes import UNITS, unit_of
 from aftdeck.units import (
-    Acceleration,
     Angle,
-    AngularAcceleration,
     AngularRate,
     Length,
     Mass,
     Quantity,
     Speed,
     Time,
+    Torque,
 )
 from tests.each import each
 
+PINT: pint.UnitRegistry[Any] = pint.UnitRegistry()
 KINDS = (Length, Angle, Speed, AngularRate, Mass, Time)
 
 
@@ -138,20 +138,36 @@ def test_very_long_text_is_rejected_quickly() -> None:
     assert len(str(caught.value)) < 500
 
 
-@each("unit", units._USUAL)
-@pytest.mark.parametrize("kind", [*KINDS, Acceleration, AngularAcceleration])
-def test_usual_units_have_exactly_the_size_from_pint(unit: str, kind: type[Quantity]) -> None:
-    assert units._size(unit, kind.unit) == units.size_by_pint(unit, kind.unit)
+@each("name", UNITS)
+def test_units_have_the_size_and_the_dimension_from_pint(name: str) -> None:
+    unit, witness = UNITS[name], PINT.Quantity(1.0, name).to_base_units()
+    powers = zip(("meter", "kilogram", "second", "radian"), unit.dimension, strict=True)
+    assert unit.size == pytest.approx(witness.magnitude, rel=1e-15)
+    assert witness.units == PINT.Unit("*".join(f"{base}**{power}" for base, power in powers))
 
 
-@pytest.mark.slow
-def test_built_in_files_are_read_without_pint() -> None:
-    code = """
-import sys
-from aftdeck.scenario.load import built_in, load_scenario
-for name in built_in():
-    load_scenario(name)
-assert "pint" not in sys.modules, "pint was imported"
-"""
-    done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
+@settings(derandomize=True, deadline=None, max_examples=300, database=None)
+@given(st.lists(st.sampled_from(sorted(UNITS)), min_size=1, max_size=4), st.text("*/", min_size=3, max_size=3))
+def test_products_and_quotients_have_the_size_from_pint(names: list[str], operators: str) -> None:
+    text = names[0] + "".join(operator + name for operator, name in zip(operators, names[1:], strict=False))
+    found = unit_of(text)
+    assert found is not None
+    witness = PINT.Quantity(1.0, text).to_base_units()
+    assert found.size == pytest.approx(witness.magnitude, rel=1e-14)
+
+
+@pytest.mark.parametrize("text", ["parsnip", "m*parsnip", "m/s/parsnip", "M", "Kg", "degC", "dB"])
+def test_unknown_name_is_no_unit(text: str) -> None:
+    assert unit_of(text) is None
+
+
+def test_sizes_with_which_recordings_were_made_do_not_change() -> None:
+    sizes = {"ft": 0.30479999999999996, "lb": 0.4535923700000001, "deg": 0.017453292519943295, "in": 0.0254}
+    assert {name: UNITS[name].size for name in sizes} == sizes
+    assert Torque.read("1 ft*lbf") == 1.3558179483314001
+
+
+def test_error_lists_the_units_that_a_file_may_use() -> None:
+    with pytest.raises(ValueError) as caught:
+        Length.read("5 furlong")
+    assert all(f" {symbol}" in str(caught.value) for symbol in ("mm", "cm", "km", "in", "ft", "yd", "mi", "nmi"))

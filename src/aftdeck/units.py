@@ -9,12 +9,10 @@ import functools
 import math
 import re
 import reprlib
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import ClassVar
 
 from aftdeck.bounds import COORDINATE, ROTATION, Bounds
-
-if TYPE_CHECKING:
-    import pint
+from aftdeck.unit_sizes import symbols, unit_of
 
 INCH = 0.0254
 """One inch [m], exact."""
@@ -22,28 +20,6 @@ FOOT = 0.3048
 """One foot [m], exact."""
 POUND = 0.45359237
 """One pound [kg], exact."""
-
-_USUAL = {
-    "m": ("m", 1.0),
-    "mm": ("m", 0.001),
-    "in": ("m", 0.0254),
-    "ft": ("m", 0.30479999999999996),
-    "ft/s": ("m/s", 0.30479999999999996),
-    "rad": ("rad", 1.0),
-    "deg": ("rad", 0.017453292519943295),
-    "deg/s": ("rad/s", 0.017453292519943295),
-    "deg/s/s": ("rad/s/s", 0.017453292519943295),
-    "kg": ("kg", 1.0),
-    "lb": ("kg", 0.4535923700000001),
-    "s": ("s", 1.0),
-    "ms": ("s", 0.001),
-    "ft*lbf": ("N*m", 1.3558179483314001),
-}
-"""SI unit and size of each unit that the built-in files use. The sizes equal pint's values to the last digit.
-
-The table exists because importing pint and its definitions takes longer than loading an arm. `tests/test_units.py`
-compares the table with pint.
-"""
 
 
 class _Repr(reprlib.Repr):
@@ -110,7 +86,7 @@ class Quantity(float):
             return float(match["number"]) * size
         raise ValueError(
             f"{short(text)} is not {with_article(cls.noun)}: write a number in {cls.unit}, or a number with its unit, "
-            f"such as {cls.example!r}"
+            f"such as {cls.example!r}{_allowed(cls.unit)}"
         )
 
 
@@ -219,34 +195,19 @@ class Time(Quantity):
     bounds = Bounds(0.0, 86_400.0, "a run lasts a day at most")
 
 
+def _allowed(target: str) -> str:
+    """Return a sentence part that lists the units for an SI unit; empty for products, which have too many."""
+    unit = unit_of(target)
+    found = symbols(unit.dimension) if unit is not None and target.isalpha() else []
+    return f"; units are {', '.join(found)}" if found else ""
+
+
 @functools.cache
 def _size(unit: str, target: str) -> float | None:
-    """Return the size of `unit` in units of `target`, or None if one cannot be converted to the other."""
-    if unit in _USUAL:
-        si, size = _USUAL[unit]
-        return size if si == target else None
-    return size_by_pint(unit, target)
-
-
-def size_by_pint(unit: str, target: str) -> float | None:
-    """Return the size of `unit` in units of `target` by pint; None if pint cannot convert it."""
-    import pint  # noqa: PLC0415  (takes 0.3 s; only files with unusual units need it)
-
-    try:
-        quantity = _registry().Quantity(1.0, unit)
-        # compare units, not dimensions: pint gives radians no dimension and would accept 5 Hz as 5 rad/s
-        if quantity.to_root_units().units == _registry().Quantity(1.0, target).to_root_units().units:
-            return float(quantity.m_as(target))
-    except pint.PintError:
-        pass
-    return None
-
-
-@functools.cache
-def _registry() -> pint.UnitRegistry[Any]:
-    import pint  # noqa: PLC0415
-
-    return pint.UnitRegistry()
+    """Return the size of `unit` in the SI unit `target`; None if it is unknown or measures something else."""
+    found, wanted = unit_of(unit), unit_of(target)
+    assert wanted is not None and wanted.size == 1.0, f"{target} is no SI unit"
+    return found.size if found is not None and found.dimension == wanted.dimension else None
 
 
 def decode_hook(kind: type, given: object) -> object:

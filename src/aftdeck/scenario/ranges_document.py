@@ -17,6 +17,7 @@ from aftdeck.bounds import Bounds
 from aftdeck.made_tables import renew_file
 from aftdeck.scenario.light import LightFile
 from aftdeck.scenario.schema import ScenarioFile
+from aftdeck.unit_sizes import UNITS, si_symbol
 from aftdeck.units import Quantity
 from aftdeck.worksite.file.schema import WorksiteFile
 
@@ -91,12 +92,16 @@ def _leaves(hint: Any, bounds: Bounds | None) -> Iterator[tuple[Any, Bounds | No
 
 
 def tables() -> str:
-    """Return the table of the quantities' ranges, and for each type of file a table of the fields with own ranges."""
+    """Return the tables of units, of the quantities' ranges, and of each file's fields with own ranges."""
     return "\n".join(_lines())
 
 
 def _lines() -> Iterator[str]:
-    yield "### Every field, unless a table below gives another range\n\n| quantity | range | because |\n|---|---|---|"
+    yield "### Units\n\n| one | is | names |\n|---|---|---|"
+    for one in dict.fromkeys(UNITS.values()):
+        symbol, *other = (f"`{name}`" for name, unit in UNITS.items() if unit == one)
+        yield f"| {symbol} | {one.size:.10g} {si_symbol(one.dimension)} | {', '.join(other)} |"
+    yield "\n### Every field, unless a table below gives another range\n\n| quantity | range | because |\n|---|---|---|"
     for quantity in Quantity.__subclasses__():
         yield _row(quantity.noun, quantity.bounds, quantity.unit)
     known: set[Any] = set()
