@@ -12,7 +12,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import BODY, place
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, NORMAL, PAIR
-from aftdeck.bodies.repeated_test import measure, verdict, verified
+from aftdeck.bodies.pair_check import measure, verdict, verified
 from aftdeck.law import law
 from benchmarks.measure import SHORT, Figure, Timing, against, microseconds
 from benchmarks.plain import projections

@@ -30,13 +30,8 @@ def loaded(statement: str) -> set[str]:
 
 
 def test_importing_the_package_loads_no_library() -> None:
-    assert not loaded("import aftdeck") & {"numba", "numpy", "msgspec", "pint", "starlette", "rich", "typer"}
+    assert not loaded("import aftdeck") & {"numba", "numpy", "msgspec", "starlette", "rich", "typer"}
 
 
 def test_reading_the_version_loads_no_library() -> None:
-    assert not loaded("import aftdeck; aftdeck.__version__") & {"numba", "numpy", "msgspec", "pint"}
-
-
-def test_units_load_pint_only_for_an_unusual_unit() -> None:
-    assert "pint" not in loaded("from aftdeck.units import Length; Length.read(2); Length.read('2 in')")
-    assert "pint" in loaded("from aftdeck.units import Length; Length.read('2 yd')")
+    assert not loaded("import aftdeck; aftdeck.__version__") & {"numba", "numpy", "msgspec"}

@@ -11,7 +11,7 @@ import numpy as np
 
 from aftdeck.bodies.hexahedron import pack
 from aftdeck.bodies.pair import PAIR
-from aftdeck.bodies.repeated_test import measure, verdict
+from aftdeck.bodies.pair_check import measure, verdict
 from tests.bodies.shapes import boxes, near_contact, skewed
 
 

@@ -11,7 +11,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import BODY, place
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, FEATURE_A, FEATURE_B, PAIR
-from aftdeck.bodies.repeated_test import measure_all, verdict
+from aftdeck.bodies.pair_check import measure_all, verdict
 from tests.bodies import brute
 from tests.bodies.shapes import FACES, boxes, near_contact, rotations, skewed
 from tests.bodies.witnesses import ROUNDING, features_penetrate, planes_hold, points_hold, vertices

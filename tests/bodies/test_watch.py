@@ -15,7 +15,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import pack, unpack
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, NORMAL, PAIR, SIMPLEX, SIZE
-from aftdeck.bodies.repeated_test import measure, measure_all, verdict, verified
+from aftdeck.bodies.pair_check import measure, measure_all, verdict, verified
 from tests.bodies.plain import results
 from tests.bodies.shapes import CUBE, boxes, moved, near_contact, rotations, skewed
 from tests.bodies.witnesses import features_penetrate, planes_hold, points_hold

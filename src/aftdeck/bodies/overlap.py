@@ -3,7 +3,7 @@
 It is computed in plain NumPy, because checks of files must not wait for compilation.
 
 Method: the theorem of separating axes over all face normals and all pairs of edges. Compiled code uses
-`bodies.repeated_test`.
+`bodies.pair_check`.
 """
 
 from __future__ import annotations

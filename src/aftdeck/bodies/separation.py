@@ -12,7 +12,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import EDGES, FACES
 from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, PAIR, POINT_A, POINT_B
-from aftdeck.bodies.repeated_test import measure
+from aftdeck.bodies.pair_check import measure
 
 
 class Feature(NamedTuple):
@@ -81,7 +81,7 @@ def separation(a: ArrayLike, b: ArrayLike) -> Separation:
 
     The number of a vertex is 1, plus 4 on the +y side, plus 2 on the +x side, plus 1 on the +z side, in each body's own
     axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. Compiled code that measures
-    the same two bodies in every step uses `aftdeck.bodies.repeated_test`, which is faster.
+    the same two bodies in every step uses `aftdeck.bodies.pair_check`, which is faster.
 
     Args:
         a: (8, 3) vertices of the first body [m].

@@ -25,7 +25,7 @@ from aftdeck.bodies.location_words import heights
 from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.bodies.planes import sides
 from aftdeck.bodies.pose import turned
-from aftdeck.bodies.repeated_test import measure
+from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
 from aftdeck.law import large_law, law
 from aftdeck.state_part import Cache

@@ -15,7 +15,7 @@ from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies import pair as packed
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.pose import turned_back
-from aftdeck.bodies.repeated_test import measure
+from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import (

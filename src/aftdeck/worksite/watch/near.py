@@ -9,7 +9,7 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.hexahedron import VERTICES
 from aftdeck.bodies.pair import CONTACT, PAIR
-from aftdeck.bodies.repeated_test import measure
+from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.law import law
 from aftdeck.worksite.watch.found import CLEARANCE

@@ -1,4 +1,4 @@
-"""Repeated test of a pair of hexahedra: it checks the last plane, detects a collision, and measures the clearance.
+"""Check of a pair of hexahedra that remembers its last result: verdict and clearance.
 
 For use inside compiled code. The result is written into the packed pair (`pair.py`). A plane is stored only after a
 test of all sixteen vertices. A collision is stored only with the features that prove it.
