@@ -15,7 +15,7 @@ import numpy as np
 
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.compare import first_difference
-from aftdeck.recording.convert import inputs_of
+from aftdeck.recording.convert import as_recorded, inputs_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.run import record
 from aftdeck.scenario.load import built_in, load_scenario
@@ -55,9 +55,9 @@ def compare(path: Path) -> str:
     for flown, before in recording.steps():
         sim.advance(inputs_of(flown))
         count += 1
-        found = first_difference(before, recording.as_recorded(sim.look()))
+        found = first_difference(before, as_recorded(sim.look()))
         fields.update(change.field for change in found.fields)
-        if not first and (found.fields or before.events != recording.as_recorded(sim.look()).events):
+        if not first and (found.fields or before.events != as_recorded(sim.look()).events):
             first = (
                 "; ".join(f"{change.field} {change.before} -> {change.after}" for change in found.fields) or "events"
             )

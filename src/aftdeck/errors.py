@@ -95,7 +95,16 @@ class SimulationError(AftdeckError):
 
 
 RecordingFault = Literal[
-    "other", "unreadable", "foreign", "empty", "damaged", "rewritten", "newer layout", "exists", "unwritable"
+    "other",
+    "unreadable",
+    "foreign",
+    "empty",
+    "damaged",
+    "rewritten",
+    "newer layout",
+    "older layout",
+    "exists",
+    "unwritable",
 ]
 """Cause of a `RecordingError`.
 

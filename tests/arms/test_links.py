@@ -9,13 +9,12 @@ import numpy as np
 import pytest
 
 from aftdeck.arms.links import Link, links_of
-from aftdeck.arms.load import model_of
+from aftdeck.arms.load import HERE, model_of
 from aftdeck.arms.model import YawArmFile
 from aftdeck.bodies.mass_properties import MassProperties, about, cylinder, joined, sphere
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Text
 from aftdeck.recording.old_arm import of_today
-from aftdeck.recording.reader import Recording
 from tests.each import each, seeds
 from tests.loaded import arm
 
@@ -29,7 +28,7 @@ HOUSINGS = "".join(
     )
 )
 """Table of the housings, as arm files had it for plants with masses."""
-OLD = Path(__file__).parent.parent / "recording" / "layout_1" / "loaded.mcap"
+OLD = Path(__file__).parent / "srms-before-0.2.toml"
 
 
 def moments(body: MassProperties) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -78,10 +77,10 @@ def test_link_that_no_body_can_be_is_named(old: str, new: str) -> None:
 
 
 def test_arm_of_an_old_recording_keeps_its_masses() -> None:
-    opening = Recording(OLD).opening
-    assert "yaw_housing" in opening.arm_text
+    old, shapes = OLD.read_text(encoding="utf-8"), HERE / "srms.shapes.toml"
+    assert "yaw_housing" in old
     plain, full = (
-        model_of(of_today(Text("old", opening.arm_text + more)), lambda _: Text("shapes", opening.shapes_text)).source
+        model_of(of_today(Text("old", old + more)), lambda _: Text("shapes", shapes.read_text(encoding="utf-8"))).source
         for more in ("", HOUSINGS)
     )
     assert isinstance(plain, YawArmFile) and isinstance(full, YawArmFile) and plain.links is None

@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise, repeat
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -20,12 +21,13 @@ from aftdeck.export.replay import fly, fly_episode, replays
 from aftdeck.export.samples import samples
 from aftdeck.export.state import GROUPS, StateReader
 from aftdeck.export.written import about_of, episode_of, new_folder, numbers_of
+from aftdeck.recording.codec import encode
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Input
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from tests.export.runs import STEPS, busy, by_hand, by_script_then_hand
-from tests.recording.flown import bay, record_steps
+from tests.recording.flown import bay, record_steps, rewritten
 
 RUNS = [by_hand, by_script_then_hand]
 
@@ -216,8 +218,11 @@ def test_recording_without_a_step_or_that_is_damaged_is_rejected(run: Path, tmp_
         read_flight(tmp_path / "damaged.mcap")
 
 
-def test_recording_of_another_version_tells_how_far_its_flight_is_apart() -> None:
-    flight = read_flight(Path(__file__).parents[1] / "recording" / "layout_1" / "loaded.mcap")
+def test_recording_of_another_version_tells_how_far_its_flight_is_apart(run: Path, tmp_path: Path) -> None:
+    first = next(frame for _, frame in Recording(run).steps())
+    other = msgspec.structs.replace(first, sha256="0" * len(first.sha256))  # what other laws would have computed
+    rewritten(run, tmp_path / "other.mcap", {"/frames": encode(other)})
+    flight = read_flight(tmp_path / "other.mcap")
     chosen = plan([flight])
     episode = episode_of(flight, chosen, numbers_of(flight, chosen), success=False)
     assert not episode.inputs_equal and episode.frames_sha256 == ""

@@ -201,12 +201,15 @@ def test_mcap_file_of_another_program_is_foreign(
     assert fault(path) == "foreign"
 
 
-def test_newer_layout_is_rejected_with_its_version(whole: Path, tmp_path: Path) -> None:
-    newer = msgspec.json.encode({"format": 3, "version": "7.1.0", "begins": {"with": "something new"}})
-    rewritten(whole, tmp_path / "newer.mcap", {"/opening": newer})
-    assert fault(tmp_path / "newer.mcap") == "newer layout"
-    with pytest.raises(RecordingError, match=r"layout 3 of Aftdeck 7\.1\.0"):
-        Recording(tmp_path / "newer.mcap")
+@pytest.mark.parametrize(("layout", "version", "age"), [(3, "7.1.0", "newer layout"), (1, "0.1.0", "older layout")])
+def test_other_layout_is_rejected_with_its_version(
+    whole: Path, tmp_path: Path, layout: int, version: str, age: str
+) -> None:
+    opening = msgspec.json.encode({"format": layout, "version": version, "begins": {"with": "something else"}})
+    rewritten(whole, tmp_path / "other.mcap", {"/opening": opening})
+    assert fault(tmp_path / "other.mcap") == age
+    with pytest.raises(RecordingError, match=f"layout {layout} of Aftdeck {version}"):
+        Recording(tmp_path / "other.mcap")
 
 
 def test_invalid_message_is_damage_and_names_its_channel(whole: Path, tmp_path: Path) -> None:

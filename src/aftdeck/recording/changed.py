@@ -11,7 +11,7 @@ import msgspec
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.compare import Comparison, Difference, EventChange, Greatest
-from aftdeck.recording.convert import inputs_of
+from aftdeck.recording.convert import as_recorded, inputs_of
 from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
@@ -91,7 +91,7 @@ def rerun(
                 recorder.take_turns()
             if progress is not None and frame.tick % 256 == 0:
                 progress(recording.share)
-            yield recording.as_recorded(frame)
+            yield as_recorded(frame)
 
     recorded = Recording(path)
     comparison = Comparison(opening.joints)

@@ -13,7 +13,7 @@ from aftdeck.recording.chain import Chain, Declared, without_head
 from aftdeck.recording.channels import DECLARED, FIXED, SCENE, VIEWED
 from aftdeck.recording.codec import encode
 from aftdeck.recording.compare import Difference, alike, first_difference
-from aftdeck.recording.convert import DIGITS, frame_record, input_record, inputs_of
+from aftdeck.recording.convert import DIGITS, as_recorded, frame_record, input_record, inputs_of
 from aftdeck.recording.reader import Entry, Recording
 from aftdeck.recording.records import Closing, FrameRecord, Input, Note, Opening
 from aftdeck.recording.viewing import Viewing
@@ -134,7 +134,7 @@ class Check:
             equal = entry.data == expected or _same(entry.data, expected)
             if equal:
                 return
-        computed = self._recording.as_recorded(frame)
+        computed = as_recorded(frame)
         logged = _logged(record, self.strict) == _logged(computed, self.strict)
         if equal and not (self.strict and self.digests) and alike(record, computed) and logged:
             return

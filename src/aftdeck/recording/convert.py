@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import astuple
 
+from aftdeck.recording.codec import as_read
 from aftdeck.recording.records import FrameRecord, Input, LightRecord, LockRecord
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.simulation.frame import Frame
@@ -30,6 +31,11 @@ def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> Frame
     values = list(astuple(frame))
     values[_SHA256] = frame.sha256[:DIGITS]
     return FrameRecord(*values, wall_s=wall_s, latency_ms=latency_ms)
+
+
+def as_recorded(frame: Frame) -> FrameRecord:
+    """Return a frame with the values that a reader of its recording gets, without wall time and latency."""
+    return as_read(frame_record(frame, 0.0, None))
 
 
 def light_record(time_s: float, lighting: Lighting) -> LightRecord:

@@ -9,7 +9,7 @@ from aftdeck.errors import RecordingError
 from aftdeck.plant.readings import Readings
 from aftdeck.recording.apart import further, within_tolerance
 from aftdeck.recording.bundle import scenario_of
-from aftdeck.recording.convert import DIGITS, inputs_of
+from aftdeck.recording.convert import DIGITS, as_recorded, inputs_of
 from aftdeck.recording.message import Message
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Input
@@ -54,7 +54,7 @@ def _check(recording: Recording, recorded: FrameRecord, sim: Simulation) -> None
     Raises:
         RecordingError: lengths or angles differ by more than the tolerance.
     """
-    if not within_tolerance(further(None, recorded, recording.as_recorded(sim.look()))):
+    if not within_tolerance(further(None, recorded, as_recorded(sim.look()))):
         raise RecordingError(
             f"{recording.path}: its re-simulation differs from it at {recorded.time_s:.2f} s, so that there are no "
             "readings of gauges; `aftdeck replay` shows the difference"

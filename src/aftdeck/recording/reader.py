@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
@@ -12,16 +11,12 @@ from mcap.records import Channel as McapChannel
 from mcap.records import Header, Schema
 from mcap.records import Message as McapMessage
 
-from aftdeck.errors import AftdeckError, RecordingError
-from aftdeck.recording.bundle import scenario_of
+from aftdeck.errors import RecordingError, RecordingFault
 from aftdeck.recording.chain import Declared
-from aftdeck.recording.codec import as_read, decode, restored
-from aftdeck.recording.convert import frame_record
+from aftdeck.recording.codec import decode
 from aftdeck.recording.damage import DamageError, SizeError
 from aftdeck.recording.decompress import MAX_UNPACKED
 from aftdeck.recording.delays import Delays
-from aftdeck.recording.format_1 import FramesOf1, as_layout_1
-from aftdeck.recording.format_1 import inputs as inputs_of_1
 from aftdeck.recording.mcap_records import MAGIC, records
 from aftdeck.recording.message import Message
 from aftdeck.recording.records import (
@@ -37,8 +32,6 @@ from aftdeck.recording.records import (
     Opening,
 )
 from aftdeck.recording.rewritten import rewritten
-from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame
 from aftdeck.units import short
 
 
@@ -92,12 +85,11 @@ class Recording:
         """Open a recording.
 
         Raises:
-            RecordingError: the file is not a recording of Aftdeck, has a newer layout, or has no header.
+            RecordingError: the file is not a recording of Aftdeck, has another layout, or has no header.
         """
         self.path = Path(path)
         self.ended, self.cut, self.time_s, self.share = "", False, 0.0, 0.0
         self.frames_sha256 = self.summary = ""
-        self._old: FramesOf1 | None = None
         entry = next(self._entries(), None)
         if entry is None:
             raise RecordingError(f"{self.path}: was cut short before its first second; it has no data", "empty")
@@ -108,8 +100,6 @@ class Recording:
             raise self._damaged(f"the seed must be between 0 and 2**63, got {short(first.seed)}")
         self.opening = first
         self.delays = Delays() if first.real_time else None
-        if first.format == 1:
-            self._old = FramesOf1(first.joints, self._thresholds)
 
     def messages(self) -> Iterator[Message]:
         """Yield all messages of Aftdeck's own channels in order, and then set `ended` or `cut`.
@@ -177,12 +167,6 @@ class Recording:
                 inputs = entry.message
             elif isinstance(entry.message, FrameRecord):
                 yield inputs, entry.message
-
-    def as_recorded(self, frame: Frame) -> FrameRecord:
-        """Return a frame with the values that a reader of this file would get, without wall time and latency."""
-        if self._old is not None:
-            frame = as_layout_1(frame, self._scenario.arm.model.units)
-        return as_read(frame_record(frame, 0.0, None))
 
     def notes(self) -> Iterator[Note]:
         """Return an iterator over the log lines of the station."""
@@ -261,36 +245,18 @@ class Recording:
                 self._check_layout(msgspec.json.decode(data, type=_Layout))
             if texts:  # decoded directly, because unknown fields then take no memory
                 return msgspec.json.decode(data, type=kind)
-            if self._old is not None and kind in (FrameRecord, Input):
-                old = msgspec.json.decode(data, type=dict)
-                return restored(kind, self._old.frame(old) if kind is FrameRecord else inputs_of_1(old))
             return decode(kind, data)
         except (msgspec.MsgspecError, AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
             raise self._damaged(f"invalid message in {topic}: {error}") from None
 
-    def _thresholds(self) -> tuple[float, float]:
-        """Return the scenario's thresholds of clearance for caution and warning [m]."""
-        return self._scenario.caution, self._scenario.warning
-
-    @cached_property
-    def _scenario(self) -> Scenario:
-        """Scenario of the run.
-
-        Raises:
-            RecordingError: this version cannot load the scenario.
-        """
-        try:
-            return scenario_of(self.opening)
-        except AftdeckError as error:
-            raise RecordingError(f"{self.path}: the recorded scenario cannot be loaded: {error}") from None
-
     def _check_layout(self, layout: _Layout) -> None:
-        if layout.format > FORMAT:
-            raise RecordingError(
-                f"{self.path}: has layout {layout.format} of Aftdeck {layout.version}; this version reads layouts 1 to "
-                f"{FORMAT}",
-                "newer layout",
-            )
+        if layout.format == FORMAT:
+            return
+        age: RecordingFault = "newer layout" if layout.format > FORMAT else "older layout"
+        raise RecordingError(
+            f"{self.path}: has layout {layout.format} of Aftdeck {layout.version}; this version reads layout {FORMAT}",
+            age,
+        )
 
     def _foreign(self) -> RecordingError:
         return RecordingError(f"{self.path}: is an MCAP file, but not a recording of Aftdeck", "foreign")

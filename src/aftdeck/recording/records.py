@@ -17,7 +17,7 @@ from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 
 FORMAT = 2
-"""Number of the file's layout; a reader rejects files with a greater number."""
+"""Number of the file's layout; a reader rejects files with another number."""
 PROFILE = "aftdeck"
 """MCAP profile of the file's header."""
 

@@ -57,8 +57,7 @@ class Condition(msgspec.Struct, frozen=True, gc=False):
     words: Annotated[
         str,
         field_meta(
-            "text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; in "
-            "a recording of layout 1, the whole text, with its numbers"
+            "text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`"
         ),
     ]
     numbers: Annotated[tuple[float, ...], field_meta("numbers of the text, in `unit`", decimals=5)] = ()

@@ -1225,7 +1225,7 @@ export interface Condition {
   readonly unit: 'm' | 'rad' | 'm/s' | 'rad/s' | 's' | '';
   /** margin, in `unit`; negative if the condition fails */
   readonly margin: number;
-  /** text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; in a recording of layout 1, the whole text, with its numbers */
+  /** text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed` */
   readonly words: string;
   /** numbers of the text, in `unit` */
   readonly numbers: readonly number[];

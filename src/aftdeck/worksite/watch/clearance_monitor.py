@@ -23,9 +23,9 @@ from aftdeck.bodies.depth import greatest
 from aftdeck.bodies.hexahedron import SIDES, VERTICES, place
 from aftdeck.bodies.location_words import heights
 from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.planes import sides
 from aftdeck.bodies.pose import turned
-from aftdeck.bodies.pair_check import measure
 from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
 from aftdeck.law import large_law, law
 from aftdeck.state_part import Cache

@@ -14,8 +14,8 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies import pair as packed
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.pair_check import measure
+from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import (
