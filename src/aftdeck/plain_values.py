@@ -74,3 +74,10 @@ def items(values: Any, shape: tuple[int, ...]) -> list[Any]:
 def numbers(values: Any, count: int) -> tuple[float, ...]:
     """Return `count` real numbers of any types, in a sequence or an array, as a tuple of floats."""
     return tuple(number(value) for value in items(values, (count,)))
+
+
+def few_numbers(values: Any, most: int) -> tuple[float, ...]:
+    """Return at most `most` real numbers of any types, in a sequence or an array with one dimension, as floats."""
+    if not 0 < len(values) <= most:
+        raise ValueError(f"the number of items is {len(values)}")
+    return numbers(values, len(values))

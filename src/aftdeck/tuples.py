@@ -6,7 +6,9 @@ from collections.abc import Iterable
 
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
-"""One number for each joint; or a twist, angular velocity first."""
+"""A twist, angular velocity first; or six values of another kind in the same order of axes."""
+Joints = tuple[float, ...]
+"""One number for each joint, in the order of the arm's joints."""
 Rows = tuple[Vec3, Vec3, Vec3]
 """The three rows of a rotation matrix, whose columns are the axes of the rotated coordinate frame.
 

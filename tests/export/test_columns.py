@@ -18,7 +18,7 @@ from aftdeck.simulation.inputs import POSITIONS, Inputs
 from aftdeck.steering.mode import MODES
 
 DRIVEN = ("A", "AFT P")
-ENCODING = Encoding(DRIVEN)
+ENCODING = Encoding(DRIVEN, 6)
 
 stick = st.floats(-1.0, 1.0).map(lambda x: x + 0.0)
 three, number = st.tuples(stick, stick, stick), st.floats(-1e6, 1e6)

@@ -13,7 +13,6 @@ import pytest
 
 from aftdeck.errors import InputError, RecordingError
 from aftdeck.export.about import read_about, read_episode, write_about, write_episode
-from aftdeck.export.columns import Encoding
 from aftdeck.export.flight import read_flight
 from aftdeck.export.pictures import Painter, names_of, usual_cameras
 from aftdeck.export.plan import plan
@@ -111,7 +110,7 @@ def test_actions_that_float32_holds_give_the_recorded_flight(tmp_path: Path) -> 
 
 def test_action_of_a_sample_has_its_last_sticks_and_every_switch(run: Path) -> None:
     flight = read_flight(run)
-    encoding, actions = Encoding(flight.driven), flight.actions(5)
+    encoding, actions = flight.encoding, flight.actions(5)
     columns = dict(zip(encoding.names, actions.T, strict=True))
     assert columns["rate"].tolist() == [-1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     assert columns["mode"][0] > 0.0 and columns["mode"][5] > 0.0

@@ -66,7 +66,7 @@ def test_state_and_columns_are_those_of_a_dataset() -> None:
     sim = env.mission_env.simulation
     assert env.state_names == StateReader(sim.scenario).names
     assert seen["agent_pos"].tolist() == StateReader(sim.scenario).of(sim.look(), env.mission_env.left).tolist()
-    encoding = Encoding(sim.cameras)
+    encoding = Encoding(sim.cameras, len(sim.scenario.arm.joints))
     rng = np.random.default_rng(0)
     for action in rng.uniform(-1.0, 1.0, (50, len(env.action_names))):
         row = encoding.completed(env.action_names, action[None])[0].tolist()

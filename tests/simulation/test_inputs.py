@@ -54,7 +54,8 @@ Target: Any = aftdeck.Target
         ({"target": aftdeck.Target((0.0, 0.0, 0.0), LEVEL, (math.nan,) * 6)}, "^target: joints: got nan rad; "),
         ({"target": Target((0.0, 0.0), LEVEL)}, r"^target: .*\(3,\).*\(3, 3\)"),
         ({"target": Target((0.0, 0.0, 0.0), LEVEL[:2])}, r"^target: .*\(3,\).*\(3, 3\)"),
-        ({"target": Target((0.0, 0.0, 0.0), LEVEL, (0.0,))}, r"^target: .*\(3,\).*\(3, 3\)"),
+        ({"target": Target((0.0, 0.0, 0.0), LEVEL, (0.0,))}, "^target: joints: got 1 .* expected 6"),
+        ({"target": Target((0.0, 0.0, 0.0), LEVEL, (0.0,) * 9)}, r"^target: .*\(3,\).*\(3, 3\)"),
         ({"target": Target((0.0, 0.0, 0.0), LEVEL, ())}, r"^target: .*\(3,\).*\(3, 3\)"),
         (
             {"target": aftdeck.Target((0.0, 0.0, 0.0), ((math.inf, 0.0, 0.0), *LEVEL[1:]))},

@@ -9,9 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aftdeck.errors import CommandError
+from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.camera_drives import CameraDrive
+from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.commands import travel
+from aftdeck.station.session.commands import check_switch, travel
 from aftdeck.station.session.page_inputs import LOST, MAX_WAITING, STILL, PageInputs
 
 SILENCE = 0.5
@@ -124,3 +126,11 @@ def test_rate_hold_ends_when_the_page_is_silent() -> None:
     inputs.steer(sticks(1, 0.0), 1.0)
     assert inputs.take(1.0 + 1.1 * SILENCE, rate_held=False).cause == ""
     assert inputs.take(1.0 + 1.1 * SILENCE, rate_held=True).cause == "sticks silent"
+
+
+@pytest.mark.parametrize("angles", [(), (0.0,) * 5, (0.0,) * 7, (1e6,) * 6])
+def test_master_arm_needs_a_plausible_angle_for_each_joint(angles: tuple[float, ...]) -> None:
+    welcome = welcome_of(load_scenario("first-flight"), demo=False)
+    check_switch(from_page.SetMaster(1, (0.0,) * 6), welcome)
+    with pytest.raises(CommandError):
+        check_switch(from_page.SetMaster(1, angles), welcome)

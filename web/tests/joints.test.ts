@@ -1,6 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { angleAt, BAR, place } from '../src/panel/joints/joint-scale';
-import { replaced } from '../src/panel/joints/master';
 import { Paced } from '../src/panel/parts/paced';
 
 beforeEach(() => {
@@ -24,10 +23,6 @@ test('master angles are sent at most 20 times a second; the last angles are alwa
   vi.advanceTimersByTime(1000);
   paced.put(7);
   expect(sent.at(-1)).toBe(7);
-});
-
-test('one slider moves one angle of the master', () => {
-  expect(replaced([1, 2, 3, 4, 5, 6], 2, 9)).toEqual([1, 2, 9, 4, 5, 6]);
 });
 
 test('a position on a joint bar gives the angle at that position', () => {

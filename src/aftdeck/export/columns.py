@@ -17,7 +17,7 @@ from aftdeck.errors import InputError
 from aftdeck.scenario.disturbance import Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
-from aftdeck.simulation.inputs import JOINTS, Inputs
+from aftdeck.simulation.inputs import Inputs
 from aftdeck.table import Column
 from aftdeck.units import short
 
@@ -75,7 +75,6 @@ MODE_NUMBERS: Mapping[object, int] = {
 _ON_OFF: Mapping[object, int] = {True: 1, False: -1}
 _SWITCHES: Mapping[str, tuple[str, Mapping[object, int]]] = {
     "mode": ("MODE rotary.", MODE_NUMBERS),
-    "joint": ("JOINT rotary, by the index of the joint, from 0.", {k: k + 1 for k in range(JOINTS)}),
     "rate": ("Rate setting.", {"coarse": 1, "vernier": -1}),
     "law": ("Steering law of OPR CMD and AUTO 1-4.", {"position": 1, "closed loop": 2, "open loop": 3}),
     "payload_axes": ("Switch beside ORB LD: rotation about payload axes.", _ON_OFF),
@@ -107,8 +106,11 @@ def _stick(name: str) -> Field:
     return Field(name, columns, lambda value: value, tuple, held=True)
 
 
-def _switch(name: str) -> Field:
-    text, codes = _SWITCHES[name]
+def _joint(joints: int) -> Field:
+    return _switch("joint", "JOINT rotary, by the index of the joint, from 0.", {k: k + 1 for k in range(joints)})
+
+
+def _switch(name: str, text: str, codes: Mapping[object, int]) -> Field:
     listed = ", ".join(f"{code}: {_position(value)}" for value, code in codes.items())
     values = {code: value for value, code in codes.items()} | {0: None}
 
@@ -146,7 +148,7 @@ def _button(name: str) -> Field:
     return Field(name, (column,), lambda value: (float(value),), lambda numbers: numbers[0] > 0.5)  # noqa: PLR2004
 
 
-def _target() -> Field:
+def _target(joints: int) -> Field:
     columns = (
         Column("target", "", "A target is keyed in: 1 as a pose, 2 as a pose with its joint angles."),
         *(Column(f"target_{axis}", "m", f"Its position in L, {axis}.") for axis in "xyz"),
@@ -155,30 +157,29 @@ def _target() -> Field:
             for i in (1, 2, 3)
             for j in (1, 2, 3)
         ),
-        *(Column(f"target_joint_{k}", "rad", f"Its angle of joint {k}.") for k in range(1, JOINTS + 1)),
+        *(Column(f"target_joint_{k}", "rad", f"Its angle of joint {k}.") for k in range(1, joints + 1)),
     )
 
     def numbers(value: Target | None) -> Sequence[float]:
         if value is None:
             return (0.0,) * len(columns)
-        kind, joints = (1.0, (0.0,) * JOINTS) if value.joints is None else (2.0, value.joints)
-        return (kind, *value.position, *(x for row in value.rotation for x in row), *joints)
+        kind, angles = (1.0, (0.0,) * joints) if value.joints is None else (2.0, value.joints)
+        return (kind, *value.position, *(x for row in value.rotation for x in row), *angles)
 
     def target(n: Sequence[float]) -> Target | None:
         kind = _code("target", n[0], (0, 1, 2), "0, 1 or 2")
         if kind == 0:
             return None
         rows = (n[4], n[5], n[6]), (n[7], n[8], n[9]), (n[10], n[11], n[12])
-        a, b, c, d, e, f = n[13:19]
-        return Target((n[1], n[2], n[3]), rows, None if kind == 1 else (a, b, c, d, e, f))
+        return Target((n[1], n[2], n[3]), rows, None if kind == 1 else tuple(n[13 : 13 + joints]))
 
     return Field("target", columns, numbers, target)
 
 
-def _master() -> Field:
+def _master(joints: int) -> Field:
     columns = (
         Column("master", "", "1: the master arm has these joint angles."),
-        *(Column(f"master_joint_{k}", "rad", f"Its angle of joint {k}.") for k in range(1, JOINTS + 1)),
+        *(Column(f"master_joint_{k}", "rad", f"Its angle of joint {k}.") for k in range(1, joints + 1)),
     )
     return Field(
         "master",
@@ -231,11 +232,13 @@ class Encoding:
         names: their names.
     """
 
-    def __init__(self, driven: Sequence[str] = ()) -> None:
-        """Take the names of the cameras that have a drive, in their order (`Simulation.cameras`)."""
-        made = {name: _stick(name) for name in _STICKS} | {name: _switch(name) for name in _SWITCHES}
+    def __init__(self, driven: Sequence[str], joints: int) -> None:
+        """Take the names of the cameras that have a drive, in their order, and the number of the arm's joints."""
+        made = {name: _stick(name) for name in _STICKS}
+        made |= {name: _switch(name, *of) for name, of in _SWITCHES.items()} | {"joint": _joint(joints)}
         made |= {name: _button(name) for name in _BUTTONS}
-        made |= {"target": _target(), "master": _master(), "camera": _camera(driven), "disturbances": _disturbances()}
+        made |= {"target": _target(joints), "master": _master(joints), "camera": _camera(driven)}
+        made |= {"disturbances": _disturbances()}
         self.fields = tuple(made[name] for name in Inputs.__struct_fields__)
         self.columns = (*(column for field in self.fields for column in field.columns), SCRIPT)
         self.names = tuple(column.name for column in self.columns)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from aftdeck.export.columns import Encoding
 from aftdeck.export.state import GROUPS, Shown
+from aftdeck.kinematics.arm import load_arm
 from aftdeck.made_tables import renew_file
 
 
@@ -17,7 +18,7 @@ def tables() -> str:
 def _lines() -> Iterator[str]:
     yield "### Columns of an action\n"
     yield "| column | unit | definition |\n|---|---|---|"
-    for column in Encoding().columns:
+    for column in Encoding((), len(load_arm("srms").joints)).columns:
         yield f"| `{column.name}` | {column.unit} | {column.definition} |"
     yield "\n### State\n"
     yield "| numbers | unit | definition |\n|---|---|---|"

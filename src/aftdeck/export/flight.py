@@ -47,6 +47,11 @@ class Flight:
     shown: tuple[str, ...]
 
     @property
+    def encoding(self) -> Encoding:
+        """Encoding of the inputs."""
+        return Encoding(self.driven, len(self.scenario.arm.joints))
+
+    @property
     def steps(self) -> int:
         """Number of control steps."""
         return len(self.inputs)
@@ -59,7 +64,7 @@ class Flight:
         """
         if per_sample == 1:
             return self.inputs
-        encoding, rows = Encoding(self.driven), []
+        encoding, rows = self.encoding, []
         for at in range(0, self.steps, per_sample):
             since = self.records[at : at + per_sample]
             one = merged(since, since[0], at + 1)
@@ -86,7 +91,7 @@ def read_flight(path: Path, progress: Callable[[float], None] | None = None) -> 
     try:
         scenario = scenario_of(opening)
         sim = Simulation(scenario, opening.seed)
-        encoding = Encoding(sim.cameras)
+        encoding = Encoding(sim.cameras, len(scenario.arm.joints))
         for entry in recording.entries_with_inputs():
             message = entry.message
             if isinstance(message, Shown):

@@ -18,7 +18,7 @@ USUAL_RATE = 10.0
 """Default number of samples in a second, if the control rate is a multiple of it [1/s]."""
 LEAST_RATE = 0.1
 """Least number of samples in a second [1/s]: a sample has the inputs of all its control steps."""
-STICKS = Encoding().names[:6]
+STICKS = Encoding((), 0).names[:6]
 """Columns that every dataset has: those of the hand controllers."""
 
 
@@ -85,7 +85,7 @@ def plan(
                 f"{where}: the control period differs from that of {there}: {other:g} s instead of {period:g} s; "
                 "export them into different folders"
             )
-    encoding = Encoding(first.driven)
+    encoding = first.encoding
     used = np.any([flight.inputs.any(axis=0) for flight in flights], axis=0)
     inputs = tuple(name for name, one in zip(encoding.names, used, strict=True) if one or name in STICKS)
     if "camera" in inputs:

@@ -49,7 +49,7 @@ def fly(scenario: Scenario, seed: int, rows: Array, steps: int, per_row: int) ->
     if len(rows) * per_row < steps:
         raise InputError(f"rows: got {len(rows)} for {steps} control steps, expected {-(-steps // per_row)}")
     sim = Simulation(scenario, seed)
-    encoding = Encoding(sim.cameras)
+    encoding = Encoding(sim.cameras, len(scenario.arm.joints))
     digests, tips = hashlib.sha256(), np.empty((steps, 3))
     for step in range(steps):
         row, since = divmod(step, per_row)
@@ -83,8 +83,10 @@ def fly_episode(
         names, per_row, width = about.action, about.per_sample, len(about.action)
     if given.shape != (episode.samples, width):
         raise InputError(f"numbers: got shape {given.shape}, expected {(episode.samples, width)} for {column}")
-    rows = Encoding(episode.driven).completed(names, given.reshape(-1, len(names)))
-    return fly(scenario_of(opening), opening.seed, rows, episode.steps, per_row)
+    scenario = scenario_of(opening)
+    encoding = Encoding(episode.driven, len(scenario.arm.joints))
+    rows = encoding.completed(names, given.reshape(-1, len(names)))
+    return fly(scenario, opening.seed, rows, episode.steps, per_row)
 
 
 def replays(

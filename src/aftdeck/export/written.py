@@ -14,7 +14,6 @@ from aftdeck.arrays import Array
 from aftdeck.encodable import encodable
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.export.about import FORMAT, About, Episode
-from aftdeck.export.columns import Encoding
 from aftdeck.export.flight import Flight
 from aftdeck.export.plan import Plan
 from aftdeck.export.replay import Flown, fly
@@ -36,7 +35,7 @@ class Numbers(NamedTuple):
 
 def numbers_of(flight: Flight, plan: Plan) -> Numbers:
     """Return the numbers of an episode."""
-    encoding, n = Encoding(flight.driven), plan.per_sample
+    encoding, n = flight.encoding, plan.per_sample
     actions = flight.actions(n)
     inputs = np.zeros((len(actions) * n, len(plan.inputs)))
     inputs[: flight.steps] = flight.inputs[:, encoding.index(plan.inputs)]
@@ -53,7 +52,7 @@ def episode_of(flight: Flight, plan: Plan, numbers: Numbers, *, success: bool) -
 
     The numbers are flown as a learner's library returns them: inputs in float64, actions in float32.
     """
-    encoding, seed = Encoding(flight.driven), flight.recording.opening.seed
+    encoding, seed = flight.encoding, flight.recording.opening.seed
     rows = encoding.completed(plan.inputs, numbers.inputs.reshape(-1, len(plan.inputs)))
     exact = fly(flight.scenario, seed, rows, flight.steps, 1)
     learned = encoding.completed(plan.action, numbers.action.astype(np.float32).astype(np.float64))

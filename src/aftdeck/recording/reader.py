@@ -32,6 +32,7 @@ from aftdeck.recording.records import (
     Opening,
 )
 from aftdeck.recording.rewritten import rewritten
+from aftdeck.tuples import Joints
 from aftdeck.units import short
 
 
@@ -126,6 +127,10 @@ class Recording:
             if isinstance(message, FrameRecord):
                 if not abs(message.time_s - message.tick * self.opening.control_period_s) <= MAX_TIME_ERROR:
                     raise self._damaged(f"step {message.tick} has the time {message.time_s:g} s")
+                if any(len(values) != len(self.opening.joints) for values in _joint_values(message)):
+                    raise self._damaged(
+                        f"step {message.tick} does not have one value for each of {len(self.opening.joints)} joints"
+                    )
                 tick, quiet, self.time_s = message.tick, 0, message.time_s
             if quiet > MAX_WITHOUT_STEP:
                 raise self._damaged(f"more than {MAX_WITHOUT_STEP} messages without a step")
@@ -267,6 +272,17 @@ class Recording:
 
     def _damaged(self, why: str) -> RecordingError:
         return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}", "damaged")
+
+
+def _joint_values(frame: FrameRecord) -> Iterator[Joints]:
+    """Yield every list of a frame that has a value for each joint."""
+    yield from (frame.angles, frame.rates, frame.angles_commanded, frame.rates_commanded, frame.rate_limits)
+    further = (
+        None if frame.check is None else frame.check.joints,
+        frame.work.master,
+        None if frame.dynamics is None else frame.dynamics.torques,
+    )
+    yield from (values for values in further if values is not None)
 
 
 def _declared(channel: McapChannel, schema: Schema | None) -> Declared:

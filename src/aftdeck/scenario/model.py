@@ -20,6 +20,7 @@ from aftdeck.scenario.schema import FreeContact, Part, Plant, PorOverride, Rate,
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.scenario.task_step import TaskStep
 from aftdeck.steering.mode import MODES, LawChoice
+from aftdeck.tuples import Joints
 from aftdeck.worksite.model import Cargo, OrbiterMotion, Worksite
 
 
@@ -83,7 +84,7 @@ class PhasePlan:
     target: Target | RelativeTarget | None
     law: LawChoice | None
     payload_axes: bool | None
-    master: tuple[float, float, float, float, float, float] | None
+    master: Joints | None
     effector: Literal["stop", "close", "open"] | None
     latch: Literal["latch", "unlatch"] | None
     brakes: bool | None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import cast
 
 from aftdeck.errors import InputError
 from aftdeck.files import Where, place
@@ -17,7 +16,6 @@ from aftdeck.scenario.poses import check_angle
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import AngularVelocity, Phase, PorOverride, Velocity
 from aftdeck.steering.mode import MODES, Mode
-from aftdeck.tuples import Six
 
 _USED: dict[str, set[str]] = {
     "automatic": {"law"},
@@ -95,7 +93,7 @@ def _phase_plan(
         target=target,
         law=chosen.law or phase.law,
         payload_axes=chosen.payload_axes or phase.payload_axes,
-        master=None if phase.master is None else cast("Six", tuple(float(angle) for angle in phase.master)),
+        master=None if phase.master is None else tuple(float(angle) for angle in phase.master),
         effector=phase.effector,
         latch=phase.latch,
         brakes=phase.brakes,

@@ -6,7 +6,7 @@ import msgspec
 import numpy as np
 
 from aftdeck.frames import Pose
-from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.tuples import Joints, Rows, Vec3
 
 
 class Target(msgspec.Struct, frozen=True):
@@ -16,7 +16,7 @@ class Target(msgspec.Struct, frozen=True):
     """Position [m]."""
     rotation: Rows
     """Rows of the matrix whose columns are frame 7's axes."""
-    joints: Six | None = None
+    joints: Joints | None = None
     """Final joint angles [rad] for mode 1, if the target was given by joint angles. If None, mode 1 uses the set of
     joint angles that is nearest to the present angles.
 
@@ -71,7 +71,7 @@ RelativeTarget = AtCargo | AtSeat | InFrame
 """A target that depends on the pose of an object at the time when a phase begins."""
 
 
-def target_at(pose: Pose, joints: Six | None = None) -> Target:
+def target_at(pose: Pose, joints: Joints | None = None) -> Target:
     """Return the target at a pose in L."""
     x, y, z = pose.position.tolist()
     a, b, c = (tuple(row) for row in pose.rotation.tolist())

@@ -13,7 +13,7 @@ import msgspec
 from aftdeck.bodies.cameras import Setting
 from aftdeck.field_meta import field_meta
 from aftdeck.matrices import length
-from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.tuples import Joints, Rows, Six, Vec3
 from aftdeck.worksite.report import Motion, Work
 
 Level = Literal["info", "caution", "warning"]
@@ -76,7 +76,7 @@ class Check(msgspec.Struct, frozen=True):
     ] = 0.0
     cause: Annotated[Cause, field_meta("cause of a FAIL; empty for GOOD")] = ""
     joints: Annotated[
-        Six | None,
+        Joints | None,
         field_meta("GOOD in mode 1: joint angles at the target; null in modes 2 and 3, and for FAIL", "rad"),
     ] = None
 
@@ -233,11 +233,11 @@ class Dynamics(msgspec.Struct, frozen=True, gc=False):
         field_meta("true distance and angle of the tip from the target; null if there is none", "m, rad"),
     ]
     torques: Annotated[
-        Six, field_meta("torque of motor or brake about each joint, at the end of the step", "N m", decimals=3)
+        Joints, field_meta("torque of motor or brake about each joint, at the end of the step", "N m", decimals=3)
     ]
     overdriven: Annotated[
         tuple[int, ...],
-        field_meta("joints, 0 to 5, that turn against a motor or brake at its greatest torque"),
+        field_meta("joints, from 0, that turn against a motor or brake at its greatest torque"),
     ]
     orbiter: Annotated[Placed, field_meta("pose of L, relative to its pose at the start of the run", "m, 1", "L")]
     fired: Annotated[
@@ -304,11 +304,11 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     translation: Annotated[Vec3, field_meta("THC deflection that acted, in [-1, 1]", "1", "control", 7)]
     rotation: Annotated[Vec3, field_meta("RHC deflection that acted, in [-1, 1]", "1", "control", 7)]
     drive: Annotated[float, field_meta("DRIVE deflection that acted, in [-1, 1]", "1", decimals=7)]
-    angles: Annotated[Six, field_meta("joint angles, measured", "rad")]
-    rates: Annotated[Six, field_meta("joint rates, measured", "rad/s")]
-    angles_commanded: Annotated[Six, field_meta("joint angles that the commanded rates alone would give", "rad")]
-    rates_commanded: Annotated[Six, field_meta("joint rates, commanded", "rad/s")]
-    rate_limits: Annotated[Six, field_meta("joint rate limits in force", "rad/s")]
+    angles: Annotated[Joints, field_meta("joint angles, measured", "rad")]
+    rates: Annotated[Joints, field_meta("joint rates, measured", "rad/s")]
+    angles_commanded: Annotated[Joints, field_meta("joint angles that the commanded rates alone would give", "rad")]
+    rates_commanded: Annotated[Joints, field_meta("joint rates, commanded", "rad/s")]
+    rate_limits: Annotated[Joints, field_meta("joint rate limits in force", "rad/s")]
     zones: Annotated[
         tuple[int, int, int, int, int, int],
         field_meta(

@@ -15,10 +15,9 @@ from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.steering.mode import LawChoice
-from aftdeck.tuples import Six, Vec3
+from aftdeck.tuples import Joints, Vec3
 from aftdeck.units import short
 
-JOINTS = 6
 AGREED, AGREED_TURN = 1e-3, math.radians(0.01)
 """Allowed difference between a target's pose and the tip's pose at the target's joint angles [m], [rad].
 
@@ -42,7 +41,7 @@ class Inputs(msgspec.Struct, frozen=True):
     mode: str | None = None
     """MODE rotary: a panel position."""
     joint: int | None = None
-    """JOINT rotary, 0 to 5."""
+    """JOINT rotary, from 0."""
     rate: Literal["coarse", "vernier"] | None = None
     target: Target | None = None
     """Final pose of OPR CMD, if it is keyed in during this step."""
@@ -74,8 +73,8 @@ class Inputs(msgspec.Struct, frozen=True):
     """Drive of the telescope in [-1, 1]: +1 longer, -1 shorter."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
     """Translation of the orbiter along its own axes (forward, starboard, down), each in [-1, 1]."""
-    master: Six | None = None
-    """Six joint angles of the master arm [rad], which the arm follows in MASTER; with None, no new angles are set."""
+    master: Joints | None = None
+    """Joint angles of the master arm [rad], which the arm follows in MASTER; with None, no new angles are set."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
     """Re-initialisation of arm and payloads in this step, to the start of the full problem or of one of its parts."""
     camera: CameraDrive | None = None
@@ -101,12 +100,16 @@ class Inputs(msgspec.Struct, frozen=True):
         for name, positions in POSITIONS.items():
             if (value := getattr(self, name)) is not None and value not in positions:
                 raise self._error(name)
-        if self.joint is not None and not 0 <= self.joint < JOINTS:
-            raise self._error("joint")
+        number = len(arm.joints)
+        if self.joint is not None and not 0 <= self.joint < number:
+            raise InputError(f"joint: got {short(self.joint)}, expected 0 to {number - 1}")
         if self.mode is not None and not (self.mode.isprintable() and len(self.mode) <= LONGEST_NAME):
             raise self._error("mode")
-        if self.master is not None and not all(_is_plausible(angle, ROTATION) for angle in self.master):
-            raise self._error("master")
+        if self.master is not None:
+            if len(self.master) != number:
+                raise InputError(f"master: got {len(self.master)} joint angles, expected {number}")
+            if not all(_is_plausible(angle, ROTATION) for angle in self.master):
+                raise self._error("master")
         if self.target is not None:
             _check_target(arm, self.target)
 
@@ -146,11 +149,11 @@ EXPECTED: dict[str, str] = {
     **{name: f"{count} numbers in [-1, 1]" if count > 1 else "a number in [-1, 1]" for name, count in STICKS.items()},
     **{name: _either(positions) for name, positions in POSITIONS.items()},
     "mode": f"the name of a panel position, printable and of at most {LONGEST_NAME} characters",
-    "joint": f"0 to {JOINTS - 1}",
-    "master": f"six finite joint angles [rad], each from {ROTATION.least:g} to {ROTATION.greatest:g}",
+    "joint": "the number of a joint, from 0",
+    "master": f"a finite angle of each joint [rad], from {ROTATION.least:g} to {ROTATION.greatest:g}",
     "camera": "a CameraDrive",
     "disturbances": f"at most {MOST_DISTURBANCES} Disturbances: each on a body, with a force (3,) and a torque (3,)",
-    "target": "a Target: a position (3,), a rotation (3, 3), and six joint angles or None",
+    "target": "a Target: a position (3,), a rotation (3, 3), and the joint angles or None",
 }
 """What each field allows, for error messages."""
 
@@ -179,6 +182,8 @@ def _check_target(arm: Arm, target: Target) -> None:
             raise InputError(f"target: {what}: {bounds.problem(wrong, unit)}")
     if joints is None:
         return
+    if len(joints) != len(arm.joints):
+        raise InputError(f"target: joints: got {len(joints)} joint angles, expected {len(arm.joints)}")
     tip = arm.forward(joints)
     distance = math.dist(tip.position, position)
     chord = math.dist(tip.rotation.ravel(), components)  # detects non-rotations, too

@@ -12,7 +12,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.state import State
 from aftdeck.steering.limiters import rate_ratio
-from aftdeck.tuples import Six, Vec3
+from aftdeck.tuples import Joints, Vec3
 from aftdeck.version import __version__
 from aftdeck.worksite.watch.found import CLEARANCE
 
@@ -43,7 +43,7 @@ class Summary(msgspec.Struct, frozen=True):
     ended: Ended
     time_s: float
     phase: str
-    joints_rad: Six
+    joints_rad: Joints
     tip: TipState
     target: TipState | None
     position_error_m: float | None

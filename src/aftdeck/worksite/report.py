@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.field_meta import field_meta
-from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.tuples import Joints, Rows, Vec3
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.watch.alarm import Level
 
@@ -139,4 +139,6 @@ class Work(msgspec.Struct, frozen=True, gc=False):
     orbiter: Annotated[Vec3, field_meta("displacement of the orbiter since the start", "m", "L")]
     orbiter_velocity: Annotated[Vec3, field_meta("velocity of the orbiter", "m/s", "L")]
     cargo: Annotated[tuple[Cargo, ...], field_meta("state of each payload of the worksite")]
-    master: Annotated[Six | None, field_meta("joint angles of the master arm; null in modes other than MASTER", "rad")]
+    master: Annotated[
+        Joints | None, field_meta("joint angles of the master arm; null in modes other than MASTER", "rad")
+    ]

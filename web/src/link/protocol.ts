@@ -18,7 +18,6 @@ export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoe
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
 export type WaitsFor = '' | 'page' | 'laws';
 export type Plant = 'kinematic' | 'rigid' | 'flexible';
-export type Six = readonly [number, number, number, number, number, number];
 export type Vec3 = readonly [number, number, number];
 export type FromPage = Sticks | Drawn | Shown | ShowPolygons | Announce | Controllers | DriveCamera | SetLight | Pulse | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | TurnStep | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type DeskGroup = 'thc' | 'rhc' | 'mode' | 'target' | 'joints' | 'clearance' | 'conditions' | 'effector' | 'limits' | 'singularity';
@@ -29,6 +28,7 @@ export type ScenarioGroup = 'learn' | 'fly' | 'study';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Polygons | Events | Recent | Readiness | Refused;
 export type Block = readonly Moment[];
 export type Rows = readonly [Vec3, Vec3, Vec3];
+export type Six = readonly [number, number, number, number, number, number];
 export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';
 export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
 export type Cause = '' | 'reach' | 'seat' | 'switch' | 'contact' | 'limit' | 'miss' | 'time';
@@ -581,7 +581,7 @@ export interface SetMaster {
   readonly type: 'master';
   readonly seq: number;
   /** Joint angles of the master arm [rad]. */
-  readonly angles: Six;
+  readonly angles: readonly number[];
 }
 
 /** Re-initialise arm and payload at a task phase. */
@@ -854,9 +854,9 @@ export interface PayloadInfo {
   /** Angular rate limit of the point of resolution, coarse and vernier [rad/s]. */
   readonly rotation: Vec2;
   /** Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting coarse [rad/s]. */
-  readonly coarse: Six;
+  readonly coarse: readonly number[];
   /** Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting vernier [rad/s]. */
-  readonly vernier: Six;
+  readonly vernier: readonly number[];
 }
 
 /** Stored points of one mode, AUTO 1 to 4 (SPEC 94 items 13-16). */
@@ -1014,15 +1014,15 @@ export interface Frame {
   /** DRIVE deflection that acted, in [-1, 1] */
   readonly drive: number;
   /** joint angles, measured [rad] */
-  readonly angles: Six;
+  readonly angles: readonly number[];
   /** joint rates, measured [rad/s] */
-  readonly rates: Six;
+  readonly rates: readonly number[];
   /** joint angles that the commanded rates alone would give [rad] */
-  readonly angles_commanded: Six;
+  readonly angles_commanded: readonly number[];
   /** joint rates, commanded [rad/s] */
-  readonly rates_commanded: Six;
+  readonly rates_commanded: readonly number[];
   /** joint rate limits in force [rad/s] */
-  readonly rate_limits: Six;
+  readonly rate_limits: readonly number[];
   /** for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop */
   readonly zones: readonly [number, number, number, number, number, number];
   /** position of the tip [m], along the axes of L */
@@ -1085,7 +1085,7 @@ export interface Check {
   /** cause of a FAIL; empty for GOOD */
   readonly cause: Cause;
   /** GOOD in mode 1: joint angles at the target; null in modes 2 and 3, and for FAIL [rad] */
-  readonly joints: Six | null;
+  readonly joints: readonly number[] | null;
 }
 
 /** Limit that acted in a step. */
@@ -1174,7 +1174,7 @@ export interface Work {
   /** state of each payload of the worksite */
   readonly cargo: readonly Cargo[];
   /** joint angles of the master arm; null in modes other than MASTER [rad] */
-  readonly master: Six | null;
+  readonly master: readonly number[] | null;
 }
 
 /** Two monitored parts. */
@@ -1290,8 +1290,8 @@ export interface Dynamics {
   /** true distance and angle of the tip from the target; null if there is none [m, rad] */
   readonly miss: Vec2 | null;
   /** torque of motor or brake about each joint, at the end of the step [N m] */
-  readonly torques: Six;
-  /** joints, 0 to 5, that turn against a motor or brake at its greatest torque */
+  readonly torques: readonly number[];
+  /** joints, from 0, that turn against a motor or brake at its greatest torque */
   readonly overdriven: readonly number[];
   /** pose of L, relative to its pose at the start of the run [m, 1], along the axes of L */
   readonly orbiter: readonly [position: Vec3, orientation: Rows];

@@ -8,7 +8,7 @@ from operator import truediv
 
 from aftdeck.report.metric import FORMAN, Found, Metric, Value
 from aftdeck.simulation.frame import Frame
-from aftdeck.tuples import Six, Vec3
+from aftdeck.tuples import Joints, Vec3
 
 PATH = Metric("tip_path", "Tip path", "distance", "Length of the tip's path.", FORMAN)
 DIRECTNESS = Metric(
@@ -80,7 +80,7 @@ def _handling(frame: Frame) -> list[tuple[bool, str]]:
     return [(cargo.held, cargo.seat) for cargo in frame.work.cargo]
 
 
-def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
+def worst_rate(rates: Joints, limits: Joints) -> tuple[float, int]:
     """Return the largest ratio |rate| / limit, and the index of its joint; the index is -1 if no joint moves."""
     parts = list(map(truediv, map(abs, rates), limits))
     worst = max(parts)

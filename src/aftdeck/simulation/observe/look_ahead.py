@@ -27,7 +27,7 @@ from aftdeck.steering.layout import ANGLES, DRIVE, LAW, MOTION_ACTIVE, REPORT, S
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rehearsal import rehearse
-from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.tuples import Joints, Rows, Vec3
 from aftdeck.units import short
 from aftdeck.worksite.report import Near
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -65,7 +65,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     """
     moves: bool
     """Whether the arm's pose at that time differs from the present one."""
-    angles: Six
+    angles: Joints
     """Joint angles at that time [rad]."""
     stand: float
     """Height of the shoulder at that time [m]."""
@@ -204,7 +204,7 @@ def _stopping(state: State) -> float:
     return float(lengths(here - there))
 
 
-def _room(flight: Flight, angles: Six) -> tuple[int, float]:
+def _room(flight: Flight, angles: Joints) -> tuple[int, float]:
     """Return the joint nearest to a reach limit, and its distance from that limit; negative past the limit [rad]."""
     rooms = [min(q - low, high - q) for q, (low, high) in zip(angles, flight.reach, strict=True)]
     joint = min(range(len(rooms)), key=rooms.__getitem__)

@@ -21,7 +21,7 @@ from aftdeck.simulation.state import Ending, Panel, State
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, LAW, MASTER, MOTION_ACTIVE, PLAN, RATIO, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 from aftdeck.steering.rehearsal import MAX_STOPPED_TIME, STANDSTILL
-from aftdeck.tuples import Six
+from aftdeck.tuples import Joints
 
 _STANDSTILLS = {
     "": "a limit holds the arm at a standstill",
@@ -40,7 +40,7 @@ def next_target(flight: Flight, panel: Panel) -> Target | None:
     return points[panel.point].target if panel.point < len(points) else None
 
 
-def begin(flight: Flight, state: State, target: Target, joints: Six | None = None) -> None:
+def begin(flight: Flight, state: State, target: Target, joints: Joints | None = None) -> None:
     """Begin an automatic motion. If the arm is moving, it first comes to rest (`steering.course`).
 
     Args:

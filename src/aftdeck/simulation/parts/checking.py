@@ -10,7 +10,7 @@ from aftdeck.scenario.target import Target
 from aftdeck.simulation.frame import Cause
 from aftdeck.state_part import Cache, StatePart
 from aftdeck.steering.mode import LawChoice
-from aftdeck.tuples import Six
+from aftdeck.tuples import Joints
 
 if TYPE_CHECKING:
     from aftdeck.simulation.command_check.rehearsal import Rehearsal
@@ -21,7 +21,7 @@ class Way(msgspec.Struct, frozen=True):
     """Possible motion to a target: a straight line or a joint motion (`operator.ways`). CMD CK may rehearse it."""
 
     law: LawChoice
-    joints: Six | None
+    joints: Joints | None
     """Mode 1's final joint angles [rad]; None for a straight line."""
     least: float
     """Lower bound of the duration of the motion [s]; 0 if no bound is known."""

@@ -10,7 +10,7 @@ from aftdeck.scenario.model import Point, Scenario
 from aftdeck.station.messages.welcome import PayloadInfo, StoredPoint, StoredSequence
 from aftdeck.steering.layout import RATE, SPEED, TURN
 from aftdeck.steering.rules import rules_of
-from aftdeck.tuples import Six, Vec3
+from aftdeck.tuples import Vec3
 
 
 def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:
@@ -38,8 +38,8 @@ def _row(scenario: Scenario, number: int, name: str, mass: float) -> PayloadInfo
         mass=mass,
         translation=(float(coarse[SPEED]), float(vernier[SPEED])),
         rotation=(float(coarse[TURN]), float(vernier[TURN])),
-        coarse=cast("Six", tuple(coarse[RATE : RATE + 6].tolist())),
-        vernier=cast("Six", tuple(vernier[RATE : RATE + 6].tolist())),
+        coarse=tuple(coarse[RATE : RATE + 6].tolist()),
+        vernier=tuple(vernier[RATE : RATE + 6].tolist()),
     )
 
 

@@ -21,7 +21,7 @@ from aftdeck.station.messages.kinds import (
     Seq,
     WireMessage,
 )
-from aftdeck.tuples import Six, Vec3
+from aftdeck.tuples import Joints, Vec3
 
 
 class Hello(WireMessage, frozen=True, tag="hello"):
@@ -272,7 +272,7 @@ class SetMaster(WireMessage, frozen=True, tag="master"):
     """Set the joint angles of the master arm, which the arm follows in MASTER."""
 
     seq: Seq
-    angles: Six
+    angles: Joints
     """Joint angles of the master arm [rad]."""
 
 

@@ -1,8 +1,8 @@
 """TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/link/protocol.ts``.
 
-Every struct becomes an interface. Every alias (tuple, literal or union) in a module of `NAMED` becomes a type of the
-same name. The docstrings of structs become comments; so do the descriptions or docstrings of fields. No field is
-optional, because the encoder writes default values too.
+Every struct becomes an interface. Every alias (tuple, literal or union) in a module of `NAMED` becomes a
+type of the same name. The docstrings of structs become comments; so do the descriptions or docstrings of fields. No
+field is optional, because the encoder writes default values too.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ MODULES = (kinds, from_page, welcome, frame, to_page, curves, measure, playback)
 """Modules whose structs the page uses."""
 NAMED = (shapes, lamps, quantity, *MODULES, sim, work)
 """Modules whose aliases become types in TypeScript."""
+_NUMBERS = tuple[float, ...]
+"""Type of any list of numbers, which gets no name, although one of its uses has an alias."""
 
 _PLAIN: dict[object, str] = {
     float: "number",
@@ -60,7 +62,7 @@ class _Writer:
             for name, value in vars(module).items():
                 kind, parts = typing.get_origin(value), typing.get_args(value)
                 ranges = any(typing.get_origin(part) is typing.Annotated for part in parts)  # for files only
-                if kind in (tuple, typing.Literal, typing.Union, types.UnionType) and not ranges:
+                if kind in (tuple, typing.Literal, typing.Union, types.UnionType) and not ranges and value != _NUMBERS:
                     self.aliases.setdefault(value, name)
         self.interfaces: dict[type[msgspec.Struct], str] = {}
 

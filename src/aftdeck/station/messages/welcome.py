@@ -12,7 +12,7 @@ from aftdeck.scenario.schema import Plant
 from aftdeck.scenario.task_file import DeskGroup, Use
 from aftdeck.shapes import Shape
 from aftdeck.station.messages.kinds import ProblemPart, WireMessage
-from aftdeck.tuples import Six, Vec3
+from aftdeck.tuples import Joints, Vec3
 
 
 class JointInfo(msgspec.Struct, frozen=True):
@@ -128,9 +128,9 @@ class PayloadInfo(msgspec.Struct, frozen=True):
     """Speed limit of the point of resolution, coarse and vernier [m/s]."""
     rotation: tuple[float, float]
     """Angular rate limit of the point of resolution, coarse and vernier [rad/s]."""
-    coarse: Six
+    coarse: Joints
     """Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting coarse [rad/s]."""
-    vernier: Six
+    vernier: Joints
     """Joint rate limits in SINGLE, DIRECT and MASTER with the rate setting vernier [rad/s]."""
 
 

@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 
 from aftdeck.bodies.cameras import Camera
+from aftdeck.bounds import ROTATION
 from aftdeck.errors import CommandError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.matrices import lengths
@@ -110,6 +111,10 @@ def check_switch(message: from_page.FromPage, welcome: Welcome) -> None:
             raise CommandError(f"the axes of a pulse must be -1, 0 or 1, got {travel(message)}")
         case from_page.SelectJoint(joint=joint) if not 0 <= joint < len(welcome.joints):
             raise CommandError(f"joints are numbered 0 to {len(welcome.joints) - 1}, got {joint}")
+        case from_page.SetMaster(angles=angles) if len(angles) != len(welcome.joints):
+            raise CommandError(f"the master arm has {len(welcome.joints)} joints, got {len(angles)} angles")
+        case from_page.SetMaster(angles=angles) if not all(abs(x) <= ROTATION.greatest for x in angles):
+            raise CommandError(f"angles of the master arm must be at most {ROTATION.greatest:g} rad, got {angles} rad")
         case from_page.EnterMode(mode=mode) if mode not in {m.position for m in welcome.modes}:
             known = ", ".join(m.position for m in welcome.modes)
             raise CommandError(f"unknown mode {mode!r}; allowed: {known}")

@@ -1,6 +1,6 @@
-/** The master arm: six sliders in place of the joints. The sticks move them, too. In MASTER the arm follows them. */
+/** The master arm: sliders in place of the joints. The sticks move them, too. In MASTER the arm follows them. */
 
-import type { Frame, Six } from '../../link/protocol';
+import type { Frame } from '../../link/protocol';
 import { degrees } from '../../words/format';
 import { el, group, setAbout, setText } from '../parts/dom';
 import { Paced } from '../parts/paced';
@@ -19,11 +19,11 @@ export interface MasterGroup extends Part {
 }
 
 export function masterGroup(desk: Desk): MasterGroup {
-  let own: { readonly angles: Six; readonly at: number } | null = null;
+  let own: { readonly angles: readonly number[]; readonly at: number } | null = null;
   let latest: Frame | null = null;
-  const out = new Paced<Six>(PERIOD_MS, (angles) => desk.send({ type: 'master', angles }));
+  const out = new Paced<readonly number[]>(PERIOD_MS, (angles) => desk.send({ type: 'master', angles }));
 
-  const put = (angles: Six) => {
+  const put = (angles: readonly number[]) => {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
@@ -31,13 +31,13 @@ export function masterGroup(desk: Desk): MasterGroup {
    * Returns the master's angles. For `OWN_MS` after a change on this page, these are the page's angles; otherwise the
    * station's angles in MASTER, and the arm's angles in other modes.
    */
-  const master = (frame: Frame): Six => {
+  const master = (frame: Frame): readonly number[] => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;
   };
   const rows = desk.welcome.joints.map((joint, i) => {
     const bar = slider(joint, (angle) => {
-      if (latest) put(replaced(master(latest), i, angle));
+      if (latest) put(master(latest).with(i, angle));
     });
     const actual = el('td', { class: 'angle' });
     const commanded = el('td', { class: 'commanded' });
@@ -87,10 +87,4 @@ export function masterGroup(desk: Desk): MasterGroup {
       });
     },
   };
-}
-
-/** Returns the six angles, one of them replaced. */
-export function replaced([a, b, c, d, e, f]: Six, joint: number, angle: number): Six {
-  const put = (old: number, i: number) => (i === joint ? angle : old);
-  return [put(a, 0), put(b, 1), put(c, 2), put(d, 3), put(e, 4), put(f, 5)];
 }
