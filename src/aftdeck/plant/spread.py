@@ -32,7 +32,7 @@ _SPREADS: dict[_Key, Spread] = {
     ("rigid", "closed loop", False): Spread(0.0, 3.0, 0.005),
     ("flexible", "closed loop", False): Spread(0.0, 3.0, 0.022),
     ("rigid", "closed loop", True): Spread(0.7, 3.0, 0.003),
-    ("flexible", "closed loop", True): Spread(1.22, 3.0, 0.024),
+    ("flexible", "closed loop", True): Spread(1.23, 3.0, 0.024),
     ("rigid", "open loop", False): Spread(0.0, 3.0, 0.033),
     ("flexible", "open loop", False): Spread(0.0, 3.0, 0.031),
     ("rigid", "open loop", True): Spread(0.0, 0.0, 0.139),
