@@ -154,7 +154,7 @@ def _prepare_page(page: ExitStack) -> None:
 
     chart(lambda _: None, "nothing")
     page.enter_context(pictures_compiled_meanwhile())
-    import_module("aftdeck.report.page.runs")
+    import_module("aftdeck.report.page.runs").page([])
 
 
 def _write_page(runs: Sequence[Gathered], out: Path) -> str:
