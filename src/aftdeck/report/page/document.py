@@ -39,7 +39,7 @@ class Chart(NamedTuple):
     """Drawing of values.
 
     Attributes:
-        svg: the drawing as an SVG element.
+        svg: the drawing as an SVG element, without the first characters ``<svg``: the template opens it, to add `what`.
         what: what it shows, for a reader who cannot see it.
         caption: text below it.
     """

@@ -69,8 +69,7 @@ def chart(
             figure.subplots_adjust(left / wide, bottom / high, 1.0 - right / wide, 1.0 - top / high)
         draw(figure.add_subplot())
         figure.savefig(out, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
-    text = out.getvalue()
-    text = text[text.index("<svg") :]
+    _, _, text = out.getvalue().partition("<svg ")
     for part in ("metadata", "style"):  # the page's own style has what matplotlib's says
         text = re.sub(f"<{part}.*?</{part}>", "", text, flags=re.DOTALL)
     return Chart(text, what)
