@@ -33,6 +33,7 @@ LAYERS = (
         "compiled_first",
         "elementary",
         "matrices",
+        "quaternions",
         "lines",
         "units",
         "frames",
