@@ -34,6 +34,7 @@ LAYERS = (
         "compiled_first",
         "elementary",
         "matrices",
+        "quaternions",
         "lines",
         "units",
         "frames",

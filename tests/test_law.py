@@ -29,6 +29,7 @@ def cache_folder(source: Path, home: Path) -> str:
     [
         "law.py",
         "elementary.py",
+        "quaternions.py",
         "bodies/closest.py",
         "kinematics/linkage.py",
         "steering/layout.py",

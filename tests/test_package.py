@@ -30,7 +30,7 @@ def loaded(statement: str) -> set[str]:
 
 
 def test_importing_the_package_loads_no_library() -> None:
-    assert not loaded("import aftdeck") & {"numba", "numpy", "msgspec", "starlette", "rich", "typer"}
+    assert not loaded("import aftdeck") & {"numba", "numpy", "msgspec", "starlette", "rich", "typer", "jinja2"}
 
 
 def test_reading_the_version_loads_no_library() -> None:

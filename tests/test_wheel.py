@@ -74,6 +74,13 @@ def test_wheel_contains_the_page_and_no_node_modules(wheel: Path) -> None:
     assert not [name for name in names if "node_modules" in name]
 
 
+def test_wheel_contains_every_template_and_style_of_the_reports(wheel: Path) -> None:
+    names = set(zipfile.ZipFile(wheel).namelist())
+    files = [path for ending in ("html", "css") for path in (ROOT / "src" / "aftdeck").rglob(f"*.{ending}")]
+    templates = {path.relative_to(ROOT / "src").as_posix() for path in files if "static" not in path.parts}
+    assert {"aftdeck/report/page/runs.html", "aftdeck/study/report.html"} <= templates <= names
+
+
 def test_wheel_contains_the_notices_of_every_package_in_the_page(wheel: Path) -> None:
     notices = zipfile.ZipFile(wheel).read("aftdeck/station/static/notices.txt").decode()
     bundled = json.loads((ROOT / "web" / "package.json").read_text(encoding="utf-8"))["dependencies"]

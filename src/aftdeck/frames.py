@@ -20,6 +20,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.elementary import atan2, sincos
 from aftdeck.matrices import length, product
+from aftdeck.quaternions import unit_quaternion
 from aftdeck.tuples import Rows
 from aftdeck.units import INCH
 
@@ -158,28 +159,13 @@ def angle_between(rows: Rows, other: Rows) -> float:
 
 
 def quaternion(rotation: Array) -> tuple[float, float, float, float]:
-    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix.
-
-    For accuracy, the largest component is computed first; the other components are computed from it.
-    """
+    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix."""
     return quaternion_of_rows(rotation.tolist())
 
 
 def quaternion_of_rows(rotation: Rows) -> tuple[float, float, float, float]:
     """Return the quaternion of a rotation matrix that is given by its rows, as `quaternion` does."""
-    (a, b, c), (d, e, f), (g, h, i) = rotation
-    w, x, y, z = 1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i
-    greatest = max(w, x, y, z)
-    if greatest == w:
-        x, y, z = h - f, c - g, d - b
-    elif greatest == x:
-        w, y, z = h - f, d + b, c + g
-    elif greatest == y:
-        w, x, z = c - g, d + b, f + h
-    else:
-        w, x, y = d - b, c + g, f + h
-    scale = math.copysign(0.5 / math.sqrt(greatest), w if w != 0.0 else 1.0)
-    return w * scale, x * scale, y * scale, z * scale
+    return unit_quaternion(*rotation[0], *rotation[1], *rotation[2])
 
 
 def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:

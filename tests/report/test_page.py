@@ -13,6 +13,7 @@ import pytest
 import scipy.stats
 from pyarrow import parquet
 
+import aftdeck
 from aftdeck.operators.pilot import pilot
 from aftdeck.operators.spec import OperatorSpec
 from aftdeck.recording.reader import Recording
@@ -104,6 +105,14 @@ def test_a_page_requests_nothing_and_runs_no_code(page_of_a_run: str, run_data: 
         assert "script" not in found.tags and "link" not in found.tags
         assert not re.search(r"url\((?!#)", text)
         assert any(WICKED in text for text in found.texts)
+
+
+def test_only_the_style_and_charts_are_not_escaped() -> None:
+    folder = Path(aftdeck.__file__).parent
+    templates = [path for path in folder.rglob("*.html") if "static" not in path.parts]
+    shown = [name for path in templates for name in re.findall(r"([\w.]+)\s*\|\s*safe", path.read_text("utf-8"))]
+    assert sorted(shown) == ["chart.svg", "style"]
+    assert not [path for path in templates if "autoescape" in path.read_text("utf-8")]
 
 
 def test_a_page_has_every_metric_and_every_event(page_of_a_run: str, run_data: Gathered) -> None:

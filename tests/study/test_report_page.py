@@ -107,7 +107,7 @@ def test_chart_leaves_out_a_level_without_a_case(tmp_path: Path) -> None:
     factor = loaded(tmp_path, FOUR).factors[0]
     assert [level.cell for level in factor.levels] == [1.0, 2.0]
     rows: list[Row] = [{"speed_ft_s": 2.0, "tip_path_m": x, "success": True} for x in (3.0, 4.0)]
-    labels = re.findall(r">([^<>]*)</text>", response_chart(factor, rows, "tip_path_m"))
+    labels = re.findall(r">([^<>]*)</text>", response_chart(factor, rows, "tip_path_m").svg)
     assert "2" in labels and "1" not in labels
 
 

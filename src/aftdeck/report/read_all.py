@@ -27,10 +27,10 @@ def read_all(files: Sequence[Path], read: str, meanwhile: Callable[[], object] =
         files: paths of the recordings.
         read: name of a function of a `Recording`, as ``package.module:function``; what it returns is sent from process
             to process. It is a name, because to import the module before the processes start would delay them.
-        meanwhile: called while other processes read; it is not called if this process reads. What it raises ends the
-            reading.
+        meanwhile: called once: while other processes read, or before this one does. What it raises ends the reading.
     """
     if cores() == 1 or sum(map(_size, files)) < ENOUGH or not compiled_before():
+        meanwhile()
         yield from (_read(file, read) for file in files)
         return
     waiting, readers = deque(files), deque[_Reader]()

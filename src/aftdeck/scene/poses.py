@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -18,6 +17,7 @@ from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.kinematics.linkage import L1
 from aftdeck.law import law
 from aftdeck.matrices import product
+from aftdeck.quaternions import unit_quaternion
 
 Seven = tuple[float, float, float, float, float, float, float]
 """A pose: x, y, z [m], then the quaternion w, x, y, z."""
@@ -104,8 +104,7 @@ def point_in_scene(panel: Array, origin: Array = SCENE_ORIGIN) -> Array:
 def sevens(base: Array, rows: Array, poses: Array) -> None:
     """Convert poses of frames in L, rows (n, 12), to poses in the scene, rows (n, 7).
 
-    `base` (12,) is the row of L's pose in the scene. The quaternions have unit length and w >= 0. The component of
-    greatest magnitude is computed first, as in `frames.quaternion`.
+    `base` (12,) is the row of L's pose in the scene. The quaternions have unit length and w >= 0.
     """
     m = np.empty((3, 3))
     for n in range(rows.shape[0]):
@@ -115,20 +114,6 @@ def sevens(base: Array, rows: Array, poses: Array) -> None:
             pose[i] = base[i] + a * row[0] + b * row[1] + c * row[2]
             for j in range(3):
                 m[i, j] = a * row[3 + j] + b * row[6 + j] + c * row[9 + j]
-        w = 1.0 + m[0, 0] + m[1, 1] + m[2, 2]
-        x = 1.0 + m[0, 0] - m[1, 1] - m[2, 2]
-        y = 1.0 - m[0, 0] + m[1, 1] - m[2, 2]
-        z = 1.0 - m[0, 0] - m[1, 1] + m[2, 2]
-        wx, wy, wz = m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]
-        xy, xz, yz = m[0, 1] + m[1, 0], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1]
-        most = max(w, x, y, z)
-        if w == most:
-            x, y, z = wx, wy, wz
-        elif x == most:
-            w, y, z = wx, xy, xz
-        elif y == most:
-            w, x, z = wy, xy, yz
-        else:
-            w, x, y = wz, xz, yz
-        k = (0.5 if w >= 0.0 else -0.5) / math.sqrt(most)
-        pose[3], pose[4], pose[5], pose[6] = k * w, k * x, k * y, k * z
+        pose[3], pose[4], pose[5], pose[6] = unit_quaternion(
+            m[0, 0], m[0, 1], m[0, 2], m[1, 0], m[1, 1], m[1, 2], m[2, 0], m[2, 1], m[2, 2]
+        )

@@ -1,4 +1,4 @@
-"""Charts of a study's report, as SVG."""
+"""Charts of a study's report."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import Any
 
 from aftdeck.report.catalogue import METRICS
 from aftdeck.report.intervals import Interval, mean_interval
+from aftdeck.report.page.document import Chart
 from aftdeck.report.page.svg import COLOURS, chart
 from aftdeck.report.quantity import UNITS
 from aftdeck.report.table import Row
@@ -32,7 +33,7 @@ def title_of(column: str) -> str:
     return f"{metric.title} [{unit}]" if unit else metric.title
 
 
-def response_chart(factor: Factor, rows: Sequence[Row], column: str, by: Factor | None = None) -> str:
+def response_chart(factor: Factor, rows: Sequence[Row], column: str, by: Factor | None = None) -> Chart:
     """Return a chart of a response against a factor: means with intervals, and the cases if the values are drawn.
 
     Args:
@@ -73,7 +74,7 @@ def response_chart(factor: Factor, rows: Sequence[Row], column: str, by: Factor 
     return chart(draw, what)
 
 
-def success_chart(factor: Factor, rows: Sequence[Row]) -> str:
+def success_chart(factor: Factor, rows: Sequence[Row]) -> Chart:
     """Return a chart of the success rate against a factor, with Wilson's intervals; errors count as failures."""
 
     def draw(axes: Any) -> None:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import base64
 import math
-from collections.abc import Iterable, Iterator
-from html import escape
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.errors import SimulationError
-from aftdeck.report.page.document import figure
 from aftdeck.report.page.gather import Gathered, Moment
 from aftdeck.scenario.light import LightCondition, condition_named
 from aftdeck.scene.cameras import SceneCameras
@@ -34,26 +33,50 @@ _FAR_M = 20.0
 """Distance that counts as much as a tip at the edge of the picture [m]."""
 
 
-def pictures(run: Gathered) -> Iterator[str]:
-    """Yield a figure for each key moment: the pictures of two cameras."""
+class CameraPicture(NamedTuple):
+    """Picture of a camera.
+
+    Attributes:
+        what: what it shows, for a reader who cannot see it.
+        png: the PNG file in base64.
+        width: width [pixels].
+        height: height [pixels].
+    """
+
+    what: str
+    png: str
+    width: int
+    height: int
+
+
+class KeyMoment(NamedTuple):
+    """Pictures of a key moment, and the text below them."""
+
+    pictures: Sequence[CameraPicture]
+    caption: str
+
+
+def key_moments(run: Gathered) -> Iterator[KeyMoment]:
+    """Yield the pictures of two cameras at each key moment."""
     scene, placed = VisualScene(run.scenario), SceneCameras(run.scenario)
     light = condition_named(run.scenario.lighting.condition)
     for moment in run.moments:
         shown = [name for name in moment.monitors if name in placed.cameras]
-        images = list(islice(_images(scene, moment, shown or best_cameras(scene, placed, moment), light), CAMERAS))
-        if images:
-            yield figure(f'<div class="pair">{"".join(images)}</div>', f"{moment.frame.time_s:.1f} s: {moment.title}")
+        pictures = list(islice(_pictures(scene, moment, shown or best_cameras(scene, placed, moment), light), CAMERAS))
+        if pictures:
+            yield KeyMoment(pictures, f"{moment.frame.time_s:.1f} s: {moment.title}")
 
 
-def _images(scene: VisualScene, moment: Moment, cameras: Iterable[str], light: LightCondition) -> Iterator[str]:
+def _pictures(
+    scene: VisualScene, moment: Moment, cameras: Iterable[str], light: LightCondition
+) -> Iterator[CameraPicture]:
     for name in cameras:
         try:
             picture = picture_of(scene, moment.frame, name, SIZE, "colour", light, brief=True)
         except SimulationError:  # the camera is inside a body
             continue
-        data, what = base64.b64encode(png(single(picture))).decode(), f"{moment.title}, camera {name}"
-        size = f'width="{SIZE[0]}" height="{SIZE[1]}"'
-        yield f'<img alt="{escape(what)}" {size} src="data:image/png;base64,{data}">'
+        data = base64.b64encode(png(single(picture))).decode()
+        yield CameraPicture(f"{moment.title}, camera {name}", data, *SIZE)
 
 
 def best_cameras(scene: VisualScene, placed: SceneCameras, moment: Moment) -> list[str]:

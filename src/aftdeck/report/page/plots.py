@@ -12,7 +12,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.extra import needed
 from aftdeck.report.curves import Lane, Strip
-from aftdeck.report.page.document import figure
+from aftdeck.report.page.document import Chart
 from aftdeck.report.page.gather import Gathered
 from aftdeck.report.page.svg import COLOURS, chart
 from aftdeck.report.words import axis_of
@@ -34,7 +34,7 @@ _FIXED, _MOVING = "#eef1f3", "#d3dce3"
 _STILL = ("orbiter", "space")
 
 
-def timeline(run: Gathered) -> str:
+def timeline(run: Gathered) -> Chart:
     """Return the lanes of a run over time, with its key moments as lines."""
     lanes, end = [lane for lane in run.lanes if any(one.label for one in lane.stretches)], run.recording.time_s
 
@@ -50,7 +50,7 @@ def timeline(run: Gathered) -> str:
         axes.grid(visible=False, axis="y")
 
     size = (10.8, 0.6 + 0.34 * max(1, len(lanes)))
-    return figure(chart(draw, f"Timeline of {run.title}", size, _TIMELINE_MARGINS))
+    return chart(draw, f"Timeline of {run.title}", size, _TIMELINE_MARGINS)
 
 
 def _lane(axes: Any, row: int, lane: Lane, end: float) -> None:
@@ -66,7 +66,7 @@ def _lane(axes: Any, row: int, lane: Lane, end: float) -> None:
             axes.text(one.start_s + 0.003 * end, row, one.label, va="center", fontsize=7.5, clip_on=True)
 
 
-def strips(run: Gathered, *, shown: bool) -> Iterator[str]:
+def strips(run: Gathered, *, shown: bool) -> Iterator[Chart]:
     """Yield the strips of a run: those that the replay shows at first, or the others; those without values not."""
     for strip in run.strips:
         values = [value for curve in strip.curves for value in curve.values if value is not None]
@@ -74,7 +74,7 @@ def strips(run: Gathered, *, shown: bool) -> Iterator[str]:
             yield _strip(strip, run.recording.time_s)
 
 
-def _strip(strip: Strip, end: float) -> str:
+def _strip(strip: Strip, end: float) -> Chart:
     unit, factor = axis_of(strip.quantity)
 
     def draw(axes: Any) -> None:
@@ -96,10 +96,10 @@ def _strip(strip: Strip, end: float) -> str:
         if len(strip.curves) > 1:
             axes.legend(fontsize=7.5, loc="upper right", ncols=2, borderaxespad=0.0)
 
-    return figure(chart(draw, strip.name, (5.4, 1.7), _STRIP_MARGINS))
+    return chart(draw, strip.name, (5.4, 1.7), _STRIP_MARGINS)
 
 
-def views(run: Gathered) -> Iterator[str]:
+def views(run: Gathered) -> Iterator[Chart]:
     """Yield the path of the tip and of the held payload from above and from the side, over the bodies at the end."""
     faces, colours = zip(*_faces(run.scenario, run.moments[-1].frame), strict=True)
     kind = needed("matplotlib.collections").PolyCollection
@@ -122,10 +122,8 @@ def views(run: Gathered) -> Iterator[str]:
             axes.set_ylabel(title)
             axes.legend(fontsize=8, loc="upper right")
 
-        yield figure(
-            chart(draw, f"Path {name}", (5.4, 4.2), _VIEW_MARGINS),
-            f"Path {name}; circle: start, square: end. Bodies at the end.",
-        )
+        drawn = chart(draw, f"Path {name}", (5.4, 4.2), _VIEW_MARGINS)
+        yield drawn._replace(caption=f"Path {name}; circle: start, square: end. Bodies at the end.")
 
 
 def _faces(scenario: Scenario, frame: Frame) -> Iterator[tuple[Array, str]]:

@@ -11,7 +11,6 @@ def hash_source(text: str) -> str:
     return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
-def policy_element(*allowed: str) -> str:
-    """Return the HTML element of a policy that forbids everything but `allowed`, and pictures inside the file."""
-    parts = ["default-src 'none'", *allowed, "img-src data:", "base-uri 'none'", "form-action 'none'"]
-    return f'<meta http-equiv="Content-Security-Policy" content="{"; ".join(parts)}">'
+def content_policy(*allowed: str) -> str:
+    """Return the policy that forbids everything but `allowed`, and pictures inside the file."""
+    return "; ".join(["default-src 'none'", *allowed, "img-src data:", "base-uri 'none'", "form-action 'none'"])

@@ -1,4 +1,4 @@
-"""Charts as SVG text, drawn by matplotlib."""
+"""Charts, drawn by matplotlib."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ import io
 import os
 import re
 from collections.abc import Callable
-from html import escape
 from typing import Any
 
 from aftdeck.extra import needed
 from aftdeck.folders import user_folder, usual_folder
+from aftdeck.report.page.document import Chart
 
 COLOURS = ("#1f5fa8", "#c2571a", "#2e7d4f", "#7a4aa0", "#a8322f", "#5b6770", "#8a7a12", "#0e7c86")
 _STYLE = {
@@ -45,8 +45,8 @@ def chart(
     what: str,
     size: tuple[float, float] = (4.6, 3.1),
     margins: tuple[float, float, float, float] | None = None,
-) -> str:
-    """Return a drawing as an SVG element; equal drawings give equal texts.
+) -> Chart:
+    """Return a drawing; equal drawings give equal texts.
 
     Args:
         draw: function that draws into matplotlib's axes.
@@ -69,8 +69,7 @@ def chart(
             figure.subplots_adjust(left / wide, bottom / high, 1.0 - right / wide, 1.0 - top / high)
         draw(figure.add_subplot())
         figure.savefig(out, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
-    text = out.getvalue()
-    text = text[text.index("<svg") :]
+    _, _, text = out.getvalue().partition("<svg ")
     for part in ("metadata", "style"):  # the page's own style has what matplotlib's says
         text = re.sub(f"<{part}.*?</{part}>", "", text, flags=re.DOTALL)
-    return text.replace("<svg ", f'<svg role="img" aria-label="{escape(what)}" ', 1)
+    return Chart(text, what)

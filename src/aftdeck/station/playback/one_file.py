@@ -22,7 +22,7 @@ import msgspec
 from aftdeck.encodable import encodable
 from aftdeck.errors import RecordingError
 from aftdeck.files import check_new
-from aftdeck.report.page.policy import hash_source, policy_element
+from aftdeck.report.page.policy import content_policy, hash_source
 from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.messages.playback import BLOCK
 from aftdeck.station.playback.store import PlaybackStore
@@ -129,7 +129,8 @@ def _whole_page(page: str) -> str:
     page = _STYLE.sub(lambda match: included("style", "style", _style(match[1])), page)
     page = _SCRIPT.sub(lambda match: included("script", 'script type="module"', _script(match[1])), page)
     sources = [f"{kind}-src {' '.join(hashes)}" for kind, hashes in allowed.items()]
-    return page.replace("<head>", f"<head>\n    {policy_element(*sources, 'font-src data:')}", 1)
+    policy = content_policy(*sources, "font-src data:")
+    return page.replace("<head>", f'<head>\n    <meta http-equiv="Content-Security-Policy" content="{policy}">', 1)
 
 
 def _script(name: str) -> str:

@@ -10,6 +10,7 @@ from math import sqrt
 from aftdeck.arrays import Array
 from aftdeck.elementary import atan2, sincos
 from aftdeck.law import law
+from aftdeck.quaternions import scaled_quaternion
 
 
 @law
@@ -25,14 +26,7 @@ def remaining(whole: Array, fraction: float, out: Array) -> None:
         out: (12,) output: the remaining misalignment, as a pose.
     """
     r = whole[3:]
-    # quaternion (w, x, y, z), not normalised; the formula for its largest component is the most accurate one
-    w, x, y, z = 1.0 + r[0] + r[4] + r[8], r[7] - r[5], r[2] - r[6], r[3] - r[1]
-    if 1.0 + r[0] - r[4] - r[8] > w and r[0] >= r[4] and r[0] >= r[8]:
-        w, x, y, z = r[7] - r[5], 1.0 + r[0] - r[4] - r[8], r[3] + r[1], r[2] + r[6]
-    elif 1.0 - r[0] + r[4] - r[8] > w and r[4] >= r[8]:
-        w, x, y, z = r[2] - r[6], r[3] + r[1], 1.0 - r[0] + r[4] - r[8], r[5] + r[7]
-    elif 1.0 - r[0] - r[4] + r[8] > w:
-        w, x, y, z = r[3] - r[1], r[2] + r[6], r[5] + r[7], 1.0 - r[0] - r[4] + r[8]
+    w, x, y, z, _ = scaled_quaternion(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8])
     size = sqrt(x * x + y * y + z * z)
     half = fraction * (atan2(size, w) if w >= 0.0 else -atan2(size, -w))
     s, c = sincos(half)
