@@ -6,7 +6,6 @@ from aftdeck.arrays import Array
 from aftdeck.errors import SimulationError
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.motion.stopping import watch_stop
 from aftdeck.simulation.operator.holds import hold_position
@@ -44,7 +43,7 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
         start_motion(state.rules_while(under_way=True), state.command, state.steering)
         if state.command[MOTION_ACTIVE] != 0.0:
             state.panel.motion_began = state.tick - 1
-    hold_position(flight, state)
+    hold_position(state, servos=flight.plant.has_servos)
 
     # compute the commanded joint rates
     msteer(state.rules, state.command, state.steering, state.report)
@@ -81,4 +80,4 @@ def move_plant(flight: Flight, state: State, inputs: Inputs, rates: Array, teles
         if not state.by_script:
             raise
         state.script.ended = "fault"
-        log(flight, state, "fault", "warning", str(error))
+        state.log(flight.scenario.control_period).add("fault", "warning", str(error))

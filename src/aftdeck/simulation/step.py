@@ -36,7 +36,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     state.by_script, state.phase = inputs is None, ""
     if inputs is None:
         inputs = play(flight, state)
-        state.phase = phase_name(flight, state)
+        state.phase = phase_name(flight.scenario.phases, state.script)
     else:
         hand_over(flight, state)
         inputs = delayed(state, inputs)
@@ -54,7 +54,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
         state.panel.camera = inputs.camera.camera
 
     # select the pairs that count for the minimum clearance of the next step
-    count(flight, state)
+    count(flight.site, state.worksite, flight.within)
 
     # log the events of the arm; end a script whose time is up
     log_arm_events(flight, state)

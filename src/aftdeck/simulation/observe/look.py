@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from aftdeck.arrays import Array
 from aftdeck.frames import angle_between
 from aftdeck.matrices import distance
 from aftdeck.simulation.constants.flight import Flight
@@ -12,7 +13,7 @@ from aftdeck.simulation.observe.look_bodies import dynamics_of
 from aftdeck.simulation.observe.look_work import work_of
 from aftdeck.simulation.observe.motions import motions_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.mode import MODES
 from aftdeck.tuples import Rows, Six, Vec3
 
@@ -38,7 +39,9 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
     twist_commanded, twist_demanded, por_limits, translation, rotation = steered
     drive, ratio, remaining, turn_remaining, go = scalars
     points = len(scenario.sequences.get(panel.mode, ()))
-    resolution, twist, payload = _carried(flight, state, position, tip_twist)
+    held = packed_in_grasp(flight.site, state.worksite, state.carried.payload)
+    at_tip = scenario.strict or not MODES[panel.mode].loaded  # as published, the POR is always the tip
+    resolution, twist, payload = _carried(held, state.observed, position, tip_twist, at_tip=at_tip)
     return Frame(  # arguments generated from the declaration of Frame: `make generate`
         state.tick,
         round(state.tick * scenario.control_period, 9),
@@ -82,25 +85,34 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         singularity,
         panel.singular,
         state.ways_out,
-        _goal(state, position, orientation, remaining),
+        _goal(panel, position, orientation, remaining),
         _times(flight, state, remaining, turn_remaining, under_way=go != 0.0),
         work_of(flight, state),
         tuple(state.events),
         state.views,
         seal.hex(),
         dynamics_of(flight, state),
-        motions_of(flight, state),
+        motions_of(flight, state.worksite, plant.stand),
     )
 
 
-def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[Vec3, Six, Placed | None]:
-    """Return the point of resolution, its twist, and the payload in the grasp (None if the grasp is empty)."""
-    held = packed_in_grasp(flight, state)
+def _carried(
+    held: Array | None, observed: Array, position: Vec3, twist: Six, *, at_tip: bool
+) -> tuple[Vec3, Six, Placed | None]:
+    """Return the point of resolution, its twist, and the payload in the grasp (None if the grasp is empty).
+
+    Args:
+        held: result of `packed_in_grasp`.
+        observed: (21,) values computed by `kinematics.observe.observe`.
+        position: position of the tip in L [m].
+        twist: twist of the tip.
+        at_tip: whether the point of resolution is the tip.
+    """
     if held is None:
         return position, twist, None
-    pose, resolution, velocity = carried_numbers(state.observed, held)
+    pose, resolution, velocity = carried_numbers(observed, held)
     payload = Placed(*pose)
-    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # as published, the POR is always the tip
+    if at_tip:
         return position, twist, payload
     return resolution, (*twist[:3], *velocity), payload
 
@@ -124,8 +136,8 @@ def _times(flight: Flight, state: State, remaining: float, turn_remaining: float
     return Times(steered + period, eta, etap)
 
 
-def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:
-    target = state.panel.target
+def _goal(panel: Panel, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:
+    target = panel.target
     if target is None:
         return None
     return Goal(
@@ -133,5 +145,5 @@ def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> 
         target.rotation,
         distance(target.position, position),
         angle_between(target.rotation, orientation),
-        remaining if state.panel.sequence == "in progress" else 0.0,
+        remaining if panel.sequence == "in progress" else 0.0,
     )
