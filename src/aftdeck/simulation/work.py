@@ -38,10 +38,9 @@ from aftdeck.worksite.watch.contacts import FRAMES, Inhibit
 _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
-def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
+def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     """Update the worksite to the end of the step, after the plant has moved."""
     site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
-    log = state.log(period)
     _move_orbiter(flight, worksite, plant, log, inputs.orbiter)
     _move_prong(flight, worksite, plant, attached=state.script.attached > 0)
     if plant.bodies is None:
@@ -55,8 +54,10 @@ def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
     before, was_fixed, was_steered = worksite.contacts.inhibit, worksite.arm_fixed, worksite.steered
     _update_contacts(flight, worksite, plant, state.panel.mode)
     log_contacts(site.layout, worksite, plant.bodies, log, flight.scenario.arm.model.units)
-    _log_inhibits(log, before, worksite.contacts.inhibit)
-    if worksite.contacts.inhibit.arm:
+    now = worksite.contacts.inhibit
+    if now != before:
+        _log_inhibits(log, before, now)
+    if now.arm:
         way_out_of_contact(flight, state)
     else:
         worksite.advice = None
@@ -94,7 +95,7 @@ def _update_contacts(flight: Flight, worksite: WorksiteState, plant: PlantState,
     )
     if touching or changed or (plant.bodies is not None and plant.bodies.touches):
         worksite.permitted[:] = permitted(site, watch, worksite.frames)
-        sliding = sliding_payload(worksite.held, mode, inhibits=flight.inhibits)
+        sliding = sliding_payload(worksite.held, mode) if flight.inhibits else None
         contacts.essential[:] = site.essential_while(sliding, worksite.permitted)
     contacts.judge(touching, changed, site.by_prong, worksite.task, inhibits=flight.inhibits)
 
@@ -186,8 +187,6 @@ def _closing_fraction(site: Site, worksite: WorksiteState, distance: float) -> f
 
 def _log_inhibits(log: Log, before: Inhibit, now: Inhibit) -> None:
     """Log changes of the inhibits."""
-    if now == before:
-        return
     for name, was, is_now in (("ARM", before.arm, now.arm), ("FINGER", before.finger, now.finger)):
         if is_now and not was:
             log.add("inhibit", "warning", f"{name} INHIBIT: only motion that relieves the contact is allowed")

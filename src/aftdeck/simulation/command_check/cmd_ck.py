@@ -26,12 +26,9 @@ STEPS = 50
 """Number of steps that are rehearsed in one control step; their computation takes 1 to 3 ms."""
 
 
-def check(flight: Flight, state: State) -> None:
+def check(flight: Flight, state: State, log: Log) -> None:
     """Continue CMD CK. After a GOOD verdict, light READY, or begin the motion if PROCEED was pressed."""
     checking, panel = state.checking, state.panel
-    if checking is None and not panel.proceeding:
-        return
-    log = state.log(flight.scenario.control_period)
     verdict = None if checking is None else _continue_check(flight, state, checking)
     if checking is not None and verdict is not None:
         state.checking = None

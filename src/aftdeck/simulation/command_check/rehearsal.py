@@ -63,11 +63,12 @@ class Rehearsal:
             self._last_limit = int(copy.report[CAUSE]), int(copy.report[LIMITING_JOINT]), copy.worksite.halt
             copy.tick += 1
             copy.events.clear()
+            log = copy.log(period)
             if self.steps == 0:  # `begin` has already set the panel for this step
                 copy.measure()
-                go(flight, copy, _NO_INPUTS)
+                go(flight, copy, log, _NO_INPUTS)
             else:
-                fly(flight, copy, _NO_INPUTS)
+                fly(flight, copy, log, _NO_INPUTS)
             if copy.panel.ending:
                 return self._ended(self.steps * period)
             self.steps += 1

@@ -36,7 +36,7 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
     """
     worksite, plant, mode = state.worksite, state.plant, state.panel.mode
     worksite.halt = ""
-    sliding = sliding_payload(worksite.held, mode, inhibits=flight.inhibits)
+    sliding = sliding_payload(worksite.held, mode) if flight.inhibits else None
     worksite.contacts.essential[:] = flight.site.essential_while(sliding, worksite.permitted)
     rates = state.steering[RATES : RATES + 6]
     moved = telescope or any(rates.tolist())
@@ -85,12 +85,12 @@ def kept_apart(site: Site, worksite: WorksiteState, *, sliding: bool) -> tuple[M
     return own, own & (1 - worksite.permitted)
 
 
-def sliding_payload(held: int | None, mode: str, *, inhibits: bool) -> int | None:
-    """Return the payload that slides along walls: the held payload in modes 1 to 7, else None.
+def sliding_payload(held: int | None, mode: str) -> int | None:
+    """Return the payload that slides along walls, if contacts inhibit motion: the held one in modes 1 to 7, else None.
 
-    None if contacts do not inhibit motion: the forces of a contact then keep the payload out of the walls.
+    If contacts do not inhibit motion, the forces of a contact keep the payload out of the walls.
     """
-    return held if inhibits and MODES[mode].kind in ("automatic", "manual") else None
+    return held if held is not None and MODES[mode].kind in ("automatic", "manual") else None
 
 
 def _stop_arm(flight: Flight, steering: Array, report: Array, mode: str) -> float:

@@ -26,13 +26,12 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
                AT_HARD: "at its hard stop"}  # fmt: skip
 
 
-def log_arm_events(flight: Flight, state: State) -> None:
+def log_arm_events(flight: Flight, state: State, log: Log) -> None:
     """Compute the joints' zones, the nearby singularities and the clearance level, and log their changes.
 
     Also update the escape directions.
     """
     model, plant, panel = flight.scenario.arm.model, state.plant, state.panel
-    log = state.log(flight.scenario.control_period)
     near = observe_near(
         state.arm.model.links,
         plant.angles,
@@ -50,9 +49,10 @@ def log_arm_events(flight: Flight, state: State) -> None:
         zones, singular = _ALL_FREE, ()
     if zones != panel.zones:
         _log_zone_changes(log, flight.scenario.arm.joints, panel.zones, zones)
+        panel.zones = zones
     if singular != panel.singular:
         _log_singularities(log, panel.singular, singular, state.observed[18:].tolist())
-    panel.zones, panel.singular = zones, singular
+        panel.singular = singular
     _log_clearance_level(flight, state.worksite, panel, log)
     state.ways_out = ways_out(flight, state, zones, singular)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from aftdeck.arrays import Array
 from aftdeck.frames import angle_between
 from aftdeck.matrices import distance
 from aftdeck.simulation.constants.flight import Flight
@@ -15,7 +14,7 @@ from aftdeck.simulation.observe.motions import motions_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
 from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.mode import MODES
-from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.tuples import Rows, Vec3
 
 
 def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
@@ -39,9 +38,12 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
     twist_commanded, twist_demanded, por_limits, translation, rotation = steered
     drive, ratio, remaining, turn_remaining, go = scalars
     points = len(scenario.sequences.get(panel.mode, ()))
-    held = packed_in_grasp(flight.site, state.worksite, state.carried.payload)
-    at_tip = scenario.strict or not MODES[panel.mode].loaded  # as published, the POR is always the tip
-    resolution, twist, payload = _carried(held, state.observed, position, tip_twist, at_tip=at_tip)
+    resolution, twist, payload = position, tip_twist, None
+    if (held := packed_in_grasp(flight.site, state.worksite, state.carried.payload)) is not None:
+        pose, centre, velocity = carried_numbers(state.observed, held)
+        payload = Placed(*pose)
+        if MODES[panel.mode].loaded and not scenario.strict:  # as published, the POR is always the tip
+            resolution, twist = centre, (*tip_twist[:3], *velocity)
     return Frame(  # arguments generated from the declaration of Frame: `make generate`
         state.tick,
         round(state.tick * scenario.control_period, 9),
@@ -94,27 +96,6 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         dynamics_of(flight, state),
         motions_of(flight, state.worksite, plant.stand),
     )
-
-
-def _carried(
-    held: Array | None, observed: Array, position: Vec3, twist: Six, *, at_tip: bool
-) -> tuple[Vec3, Six, Placed | None]:
-    """Return the point of resolution, its twist, and the payload in the grasp (None if the grasp is empty).
-
-    Args:
-        held: result of `packed_in_grasp`.
-        observed: (21,) values computed by `kinematics.observe.observe`.
-        position: position of the tip in L [m].
-        twist: twist of the tip.
-        at_tip: whether the point of resolution is the tip.
-    """
-    if held is None:
-        return position, twist, None
-    pose, resolution, velocity = carried_numbers(observed, held)
-    payload = Placed(*pose)
-    if at_tip:
-        return position, twist, payload
-    return resolution, (*twist[:3], *velocity), payload
 
 
 def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:

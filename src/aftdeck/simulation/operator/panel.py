@@ -20,9 +20,9 @@ from aftdeck.steering.layout import AIMS, DRIVE, JOINT, KEPT, LAW, MASTER, STICK
 from aftdeck.steering.mode import MODES
 
 
-def operate(flight: Flight, state: State, inputs: Inputs) -> None:
+def operate(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     """Apply one step's inputs to the panel's switches, and set `state.command`."""
-    panel, sequences, log = state.panel, flight.scenario.sequences, state.log(flight.scenario.control_period)
+    panel, sequences = state.panel, flight.scenario.sequences
     if state.tick == 1:
         make_ready(sequences, state)
     finish(flight, state, log)
