@@ -45,7 +45,7 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
         start_motion(state.rules_while(under_way=True), state.command, state.steering)
         if state.command[MOTION_ACTIVE] != 0.0:
             state.panel.motion_began = state.tick - 1
-    hold_position(state, servos=flight.plant.has_servos)
+    hold_position(flight.plant, state)
 
     # compute the commanded joint rates
     msteer(state.rules, state.command, state.steering, state.report)

@@ -21,7 +21,6 @@ from aftdeck.simulation.payloads.capture import capture
 from aftdeck.simulation.payloads.contact_log import log_contacts
 from aftdeck.simulation.payloads.forces import watch_forces
 from aftdeck.simulation.payloads.free_contact import drifted
-from aftdeck.simulation.payloads.grasp import update_steering
 from aftdeck.simulation.payloads.jets import translation_rejection
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.seating import seat
@@ -51,7 +50,7 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
     else:
         follow_bodies(site, worksite, plant, plant.bodies)
         watch_forces(site, worksite, plant.bodies, log, period)
-    before, was_fixed, was_steered = worksite.contacts.inhibit, worksite.arm_fixed, worksite.steered
+    before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
     _update_contacts(flight, worksite, plant, state.panel.mode)
     log_contacts(site.layout, worksite, plant.bodies, log, flight.scenario.arm.model.units)
     now = worksite.contacts.inhibit
@@ -59,12 +58,10 @@ def update_worksite(flight: Flight, state: State, log: Log, inputs: Inputs) -> N
         _log_inhibits(log, before, now)
     if now.arm:
         way_out_of_contact(flight, state)
-    else:
+    elif worksite.advice is not None:
         worksite.advice = None
     capture(flight, state, log, inputs)
     seat(flight, state, log, inputs.latch)
-    if worksite.steered != was_steered:
-        update_steering(flight, state)
     if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
         # a berth fixed or freed the arm, so CMD CK's verdict no longer applies
         make_ready(flight.scenario.sequences, state)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.plant.plant import Plant
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
@@ -32,7 +33,7 @@ def effective_sticks(panel: Panel, log: Log, inputs: Inputs) -> tuple[float, ...
     return sticks if panel.rate_hold_sticks is None else panel.rate_hold_sticks
 
 
-def hold_position(state: State, *, servos: bool) -> None:
+def hold_position(plant: Plant, state: State) -> None:
     """Apply POSITION HOLD (POHS): in a manual mode with centred sticks, command mode 2 to keep the pose.
 
     The pose is stored when the arm has come to rest. If the plant has servos, no mode is needed: they hold the joints'
@@ -48,5 +49,5 @@ def hold_position(state: State, *, servos: bool) -> None:
         panel.position_hold_target = target_at(tip)
         state.command[TARGET : TARGET + 3] = tip.position
         state.command[TARGET + 3 : TARGET + 12] = tip.rotation.ravel()
-    if panel.position_hold_target is not None and not servos:
+    if panel.position_hold_target is not None and not plant.has_servos:
         state.command[LAW], state.command[MOTION_ACTIVE] = AUTOMATIC_LAWS["closed loop"], 1.0

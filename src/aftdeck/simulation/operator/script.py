@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from aftdeck.plant.linear_actuator import Slide
+from aftdeck.plant.plant import Plant
 from aftdeck.scenario.model import PhasePlan, Sequences
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.simulation.constants.flight import Flight
@@ -183,7 +184,7 @@ def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> boo
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
     if phase.until is not None or phase.stand_at is not None:
-        if _conditions_hold(state, phase, flight.plant.accuracy.length):
+        if _conditions_hold(flight.plant, state, phase):
             return True
         if late:
             _fail(flight, state, f"phase {phase.name!r} failed: not {_awaited(phase)} within its {phase.duration:g} s")
@@ -217,12 +218,12 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
     return False
 
 
-def _conditions_hold(state: State, phase: PhasePlan, accuracy: float) -> bool:
+def _conditions_hold(plant: Plant, state: State, phase: PhasePlan) -> bool:
     """Return whether a phase's end conditions hold: its event has occurred, and the telescope has reached `stand_at`.
 
-    A condition that the phase does not have is ignored. `accuracy` is that of the telescope's position [m].
+    A condition that the phase does not have is ignored.
     """
-    at_length = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < accuracy
+    at_length = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < plant.accuracy.length
     match phase.until:
         case None:
             return at_length

@@ -131,11 +131,6 @@ class WorksiteState(StatePart):
     halt: Halt = ""
 
     @property
-    def steered(self) -> list[float] | None:
-        """Pose of the held payload that the steering uses (`PayloadState.steered`); None if no payload is held."""
-        return None if self.held is None else self.cargo[self.held].steered
-
-    @property
     def _addressed(self) -> list[PayloadState]:
         """Payloads to which latching and unlatching refer: the held payload, or all payloads if none is held."""
         return [payload for payload in self.cargo if payload.held] or self.cargo

@@ -15,7 +15,7 @@ from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import attach, empty_grasp, nearest_fixture
+from aftdeck.simulation.payloads.grasp import attach, empty_grasp, nearest_fixture, update_steering
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.payloads.seating import stay_or_leave
 from aftdeck.simulation.state import State
@@ -39,7 +39,7 @@ def capture(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
         inputs: inputs of this step; the snares are triggered if `inputs.effector` is not None.
     """
     site, worksite = flight.site, state.worksite
-    k = None
+    k, drawn = None, worksite.snare.drawn
     if state.script.attached:
         _reject_switches(log, inputs)
     elif site.bar is not None:
@@ -47,6 +47,8 @@ def capture(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     elif site.snares is not None:
         k = _move_snares(flight, worksite, log, site.snares, pressed=inputs.effector is not None)
     if k is None:
+        if worksite.snare.drawn == 1.0 != drawn:
+            update_steering(flight, state)
         return
     if worksite.held is None:
         _attach(site, worksite, log, k)
@@ -56,6 +58,7 @@ def capture(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
         seat = worksite.cargo[k].seat
         where = f"it stays in the {site.seat(seat).title}" if seat else "it is free"
         log.add("released", "info", f"{site.cargo[k].title} released: {where}")
+    update_steering(flight, state)
 
 
 def _reject_switches(log: Log, inputs: Inputs) -> None:

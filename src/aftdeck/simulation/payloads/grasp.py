@@ -54,7 +54,7 @@ def reset_grasp(site: Site, worksite: WorksiteState, k: int) -> None:
 def update_steering(flight: Flight, state: State) -> None:
     """Set up the steering for the payload in the grasp, with the rate limits of the script's phase.
 
-    To be called after a change of `WorksiteState.steered`, of `Script.attached` or of `Script.limits`.
+    To be called after a change of `PayloadState.steered`, of `Script.attached` or of `Script.limits`.
 
     The steering uses the mass and the axes of a worksite payload. The payload's centre is the point of resolution.
     """

@@ -20,7 +20,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.worksite_state import WorksiteState
-from aftdeck.simulation.payloads.grasp import reset_grasp, start_free_flight
+from aftdeck.simulation.payloads.grasp import reset_grasp, start_free_flight, update_steering
 from aftdeck.simulation.payloads.latch_command import NEAR, Pressed, addressed, confirmed, nearest_berth
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.state import State
@@ -155,6 +155,7 @@ def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Press
             return f"{title} is docked already" if pressed else None
         if confirmed(payload, state.tick, period, log, only):
             _unfix(flight, worksite, state.plant, log, k, berth)
+            update_steering(flight, state)
         return ""
     before = payload.latches
     opens = pressed == "unlatch" and before.hold
@@ -180,6 +181,7 @@ def _update_fixed(flight: Flight, state: State, log: Log, k: int, pressed: Press
         log.add(payload.latches.motion, "info", f"latches of the {berth.seat.title} {motion}")
     if not payload.latches.hold:
         _unfix(flight, worksite, state.plant, log, k, berth)
+        update_steering(flight, state)
     return "" if pressed else None
 
 
