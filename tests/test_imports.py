@@ -87,9 +87,9 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
     ),
     "simulation": (
         ("frame", "camera_drives"),
-        ("inputs", "plain", "constants", "parts"),
+        ("inputs", "plain", "log", "constants", "parts"),
         ("state",),
-        ("log", "frame_poses", "summary", "series"),
+        ("frame_poses", "summary", "series"),
         ("payloads",),
         ("motion", "resume"),
         ("operator", "observe"),

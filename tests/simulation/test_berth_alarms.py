@@ -79,8 +79,7 @@ def counted(side: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
         tilt: rotation about the axis along the bay [rad].
     """
     sim = above_the_berth()
-    flight, worksite = sim._flight, sim._state.worksite
-    site = flight.site
+    site, worksite = sim._flight.site, sim._state.worksite
     row = site.cargo_row(0)
     [berth] = site.berths[0]
     frames = worksite.frames.copy()
@@ -95,7 +94,7 @@ def counted(side: float = 0.0, tilt: float = 0.0) -> tuple[Array, Array, Array]:
     frames[row, 3:] = (rotation @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])).ravel()
     watch = ClearanceMonitor(site.layout)
     watch.update(frames, frames, 1.0)
-    counts, _ = alarm_pairs(flight, 0, watch, frames, None, -1, worksite.contacts, worksite.permitted)
+    counts, _ = alarm_pairs(site, 0, watch, frames, None, -1, worksite.contacts, worksite.permitted)
     pairs = site.seated[0, berth.seat.name] != 0
     return pairs & (counts != 0), pairs & (counts == 0), watch.found[:, CLEARANCE]
 

@@ -186,7 +186,7 @@ def check_predicts_motion(start: Array, goal: aftdeck.Target, law: str, more: st
     if verdict.cause == "reach":
         assert not inside_soft_stops(sim.scenario.arm, goal, start), verdict
         return
-    begin(sim._flight, sim._state, goal, verdict.joints)
+    begin(sim._state, goal, verdict.joints)
     frames = []
     while sim._state.panel.sequence == "in progress":
         frames.append(sim.step(aftdeck.Inputs()))

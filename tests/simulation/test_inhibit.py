@@ -232,7 +232,7 @@ def test_motion_into_contact_fails_its_check_and_is_abandoned() -> None:
         assert frames[-1].angles == frames[0].angles and frames[-1].goal is not None
         target = sim.scenario.phases[0].target
         assert isinstance(target, Target)
-        begin(sim._flight, sim._state, target)
+        begin(sim._state, target)
         later = [sim.step(Inputs()) for _ in range(1500)]
         blocked = next(frame for frame in later if "blocked" in {event.kind for event in frame.events})
         touched = next(frame for frame in later if frame.work.arm_inhibit)

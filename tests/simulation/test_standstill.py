@@ -72,13 +72,13 @@ def test_only_one_long_standstill_abandons_a_motion_not_many_short_ones() -> Non
     def stand_still(steps: int) -> str:
         for _ in range(steps):
             state.report[RATIO] = 0.0
-            finish(flight, state)
+            finish(flight, state, state.log(sim.scenario.control_period))
         return state.panel.sequence
 
     for _ in range(3):
         assert stand_still(longest - 1) == "in progress"
         state.report[RATIO] = 1.0
-        finish(flight, state)
+        finish(flight, state, state.log(sim.scenario.control_period))
     assert stand_still(longest) == "ready" and state.panel.ending == "given up"
 
 

@@ -190,7 +190,7 @@ def forget_everything(sim: aftdeck.Simulation, lost: set[str]) -> None:
     if state.checking is not None:
         state.checking.rehearsal = Rehearsed()
     update_steering(flown, state)
-    restore_clearances(flown, state)
+    restore_clearances(flown, state.worksite)
 
 
 @pytest.mark.parametrize(

@@ -67,7 +67,7 @@ def test_step_equals_its_separate_contact_updates(name: str) -> None:
     for inputs in random_inputs(np.random.default_rng(11), 60):
         worksite = state.worksite
         counts = alarm_pairs(
-            sim._flight,
+            sim._flight.site,
             worksite.held,
             worksite.watch,
             worksite.frames,

@@ -121,7 +121,11 @@ def planes_of(flight: Flight, state: State) -> Planes:
             _face(state.worksite.watch.placed[solid], face) for solid, face in zip(solids, INNER, strict=False)
         )
         return d1, d2, d3
-    near = [pair for pair in all_near(flight, state) if pair.a in HEXES and pair.b.endswith("receptacle")]
+    near = [
+        pair
+        for pair in all_near(flight.site.layout, state.worksite, flight.scenario.control_period)
+        if pair.a in HEXES and pair.b.endswith("receptacle")
+    ]
     nearest = next((pair.b for pair in near if pair.a == HEXES[0]), None)
     pairs = {pair.a: pair for pair in near if pair.b == nearest and any(pair.normal)}
     first, second, third = (

@@ -17,10 +17,10 @@ from aftdeck.scenario.schema import Part
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame_poses import frames_at, frames_with_prong_at
-from aftdeck.simulation.log import log, log_rejection
 from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.forces import held_by
 from aftdeck.simulation.payloads.grasp import attach, set_effector, update_steering
@@ -55,18 +55,20 @@ def initial_state(flight: Flight, start: Start | None = None) -> State:
             for part, begin in scenario.parts.items()
             if begin.grasped or flight.plant.has_contact_forces
         }
-    problems = [f"{scenario.name}: {problem}" for name, at in found.items() for problem in _misfits(flight, at, name)]
+    problems = [
+        f"{scenario.name}: {problem}" for name, at in found.items() for problem in _misfits(flight, at.worksite, name)
+    ]
     if problems:
         raise ScenarioError(problems)
     state.panel.keyed = _first_target(scenario)
     return state
 
 
-def _misfits(flight: Flight, state: State, name: str) -> Iterator[str]:
+def _misfits(flight: Flight, worksite: WorksiteState, name: str) -> Iterator[str]:
     """Yield the reasons for which no run can begin in a state, whose conditions have the key `name` in the file."""
-    worksite, units = state.worksite, flight.scenario.arm.model.units
+    units = flight.scenario.arm.model.units
     k = worksite.held
-    if k is not None and (why := failure_text(holding(flight, state, k), units)):
+    if k is not None and (why := failure_text(holding(flight.site, worksite, k), units)):
         yield f"{name}.grasped: {flight.site.cargo[k].title} cannot have been captured in this pose: {why}"
     if not flight.plant.has_contact_forces:
         return
@@ -97,10 +99,10 @@ def _state_at(flight: Flight, start: Start) -> State:
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
     """Re-initialise the run to the initial conditions that the scenario gives for `part`."""
-    parts = flight.scenario.parts
+    parts, log = flight.scenario.parts, state.log(flight.scenario.control_period)
     if part not in parts:
         available = f"this scenario has {', '.join(parts)}" if parts else "this scenario has no such starts"
-        log_rejection(flight, state, f"initialisation to {part} refused: {available}")
+        log.reject(f"initialisation to {part} refused: {available}")
         return
     task = state.worksite.task
     state.replace_with(_state_at(flight, parts[part]))
@@ -108,11 +110,11 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
     update_steering(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
         state.panel.mode = "ORB UNL"  # the present mode needs a payload, but the arm holds none
-    log(flight, state, "initialise", "info", f"initialised to {part}")
+    log.add("initialise", "info", f"initialised to {part}")
     state.worksite.task = task
-    change_task(flight, state)
+    change_task(flight.site, state.worksite, log)
     if state.tick > 1:  # in the first step, `operate` calls `make_ready`
-        make_ready(flight, state)
+        make_ready(flight.scenario.sequences, state)
 
 
 def _set_to_start(flight: Flight, state: State, start: Start) -> None:
@@ -139,17 +141,19 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
             rates, angles = (payload.start.rates, None) if control is None else (control.rate, control.start)
             worksite.floating[k] = floating(pose, velocity, rates, control, angles)
     worksite.update_attachments(site)
-    frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
+    frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     if state.script.attached:
-        set_effector(flight, state, holding=True)
-        frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
+        set_effector(flight, worksite, holding=True)
+        frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     if start.grasped is not None:
         k = start.grasped.cargo
-        set_effector(flight, state, holding=True)
-        frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, worksite.prong.position)
+        set_effector(flight, worksite, holding=True)
+        angles, stand = start.grasped.angles, start.grasped.stand
+        frames[:] = frames_at(site, worksite, plant, angles, stand, worksite.prong.position)
         worksite.cargo[k].seat, worksite.cargo[k].released_from = "", worksite.cargo[k].seat
-        attach(flight, state, k)
-        frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
+        attach(site, worksite, k)
+        update_steering(flight, state)
+        frames[:] = frames_with_prong_at(site, worksite, plant, worksite.prong.position)
     poses = frames[site.space_row + 1 :].copy()
     motions = np.array([np.zeros(6) if one is None else one.motion for one in worksite.floating]).reshape(-1, 6)
     flight.plant.begin(plant, state.script.attached, poses, motions, worksite.prong.position)
@@ -161,6 +165,6 @@ def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     worksite.watch.update(frames, frames, scenario.control_period)
     worksite.permitted[:] = permitted(site, worksite.watch, frames)
     worksite.contacts.update(worksite.watch.found, site.by_prong, worksite.task)
-    count(flight, state)
+    count(site, worksite, flight.within)
     worksite.nearest = worksite.watch.nearest(worksite.watch.counts)
-    change_task(flight, state)
+    change_task(site, worksite, state.log(scenario.control_period))

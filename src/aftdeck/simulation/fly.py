@@ -6,7 +6,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import SimulationError
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import log
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.motion.stopping import watch_stop
 from aftdeck.simulation.operator.holds import hold_position
@@ -21,19 +21,20 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.msteer import msteer
 
 
-def fly(flight: Flight, state: State, inputs: Inputs) -> None:
+def fly(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     """Make one control step of a rehearsal, from the arm's measured state."""
     state.measure()
-    operate(flight, state, inputs)
-    go(flight, state, inputs)
+    operate(flight, state, log, inputs)
+    go(flight, state, log, inputs)
 
 
-def go(flight: Flight, state: State, inputs: Inputs) -> None:
+def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     """Steer, limit the motion to what contacts and berths allow, and move the plant and the worksite.
 
     Args:
         flight: constants of the run.
         state: changed in place; holds the command that the panel has set.
+        log: log of the step.
         inputs: the operator's inputs; only those for telescope, orbiter, end effector and latches are used here. The
             sticks and the selected mode are in `state.command`.
     """
@@ -44,7 +45,7 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
         start_motion(state.rules_while(under_way=True), state.command, state.steering)
         if state.command[MOTION_ACTIVE] != 0.0:
             state.panel.motion_began = state.tick - 1
-    hold_position(flight, state)
+    hold_position(flight.plant, state)
 
     # compute the commanded joint rates
     msteer(state.rules, state.command, state.steering, state.report)
@@ -58,7 +59,7 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     move_plant(flight, state, inputs, rates, telescope)
     if state.plant.bodies is not None:
         watch_stop(flight, state, state.plant.bodies)
-    update_worksite(flight, state, inputs)
+    update_worksite(flight, state, log, inputs)
 
 
 def move_plant(flight: Flight, state: State, inputs: Inputs, rates: Array, telescope: float) -> None:
@@ -81,4 +82,4 @@ def move_plant(flight: Flight, state: State, inputs: Inputs, rates: Array, teles
         if not state.by_script:
             raise
         state.script.ended = "fault"
-        log(flight, state, "fault", "warning", str(error))
+        state.log(flight.scenario.control_period).add("fault", "warning", str(error))

@@ -367,7 +367,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     goal: Annotated[
         Goal | None,
         field_meta(
-            "target of an automatic mode; null if there is none", value="_goal(state, position, orientation, remaining)"
+            "target of an automatic mode; null if there is none", value="_goal(panel, position, orientation, remaining)"
         ),
     ]
     times: Annotated[
@@ -397,6 +397,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     motions: Annotated[
         tuple[Motion, ...],
         field_meta(
-            "mechanisms in motion: latches, snares, carriage, prong, telescope", value="motions_of(flight, state)"
+            "mechanisms in motion: latches, snares, carriage, prong, telescope",
+            value="motions_of(flight, state.worksite, plant.stand)",
         ),
     ] = ()

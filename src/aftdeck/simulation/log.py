@@ -1,21 +1,27 @@
-"""Lines that a step adds to the log, with the time at the end of the step."""
+"""Log of a step, and the names of joints in it."""
 
 from __future__ import annotations
 
-from aftdeck.simulation.constants.flight import Flight
+import msgspec
+
 from aftdeck.simulation.frame import Event, Level
-from aftdeck.simulation.state import State
 
 
-def log(flight: Flight, state: State, kind: str, level: Level, text: str) -> None:
-    """Add a line to the log, with the time at the end of the present step."""
-    time = state.tick * flight.scenario.control_period
-    state.events.append(Event(round(time, 9), kind, level, text))
+class Log(msgspec.Struct, frozen=True):
+    """Log of one control step: each line has the time at the end of the step."""
 
+    events: list[Event]
+    """Lines of the step so far."""
+    time: float
+    """Time at the end of the step, not rounded [s]."""
 
-def log_rejection(flight: Flight, state: State, text: str) -> None:
-    """Log a rejected command and the reason."""
-    log(flight, state, "refused", "caution", text)
+    def add(self, kind: str, level: Level, text: str) -> None:
+        """Add a line."""
+        self.events.append(Event(round(self.time, 9), kind, level, text))
+
+    def reject(self, text: str) -> None:
+        """Add the line of a rejected command, with the reason."""
+        self.add("refused", "caution", text)
 
 
 def joint_label(joint: str) -> str:

@@ -203,7 +203,7 @@ class Simulation:
 
     def watched(self) -> tuple[Near, ...]:
         """Return clearance, points, plane and closing speed of every monitored pair, the smallest clearance first."""
-        return all_near(self._flight, self._state)
+        return all_near(self._flight.site.layout, self._state.worksite, self.scenario.control_period)
 
     def save(self) -> SavedSimulation:
         """Return everything that the next step depends on, as plain values that msgspec can encode."""

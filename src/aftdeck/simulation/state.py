@@ -16,6 +16,7 @@ from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Check, Event, Level, Sequence, WayOut, Wrench
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Checking, Premises
 from aftdeck.simulation.parts.standing import Standing
@@ -165,6 +166,10 @@ class State(StatePart):
     def measure(self) -> None:
         """Copy the plant's angles and rates to `steering`. Steering laws, plans and checks start from them."""
         measured(self.plant.angles, self.plant.reference, self.plant.holds, self.shoulder_offset, self.steering)
+
+    def log(self, period: float) -> Log:
+        """Return the log of the present step; `period`: the control period [s]."""
+        return Log(self.events, self.tick * period)
 
     @property
     def rules(self) -> Array:

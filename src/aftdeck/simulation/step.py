@@ -28,6 +28,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     """
     state.tick += 1
     state.events = []
+    log = state.log(flight.scenario.control_period)
 
     # plans and checks of this step start from the measured position of the arm
     state.measure()
@@ -36,28 +37,28 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     state.by_script, state.phase = inputs is None, ""
     if inputs is None:
         inputs = play(flight, state)
-        state.phase = phase_name(flight, state)
+        state.phase = phase_name(flight.scenario.phases, state.script)
     else:
         hand_over(flight, state)
         inputs = delayed(state, inputs)
     if inputs.initialise is not None:
         initialise(flight, state, inputs.initialise)
-    operate(flight, state, inputs)
+    operate(flight, state, log, inputs)
 
     # continue CMD CK; after PROCEED, a GOOD verdict starts the motion
-    check(flight, state)
+    check(flight, state, log)
 
     # steering commands the joint rates; contacts and berths limit these rates; the plant and the worksite move
-    go(flight, state, inputs)
+    go(flight, state, log, inputs)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera
 
     # select the pairs that count for the minimum clearance of the next step
-    count(flight, state)
+    count(flight.site, state.worksite, flight.within)
 
     # log the events of the arm; end a script whose time is up
-    log_arm_events(flight, state)
+    log_arm_events(flight, state, log)
     if state.by_script:
         end_if_time_is_up(flight, state)
     return inputs

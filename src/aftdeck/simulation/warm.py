@@ -16,7 +16,7 @@ from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
-from aftdeck.simulation.payloads.grasp import NEAR, attach, empty_grasp, start_free_flight
+from aftdeck.simulation.payloads.grasp import NEAR, attach, empty_grasp, start_free_flight, update_steering
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.simulation.payloads.sliding import slide_along
@@ -54,27 +54,29 @@ def warm_up(scenario: Scenario) -> None:
     state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)
     if flight.site.cargo:
-        present_objective(flight, state)
+        present_objective(flight.site, state.worksite)
         _carry(flight, state)
 
 
 def _carry(flight: Flight, state: State) -> None:
     """Attach the first payload, slide it along the orbiter's parts, evaluate its berths, and release it."""
-    worksite = state.worksite
+    site, worksite, log = flight.site, state.worksite, state.log(flight.scenario.control_period)
     worksite.cargo[0].seat = ""
-    attach(flight, state, 0)
-    change_task(flight, state)
+    attach(site, worksite, 0)
+    update_steering(flight, state)
+    change_task(site, worksite, log)
     frame_of(flight, state, digest(state))
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # the payload could then reach every wall in the next step
     slide_along(flight, state, 0.0, 0)
-    for berth in flight.site.berths[0]:
-        conditions_at(flight, state, 0, berth)
-        berth.on_way(worksite.frames, flight.site.cargo_row(0))
+    for berth in site.berths[0]:
+        conditions_at(site, worksite, 0, berth)
+        berth.on_way(worksite.frames, site.cargo_row(0))
         if berth.port is not None:
-            berth.is_straight_ahead(worksite.frames, flight.site.cargo_row(0), 0.0, NEAR, 0.0)
-    counts = flight.site.detrimental.copy()
-    worksite.watch.except_far(flight.site.detrimental, np.zeros(len(counts)), counts)
-    empty_grasp(flight, state, 0)
-    start_free_flight(flight, state, 0, from_space=False)
+            berth.is_straight_ahead(worksite.frames, site.cargo_row(0), 0.0, NEAR, 0.0)
+    counts = site.detrimental.copy()
+    worksite.watch.except_far(site.detrimental, np.zeros(len(counts)), counts)
+    empty_grasp(site, worksite, state.panel, log, 0)
+    update_steering(flight, state)
+    start_free_flight(flight, worksite, state.plant, 0, from_space=False)
     step(flight, state, None)

@@ -157,8 +157,9 @@ def test_free_flyer_with_attitude_control_stays_in_its_deadband() -> None:
 def test_saved_run_continues_to_the_last_bit_when_a_payloads_jets_fire() -> None:
     """The payload's own axes are those of the restored state, not those where the other simulation was."""
     sim, fired = flyer("fixed"), 0
+    cargo, period = sim._flight.site.cargo, sim.scenario.control_period
     for _ in range(4000):
-        if attitude_torques(sim._flight, sim._state):
+        if attitude_torques(cargo, sim._state.worksite.floating, bodies_of(sim), period):
             fired += 1
             other = Simulation(sim.scenario)
             other.restore(sim.save())

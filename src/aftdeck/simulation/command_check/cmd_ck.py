@@ -9,7 +9,7 @@ from aftdeck.plant.spread import NO_SPREAD
 from aftdeck.simulation.command_check.rehearsal import Rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Check
-from aftdeck.simulation.log import log, log_rejection
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.operator.check_request import premises
 from aftdeck.simulation.operator.sequence import begin
@@ -26,7 +26,7 @@ STEPS = 50
 """Number of steps that are rehearsed in one control step; their computation takes 1 to 3 ms."""
 
 
-def check(flight: Flight, state: State) -> None:
+def check(flight: Flight, state: State, log: Log) -> None:
     """Continue CMD CK. After a GOOD verdict, light READY, or begin the motion if PROCEED was pressed."""
     checking, panel = state.checking, state.panel
     verdict = None if checking is None else _continue_check(flight, state, checking)
@@ -34,15 +34,15 @@ def check(flight: Flight, state: State) -> None:
         state.checking = None
         panel.check, panel.premises = verdict, premises(_start(flight, checking) or state, checking.target)
         panel.sequence = "ready" if verdict.good and MODES[panel.mode].kind == "automatic" else "idle"
-        log(flight, state, "check", "info" if verdict.good else "caution", f"CMD CK {verdict.text}")
-        _log_failed_ways(flight, state, checking)
+        log.add("check", "info" if verdict.good else "caution", f"CMD CK {verdict.text}")
+        _log_failed_ways(log, checking)
     if panel.proceeding and state.checking is None:
         panel.proceeding = False
         if panel.check is None or not panel.check.good or panel.target is None:
-            log_rejection(flight, state, f"PROCEED refused: CMD CK {panel.check.text if panel.check else ''}")
+            log.reject(f"PROCEED refused: CMD CK {panel.check.text if panel.check else ''}")
         else:
-            begin(flight, state, panel.target, panel.check.joints)
-            log(flight, state, "proceed", "info", "PROCEED: the arm flies to its target")
+            begin(state, panel.target, panel.check.joints)
+            log.add("proceed", "info", "PROCEED: the arm flies to its target")
 
 
 def _continue_check(flight: Flight, state: State, checking: Checking) -> Check | None:
@@ -56,10 +56,10 @@ def _continue_check(flight: Flight, state: State, checking: Checking) -> Check |
             return None
         if stopped := joint_lock_reason(state.panel):
             return Check(False, f"FAIL: {stopped}", cause="switch")
-        if latched := latched_payload_reason(flight, state):
+        if latched := latched_payload_reason(flight.site, state.worksite):
             return Check(False, f"FAIL: {latched}", cause="seat")
         try:
-            checking.ways = list(ways(flight, state, checking.target, state.panel.law))
+            checking.ways = list(ways(flight.scenario, state, checking.target, state.panel.law))
         except AftdeckError as error:
             return Check(False, f"FAIL: {error}", cause="reach")
         checking.rehearsal.start = start = state.fork()
@@ -112,7 +112,7 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
     if any(result.good or result.way.law == "position" or result.cause in ("seat", "switch") for result in tried):
         return False
     try:
-        checking.ways = list(ways(flight, start, checking.target, "position"))
+        checking.ways = list(ways(flight.scenario, start, checking.target, "position"))
     except AftdeckError:
         return False
     return True
@@ -152,10 +152,10 @@ def _with_masses(flight: Flight, start: State, tried: Tried) -> str:
     return f" without masses, with masses up to {later}{off} off"
 
 
-def _log_failed_ways(flight: Flight, state: State, checking: Checking) -> None:
+def _log_failed_ways(log: Log, checking: Checking) -> None:
     """Log why each way by joints failed, if more than one way was rehearsed."""
     if len(checking.tried) > 1:
         for tried in checking.tried:
             if not tried.good and tried.way.law == "position":
                 text = f"way rejected, {tried.way.name}: {tried.text}, after {tried.seconds:.0f} s"
-                log(flight, state, "check", "info", text)
+                log.add("check", "info", text)

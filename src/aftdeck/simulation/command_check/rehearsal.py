@@ -48,7 +48,7 @@ class Rehearsal:
             panel.mode = "OPR CMD"
         panel.law, panel.rate_hold_sticks, panel.position_hold_target = way.law, None, None
         panel.proceeding, panel.ending = False, ""
-        begin(flight, self._copy, target, way.joints)
+        begin(self._copy, target, way.joints)
         self._copy.worksite.watch.counts[:] = 0  # a rehearsal does not use the minimum clearance
         self._touching = frozenset(self._copy.worksite.logged_contacts)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
@@ -63,11 +63,12 @@ class Rehearsal:
             self._last_limit = int(copy.report[CAUSE]), int(copy.report[LIMITING_JOINT]), copy.worksite.halt
             copy.tick += 1
             copy.events.clear()
+            log = copy.log(period)
             if self.steps == 0:  # `begin` has already set the panel for this step
                 copy.measure()
-                go(flight, copy, _NO_INPUTS)
+                go(flight, copy, log, _NO_INPUTS)
             else:
-                fly(flight, copy, _NO_INPUTS)
+                fly(flight, copy, log, _NO_INPUTS)
             if copy.panel.ending:
                 return self._ended(self.steps * period)
             self.steps += 1
@@ -75,7 +76,7 @@ class Rehearsal:
             if near < self._nearest:
                 self._nearest, self._which = near, which
             if copy.worksite.arm_fixed:  # a port or latches have fixed the payload, which also ends the motion
-                return self._tried(True, "", self.steps * period, f"then {fixed_in(flight, copy)}", "")
+                return self._tried(True, "", self.steps * period, f"then {fixed_in(flight.site, copy.worksite)}", "")
             if copy.worksite.contacts.inhibit.changed and (text := self._contact(self._touching)):
                 return self._tried(False, "contact", self.steps * period, text, "")
             if self.steps * period >= (latest := self._latest_end(self.steps * period)):
@@ -133,7 +134,7 @@ class Rehearsal:
         """Return the cause of the arm's standstill, and its text."""
         flight, (cause, culprit, halt) = self._flight, self._last_limit
         if halt == "seat":
-            return "seat", latched_payload_reason(flight, self._copy)
+            return "seat", latched_payload_reason(flight.site, self._copy.worksite)
         if halt == "contact":
             return "contact", self._contact() or "a contact stops the arm"
         if cause == BY_SINGULARITY:

@@ -5,6 +5,7 @@ The texts are values of the frame: `verify` compares them with the texts in olde
 
 from __future__ import annotations
 
+from aftdeck.arrays import Array
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, Limit, LimitKind
@@ -31,7 +32,7 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
     If a berth, a contact or a switch stopped the arm, the result contains only this limit.
     """
     if state.worksite.halt == "seat":
-        return (Limit("seat", -1, latched_payload_reason(flight, state)),)
+        return (Limit("seat", -1, latched_payload_reason(flight.site, state.worksite)),)
     if state.worksite.halt == "contact":
         return (Limit("contact", -1, "contact: only motion that relieves it is flown"),)
     if why := joint_lock_reason(state.panel):
@@ -47,7 +48,7 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         name = joint_label(flight.scenario.arm.joints[joint])
         found.append(Limit("joint acceleration", joint, f"{name} beyond its greatest acceleration"))
     if stopped:
-        found += _held_by_stops(flight, state, found)
+        found += _held_by_stops(flight, state.panel.zones, state.steering, state.plant.angles, found)
     if por_cause & 2:
         found.append(Limit("POR translation", -1, "POR at its greatest speed"))
     if por_cause & 8:
@@ -70,14 +71,16 @@ def _beyond_acceleration(state: State) -> list[int]:
     return [joint for joint in range(6) if abs(now[joint] - before[joint]) > most[joint] * period]
 
 
-def _held_by_stops(flight: Flight, state: State, found: list[Limit]) -> list[Limit]:
+def _held_by_stops(
+    flight: Flight, zones: tuple[int, ...], steering: Array, angles: Array, found: list[Limit]
+) -> list[Limit]:
     """Return the joints whose commanded rates press them against their hard stops, besides those in `found`."""
-    rates, angles = state.steering[RATES : RATES + 6].tolist(), state.plant.angles.tolist()
+    rates, at = steering[RATES : RATES + 6].tolist(), angles.tolist()
     named = {limit.joint for limit in found if limit.kind == "hard stop"}
     held = [
         joint
-        for joint, (zone, (low, high)) in enumerate(zip(state.panel.zones, flight.hard, strict=True))
-        if zone == AT_HARD and joint not in named and rates[joint] * (angles[joint] - 0.5 * (low + high)) > 0.0
+        for joint, (zone, (low, high)) in enumerate(zip(zones, flight.hard, strict=True))
+        if zone == AT_HARD and joint not in named and rates[joint] * (at[joint] - 0.5 * (low + high)) > 0.0
     ]
     kind, text = _TEXTS["hard stop"]
     return [Limit(kind, joint, f"{joint_label(flight.scenario.arm.joints[joint])} {text}") for joint in held]

@@ -7,11 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.frame_poses import frames_after
 from aftdeck.simulation.motion.motion_inhibit import AHEAD, kept_apart
 from aftdeck.simulation.motion.ways_out import by_joint, by_stick, steering_of
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, stick_rates
@@ -46,15 +48,15 @@ def way_out_of_contact(flight: Flight, state: State) -> None:
     motion at all leads out of them, `advice` is None. The search runs every `SEARCH_EVERY` steps, and in every step
     while `advice` is None.
     """
-    worksite = state.worksite
+    worksite, plant = state.worksite, state.plant
     if worksite.advice and state.tick % SEARCH_EVERY:
         return
-    for motions, sliding in ((_sticks(state), True), (_joints(flight, state), False)):
-        apart = kept_apart(flight, state, sliding=sliding)
-        first = _poses_after(flight, state, motions, SLOWLY)
+    for motions, sliding in ((_sticks(state), True), (_joints(flight, state.panel.mode), False)):
+        apart = kept_apart(flight.site, worksite, sliding=sliding)
+        first = _poses_after(flight, worksite, plant, motions, SLOWLY)
         gains = ways_out(worksite.watch, *apart, first)
         if not gains.max() > 0.0:
-            ahead = [_poses_after(flight, state, motions, SLOWLY * steps) for steps in AHEAD]
+            ahead = [_poses_after(flight, worksite, plant, motions, SLOWLY * steps) for steps in AHEAD]
             gains = leads_out(worksite.watch, *apart, first, ahead)
         if gains.max() > 0.0:
             worksite.advice = motions[int(gains.argmax())].command
@@ -62,9 +64,13 @@ def way_out_of_contact(flight: Flight, state: State) -> None:
     worksite.advice = None
 
 
-def _poses_after(flight: Flight, state: State, motions: list[_Motion], steps: float) -> Array:
+def _poses_after(
+    flight: Flight, worksite: WorksiteState, plant: PlantState, motions: list[_Motion], steps: float
+) -> Array:
     """Return the poses of all frames in L, (k, F, 12), after `steps` steps of each of k motions."""
-    return np.array([frames_after(flight, state, steps * motion.rates, steps * motion.telescope) for motion in motions])
+    return np.array(
+        [frames_after(flight, worksite, plant, steps * motion.rates, steps * motion.telescope) for motion in motions]
+    )
 
 
 def _sticks(state: State) -> list[_Motion]:
@@ -74,9 +80,9 @@ def _sticks(state: State) -> list[_Motion]:
     return [_Motion(by_stick(state, CONTACT, k), own, 0.0) for k, own in enumerate(rates)]
 
 
-def _joints(flight: Flight, state: State) -> list[_Motion]:
-    """Return the motions of each single joint, and of the telescope if the arm has one."""
-    mode = state.panel.mode if MODES[state.panel.mode].kind == "single" else "SINGLE"
+def _joints(flight: Flight, present: str) -> list[_Motion]:
+    """Return the motions of each single joint, and of the telescope if the arm has one; `present`: the present mode."""
+    mode = present if MODES[present].kind == "single" else "SINGLE"
     found = []
     for joint, limit in enumerate(flight.scenario.arm.rate_limits):
         for sign in (1, -1):

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.state import Panel, State
+from aftdeck.simulation.constants.site import Site
+from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.simulation.state import Panel
 
 
 def joint_lock_reason(panel: Panel) -> str:
@@ -13,15 +14,14 @@ def joint_lock_reason(panel: Panel) -> str:
     return "SAFING is on; CANCEL it first" if panel.safing else ""
 
 
-def latched_payload_reason(flight: Flight, state: State) -> str:
+def latched_payload_reason(site: Site, worksite: WorksiteState) -> str:
     """Return a text about the berth that blocks the arm, with the remedy; "" if the held payload is not fixed."""
-    where = fixed_in(flight, state)
+    where = fixed_in(site, worksite)
     return f"{where}: UNLATCH" if where else ""
 
 
-def fixed_in(flight: Flight, state: State) -> str:
+def fixed_in(site: Site, worksite: WorksiteState) -> str:
     """Return a text with the names of the held payload and its berth; "" if no held payload is fixed to a berth."""
-    site, worksite = flight.site, state.worksite
     if worksite.held is None or not worksite.arm_fixed:
         return ""
     return f"{site.cargo[worksite.held].title} is fixed in the {site.seat(worksite.cargo[worksite.held].seat).title}"

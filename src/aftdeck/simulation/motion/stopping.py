@@ -13,7 +13,7 @@ from aftdeck.matrices import distance
 from aftdeck.plant.state import Bodies
 from aftdeck.plant.stop import Stop
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.log import log
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.motion.tip_rest import (
     WINDOW,
     final_place,
@@ -27,7 +27,7 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.layout import DRIVE, MOTION_ACTIVE, STICKS
 from aftdeck.tuples import Vec3
 from aftdeck.units import INCH
-from aftdeck.worksite.conditions import quantity_text
+from aftdeck.worksite.conditions import Units, quantity_text
 
 RELEASED = "BRAKES off"
 """Cause of a stop that begins when the brakes are released."""
@@ -44,7 +44,7 @@ def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     with the next command, and when the brakes are set or released; then a new one begins. If it ends within `WINDOW`,
     nothing is logged. A release of the brakes that moves the tip by less than `tip_rest.AT_REST` is not logged.
     """
-    motion, period = bodies.tip, flight.scenario.control_period
+    motion, period, units = bodies.tip, flight.scenario.control_period, flight.scenario.arm.model.units
     site, panel, before = flight.site, state.panel, motion.place
     tip, moved, commanded = tip_motion(
         bodies.frames, site.last_joint - 1, site.hand, _NOWHERE if before is None else before, state.command
@@ -53,14 +53,16 @@ def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     switched = braked != motion.braked
     if stop is not None and (driven or switched):
         if (state.tick - stop.began) * period >= WINDOW:
-            _report(flight, state, stop, state.tick, rests=False)
+            _report(stop, state.tick, state.log(period), period, units, rests=False)
         motion.stop = None
     if not driven and (motion.driven or (switched and (stop is not None or not braked))):
         loaded = state.carried.payload is not None
         place = tip if before is None else before
         motion.stop = new_stop(_cause(state), state.tick - 1, place, motion.speed, period, loaded=loaded)
     if motion.stop is not None and observe(motion.stop, state.tick, tip):
-        _report_rest(flight, state, motion.stop)
+        since = window_began(motion.stop, state.tick)
+        if motion.stop.cause != RELEASED or since > motion.stop.began:  # the tip moved after a release of the brakes
+            _report(motion.stop, since, state.log(period), period, units, rests=True)
         motion.stop = None
     motion.speed = 0.0 if before is None else moved / period
     motion.place, motion.driven, motion.braked = tip, driven, braked
@@ -112,30 +114,24 @@ def _cause(state: State) -> str:
     return "SAFING" if state.panel.safing else "the command"
 
 
-def _report_rest(flight: Flight, state: State, stop: Stop) -> None:
-    """Log a stop that ended at rest, except for a release of the brakes after which the tip stayed at rest."""
-    since = window_began(stop, state.tick)
-    if stop.cause != RELEASED or since > stop.began:
-        _report(flight, state, stop, since, rests=True)
-
-
-def _report(flight: Flight, state: State, stop: Stop, until: int, *, rests: bool) -> None:
+def _report(stop: Stop, until: int, log: Log, period: float, units: Units, *, rests: bool) -> None:
     """Log a stop: its time, speed and distances, and the oscillation that is left if the tip is not at rest.
 
     Args:
-        flight: constants of the run.
-        state: the state; the line is added to its log.
         stop: the measurement.
         until: tick from which the tip is at rest, or at which the measurement ended.
+        log: log of the step.
+        period: control period [s].
+        units: units of lengths in the text.
         rests: whether the tip is at rest.
     """
-    units, end = flight.scenario.arm.model.units, final_place(stop)
+    end = final_place(stop)
     away = distance(end.tolist(), stop.place)
     lengths = away, max(stop.greatest - away, 0.0), swing_about(stop, end), swing_left(stop)
     per, unit = (INCH, "in") if units == "ft-in" else (1e-3, "mm")
     went, beyond, swung, left = (f"{length / per:.{_DECIMALS[unit]}f}" for length in lengths)
     how = "at rest" if rests else f"swings {left} {unit},"
-    seconds = (until - stop.began) * flight.scenario.control_period
+    seconds = (until - stop.began) * period
     speed = quantity_text(stop.speed, "m/s", units)
     text = f"tip {how} {seconds:.1f} s after {stop.cause} at {speed}: {went} {unit} on, {beyond} farther, swung {swung}"
-    log(flight, state, "stop", "info", text)
+    log.add("stop", "info", text)

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from aftdeck.kinematics.singular import NAMES
-from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.flight import Flight, Pair
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.state import State
@@ -47,7 +47,7 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
     return tuple(found)
 
 
-def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
+def _stick_speeds(state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
     """Return the rate (12,) at which each stick direction leads away from a singularity or a limit.
 
     If the mode is not manual, ORB UNL is assumed. See `steering.way_out.way_out` for the arguments.
@@ -108,31 +108,29 @@ def _best(state: State, cause: str, speeds: np.ndarray) -> WayOut | None:
 
 def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
     name = NAMES[which]
-    if not MODES[state.panel.mode].by_joint and (
-        out := _best(state, name, _stick_speeds(flight, state, which, -1, 0.0))
-    ):
+    if not MODES[state.panel.mode].by_joint and (out := _best(state, name, _stick_speeds(state, which, -1, 0.0))):
         return out
     arm = flight.scenario.arm
     joint, sign = joint_out(arm.model.links, state.plant.angles, arm.limits.reach, which, arm.model.singular)
-    return by_joint(flight, _position(state), name, joint, _inward(flight, state, joint) if zones[joint] else sign)
+    if zones[joint]:
+        sign = _inward(flight.reach[joint], state.plant.angles[joint])
+    return by_joint(flight, _position(state.panel.mode), name, joint, sign)
 
 
 def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
     name = flight.scenario.arm.joints[joint]
-    inward = _inward(flight, state, joint)
-    if not MODES[state.panel.mode].by_joint and (
-        out := _best(state, name, _stick_speeds(flight, state, -1, joint, inward))
-    ):
+    inward = _inward(flight.reach[joint], state.plant.angles[joint])
+    if not MODES[state.panel.mode].by_joint and (out := _best(state, name, _stick_speeds(state, -1, joint, inward))):
         return out
-    return by_joint(flight, _position(state), name, joint, inward)
+    return by_joint(flight, _position(state.panel.mode), name, joint, inward)
 
 
-def _position(state: State) -> str:
-    """Return the panel position for a motion of one joint: the present position if it moves joints, else SINGLE."""
-    return state.panel.mode if MODES[state.panel.mode].by_joint else "SINGLE"
+def _position(mode: str) -> str:
+    """Return the panel position for a motion of one joint: the present mode if it moves joints, else SINGLE."""
+    return mode if MODES[mode].by_joint else "SINGLE"
 
 
-def _inward(flight: Flight, state: State, joint: int) -> int:
-    """Return the direction, +1 or -1, in which a joint moves away from its nearer reach limit."""
-    low, high = flight.reach[joint]
-    return 1 if state.plant.angles[joint] < 0.5 * (low + high) else -1
+def _inward(reach: Pair, angle: float) -> int:
+    """Return the direction, +1 or -1, in which a joint moves away from the nearer of its reach limits."""
+    low, high = reach
+    return 1 if angle < 0.5 * (low + high) else -1

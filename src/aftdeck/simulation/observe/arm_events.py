@@ -8,9 +8,10 @@ from aftdeck.kinematics.observe import observe_near
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
-from aftdeck.simulation.log import joint_label, log
+from aftdeck.simulation.log import Log, joint_label
 from aftdeck.simulation.motion.ways_out import ways_out
-from aftdeck.simulation.state import State
+from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.simulation.state import Panel, State
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.watch.alarm import level_of
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -25,12 +26,12 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
                AT_HARD: "at its hard stop"}  # fmt: skip
 
 
-def log_arm_events(flight: Flight, state: State) -> None:
+def log_arm_events(flight: Flight, state: State, log: Log) -> None:
     """Compute the joints' zones, the nearby singularities and the clearance level, and log their changes.
 
     Also update the escape directions.
     """
-    model, plant = flight.scenario.arm.model, state.plant
+    model, plant, panel = flight.scenario.arm.model, state.plant, state.panel
     near = observe_near(
         state.arm.model.links,
         plant.angles,
@@ -46,11 +47,13 @@ def log_arm_events(flight: Flight, state: State) -> None:
         singular = tuple(name for name, d in zip(NAMES, distances, strict=True) if abs(d) < model.singular)
     else:
         zones, singular = _ALL_FREE, ()
-    if zones != state.panel.zones:
-        _log_zone_changes(flight, state, zones)
-    if singular != state.panel.singular:
-        _log_singularities(flight, state, singular)
-    _log_clearance_level(flight, state)
+    if zones != panel.zones:
+        _log_zone_changes(log, flight.scenario.arm.joints, panel.zones, zones)
+        panel.zones = zones
+    if singular != panel.singular:
+        _log_singularities(log, panel.singular, singular, state.observed[18:].tolist())
+        panel.singular = singular
+    _log_clearance_level(flight, state.worksite, panel, log)
     state.ways_out = ways_out(flight, state, zones, singular)
 
 
@@ -69,35 +72,32 @@ def _zones(flight: Flight, angles: list[float]) -> Zones:
     return cast("Zones", found)
 
 
-def _log_zone_changes(flight: Flight, state: State, zones: Zones) -> None:
-    for joint, old, new in zip(flight.scenario.arm.joints, state.panel.zones, zones, strict=True):
+def _log_zone_changes(log: Log, joints: tuple[str, ...], before: Zones, zones: Zones) -> None:
+    for joint, old, new in zip(joints, before, zones, strict=True):
         if new != old:
             level: Level = "caution" if new > old else "info"
             text = _ZONE_TEXTS[new] if new > old or new == FREE else _BACK_TEXTS[new]
-            log(flight, state, "limit", level, f"{joint_label(joint)} {text}")
-    state.panel.zones = zones
+            log.add("limit", level, f"{joint_label(joint)} {text}")
 
 
-def _log_singularities(flight: Flight, state: State, singular: tuple[str, ...]) -> None:
-    before, distances = state.panel.singular, state.observed[18:].tolist()
+def _log_singularities(log: Log, before: tuple[str, ...], singular: tuple[str, ...], distances: list[float]) -> None:
     for name, distance in zip(NAMES, distances, strict=True):
         if name in singular and name not in before:
-            log(flight, state, "singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
+            log.add("singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
         elif name in before and name not in singular:
-            log(flight, state, "singular", "info", f"{name} singularity left behind")
-    state.panel.singular = singular
+            log.add("singular", "info", f"{name} singularity left behind")
 
 
-def _log_clearance_level(flight: Flight, state: State) -> None:
+def _log_clearance_level(flight: Flight, worksite: WorksiteState, panel: Panel, log: Log) -> None:
     """Log when the minimum clearance falls below a threshold of the scenario, or rises above it again."""
-    scenario, worksite, before = flight.scenario, state.worksite, state.panel.clearance
+    scenario, before = flight.scenario, panel.clearance
     now: Level = "info"
     if worksite.nearest >= 0:
         clearance = float(worksite.watch.found[worksite.nearest, CLEARANCE])
         now = level_of(clearance, scenario.caution, scenario.warning, before)
     if now == before:
         return
-    state.panel.clearance = now
+    panel.clearance = now
     units = scenario.arm.model.units
     thresholds = {
         "caution": quantity_text(scenario.caution, "m", units),
@@ -105,7 +105,7 @@ def _log_clearance_level(flight: Flight, state: State) -> None:
     }
     if now == "warning" or before == "info":
         a, b = flight.site.layout.named(worksite.nearest)
-        log(flight, state, "clearance", now, f"{a} within {thresholds[now]} of {b}")
+        log.add("clearance", now, f"{a} within {thresholds[now]} of {b}")
     else:
         passed = thresholds["warning" if now == "caution" else "caution"]
-        log(flight, state, "clearance", "info", f"clearance over {passed} again")
+        log.add("clearance", "info", f"clearance over {passed} again")

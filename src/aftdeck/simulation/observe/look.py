@@ -12,9 +12,9 @@ from aftdeck.simulation.observe.look_bodies import dynamics_of
 from aftdeck.simulation.observe.look_work import work_of
 from aftdeck.simulation.observe.motions import motions_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.mode import MODES
-from aftdeck.tuples import Rows, Six, Vec3
+from aftdeck.tuples import Rows, Vec3
 
 
 def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
@@ -38,7 +38,12 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
     twist_commanded, twist_demanded, por_limits, translation, rotation = steered
     drive, ratio, remaining, turn_remaining, go = scalars
     points = len(scenario.sequences.get(panel.mode, ()))
-    resolution, twist, payload = _carried(flight, state, position, tip_twist)
+    resolution, twist, payload = position, tip_twist, None
+    if (held := packed_in_grasp(flight.site, state.worksite, state.carried.payload)) is not None:
+        pose, centre, velocity = carried_numbers(state.observed, held)
+        payload = Placed(*pose)
+        if MODES[panel.mode].loaded and not scenario.strict:  # as published, the POR is always the tip
+            resolution, twist = centre, (*tip_twist[:3], *velocity)
     return Frame(  # arguments generated from the declaration of Frame: `make generate`
         state.tick,
         round(state.tick * scenario.control_period, 9),
@@ -82,27 +87,15 @@ def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
         singularity,
         panel.singular,
         state.ways_out,
-        _goal(state, position, orientation, remaining),
+        _goal(panel, position, orientation, remaining),
         _times(flight, state, remaining, turn_remaining, under_way=go != 0.0),
         work_of(flight, state),
         tuple(state.events),
         state.views,
         seal.hex(),
         dynamics_of(flight, state),
-        motions_of(flight, state),
+        motions_of(flight, state.worksite, plant.stand),
     )
-
-
-def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[Vec3, Six, Placed | None]:
-    """Return the point of resolution, its twist, and the payload in the grasp (None if the grasp is empty)."""
-    held = packed_in_grasp(flight, state)
-    if held is None:
-        return position, twist, None
-    pose, resolution, velocity = carried_numbers(state.observed, held)
-    payload = Placed(*pose)
-    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # as published, the POR is always the tip
-        return position, twist, payload
-    return resolution, (*twist[:3], *velocity), payload
 
 
 def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:
@@ -124,8 +117,8 @@ def _times(flight: Flight, state: State, remaining: float, turn_remaining: float
     return Times(steered + period, eta, etap)
 
 
-def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:
-    target = state.panel.target
+def _goal(panel: Panel, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:
+    target = panel.target
     if target is None:
         return None
     return Goal(
@@ -133,5 +126,5 @@ def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> 
         target.rotation,
         distance(target.position, position),
         angle_between(target.rotation, orientation),
-        remaining if state.panel.sequence == "in progress" else 0.0,
+        remaining if panel.sequence == "in progress" else 0.0,
     )

@@ -16,7 +16,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.matrices import lengths
 from aftdeck.plain_values import items, number, whole_number
-from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.flight import Flight, Pair
 from aftdeck.simulation.frame_poses import frames_at
 from aftdeck.simulation.motion.standstill import joint_lock_reason
 from aftdeck.simulation.observe.look_work import near_of
@@ -101,7 +101,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     site, worksite, stand, travel = flight.site, state.worksite, state.plant.stand, flight.telescope
     driven = stand.velocity / travel.rate if travel.rate else 0.0
     outside = alarm_pairs(
-        flight, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
+        site, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
         worksite.contacts, worksite.permitted,
     )[0]  # fmt: skip
     port = [meeting.group for meeting in site.meetings if meeting.relation == "docking" and not outside[meeting.group]]
@@ -111,7 +111,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         height = stand.after(travel, driven, sample * period)
         steering[SHOULDER_OFFSET] += height - stand.after(travel, driven, (sample - 1) * period)
         angles = steering[ANGLES : ANGLES + 6]
-        frames = frames_at(flight, state, angles, height, worksite.prong.position)
+        frames = frames_at(site, worksite, state.plant, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
         # a pair that is aligned now is not tested: its parts will be docked or latched before they penetrate deeply;
@@ -121,12 +121,12 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         if contact is None and not docked and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
     counts = alarm_pairs(
-        flight, worksite.held, watch, frames, worksite.aligned_with, worksite.nearest, worksite.contacts, may
+        site, worksite.held, watch, frames, worksite.aligned_with, worksite.nearest, worksite.contacts, may
     )[0]
     watch.look_near(frames, frames, period, counts, 0.0)
     group = watch.nearest(counts)
     a, b, c, d, e, f = angles.tolist()
-    joint, room = _room(flight, (a, b, c, d, e, f))
+    joint, room = _room(flight.reach, (a, b, c, d, e, f))
     return Ahead(
         seconds=seconds,
         held=held,
@@ -134,7 +134,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         angles=(a, b, c, d, e, f),
         stand=height,
         cargo=tuple(_placed(row) for row in frames[len(frames) - len(site.cargo) :].tolist()),
-        nearest=None if group < 0 else near_of(flight, state, watch.found, group),
+        nearest=None if group < 0 else near_of(site.layout, worksite.contacts.essential, watch.found, group),
         contact_s=contact,
         stopping=_stopping(state),
         joint=joint,
@@ -204,8 +204,8 @@ def _stopping(state: State) -> float:
     return float(lengths(here - there))
 
 
-def _room(flight: Flight, angles: Joints) -> tuple[int, float]:
+def _room(reach: tuple[Pair, ...], angles: Joints) -> tuple[int, float]:
     """Return the joint nearest to a reach limit, and its distance from that limit; negative past the limit [rad]."""
-    rooms = [min(q - low, high - q) for q, (low, high) in zip(angles, flight.reach, strict=True)]
+    rooms = [min(q - low, high - q) for q, (low, high) in zip(angles, reach, strict=True)]
     joint = min(range(len(rooms)), key=rooms.__getitem__)
     return joint, rooms[joint]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.arms.flexures import Flexure
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, rows, vec3
 from aftdeck.frames import angle_between
@@ -60,7 +61,7 @@ def dynamics_of(flight: Flight, state: State) -> Dynamics | None:
         fired,
         _contacts(site, bodies),
         _holds(site, bodies),
-        _bends(flight, bodies),
+        _bends(flight.scenario.flexures, bodies),
         state.disturbances,
     )
 
@@ -86,9 +87,9 @@ def _holds(site: Site, bodies: Bodies) -> tuple[Holding, ...]:
     )
 
 
-def _bends(flight: Flight, bodies: Bodies) -> tuple[Bend, ...]:
+def _bends(flexures: tuple[Flexure, ...], bodies: Bodies) -> tuple[Bend, ...]:
     """Return the bends of base and booms."""
-    if not flight.scenario.flexures:
+    if not flexures:
         return ()
-    numbers = zip(flight.scenario.flexures, bodies.bends.tolist(), strict=True)
+    numbers = zip(flexures, bodies.bends.tolist(), strict=True)
     return tuple(Bend(part.part, (a, b, c), (d, e, f)) for part, (a, b, c, d, e, f) in numbers)

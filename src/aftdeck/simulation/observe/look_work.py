@@ -6,12 +6,14 @@ from functools import lru_cache
 
 import numpy as np
 
-from aftdeck.arrays import Array
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.separation import named
+from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.observe.frame_numbers import moving
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.objective import present_objective
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
@@ -20,27 +22,28 @@ from aftdeck.tuples import Six, Vec3
 from aftdeck.worksite.capture.snare import Snare, flags
 from aftdeck.worksite.report import Cargo, Hand, Near, Work
 from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
+from aftdeck.worksite.watch.groups import Layout
 
 _ZERO = (0.0, 0.0, 0.0)
 
 
 def work_of(flight: Flight, state: State) -> Work:
     """Return the record of the worksite as it is now."""
-    site, worksite = flight.site, state.worksite
-    group = worksite.nearest
+    site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
+    group, layout, essential = worksite.nearest, site.layout, worksite.contacts.essential
     inhibit = worksite.contacts.inhibit
     contacts: tuple[Near, ...] = ()
     reasons: tuple[str, ...] = ()
     if worksite.logged_contacts:
         found = worksite.watch.found
-        contacts = tuple(near_of(flight, state, found, group) for group in worksite.contacts.groups(found))
+        contacts = tuple(near_of(layout, essential, found, group) for group in worksite.contacts.groups(found))
         if inhibit.arm:
-            standing = worksite.contacts.standing(site.layout, found, flight.scenario.arm.model.units)
+            standing = worksite.contacts.standing(layout, found, flight.scenario.arm.model.units)
             reasons = tuple(contact.text for contact in standing if contact.inhibits)
-    objective, conditions = present_objective(flight, state)
+    objective, conditions = present_objective(site, worksite)
     return Work(
         task=worksite.task,
-        nearest=None if group < 0 else near_of(flight, state, worksite.watch.found, group),
+        nearest=None if group < 0 else near_of(layout, essential, worksite.watch.found, group),
         clearance_level=state.panel.clearance,
         contacts=contacts,
         arm_inhibit=inhibit.arm,
@@ -48,37 +51,37 @@ def work_of(flight: Flight, state: State) -> Work:
         inhibits=reasons,
         objective=objective,
         conditions=conditions,
-        hand=_hand(flight, state),
+        hand=_hand(flight, worksite, loaded=state.carried.payload is not None),
         stand=state.plant.stand.position if site.prong else None,
-        orbiter=_displacement(site, state),
-        orbiter_velocity=_velocity(site, state),
-        cargo=tuple(_cargo(flight, state, k) for k in range(len(site.cargo))),
+        orbiter=_displacement(site, worksite, state.plant),
+        orbiter_velocity=_velocity(site, worksite, state.plant),
+        cargo=tuple(_cargo(site, worksite, k, period) for k in range(len(site.cargo))),
         master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
     )
 
 
-def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
-    """Return every monitored pair, the smallest clearance first."""
-    worksite = state.worksite
-    watch = worksite.watch.copied()
-    watch.update(worksite.before, worksite.frames, flight.scenario.control_period)
+def all_near(layout: Layout, worksite: WorksiteState, period: float) -> tuple[Near, ...]:
+    """Return every monitored pair, the smallest clearance first; `period`: the control period [s]."""
+    watch, essential = worksite.watch.copied(), worksite.contacts.essential
+    watch.update(worksite.before, worksite.frames, period)
     found = watch.found[:, CLEARANCE]
     groups = np.flatnonzero(np.isfinite(found))
-    return tuple(near_of(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
+    order = groups[np.argsort(found[groups], kind="stable")].tolist()
+    return tuple(near_of(layout, essential, watch.found, group) for group in order)
 
 
-def _displacement(site: Site, state: State) -> Vec3:
+def _displacement(site: Site, worksite: WorksiteState, plant: PlantState) -> Vec3:
     """Return the displacement of the orbiter since the start, in L's axes at the start [m]."""
-    if state.plant.bodies is None:
-        return _in_l(site, state.worksite.orbiter)
-    return _three(state.plant.base)
+    if plant.bodies is None:
+        return _in_l(site, worksite.orbiter)
+    return _three(plant.base)
 
 
-def _velocity(site: Site, state: State) -> Vec3:
+def _velocity(site: Site, worksite: WorksiteState, plant: PlantState) -> Vec3:
     """Return the velocity of the orbiter in L's axes [m/s]; on a plant with masses, that of its centre of mass."""
-    if state.plant.bodies is None:
-        return _in_l(site, state.worksite.orbiter_velocity)
-    return _three(state.plant.bodies.orbiter_velocity)
+    if plant.bodies is None:
+        return _in_l(site, worksite.orbiter_velocity)
+    return _three(plant.bodies.orbiter_velocity)
 
 
 def _three(values: Array) -> Vec3:
@@ -101,10 +104,13 @@ def _six(values: Array) -> Six:
     return a, b, c, d, e, f
 
 
-def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
-    """Return the record of a monitored pair, from row `group` of `found` (g, 15) and the names of the two parts."""
+def near_of(layout: Layout, essential: Mask, found: Array, group: int) -> Near:
+    """Return the record of a monitored pair, from row `group` of `found` (g, 15) and the names of the two parts.
+
+    `essential` (g,) is 1 for pairs whose contacts belong to the task.
+    """
     row = found[group].tolist()
-    a, b = flight.site.layout.named(group)
+    a, b = layout.named(group)
     touching = row[CLEARANCE] <= CONTACT
     return Near(
         a,
@@ -115,19 +121,20 @@ def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
         (row[POINT_B], row[POINT_B + 1], row[POINT_B + 2]),
         _ZERO if touching else (row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]),
         0.0 if touching else row[DISTANCE],
-        bool(state.worksite.contacts.essential[group]),
+        bool(essential[group]),
         named(int(row[FEATURE_A])) if touching else "",
         named(int(row[FEATURE_B])) if touching else "",
     )
 
 
-def _hand(flight: Flight, state: State) -> Hand:
-    worksite, has = state.worksite, flight.scenario.arm.model.equipment.prong
+def _hand(flight: Flight, worksite: WorksiteState, *, loaded: bool) -> Hand:
+    """Return the record of the end effector; `loaded`: whether a payload is in the grasp."""
+    has = flight.scenario.arm.model.equipment.prong
     if has is not None:
         prong, travel = worksite.prong.position, flight.prong
         opening = (travel.high - prong) / (travel.high - travel.low)
         spacing = has.fixed_finger - prong
-        shows = (("CAPTURE", state.carried.payload is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
+        shows = (("CAPTURE", loaded), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
         return Hand(worksite.switch, opening, spacing, None, tuple(name for name, on in shows if on))
     snare = worksite.snare
     lit = _lit(snare)
@@ -140,10 +147,7 @@ def _lit(snare: Snare) -> tuple[str, ...]:
     return tuple(name for name, on in flags(snare)._asdict().items() if on)
 
 
-def _cargo(flight: Flight, state: State, k: int) -> Cargo:
-    site, worksite = flight.site, state.worksite
-    position, orientation, velocity = moving(
-        worksite.frames, worksite.before, site.cargo_row(k), flight.scenario.control_period
-    )
+def _cargo(site: Site, worksite: WorksiteState, k: int, period: float) -> Cargo:
+    position, orientation, velocity = moving(worksite.frames, worksite.before, site.cargo_row(k), period)
     thing = worksite.cargo[k]
     return Cargo(site.cargo[k].name, position, orientation, velocity, thing.held, thing.seat)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from aftdeck.plant.linear_actuator import Slide, Travel
 from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.capture import snare_command
-from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.snare import Part, next_stage
 from aftdeck.worksite.report import Motion
 
@@ -23,12 +23,12 @@ _LEAST = 0.05
 speed at rest is not exactly zero."""
 
 
-def motions_of(flight: Flight, state: State) -> tuple[Motion, ...]:
+def motions_of(flight: Flight, worksite: WorksiteState, stand: Slide) -> tuple[Motion, ...]:
     """Return the mechanisms in motion: latches, snares, carriage, prong, telescope.
 
     Latches and carriage that wait, because further motion would make a contact, are left out.
     """
-    worksite, found = state.worksite, []
+    found: list[Motion] = []
     for k, payload in enumerate(worksite.cargo):
         if payload.latches.motion and not worksite.waiting:
             seat = next(berth.seat for berth in flight.site.berths[k] if berth.seat.name == payload.seat)
@@ -44,7 +44,7 @@ def motions_of(flight: Flight, state: State) -> tuple[Motion, ...]:
             text = _SNARE_TEXTS[part, target == 1.0]
             found.append(Motion(text, left * float(getattr(snares.times, part))))
     _add(found, worksite.prong, flight.prong, ("prong closes", "prong opens"))
-    _add(found, state.plant.stand, flight.telescope, ("telescope extends", "telescope retracts"))
+    _add(found, stand, flight.telescope, ("telescope extends", "telescope retracts"))
     return tuple(found)
 
 

@@ -8,8 +8,8 @@ from aftdeck.arrays import Array
 from aftdeck.frames import angle_between
 from aftdeck.kinematics.arm import Arm
 from aftdeck.matrices import distance
+from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.constants.flight import Flight
 
 REACHED, REACHED_TURN = 1e-3, math.radians(0.02)
 """Greatest final error with which the target counts as reached [m], [rad].
@@ -21,11 +21,11 @@ _FINE = 0.01
 """Distances below this value [m] are written with tenths of a millimetre."""
 
 
-def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
+def final_error_text(scenario: Scenario, arm: Arm, angles: Array, target: Target) -> str:
     """Return the tip's final error (distance and angle) as text; "" if the tip has reached the target.
 
     Args:
-        flight: constants of the run, with the scenario's end sphere.
+        scenario: the scenario, with its end sphere.
         arm: the arm, with its telescope at the present length.
         angles: (6,) joint angles [rad].
         target: final pose of the motion.
@@ -33,7 +33,7 @@ def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) ->
     tip = arm.forward(angles)
     away = distance(tip.position.tolist(), target.position)
     angle = angle_between(tip.rotation.tolist(), target.rotation)
-    if away <= max(REACHED, flight.scenario.near) and angle <= max(REACHED_TURN, flight.scenario.near_turn):
+    if away <= max(REACHED, scenario.near) and angle <= max(REACHED_TURN, scenario.near_turn):
         return ""
     length = f"{away:.2f} m" if away >= 1.0 else f"{away * 1e3:.{0 if away >= _FINE else 1}f} mm"
     degrees = math.degrees(angle)

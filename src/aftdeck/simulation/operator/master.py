@@ -9,8 +9,7 @@ import numpy as np
 
 from aftdeck.arms.equipment import Axis
 from aftdeck.arms.load import ArmModel
-from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.state import State
+from aftdeck.arrays import Array
 from aftdeck.steering.layout import HIGH, LOW, MASTER, RATE, STICKS
 
 AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
@@ -22,14 +21,19 @@ def axes_of(model: ArmModel) -> tuple[int, ...]:
     return tuple(AXES.index(axis) for axis in model.equipment.master)
 
 
-def turn_master(flight: Flight, state: State) -> None:
-    """Move the master arm by the sticks in `state.command`; full deflection moves a joint at its rate limit.
+def turn_master(axes: tuple[int, ...], rules: Array, command: Array, period: float) -> None:
+    """Move the master arm by the sticks in `command`; full deflection moves a joint at its rate limit.
 
     The sticks do not move the master arm beyond the stops in force. If a device has moved a joint beyond a stop, the
     sticks can only move this joint back.
+
+    Args:
+        axes: result of `axes_of` for this arm.
+        rules: the steering's rules in force.
+        command: input of the steering laws; its angles of the master arm are changed.
+        period: control period [s].
     """
-    command, rules = state.command, state.rules
-    axes, master = axes_of(flight.scenario.arm.model), command[MASTER : MASTER + 6]
+    master = command[MASTER : MASTER + 6]
     sticks = command[[STICKS + axis for axis in axes]]
     low, high = np.minimum(rules[LOW : LOW + 6], master), np.maximum(rules[HIGH : HIGH + 6], master)
-    master[:] = np.clip(master + sticks * rules[RATE : RATE + 6] * flight.scenario.control_period, low, high)
+    master[:] = np.clip(master + sticks * rules[RATE : RATE + 6] * period, low, high)

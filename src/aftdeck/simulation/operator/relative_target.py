@@ -12,16 +12,17 @@ from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
 from aftdeck.scenario.relative import at_cargo, at_seat
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame, RelativeTarget, Target, target_at
 from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.site import Site
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.grasp import pose_in_hand
-from aftdeck.simulation.state import State
 
 
-def resolve_target(flight: Flight, state: State, target: RelativeTarget) -> Target | str:
+def resolve_target(flight: Flight, worksite: WorksiteState, target: RelativeTarget) -> Target | str:
     """Return the present pose of a relative target; if the pose cannot be computed, return the reason as text."""
-    site, frames = flight.site, state.worksite.frames
+    site, frames = flight.site, worksite.frames
     match target:
         case AtSeat():
-            return _at_seat(flight, state, target)
+            return _at_seat(site, worksite, target)
         case AtCargo(cargo=k):
             over = row_of(at_cargo(flight.scenario.arm.model, site.cargo[k], target))
             return target_at(pose_of(_composed(frames[site.cargo_row(k)], over)))
@@ -30,13 +31,12 @@ def resolve_target(flight: Flight, state: State, target: RelativeTarget) -> Targ
             return target_at(pose_of(_composed(carrier, row_of(target.pose))))
 
 
-def _at_seat(flight: Flight, state: State, target: AtSeat) -> Target | str:
+def _at_seat(site: Site, worksite: WorksiteState, target: AtSeat) -> Target | str:
     """Return the tip pose with which the held payload is in a berth, or at the target's distance above the berth.
 
     Returns:
         The pose; or the reason as text, if no payload is held or the berth does not accept the payload.
     """
-    site, worksite = flight.site, state.worksite
     k = worksite.held
     if k is None:
         return "the grasp is empty: there is no payload to move to a berth"
@@ -44,7 +44,7 @@ def _at_seat(flight: Flight, state: State, target: AtSeat) -> Target | str:
     if berth is None:
         return f"the {site.seat(target.seat).title} does not accept {site.cargo[k].title}"
     seated = _composed(worksite.frames[berth.row], row_of(at_seat(berth.seat, site.cargo[k], target)))
-    joint = _composed(seated, inverse(pose_in_hand(flight, state, k)))
+    joint = _composed(seated, inverse(pose_in_hand(site, worksite.frames, k)))
     return target_at(pose_of(_composed(joint, site.hand)))
 
 

@@ -10,15 +10,16 @@ from functools import lru_cache
 
 import numpy as np
 
-from aftdeck.scenario.model import PhasePlan
+from aftdeck.plant.linear_actuator import Slide
+from aftdeck.plant.plant import Plant
+from aftdeck.scenario.model import PhasePlan, Sequences
 from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.stopping import is_at_rest
 from aftdeck.simulation.operator.relative_target import resolve_target
 from aftdeck.simulation.payloads.grasp import set_effector, update_steering
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Panel, Script, State
 from aftdeck.steering.layout import AIMS, ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
 from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
@@ -32,14 +33,14 @@ def play(flight: Flight, state: State) -> Inputs:
         phase = phases[script.phase]
         if script.began < 0:
             script.began, state.panel.motion_began = state.tick, state.tick - 1
-            log(flight, state, "phase", "info", f"phase {phase.name!r} begins")
+            state.log(flight.scenario.control_period).add("phase", "info", f"phase {phase.name!r} begins")
             given = phase.target
-            target = resolve_target(flight, state, given) if isinstance(given, RelativeTarget) else given
+            target = resolve_target(flight, state.worksite, given) if isinstance(given, RelativeTarget) else given
             if isinstance(target, str):
                 _fail(flight, state, f"phase {phase.name!r} failed: {target}")
                 continue
             _prepare(flight, state, phase)
-            return _first_inputs(flight, state, phase, target)
+            return _first_inputs(phase, target, _sticks(flight, state, phase))
         if _has_ended(flight, state, phase, state.tick):
             script.phase, script.began = script.phase + 1, -1
             continue
@@ -65,7 +66,7 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
     script.limits = limits
     if phase.attaches is not None:
         script.attached = phase.attaches
-        set_effector(flight, state, holding=phase.attaches > 0)
+        set_effector(flight, state.worksite, holding=phase.attaches > 0)
     update_steering(flight, state)
 
 
@@ -83,19 +84,17 @@ def end_if_time_is_up(flight: Flight, state: State) -> None:
     elif script.phase == len(scenario.phases) - 1 and _has_ended(flight, state, scenario.phases[-1], state.tick + 1):
         script.phase, script.ended = script.phase + 1, "completed"
     elif not script.ended:
-        name = phase_name(flight, state)
+        name = phase_name(scenario.phases, script)
         _fail(flight, state, f"the scenario's duration of {scenario.duration:g} s ended in phase {name!r}")
 
 
-def phase_name(flight: Flight, state: State) -> str:
+def phase_name(phases: tuple[PhasePlan, ...], script: Script) -> str:
     """Return the name of the present phase, or of the last phase if all have ended; "" if there are no phases."""
-    phases = flight.scenario.phases
-    return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
+    return phases[min(script.phase, len(phases) - 1)].name if phases else ""
 
 
-def _first_inputs(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
+def _first_inputs(phase: PhasePlan, target: Target | None, sticks: Inputs) -> Inputs:
     """Return the inputs of a phase's first step: its switches and sticks. Later steps do not repeat the switches."""
-    sticks = _sticks(flight, state, phase)
     return Inputs(
         mode=phase.mode,
         joint=phase.joint,
@@ -118,7 +117,7 @@ def _first_inputs(flight: Flight, state: State, phase: PhasePlan, target: Target
 
 
 def _later_inputs(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
-    if state.panel.sequence == "ready" and _between_points(flight, state):
+    if state.panel.sequence == "ready" and _between_points(flight.scenario.sequences, state.panel):
         return Inputs(proceed=True)
     if phase.joint_at is None:
         return _sticks(flight, state, phase)
@@ -126,7 +125,7 @@ def _later_inputs(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
     gap = phase.joint_at - float(state.steering[AIMS + phase.joint])
     rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
     drive = min(1.0, rate / float(rules[RATE + phase.joint]))
-    telescope = _telescope(flight, state, phase)
+    telescope = _telescope(flight, state.plant.stand, phase.stand_at)
     return Inputs(drive=drive if gap > 0.0 else -drive, telescope=telescope, orbiter=phase.orbiter)
 
 
@@ -134,7 +133,7 @@ def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
     """Return the stick inputs of a phase in a manual mode."""
     rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
     most = float(rules[SPEED]), float(rules[TURN]), float(rules[RATE + phase.joint])
-    return _deflected(phase, _telescope(flight, state, phase), most)
+    return _deflected(phase, _telescope(flight, state.plant.stand, phase.stand_at), most)
 
 
 @lru_cache(maxsize=64)
@@ -163,23 +162,21 @@ def _deflection(rate: Vec3, most: float) -> Vec3:
     return rate[0] / full, rate[1] / full, rate[2] / full
 
 
-def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
-    """Return the telescope's drive, in [-1, 1], for the length that the phase demands."""
-    if phase.stand_at is None:
+def _telescope(flight: Flight, stand: Slide, demanded: float | None) -> float:
+    """Return the telescope's drive, in [-1, 1], for a demanded length [m]; 0.0 if none is demanded."""
+    if demanded is None:
         return 0.0
-    remaining, rate = phase.stand_at - state.plant.stand.position, flight.telescope.rate
-    return max(-1.0, min(1.0, remaining / (rate * flight.scenario.control_period)))
+    return max(-1.0, min(1.0, (demanded - stand.position) / (flight.telescope.rate * flight.scenario.control_period)))
 
 
-def _between_points(flight: Flight, state: State) -> bool:
+def _between_points(sequences: Sequences, panel: Panel) -> bool:
     """Return whether AUTO 1-4 has reached at least one point of its sequence, but not the last."""
-    panel = state.panel
-    return 0 < panel.point < len(flight.scenario.sequences.get(panel.mode, ()))
+    return 0 < panel.point < len(sequences.get(panel.mode, ()))
 
 
-def _at_last_point(flight: Flight, state: State) -> bool:
+def _at_last_point(sequences: Sequences, panel: Panel) -> bool:
     """Return whether the present point is the last point of the sequence."""
-    return state.panel.point + 1 >= len(flight.scenario.sequences.get(state.panel.mode, ()))
+    return panel.point + 1 >= len(sequences.get(panel.mode, ()))
 
 
 def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
@@ -187,7 +184,7 @@ def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> boo
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
     if phase.until is not None or phase.stand_at is not None:
-        if _conditions_hold(flight, state, phase):
+        if _conditions_hold(flight.plant, state, phase):
             return True
         if late:
             _fail(flight, state, f"phase {phase.name!r} failed: not {_awaited(phase)} within its {phase.duration:g} s")
@@ -212,21 +209,21 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
         return bool(at_angle and abs(state.steering[RATES + phase.joint]) < flight.plant.accuracy.rate)
     if panel.sequence == "idle" and (panel.check is None or panel.check.good):
         return True
-    if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight, state):
+    if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight.scenario.sequences, panel):
         return True
-    if panel.sequence == "idle" or (panel.sequence == "ready" and not _between_points(flight, state)):
+    if panel.sequence == "idle" or (
+        panel.sequence == "ready" and not _between_points(flight.scenario.sequences, state.panel)
+    ):
         _fail(flight, state, f"phase {phase.name!r} failed: its motion was rejected or abandoned")
     return False
 
 
-def _conditions_hold(flight: Flight, state: State, phase: PhasePlan) -> bool:
+def _conditions_hold(plant: Plant, state: State, phase: PhasePlan) -> bool:
     """Return whether a phase's end conditions hold: its event has occurred, and the telescope has reached `stand_at`.
 
     A condition that the phase does not have is ignored.
     """
-    at_length = (
-        phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < flight.plant.accuracy.length
-    )
+    at_length = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < plant.accuracy.length
     match phase.until:
         case None:
             return at_length
@@ -244,4 +241,4 @@ def _awaited(phase: PhasePlan) -> str:
 
 def _fail(flight: Flight, state: State, text: str) -> None:
     state.script.ended = "fault"
-    log(flight, state, "fault", "warning", text)
+    state.log(flight.scenario.control_period).add("fault", "warning", text)

@@ -9,17 +9,19 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.arrays import Array
 from aftdeck.errors import AftdeckError
+from aftdeck.scenario.model import Scenario, Sequences
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.log import log
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.operator.check_request import begin_check
 from aftdeck.simulation.operator.final_error import final_error_text
 from aftdeck.simulation.operator.ways import final_angles
 from aftdeck.simulation.state import Ending, Panel, State
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, LAW, MASTER, MOTION_ACTIVE, PLAN, RATIO, TARGET
-from aftdeck.steering.mode import AUTOMATIC_LAWS
+from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
 from aftdeck.steering.rehearsal import MAX_STOPPED_TIME, STANDSTILL
 from aftdeck.tuples import Joints
 
@@ -29,22 +31,21 @@ _STANDSTILLS = {
 }
 
 
-def next_target(flight: Flight, panel: Panel) -> Target | None:
+def next_target(sequences: Sequences, panel: Panel) -> Target | None:
     """Return the next target of the present mode: the sequence's next point in AUTO 1-4, else the keyed-in pose.
 
     None if there is no next point or no keyed-in pose.
     """
-    points = flight.scenario.sequences.get(panel.mode)
+    points = sequences.get(panel.mode)
     if points is None:
         return panel.keyed
     return points[panel.point].target if panel.point < len(points) else None
 
 
-def begin(flight: Flight, state: State, target: Target, joints: Joints | None = None) -> None:
+def begin(state: State, target: Target, joints: Joints | None = None) -> None:
     """Begin an automatic motion. If the arm is moving, it first comes to rest (`steering.course`).
 
     Args:
-        flight: constants of the run.
         state: state of the run; OPERIN's values are written to its `command`.
         target: final pose of the tip.
         joints: mode 1's final joint angles [rad]; if None, `ways.final_angles` computes them.
@@ -62,7 +63,7 @@ def begin(flight: Flight, state: State, target: Target, joints: Joints | None = 
     panel.target, panel.sequence, panel.blocked = target, "in progress", 0
 
 
-def finish(flight: Flight, state: State) -> None:
+def finish(flight: Flight, state: State, log: Log) -> None:
     """End the automatic motion if it reached its target in the last step, or if the arm stood still for too long."""
     panel = state.panel
     panel.ending, panel.final_error = "", ""
@@ -79,41 +80,40 @@ def finish(flight: Flight, state: State) -> None:
         and state.report[ANGLE] <= flight.scenario.fly_by_turn
     )
     still = state.report[RATIO] < STANDSTILL
-    inside = flight.plant.has_servos and _inside(flight, state)
+    inside = flight.plant.has_servos and _inside(flight.scenario, state.panel.law, state.command, state.report)
     if inside or state.report[ARRIVED] or passing or (still and not _final_error(flight, state)):
-        _arrive(flight, state, passing, inside=inside)
+        _arrive(flight, state, log, passing, inside=inside)
         return
     panel.blocked = panel.blocked + 1 if still else 0
     if panel.blocked * flight.scenario.control_period >= MAX_STOPPED_TIME:
         panel.sequence, panel.blocked, panel.ending = "ready", 0, "given up"
         halt = state.worksite.halt
         why = (
-            latched_payload_reason(flight, state)
+            latched_payload_reason(flight.site, state.worksite)
             if halt == "seat"
             else joint_lock_reason(state.panel) or _STANDSTILLS[halt]
         )
-        log(flight, state, "blocked", "caution", f"automatic motion abandoned: {why}")
+        log.add("blocked", "caution", f"automatic motion abandoned: {why}")
 
 
-def _inside(flight: Flight, state: State) -> bool:
+def _inside(scenario: Scenario, law: LawChoice, command: Array, report: Array) -> bool:
     """Return whether mode 2 has brought the tip into the end sphere.
 
     With servos, mode 2 ends there without waiting for rest: an arm that bends never comes to rest under mode 2, whose
     demanded speed changes too steeply with the distance near the target.
     """
-    if flight.scenario.strict or state.panel.law != "closed loop" or state.command[MOTION_ACTIVE] == 0.0:
+    if scenario.strict or law != "closed loop" or command[MOTION_ACTIVE] == 0.0:
         return False
-    near, near_turn = flight.scenario.near, flight.scenario.near_turn
-    return bool(state.report[DISTANCE] <= near and state.report[ANGLE] <= near_turn)
+    return bool(report[DISTANCE] <= scenario.near and report[ANGLE] <= scenario.near_turn)
 
 
 def _final_error(flight: Flight, state: State) -> str:
     """Return the final error at the present target as text; "" if the target is reached or there is no target."""
     target = state.panel.target
-    return "" if target is None else final_error_text(flight, state.arm, state.plant.angles, target)
+    return "" if target is None else final_error_text(flight.scenario, state.arm, state.plant.angles, target)
 
 
-def _arrive(flight: Flight, state: State, passing: bool, *, inside: bool) -> None:
+def _arrive(flight: Flight, state: State, log: Log, passing: bool, *, inside: bool) -> None:
     """Start the motion to a sequence's next point, wait for PROCEED at a pause point, or end the motion.
 
     If the encoders have seen the tip inside the end sphere (`inside`), the target is reached, although an arm with
@@ -123,27 +123,27 @@ def _arrive(flight: Flight, state: State, passing: bool, *, inside: bool) -> Non
     points = flight.scenario.sequences.get(panel.mode, ())
     final_error = "" if passing or inside else _final_error(flight, state)
     name = f"{panel.mode}, point {panel.point + 1} of {len(points)}" if points else "target"
-    _log_arrival(flight, state, name, passing, final_error)
+    _log_arrival(log, name, passing, final_error)
     continues = bool(points) and panel.point + 1 < len(points) and not points[panel.point].pause
     panel.point += 1 if points else 0
     if continues:
         try:
-            begin(flight, state, points[panel.point].target)
+            begin(state, points[panel.point].target)
             if passing:  # mode 2 does not plan from rest, so the arm need not come to rest first
                 state.command[MOTION_ACTIVE], panel.motion_began = 1.0, state.tick - 1
         except AftdeckError as error:
             _end(panel, "given up", final_error)
-            log(flight, state, "check", "caution", f"{panel.mode} stopped: {error}")
+            log.add("check", "caution", f"{panel.mode} stopped: {error}")
         return
     _end(panel, "missed" if final_error else "reached", final_error)
     if not points:
         return
     if panel.point == len(points):
         panel.target, panel.check = None, None
-        log(flight, state, "sequence", "info", f"{panel.mode} complete")
+        log.add("sequence", "info", f"{panel.mode} complete")
         return
     panel.target = points[panel.point].target
-    log(flight, state, "sequence", "info", "pause point: PROCEED continues the sequence")
+    log.add("sequence", "info", "pause point: PROCEED continues the sequence")
     begin_check(state, panel.target)
 
 
@@ -151,9 +151,9 @@ def _end(panel: Panel, ending: Ending, final_error: str) -> None:
     panel.sequence, panel.ending, panel.final_error = "idle", ending, final_error
 
 
-def _log_arrival(flight: Flight, state: State, name: str, passing: bool, final_error: str) -> None:
+def _log_arrival(log: Log, name: str, passing: bool, final_error: str) -> None:
     """Log that a target was passed, reached or missed, with the final error."""
     if final_error:
-        log(flight, state, "arrived", "caution", f"{name} missed: final error {final_error}")
+        log.add("arrived", "caution", f"{name} missed: final error {final_error}")
     else:
-        log(flight, state, "arrived", "info", f"{name} {'passed' if passing else 'reached'}")
+        log.add("arrived", "info", f"{name} {'passed' if passing else 'reached'}")

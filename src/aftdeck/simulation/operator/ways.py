@@ -12,10 +12,11 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.errors import UnreachableError
+from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.matrices import distance
+from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import AGREED
 from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.parts.checking import Way
@@ -27,7 +28,7 @@ ROUNDING = 1e-9
 """Greatest angle past a soft stop that counts as a rounding error of a solution [rad]."""
 
 
-def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:
+def ways(scenario: Scenario, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:
     """Return the ways to a target with a steering law, sorted by the lower bound of their duration.
 
     Raises:
@@ -37,14 +38,15 @@ def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[
     if law != "position":
         final_angles(state, target)
         return (Way(law, None, 0.0, ""),)
-    given = _given(state, target)
-    found = [given] if given is not None else _branches(flight, state, target)
+    arm, now = state.arm, state.plant.angles
+    given = _given(arm, target)
+    found = [given] if given is not None else _branches(scenario, arm, now, target)
     rules = state.carried.rules["OPR CMD", state.panel.rate, AUTOMATIC_LAWS["position"]]
     result = []
     for angles in found:
         a, b, c, d, e, f = angles.tolist()
-        least = float((np.abs(angles - state.plant.angles) / rules[RATE : RATE + 6]).max())
-        result.append(Way("position", (a, b, c, d, e, f), least, _name(state, angles)))
+        least = float((np.abs(angles - now) / rules[RATE : RATE + 6]).max())
+        result.append(Way("position", (a, b, c, d, e, f), least, _name(arm, now, angles)))
     return tuple(sorted(result, key=lambda way: way.least))
 
 
@@ -58,7 +60,7 @@ def final_angles(state: State, target: Target) -> Array:
     Raises:
         UnreachableError, SingularityError: no joint angles put the tip at the target.
     """
-    given = _given(state, target)
+    given = _given(state.arm, target)
     if given is not None:
         return given
     near = state.plant.angles if target.joints is None else np.array(target.joints)
@@ -66,41 +68,42 @@ def final_angles(state: State, target: Target) -> Array:
     return nearest
 
 
-def _given(state: State, target: Target) -> Array | None:
+def _given(arm: Arm, target: Target) -> Array | None:
     """Return the target's own joint angles if they exist and put the tip at the target; else None."""
     if target.joints is None:
         return None
     angles = np.array(target.joints)
-    return angles if distance(state.arm.forward(angles).position.tolist(), target.position) <= AGREED else None
+    return angles if distance(arm.forward(angles).position.tolist(), target.position) <= AGREED else None
 
 
-def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
+def _branches(scenario: Scenario, arm: Arm, now: Array, target: Target) -> list[Array]:
     """Return all solutions for the joint angles that are inside the soft stops.
 
     Under `strict`, return only RMANGS's own solution, without a test of the soft stops. If no solution is inside the
     soft stops, return all solutions under `as_flown`; without `as_flown`, raise UnreachableError.
+    `now` (6,) are the present angles [rad].
     """
-    near = state.plant.angles if target.joints is None else np.array(target.joints)
-    if flight.scenario.strict:
-        return [state.arm.rmangs(target.pose)]
-    solutions = state.arm.inverse(target.pose, near=near)
-    low, high = flight.scenario.arm.limits.soft.T
+    near = now if target.joints is None else np.array(target.joints)
+    if scenario.strict:
+        return [arm.rmangs(target.pose)]
+    solutions = arm.inverse(target.pose, near=near)
+    low, high = scenario.arm.limits.soft.T
     beyond = np.maximum(low - solutions, solutions - high)
     inside = [angles for angles, most in zip(solutions, beyond.max(axis=1), strict=True) if most <= ROUNDING]
-    if not inside and not flight.scenario.as_flown:
+    if not inside and not scenario.as_flown:
         row = int(beyond.max(axis=1).argmin())
         joint = int(beyond[row].argmax())
         raise UnreachableError(
-            f"every solution lies outside the soft stops; the nearest needs {joint_label(state.arm.joints[joint])} at "
+            f"every solution lies outside the soft stops; the nearest needs {joint_label(arm.joints[joint])} at "
             f"{math.degrees(solutions[row, joint]):.2f} deg, {math.degrees(beyond[row, joint]):.2f} deg outside",
             float(beyond[row, joint]),
-            state.arm.joints[joint],
+            arm.joints[joint],
         )
     return inside or list(solutions)
 
 
-def _name(state: State, angles: Array) -> str:
-    """Return a text that names the parts of the arm that are flipped relative to the present pose."""
-    now, then = (state.arm.singularities(q) for q in (state.plant.angles, angles))
-    turned = [name for name, a, b in zip(NAMES, now, then, strict=True) if float(a) * float(b) < 0.0]
+def _name(arm: Arm, now: Array, angles: Array) -> str:
+    """Return a text that names the parts of the arm that are flipped at `angles` (6,) relative to `now` (6,)."""
+    before, after = (arm.singularities(q) for q in (now, angles))
+    turned = [name for name, a, b in zip(NAMES, before, after, strict=True) if float(a) * float(b) < 0.0]
     return f"{' and '.join(turned)} flipped" if turned else "present configuration"

@@ -24,11 +24,10 @@ from aftdeck.frames import oriend_rows
 from aftdeck.law import law
 from aftdeck.matrices import length, product
 from aftdeck.simulation.constants.berths import Berth
-from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Snares
 from aftdeck.simulation.constants.site import Meeting, Site
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand
-from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.acquisition import enclosed_bar
 from aftdeck.worksite.model import Relation
 from aftdeck.worksite.seats.berthing import over
@@ -56,17 +55,19 @@ UNDECIDED = 2
 """Mark of a pair that counts unless its parts are aligned."""
 
 
-def count(flight: Flight, state: State) -> None:
-    """Update the pairs that count for the minimum clearance of the next step, after all motion of this step."""
-    worksite = state.worksite
+def count(site: Site, worksite: WorksiteState, travel: float) -> None:
+    """Update the pairs that count for the minimum clearance of the next step, after all motion of this step.
+
+    `travel` is the greatest distance by which two parts can approach in the next step [m] (`Flight.within`).
+    """
     worksite.watch.counts, worksite.aligned_with = alarm_pairs(
-        flight, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
-        worksite.contacts, worksite.permitted, flight.within,
+        site, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
+        worksite.contacts, worksite.permitted, travel,
     )  # fmt: skip
 
 
 def alarm_pairs(
-    flight: Flight,
+    site: Site,
     held: int | None,
     watch: ClearanceMonitor,
     frames: Array,
@@ -79,7 +80,7 @@ def alarm_pairs(
     """Return the pairs that count for the minimum clearance, and the payload with which the end effector is aligned.
 
     Args:
-        flight: constants of the run.
+        site: constants of the worksite.
         held: the payload in the grasp; None if the grasp is empty.
         watch: clearances that were measured at `frames`.
         frames: (F, 12) poses of all frames in L.
@@ -95,7 +96,6 @@ def alarm_pairs(
         A mask (g,), 1 for the pairs that count for CLEARANCE; and the payload with which the end effector is aligned,
         or None.
     """
-    site = flight.site
     counts = site.detrimental.copy()
     if held is not None:
         _except_berth(site, held, watch, frames, nearest, counts)

@@ -7,25 +7,25 @@ from math import inf
 import numpy as np
 from msgspec.structs import replace
 
-from aftdeck.plant.state import ContactForce
-from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.log import log
+from aftdeck.plant.state import Bodies, ContactForce
+from aftdeck.simulation.log import Log
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.forces import ENDED_AFTER
-from aftdeck.simulation.state import State
+from aftdeck.worksite.conditions import Units
 from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.groups import Layout
 
 _NEW = ContactForce(apart_for=inf)
 """Force of a contact that begins without a force, such as of parts that only touch."""
 
 
-def log_contacts(flight: Flight, state: State) -> None:
+def log_contacts(layout: Layout, worksite: WorksiteState, bodies: Bodies | None, log: Log, units: Units) -> None:
     """Log the contacts that began or ended.
 
     Without contact forces, a contact ends as soon as the parts are apart. With them, parts that are pressed together
     can bounce; their contact ends when they have been apart for `ENDED_AFTER`. It can then begin and end within a
     control period, so that the parts overlap at no end of a step.
     """
-    site, worksite, bodies = flight.site, state.worksite, state.plant.bodies
     contacts, found = worksite.contacts, worksite.watch.found
     forces = {} if bodies is None else bodies.contacts
     if not (contacts.inhibit.changed or forces):
@@ -38,14 +38,14 @@ def log_contacts(flight: Flight, state: State) -> None:
         touching.update(touch.group for touch in bodies.touches if worksite.watch.active[touch.group])
     logged = set(worksite.logged_contacts)
     for group in sorted(touching - logged, key=lambda group: float(found[group, CLEARANCE])):
-        contact = contacts.contact(group, site.layout, found, flight.scenario.arm.model.units)
-        log(flight, state, "contact", "info" if contact.essential else "caution", contact.text)
+        contact = contacts.contact(group, layout, found, units)
+        log.add("contact", "info" if contact.essential else "caution", contact.text)
     for group in sorted(logged - touching):
         if group in forces and forces[group].apart_for <= ENDED_AFTER:
             touching.add(group)
             continue
-        a, b = site.layout.named(group)
-        log(flight, state, "contact", "info", f"{a} clear of {b}{_force_text(forces.pop(group, None))}")
+        a, b = layout.named(group)
+        log.add("contact", "info", f"{a} clear of {b}{_force_text(forces.pop(group, None))}")
     worksite.logged_contacts = tuple(sorted(touching))
 
 

@@ -16,11 +16,12 @@ from aftdeck.plant.plant import Push, Pushed
 from aftdeck.scenario.disturbance import ORBITER, SPACE, TIP, Disturbance
 from aftdeck.scenario.payload import PART
 from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame import Wrench
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
 from aftdeck.tuples import plain_vector
+from aftdeck.worksite.model import Cargo
 
 
 def check_disturbances(flight: Flight, state: State, given: Iterable[Disturbance]) -> None:
@@ -45,13 +46,14 @@ def disturb(flight: Flight, state: State, inputs: Inputs) -> None:
     acting = tuple(_acting(flight, state, inputs))
     state.disturbances = acting
     now, was = {one.body for one in acting}, {one.body for one in before}
+    log = state.log(flight.scenario.control_period)
     for one in acting:
         if one.body not in was:
             was.add(one.body)
             size = f"{length(one.force):.4g} N, {length(one.torque):.4g} N m"
-            log(flight, state, "disturbance", "info", f"disturbance of {one.body} begins: {size}")
+            log.add("disturbance", "info", f"disturbance of {one.body} begins: {size}")
     for name in sorted(was - now):
-        log(flight, state, "disturbance", "info", f"disturbance of {name} ends")
+        log.add("disturbance", "info", f"disturbance of {name} ends")
 
 
 def _acting(flight: Flight, state: State, inputs: Inputs) -> Iterator[Wrench]:
@@ -66,7 +68,10 @@ def _acting(flight: Flight, state: State, inputs: Inputs) -> Iterator[Wrench]:
 
 def _wrench(flight: Flight, state: State, given: Disturbance, share: float) -> Wrench | None:
     """Return a disturbance in L; None if it needs the scenario's own payload, and none is attached."""
-    axes, place = _axes(flight, state, given.frame), _place(flight, state, given)
+    number, frames = state.script.attached, state.worksite.frames
+    attached = flight.scenario.own_payloads[number - 1] if number else None
+    axes = _axes(flight, frames, state.plant.base, attached, given.frame)
+    place = _place(flight, frames, attached, given)
     if axes is None or place is None:
         return None
     return Wrench(
@@ -77,18 +82,24 @@ def _wrench(flight: Flight, state: State, given: Disturbance, share: float) -> W
     )
 
 
-def pushes(flight: Flight, state: State) -> Iterator[Push]:
-    """Yield what the disturbances of this step do to the plant's bodies, in the axes of space."""
-    base = pose_of(state.plant.base)
+def pushes(cargo: tuple[Cargo, ...], disturbances: tuple[Wrench, ...], base_row: Array) -> Iterator[Push]:
+    """Yield what disturbances do to the plant's bodies, in the axes of space.
+
+    Args:
+        cargo: the payloads.
+        disturbances: the disturbances of this step, in L.
+        base_row: (12,) pose of L in the frame that is fixed in space and coincided with L at the start.
+    """
+    base = pose_of(base_row)
     bodies: dict[str, Pushed] = {TIP: "hand", PART: "attached", ORBITER: "orbiter"}
-    bodies |= {one.name: k for k, one in enumerate(flight.site.cargo)}
-    for one in state.disturbances:
+    bodies |= {one.name: k for k, one in enumerate(cargo)}
+    for one in disturbances:
         on = bodies[one.body]
         force, torque = (product(base.rotation, np.array(vector)) for vector in (one.force, one.torque))
         yield Push(on, force, torque, base.position + product(base.rotation, np.array(one.position)))
 
 
-def _axes(flight: Flight, state: State, name: str) -> Array | None:
+def _axes(flight: Flight, frames: Array, base: Array, attached: Payload | None, name: str) -> Array | None:
     """Return the axes (3, 3) of a coordinate frame in L, as columns."""
     match name:
         case "L":
@@ -96,13 +107,13 @@ def _axes(flight: Flight, state: State, name: str) -> Array | None:
         case "orbiter" | "panel":
             return flight.scenario.arm.model.mount.rotation.T
         case _ if name == SPACE:
-            return state.plant.base[3:].reshape(3, 3).T
+            return base[3:].reshape(3, 3).T
         case _:
-            found = _frame(flight, state, name)
+            found = _frame(flight.site, frames, attached, name)
             return None if found is None else found[0].rotation
 
 
-def _place(flight: Flight, state: State, given: Disturbance) -> Array | None:
+def _place(flight: Flight, frames: Array, attached: Payload | None, given: Disturbance) -> Array | None:
     """Return the point (3,) in L at which a disturbance's force acts [m]."""
     if given.on == ORBITER:
         mount = flight.scenario.arm.model.mount
@@ -110,19 +121,18 @@ def _place(flight: Flight, state: State, given: Disturbance) -> Array | None:
             return mount.from_("orbiter", Pose(np.array(given.at), np.eye(3))).position
         assert flight.scenario.worksite.orbiter is not None, "an orbiter that moves has a mass"
         return flight.scenario.worksite.orbiter.in_l(mount).centre
-    found = _frame(flight, state, given.on)
+    found = _frame(flight.site, frames, attached, given.on)
     if found is None:
         return None
     pose, centre = found
     return pose.position + product(pose.rotation, centre if given.at is None else np.array(given.at))
 
 
-def _frame(flight: Flight, state: State, name: str) -> tuple[Pose, Array] | None:
+def _frame(site: Site, frames: Array, attached: Payload | None, name: str) -> tuple[Pose, Array] | None:
     """Return the true pose in L of the tip or a payload, and in its axes the point (3,) at which forces act [m].
 
-    None for the scenario's own payload while none is attached.
+    None for the scenario's own payload if it is not `attached`. `frames` are (F, 12) poses of all frames in L.
     """
-    site, frames = flight.site, state.worksite.frames
     for k, cargo in enumerate(site.cargo):
         if name == cargo.name:
             return pose_of(frames[site.cargo_row(k)]), cargo.centre_of_mass
@@ -130,10 +140,4 @@ def _frame(flight: Flight, state: State, name: str) -> tuple[Pose, Array] | None
     tip = Pose(last.position + product(last.rotation, hand.position), product(last.rotation, hand.rotation))
     if name == TIP:
         return tip, np.zeros(3)
-    own = _attached(flight, state)
-    return None if own is None else (own.pose(tip), own.centre_of_mass)
-
-
-def _attached(flight: Flight, state: State) -> Payload | None:
-    number = state.script.attached
-    return flight.scenario.own_payloads[number - 1] if number else None
+    return None if attached is None else (attached.pose(tip), attached.centre_of_mass)

@@ -6,11 +6,9 @@ from msgspec.structs import replace
 
 from aftdeck.matrices import length
 from aftdeck.plant.state import Bodies, ContactForce
-from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
-from aftdeck.simulation.log import log
-from aftdeck.simulation.parts.worksite_state import PayloadState
-from aftdeck.simulation.state import State
+from aftdeck.simulation.log import Log
+from aftdeck.simulation.parts.worksite_state import PayloadState, WorksiteState
 
 REPORTED_AFTER = 5.0
 """Time after the beginning of a hold, in which its greatest force is found [s] (assumed)."""
@@ -25,14 +23,14 @@ def held_by(site: Site, payload: PayloadState) -> tuple[bool, bool, bool]:
     return payload.held, bool(payload.seat) and not in_space, in_space
 
 
-def watch_forces(flight: Flight, state: State, bodies: Bodies) -> None:
+def watch_forces(site: Site, worksite: WorksiteState, bodies: Bodies, log: Log, period: float) -> None:
     """Update the greatest forces of holds and contacts; log the force of a capture, of a docking or of latches.
 
     The force of a hold is logged once, when the hold has lasted for `REPORTED_AFTER` and no latch moves.
+    `period` is the control period [s].
     """
-    period = flight.scenario.control_period
-    for k, payload in enumerate(state.worksite.cargo):
-        for holder, holds in enumerate(held_by(flight.site, payload)):
+    for k, payload in enumerate(worksite.cargo):
+        for holder, holds in enumerate(held_by(site, payload)):
             force = float(bodies.held_greatest[k, holder])
             if not (holds or force > 0.0):
                 bodies.held_peaks[k, holder] = bodies.held_for[k, holder] = 0.0
@@ -43,14 +41,15 @@ def watch_forces(flight: Flight, state: State, bodies: Bodies) -> None:
             before = float(bodies.held_for[k, holder])
             bodies.held_for[k, holder] = before + period
             if before < REPORTED_AFTER <= before + period:
-                _report(flight, state, k, holder, float(bodies.held_peaks[k, holder]))
+                by, peak = _holder(site, payload, holder), float(bodies.held_peaks[k, holder])
+                log.add("force", "info", f"{by} holds {site.cargo[k].title}: greatest force {peak:.0f} N")
     if bodies.touches or bodies.contacts:
-        _count_contacts(state, bodies, period)
+        _count_contacts(bodies, worksite.logged_contacts, period)
 
 
-def _count_contacts(state: State, bodies: Bodies, period: float) -> None:
-    """Update the force of each contact; forget contacts that have ended without a log line."""
-    contacts, logged = bodies.contacts, state.worksite.logged_contacts
+def _count_contacts(bodies: Bodies, logged: tuple[int, ...], period: float) -> None:
+    """Update the force of each contact; forget contacts that have ended and are not in `logged`."""
+    contacts = bodies.contacts
     before = dict(contacts)
     for touch in bodies.touches:
         so_far = before.pop(touch.group, ContactForce())
@@ -64,8 +63,6 @@ def _count_contacts(state: State, bodies: Bodies, period: float) -> None:
             contacts[group] = replace(so_far, apart_for=so_far.apart_for + period)
 
 
-def _report(flight: Flight, state: State, k: int, holder: int, force: float) -> None:
-    """Log the greatest force of a hold [N]."""
-    payload, title = state.worksite.cargo[k], flight.site.cargo[k].title
-    by = "end effector" if holder == 0 else flight.site.seat(payload.seat).title
-    log(flight, state, "force", "info", f"{by} holds {title}: greatest force {force:.0f} N")
+def _holder(site: Site, payload: PayloadState, holder: int) -> str:
+    """Return the name of what holds a payload; `holder`: its index in the result of `held_by`."""
+    return "end effector" if holder == 0 else site.seat(payload.seat).title

@@ -13,10 +13,12 @@ import numpy as np
 from aftdeck.arrays import Array, Mask
 from aftdeck.law import law
 from aftdeck.matrices import dots, product
+from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame_poses import frames_with_prong_at
-from aftdeck.simulation.log import log
 from aftdeck.simulation.parts.free_flight import Floating
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.state import State
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import ARM
@@ -43,14 +45,14 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
         k: the payload.
         floating: the payload's free flight before this step.
     """
-    period, worksite = flight.scenario.control_period, state.worksite
-    if not measured(worksite.watch.found, flight.site.of_cargo[k]):  # no part is near enough to touch in this step
+    site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
+    if not measured(worksite.watch.found, site.of_cargo[k]):  # no part is near enough to touch in this step
         floating.move(period)
         floating.met = False
         return floating
     after = floating.moved(period)
-    here = looked_at(worksite.watch, _frames(flight, state, k, floating))
-    group = _group_in_contact(flight, state, k, here, after)
+    here = looked_at(worksite.watch, _frames(site, worksite, state.plant, k, floating))
+    group = worst_new_contact(here, site.of_cargo[k], _frames(site, worksite, state.plant, k, after))
     if group < 0:
         after.met = False
         return after
@@ -66,15 +68,10 @@ def measured(found: Array, groups: Mask) -> bool:
     return near
 
 
-def _frames(flight: Flight, state: State, k: int, floating: Floating) -> Array:
+def _frames(site: Site, worksite: WorksiteState, plant: PlantState, k: int, floating: Floating) -> Array:
     """Set payload k to the pose of a free flight, and return the poses of all frames in L, (F, 12)."""
-    state.worksite.poses_in_carrier[k] = floating.pose
-    return frames_with_prong_at(flight, state, state.worksite.prong.position)
-
-
-def _group_in_contact(flight: Flight, state: State, k: int, here: ClearanceMonitor, after: Floating) -> int:
-    """Return the pair whose contact a motion of payload k makes or deepens; -1 if there is no such pair."""
-    return worst_new_contact(here, flight.site.of_cargo[k], _frames(flight, state, k, after))
+    worksite.poses_in_carrier[k] = floating.pose
+    return frames_with_prong_at(site, worksite, plant, worksite.prong.position)
 
 
 def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: ClearanceMonitor, group: int) -> Floating:
@@ -82,21 +79,22 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Cle
 
     A contact that did not exist in the last step is logged.
     """
-    period, site = flight.scenario.control_period, flight.site
+    site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
     free, share = 0.0, 0.5
     for _ in range(0 if floating.met else HALVINGS):
-        clear = _group_in_contact(flight, state, k, here, floating.moved((free + share) * period)) < 0
+        later = _frames(site, worksite, plant, k, floating.moved((free + share) * period))
+        clear = worst_new_contact(here, site.of_cargo[k], later) < 0
         free, share = free + share if clear else free, 0.5 * share
     stopped = floating.moved(free * period)
     first = site.layout.frames[site.layout.between_frames[group, 0]] == site.cargo[k].name
     row = here.found[group]
     normal = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
     point = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
-    frames = _frames(flight, state, k, floating)
+    frames = _frames(site, worksite, plant, k, floating)
     lever = point - frames[site.cargo_row(k), :3]
     other = int(site.layout.between_frames[group, 1 if first else 0])
-    other_velocity = _velocity(flight, state, site.layout.frames[other])
-    surface = other_velocity + _of_arm(flight, state, frames, other, point)
+    other_velocity = _velocity(site, worksite, site.layout.frames[other])
+    surface = other_velocity + _of_arm(site, worksite, frames, other, point, period)
     approach, sweep = _closing(floating, surface, lever, normal)
     reflects = flight.scenario.free_contact == "reflect" and not floating.met
     if reflects:
@@ -110,17 +108,16 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Cle
         speed = quantity_text(approach + sweep, "m", flight.scenario.arm.model.units) + "/s"
         done = "is reflected" if reflects else "stops"
         text = f"{own_part} touches {other_part} at {speed} and {done}; impulse unknown"
-        log(flight, state, "bump", "caution", text)
+        state.log(period).add("bump", "caution", text)
     stopped.met = True
     return stopped
 
 
-def _velocity(flight: Flight, state: State, frame: str) -> Array:
+def _velocity(site: Site, worksite: WorksiteState, frame: str) -> Array:
     """Return the velocity in space (3,) of the frame that a body touched, in L's axes [m/s].
 
     Parts of the arm count as moving with the orbiter, because a body that the arm stops does not move with the arm.
     """
-    site, worksite = flight.site, state.worksite
     for k, payload in enumerate(site.cargo):
         if payload.name != frame:
             continue
@@ -131,12 +128,21 @@ def _velocity(flight: Flight, state: State, frame: str) -> Array:
     return np.zeros(3) if frame == "space" else product(site.axes, worksite.orbiter_velocity)
 
 
-def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Array) -> Array:
-    """Return the velocity in L (3,) of a point of a frame that the arm moves [m/s]; zeros for any other frame."""
-    name, held = flight.site.layout.frames[frame], state.worksite.held
-    if not name.startswith(ARM) and (held is None or name != flight.site.cargo[held].name):
+def _of_arm(site: Site, worksite: WorksiteState, frames: Array, frame: int, point: Array, period: float) -> Array:
+    """Return the velocity in L (3,) of a point of a frame that the arm moves [m/s]; zeros for any other frame.
+
+    Args:
+        site: constants of the worksite.
+        worksite: its state, with the frames before this step's motion of the arm.
+        frames: (F, 12) poses of all frames in L after this motion.
+        frame: row of the frame.
+        point: (3,) the point, in L [m].
+        period: control period [s].
+    """
+    name, held = site.layout.frames[frame], worksite.held
+    if not name.startswith(ARM) and (held is None or name != site.cargo[held].name):
         return np.zeros(3)
-    now = motion(state.worksite.frames[frame], frames[frame], flight.scenario.control_period)
+    now = motion(worksite.frames[frame], frames[frame], period)
     turn = np.array([now.wx, now.wy, now.wz])
     return np.array([now.vx, now.vy, now.vz]) + np.cross(turn, point - frames[frame, :3])
 

@@ -13,13 +13,15 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.kinematics.payload import PACKED, Payload
 from aftdeck.matrices import length, product
+from aftdeck.plant.state import PlantState
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
-from aftdeck.simulation.log import log
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.hand_poses import InEffector, fixture_in_effector, payload_in_hand
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.watch.motion import motion
@@ -28,47 +30,46 @@ NEAR = 3.0
 """Greatest distance of a bar or a fixture from the end effector at which its capture can be the objective [m]."""
 
 
-def attach(flight: Flight, state: State, k: int) -> None:
+def attach(site: Site, worksite: WorksiteState, k: int) -> None:
     """Attach a payload to the frame of the last joint, in the payload's present pose (MO2SET)."""
-    worksite = state.worksite
     worksite.cargo[k].held, worksite.floating[k] = True, None
-    reset_grasp(flight, state, k)
-    worksite.update_attachments(flight.site)
+    reset_grasp(site, worksite, k)
+    worksite.update_attachments(site)
 
 
-def reset_grasp(flight: Flight, state: State, k: int) -> None:
+def reset_grasp(site: Site, worksite: WorksiteState, k: int) -> None:
     """Set the pose of a held payload, in its grasp and in the steering, to the present pose.
 
     If the carriage draws the payload in, the payload moves from this pose. The carriage's full travel reduces the
     misalignment to zero; a part of this travel reduces it in proportion.
     """
-    payload = state.worksite.cargo[k]
-    payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()
-    if (fixture := fixture_in_hand(flight.site, state.worksite.frames, k)) is not None:
+    payload = worksite.cargo[k]
+    payload.grasp = payload.steered = pose_in_hand(site, worksite.frames, k).tolist()
+    if (fixture := fixture_in_hand(site, worksite.frames, k)) is not None:
         position, rows = fixture
         payload.fixture_at_capture = [*position, *chain.from_iterable(rows)]
-        payload.drawn_at_capture = state.worksite.snare.drawn
-    update_steering(flight, state)
+        payload.drawn_at_capture = worksite.snare.drawn
 
 
 def update_steering(flight: Flight, state: State) -> None:
     """Set up the steering for the payload in the grasp, with the rate limits of the script's phase.
+
+    To be called after a change of `PayloadState.steered`, of `Script.attached` or of `Script.limits`.
 
     The steering uses the mass and the axes of a worksite payload. The payload's centre is the point of resolution.
     """
     scenario, script, payload = flight.scenario, state.script, None
     for k, worksite_payload in enumerate(state.worksite.cargo):
         if worksite_payload.held:
-            payload = _payload(flight, k, np.array(worksite_payload.steered))
+            payload = _payload(flight.site, k, np.array(worksite_payload.steered))
     if script.attached:
         payload = scenario.own_payloads[script.attached - 1]
     limits = scenario.phases[script.limits].limits if script.limits >= 0 else None
     state.carried = steering_setup(scenario, payload, limits)
 
 
-def set_effector(flight: Flight, state: State, *, holding: bool) -> None:
+def set_effector(flight: Flight, worksite: WorksiteState, *, holding: bool) -> None:
     """Set the end effector to its state with a payload (prong closed, or snares rigid), or without a payload."""
-    worksite = state.worksite
     if flight.site.prong:
         worksite.prong.position = flight.prong.high if holding else flight.prong.low
     else:
@@ -76,26 +77,26 @@ def set_effector(flight: Flight, state: State, *, holding: bool) -> None:
         worksite.snare = held if holding else Snare()
 
 
-def packed_in_grasp(flight: Flight, state: State) -> Array | None:
+def packed_in_grasp(site: Site, worksite: WorksiteState, carried: Payload | None) -> Array | None:
     """Return the payload in the grasp, in the form of `Payload.packed`; None if the grasp is empty.
 
     The pose is the present pose, because carriage and latches move a worksite payload relative to the end effector.
+    `carried` is the payload that the steering uses.
     """
-    site, k = flight.site, state.worksite.held
+    k = worksite.held
     if k is None:
-        own = state.carried.payload
-        return None if own is None else own.packed
+        return None if carried is None else carried.packed
     packed = np.empty(PACKED)
-    payload_in_hand(state.worksite.frames, site.last_joint, site.cargo_row(k), site.hand, packed)
+    payload_in_hand(worksite.frames, site.last_joint, site.cargo_row(k), site.hand, packed)
     return packed
 
 
-def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
+def _payload(site: Site, k: int, grasp: Array) -> Payload:
     """Return payload k in the grasp; `grasp` (12,) is its pose in the frame of the last joint."""
     inside = np.empty(POSE)
-    relative(flight.site.hand, grasp, inside)
+    relative(site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
-    cargo = flight.site.cargo[k]
+    cargo = site.cargo[k]
     return Payload(
         cargo.mass,
         rotation,
@@ -106,9 +107,9 @@ def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
     )
 
 
-def pose_in_hand(flight: Flight, state: State, k: int) -> Array:
-    """Return a payload's pose (12,) in the frame of the last joint."""
-    site, frames, grasp = flight.site, state.worksite.frames, np.empty(POSE)
+def pose_in_hand(site: Site, frames: Array, k: int) -> Array:
+    """Return a payload's pose (12,) in the frame of the last joint; `frames` (F, 12): poses of all frames in L."""
+    grasp = np.empty(POSE)
     relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
     return grasp
 
@@ -130,22 +131,21 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> InEffector | None:
     return fixture_in_effector(frames, site.last_joint, site.effector, site.cargo_row(k), fixture)
 
 
-def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, InEffector] | None:
+def nearest_fixture(site: Site, frames: Array, within: float = NEAR) -> tuple[int, InEffector] | None:
     """Return the payload whose fixture is nearest to the end effector, and the fixture's pose in E.
 
     None if no fixture is nearer than `within` [m].
     """
     best, least = None, within
-    for k in range(len(flight.site.cargo)):
-        fixture = fixture_in_hand(flight.site, state.worksite.frames, k)
+    for k in range(len(site.cargo)):
+        fixture = fixture_in_hand(site, frames, k)
         if fixture is not None and (away := length(fixture[0])) < least:
             best, least = (k, fixture), away
     return best
 
 
-def empty_grasp(flight: Flight, state: State, k: int) -> None:
+def empty_grasp(site: Site, worksite: WorksiteState, panel: Panel, log: Log, k: int) -> None:
     """End the grasp of payload k. If the present mode moves a payload, select ORB UNL."""
-    worksite, panel = state.worksite, state.panel
     payload = worksite.cargo[k]
     payload.held, payload.grasp, payload.fixture_at_capture, payload.steered, payload.drawn_at_capture = (
         False,
@@ -154,26 +154,25 @@ def empty_grasp(flight: Flight, state: State, k: int) -> None:
         None,
         0.0,
     )
-    update_steering(flight, state)
     if MODES[panel.mode].loaded:
         panel.mode, panel.rate_hold_sticks, panel.position_hold_target, panel.sequence = "ORB UNL", None, None, "idle"
-        log(flight, state, "mode", "info", "ORB UNL entered: the grasp is now empty")
-    worksite.update_attachments(flight.site)
+        log.add("mode", "info", "ORB UNL entered: the grasp is now empty")
+    worksite.update_attachments(site)
 
 
-def start_free_flight(flight: Flight, state: State, k: int, from_space: bool) -> None:
+def start_free_flight(flight: Flight, worksite: WorksiteState, plant: PlantState, k: int, *, from_space: bool) -> None:
     """Start the free flight of a released payload, with its present motion and its attitude control.
 
     If the payload was fixed in space (`from_space`), its velocity is zero. Otherwise, it keeps its velocity, which
     includes the orbiter's velocity.
     """
-    site, worksite = flight.site, state.worksite
+    site = flight.site
     row = site.cargo_row(k)
     now = motion(worksite.before[row], worksite.frames[row], flight.scenario.control_period)
     pose = worksite.frames[row].copy()
     pose[:3] += site.scene[:3] - worksite.frames[site.space_row, :3]
-    if state.plant.bodies is not None:
-        compose(state.plant.base, worksite.frames[row], pose)
+    if plant.bodies is not None:
+        compose(plant.base, worksite.frames[row], pose)
     turn = product(pose[3:].reshape(3, 3).T, np.array([now.wx, now.wy, now.wz]))
     velocity = np.array([now.vx, now.vy, now.vz]) + product(site.axes, worksite.orbiter_velocity)
     if from_space:

@@ -10,21 +10,23 @@ from aftdeck.arrays import Array
 from aftdeck.frames import oriend_rows
 from aftdeck.matrices import product
 from aftdeck.plant.plant import NO_COMMAND, Push
+from aftdeck.plant.state import Bodies
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.state import State
-from aftdeck.tuples import Rows
+from aftdeck.simulation.parts.free_flight import Floating
+from aftdeck.simulation.parts.worksite_state import WorksiteState
+from aftdeck.tuples import Rows, Vec3
+from aftdeck.worksite.model import Cargo
 
 BAND, RATE = slice(0, 3), slice(3, 6)
 """Parts of a packed limit cycle (`worksite.free_flight.LimitCycle`)."""
 
 
-def translation_rejection(flight: Flight, state: State) -> str:
+def translation_rejection(flight: Flight, worksite: WorksiteState, bodies: Bodies | None) -> str:
     """Return why the orbiter cannot translate; "" if it can."""
-    site, worksite = flight.site, state.worksite
+    site = flight.site
     if site.worksite.translation is None:
         return "orbiter translation refused: this worksite has none"
-    if state.plant.bodies is not None and flight.scenario.orbiter == "fixed":
+    if bodies is not None and flight.scenario.orbiter == "fixed":
         return "orbiter translation refused: the scenario fixes the orbiter (dynamics.orbiter)"
     held = worksite.held
     if held is not None and worksite.cargo[held].seat and site.in_space(worksite.cargo[held].seat):
@@ -32,34 +34,42 @@ def translation_rejection(flight: Flight, state: State) -> str:
     return ""
 
 
-def translation_command(flight: Flight, state: State, inputs: Inputs) -> Array:
+def translation_command(flight: Flight, worksite: WorksiteState, bodies: Bodies, given: Vec3) -> Array:
     """Return the commanded velocity of the orbiter along its axes (3,) [m/s]; NaN for an axis that is not commanded.
 
     After a command, an axis stays commanded to rest until it has come to rest.
+    `given` is the operator's command along each axis, in [-1, 1].
     """
-    rule, worksite = flight.site.worksite.translation, state.worksite
-    braking = worksite.orbiter_velocity
-    if not any(inputs.orbiter) and not any(braking.tolist()):
+    rule, braking = flight.site.worksite.translation, worksite.orbiter_velocity
+    if not any(given) and not any(braking.tolist()):
         return NO_COMMAND
-    if rule is None or translation_rejection(flight, state):
+    if rule is None or translation_rejection(flight, worksite, bodies):
         braking[:] = 0.0
         return NO_COMMAND
     return np.array(
         [
             along * rule.speed if along else (0.0 if moves else nan)
-            for along, moves in zip(inputs.orbiter, braking.tolist(), strict=True)
+            for along, moves in zip(given, braking.tolist(), strict=True)
         ]
     )
 
 
-def attitude_torques(flight: Flight, state: State) -> list[Push]:
+def attitude_torques(
+    cargo: tuple[Cargo, ...], flights: list[Floating | None], bodies: Bodies, period: float
+) -> list[Push]:
     """Return the torques of free flyers with attitude control.
 
     When an angle leaves its deadband, the jets turn the rate of this axis around within one control period.
+
+    Args:
+        cargo: the payloads.
+        flights: free flight of each payload; None for a payload that does not float.
+        bodies: the plant's bodies.
+        period: control period [s].
     """
-    found, bodies = [], state.plant.bodies
-    for k, floating in enumerate(state.worksite.floating):
-        if floating is None or floating.cycle is None or bodies is None:
+    found = []
+    for k, floating in enumerate(flights):
+        if floating is None or floating.cycle is None:
             continue
         turned = product(floating.reference.T, bodies.payloads[k, 3:].reshape(3, 3)).tolist()
         rows: Rows = (tuple(turned[0]), tuple(turned[1]), tuple(turned[2]))
@@ -71,7 +81,7 @@ def attitude_torques(flight: Flight, state: State) -> list[Push]:
             if (angle > band and rates[axis] > wanted) or (angle < -band and rates[axis] < wanted):
                 change[axis] = wanted - rates[axis]
         if any(change.tolist()):
-            torque = product(flight.site.cargo[k].inertia, change) / flight.scenario.control_period
+            torque = product(cargo[k].inertia, change) / period
             turned = product(bodies.payloads[k, 3:].reshape(3, 3), torque)
             found.append(Push(k, np.zeros(3), turned, bodies.payloads[k, :3]))
     return found

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from typing import Literal
 
+from aftdeck.arrays import Array
 from aftdeck.matrices import distance
 from aftdeck.simulation.constants.berths import Berth
-from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.log import log
-from aftdeck.simulation.state import State
+from aftdeck.simulation.constants.site import Site
+from aftdeck.simulation.log import Log
+from aftdeck.simulation.parts.worksite_state import PayloadState, WorksiteState
 from aftdeck.worksite.watch.contact_update import nearest_place
 
 Pressed = Literal["latch", "unlatch"]
@@ -20,14 +21,13 @@ CONFIRM = 10.0
 """Time within which a second UNLATCH confirms the first [s]; assumed."""
 
 
-def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
+def nearest_berth(site: Site, frames: Array, k: int) -> Berth | None:
     """Return the berth whose final position for a payload is nearest to the payload; None if none is within `NEAR`."""
-    site = flight.site
-    nearest = nearest_place(state.worksite.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
+    nearest = nearest_place(frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
     return None if nearest < 0 else site.berths[k][nearest]
 
 
-def addressed(flight: Flight, state: State, pressed: Pressed | None) -> int | None:
+def addressed(site: Site, worksite: WorksiteState, pressed: Pressed | None) -> int | None:
     """Return the payload to which LATCH or UNLATCH refers: the held payload, else the one nearest to the end effector.
 
     Payloads on which the command can act have precedence over nearer payloads. UNLATCH can act on payloads fixed by
@@ -37,42 +37,44 @@ def addressed(flight: Flight, state: State, pressed: Pressed | None) -> int | No
     Returns:
         The payload; None if the worksite has no payload, or if the grasp is empty and neither switch is pressed.
     """
-    site, worksite = flight.site, state.worksite
     if pressed is None or worksite.held is not None:
         return worksite.held
     hand = worksite.frames[site.last_joint, :3]
     candidates = []
     for k, payload in enumerate(worksite.cargo):
         if payload.seat:
-            fits = not site.is_passive_berth(payload.seat) and (pressed == "unlatch" or not _latched(flight, state, k))
+            fits = not site.is_passive_berth(payload.seat) and (pressed == "unlatch" or not _is_latched(payload))
         else:
-            fits = pressed == "latch" and nearest_berth(flight, state, k) is not None
+            fits = pressed == "latch" and nearest_berth(site, worksite.frames, k) is not None
         candidates.append((not fits, distance(hand.tolist(), worksite.frames[site.cargo_row(k), :3].tolist()), k))
     return min(candidates)[2] if candidates else None
 
 
-def _latched(flight: Flight, state: State, k: int) -> bool:
+def _is_latched(payload: PayloadState) -> bool:
     """Return whether a berth fixes a payload firmly: by docking, or by latches that are closed and not opening."""
-    payload = state.worksite.cargo[k]
     return payload.latches.closed == 1.0 and payload.latches.motion != "unlatch"
 
 
-def confirmed(flight: Flight, state: State, k: int, title: str) -> bool:
+def confirmed(payload: PayloadState, tick: int, period: float, log: Log, only: str) -> bool:
     """Return whether UNLATCH of a payload may be executed.
 
     If the end effector does not hold the payload, the first UNLATCH only logs a request for confirmation, and a second
     UNLATCH within `CONFIRM` is executed. A switch that is pressed over several steps is one command.
+
+    Args:
+        payload: the payload; the number of the step of an unconfirmed UNLATCH is stored in it.
+        tick: number of the control step.
+        period: control period [s].
+        log: log of the step.
+        only: text for the request, which says that nothing but the berth holds the payload.
     """
-    payload, tick = state.worksite.cargo[k], state.tick
     if payload.held or payload.latches.motion == "unlatch":
         return True
     steps, payload.unlatch_asked_at = tick - payload.unlatch_asked_at if payload.unlatch_asked_at else math.inf, tick
     if steps == 1:
         return False
-    if steps * flight.scenario.control_period <= CONFIRM:
+    if steps * period <= CONFIRM:
         payload.unlatch_asked_at = 0
         return True
-    name = flight.site.cargo[k].title
-    text = f"UNLATCH again within {CONFIRM:g} s to confirm: nothing but the {title} holds {name}"
-    log(flight, state, "unlatch", "caution", text)
+    log.add("unlatch", "caution", f"UNLATCH again within {CONFIRM:g} s to confirm: {only}")
     return False

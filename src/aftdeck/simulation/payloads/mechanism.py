@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.log import log
-from aftdeck.simulation.state import State
+from aftdeck.simulation.log import Log
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.worksite.watch.contact_motion import worst_new_contact
 
 
-def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
+def is_blocked(flight: Flight, worksite: WorksiteState, log: Log, k: int, pose: Array, what: str) -> bool:
     """Return whether a mechanism must stop, because moving payload k to `pose` would make or deepen a contact.
 
     The stop is logged once. Contacts with walls along which the payload can slide count too, because a mechanism does
@@ -18,20 +18,20 @@ def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> 
 
     Args:
         flight: constants of the run.
-        state: state whose contacts are up to date.
+        worksite: state of the worksite, with contacts that are up to date.
+        log: log of the step.
         k: index of the payload, which is held.
         pose: (12,) pose to which the mechanism would draw the payload, in L.
         what: name of the mechanism, for the log.
     """
-    site, worksite = flight.site, state.worksite
     if not flight.inhibits:
         return False
     after = worksite.frames.copy()
-    after[site.cargo_row(k)] = pose
+    after[flight.site.cargo_row(k)] = pose
     group = worst_new_contact(worksite.watch, worksite.contacts.arm & (1 - worksite.permitted), after)
     if group >= 0 and not worksite.waiting:
-        a, b = site.layout.named(group)
+        a, b = flight.site.layout.named(group)
         text = f"{what} stopped: {a} would penetrate {b} further; move the payload clear"
-        log(flight, state, "waits", "caution", text)
+        log.add("waits", "caution", text)
     worksite.waiting = group >= 0
     return worksite.waiting

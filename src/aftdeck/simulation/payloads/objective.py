@@ -2,62 +2,62 @@
 
 from __future__ import annotations
 
-from aftdeck.simulation.constants.flight import Flight
+from aftdeck.arrays import Array
 from aftdeck.simulation.constants.hand import Bar
+from aftdeck.simulation.constants.site import Site
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand, nearest_fixture
 from aftdeck.simulation.payloads.latch_command import nearest_berth
 from aftdeck.simulation.payloads.seating import conditions_at
-from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.acquisition import AWAY, acquisition
 from aftdeck.worksite.capture.grapple import in_envelope
 from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.model import Cargo
 from aftdeck.worksite.report import Objective
 
 Pursued = tuple[Objective | None, tuple[Condition, ...]]
 
 
-def present_objective(flight: Flight, state: State) -> Pursued:
+def present_objective(site: Site, worksite: WorksiteState) -> Pursued:
     """Return the present objective and its conditions; None and () if no fixture, bar or berth is within `NEAR`.
 
     A berth that has just released the payload is no objective until the payload has left it.
     """
-    site, worksite = flight.site, state.worksite
     if (k := worksite.held) is not None:
-        berth = None if worksite.arm_fixed else nearest_berth(flight, state, k)
+        berth = None if worksite.arm_fixed else nearest_berth(site, worksite.frames, k)
         if berth is None or worksite.cargo[k].released_from == berth.seat.name:
             return None, ()
         text = f"{berth.verb} in the {berth.seat.title}"
-        return Objective(berth.verb, text), conditions_at(flight, state, k, berth)
+        return Objective(berth.verb, text), conditions_at(site, worksite, k, berth)
     if site.bar is not None:
-        return _acquisition(flight, state, site.bar)
-    if site.snares is not None and (near := nearest_fixture(flight, state)) is not None:
+        return _acquisition(site.cargo, worksite.watch.placed, site.bar)
+    if site.snares is not None and (near := nearest_fixture(site, worksite.frames)) is not None:
         k, fixture = near
         text = f"capture {site.cargo[k].title}"
         return Objective("capture", text), in_envelope(fixture, site.snares.envelope)
     return None, ()
 
 
-def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
+def holding(site: Site, worksite: WorksiteState, k: int) -> tuple[Condition, ...]:
     """Return the conditions of capture for the present pose of payload k; () if this end effector cannot capture it."""
-    site = flight.site
-    if site.bar is not None and (found := site.bar.measured(state.worksite.watch.placed, k)) is not None:
+    if site.bar is not None and (found := site.bar.measured(worksite.watch.placed, k)) is not None:
         return acquisition(found, site.bar.tolerances)
-    if site.snares is not None and (fixture := fixture_in_hand(site, state.worksite.frames, k)) is not None:
+    if site.snares is not None and (fixture := fixture_in_hand(site, worksite.frames, k)) is not None:
         return in_envelope(fixture, site.snares.envelope)
     return ()
 
 
-def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursued:
+def _acquisition(cargo: tuple[Cargo, ...], placed: Array, bar: Bar) -> Pursued:
     """Return the objective to acquire the payload whose bar is nearest to the palm, and the conditions of acquisition.
 
-    The result is None and () if no bar is within `NEAR`.
+    The result is None and () if no bar is within `NEAR`. `placed` are all solids in L.
     """
     best: Pursued = (None, ())
     least = NEAR
-    for k, cargo in enumerate(flight.site.cargo):
-        found = bar.measured(state.worksite.watch.placed, k)
+    for k, payload in enumerate(cargo):
+        found = bar.measured(placed, k)
         if found is not None and found[AWAY] < least:
             least = float(found[AWAY])
             conditions = acquisition(found, bar.tolerances)
-            best = Objective("acquire", f"acquire {cargo.title}"), conditions
+            best = Objective("acquire", f"acquire {payload.title}"), conditions
     return best

@@ -52,7 +52,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     for turning in (1.0, 0.0):
         state.steering[:] = commanded
         slid(rules, site.arm.joints, last, height, turning, found, state.steering)
-        after = frames_after(flight, state, state.steering[RATES : RATES + 6], telescope)
+        after = frames_after(flight, worksite, state.plant, state.steering[RATES : RATES + 6], telescope)
         if deeper(worksite.watch, counts, after) <= INTO:
             return telescope
     return None

@@ -11,9 +11,11 @@ from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.errors import SimulationError
 from aftdeck.law import law
 from aftdeck.plant.plant import MOST_PAIRS, NOTHING_NEAR, Hold, Surroundings
-from aftdeck.plant.state import Bodies
+from aftdeck.plant.state import Bodies, PlantState
 from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.parts.worksite_state import WorksiteState
 from aftdeck.simulation.payloads.disturbances import pushes
 from aftdeck.simulation.payloads.grasp import nearest_fixture, pose_in_hand
 from aftdeck.simulation.payloads.jets import attitude_torques, translation_command
@@ -34,28 +36,28 @@ NOTHING = Surroundings()
 
 def surroundings(flight: Flight, state: State, inputs: Inputs) -> Surroundings:
     """Return what acts on the bodies in the next control period, besides servos and brakes."""
-    if state.plant.bodies is None:
+    site, worksite, bodies = flight.site, state.worksite, state.plant.bodies
+    if bodies is None:
         return NOTHING
-    found = attitude_torques(flight, state)
+    found = attitude_torques(site.cargo, worksite.floating, bodies, flight.scenario.control_period)
     if state.disturbances:
-        found += pushes(flight, state)
+        found += pushes(site.cargo, state.disturbances, state.plant.base)
     return Surroundings(
-        _holds(flight, state),
-        _near(flight, state),
-        state.worksite.prong.position,
-        translation_command(flight, state, inputs),
+        _holds(site, worksite),
+        _near(flight, worksite),
+        worksite.prong.position,
+        translation_command(flight, worksite, bodies, inputs.orbiter),
         found,
     )
 
 
-def _near(flight: Flight, state: State) -> Indices:
+def _near(flight: Flight, worksite: WorksiteState) -> Indices:
     """Return the pairs of solids that can touch in the next control period.
 
     Raises:
         SimulationError: more pairs are near each other than the plant can test.
     """
-    worksite, layout = state.worksite, flight.site.layout
-    watch = worksite.watch
+    layout, watch = flight.site.layout, worksite.watch
     if watch.least >= flight.within:
         return NOTHING_NEAR
     near = np.empty((MOST_PAIRS, 3), np.int64)
@@ -70,13 +72,13 @@ def _near(flight: Flight, state: State) -> Indices:
     return near[:count]
 
 
-def _holds(flight: Flight, state: State) -> list[Hold]:
+def _holds(site: Site, worksite: WorksiteState) -> list[Hold]:
     """Return all connections of the worksite's payloads.
 
     End effector and berth hold a payload in the poses that carriage and latches have reached. A payload that both hold
     is pulled by both: the latches draw it in, and the arm gives way.
     """
-    site, worksite, found = flight.site, state.worksite, []
+    found = []
     for k, payload in enumerate(worksite.cargo):
         if payload.grasp is not None:
             found.append(Hold(k, "hand", np.array(payload.grasp)))
@@ -88,23 +90,23 @@ def _holds(flight: Flight, state: State) -> list[Hold]:
                 Hold(k, "space" if berth.row == site.space_row else "orbiter", pose, give=_GIVES[berth.seat.kind])
             )
     snare = worksite.snare
-    if worksite.held is None and snare.motion == "capture" and snare.ring < 1.0 and (k := _snared(flight, state)) >= 0:
-        found.append(Hold(k, "hand", pose_in_hand(flight, state, k), snare.ring))
+    closes = worksite.held is None and snare.motion == "capture" and snare.ring < 1.0
+    if closes and (k := _snared(site, worksite.frames)) >= 0:
+        found.append(Hold(k, "hand", pose_in_hand(site, worksite.frames, k), snare.ring))
     return found
 
 
-def _snared(flight: Flight, state: State) -> int:
+def _snared(site: Site, frames: Array) -> int:
     """Return the payload whose pin is inside the capture envelope, where closing snares touch it; -1 for none."""
-    near, snares = nearest_fixture(flight, state, math.inf), flight.site.snares
+    near, snares = nearest_fixture(site, frames, math.inf), site.snares
     if near is None or snares is None:
         return -1
     k, fixture = near
     return k if all_hold(in_envelope(fixture, snares.envelope)) else -1
 
 
-def follow_bodies(flight: Flight, state: State, bodies: Bodies) -> None:
+def follow_bodies(site: Site, worksite: WorksiteState, plant: PlantState, bodies: Bodies) -> None:
     """Set the payloads of the worksite to the poses and motions to which the plant has moved them."""
-    site, worksite, plant = flight.site, state.worksite, state.plant
     for k, floating in enumerate(worksite.floating):
         if floating is not None:
             floating.pose[:], floating.motion[:] = bodies.payloads[k], bodies.motions[k]
