@@ -9,6 +9,8 @@ Six = tuple[float, float, float, float, float, float]
 """A twist, angular velocity first; or six values of another kind in the same order of axes."""
 Joints = tuple[float, ...]
 """One number for each joint, in the order of the arm's joints."""
+MOST_JOINTS = 8
+"""Greatest number of joints of an arm."""
 Rows = tuple[Vec3, Vec3, Vec3]
 """The three rows of a rotation matrix, whose columns are the axes of the rotated coordinate frame.
 

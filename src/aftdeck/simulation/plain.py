@@ -15,13 +15,12 @@ from typing import Any, cast, get_args, get_type_hints
 import msgspec
 
 from aftdeck.errors import InputError
-from aftdeck.kinematics.chain.posture import CAPACITY
 from aftdeck.plain_values import few_numbers, flag, items, number, numbers, text, whole_number
 from aftdeck.scenario.disturbance import MOST_DISTURBANCES, Disturbance
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import EXPECTED, STICKS, Inputs
-from aftdeck.tuples import Rows, Vec3
+from aftdeck.tuples import MOST_JOINTS, Rows, Vec3
 from aftdeck.units import short
 
 GREATEST_SEED = 2**53
@@ -54,7 +53,7 @@ def plain_target(target: object) -> Target:
     if not isinstance(target, Target):
         raise TypeError
     rows = tuple(numbers(row, 3) for row in items(target.rotation, (3, 3)))
-    joints = None if target.joints is None else few_numbers(target.joints, CAPACITY)
+    joints = None if target.joints is None else few_numbers(target.joints, MOST_JOINTS)
     return Target(cast("Vec3", numbers(target.position, 3)), cast("Rows", rows), joints)
 
 
@@ -193,7 +192,7 @@ def _conversion(name: str, kind: object) -> tuple[Callable[[Any], object], type]
 
 
 _OWN: Mapping[str, Callable[[Any], object]] = {
-    "master": lambda angles: few_numbers(angles, CAPACITY),
+    "master": lambda angles: few_numbers(angles, MOST_JOINTS),
     "target": plain_target,
     "camera": _plain_drive,
     "disturbances": _plain_disturbances,

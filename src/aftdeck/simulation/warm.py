@@ -7,6 +7,7 @@ import contextlib
 import numpy as np
 
 from aftdeck.errors import AftdeckError
+from aftdeck.frames import quaternion_of_rows
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.begin import initial_state
@@ -40,6 +41,7 @@ def warm_up(scenario: Scenario) -> None:
     here = target_at(arm.forward(scenario.initial_angles))
     step(flight, state, Inputs())
     frame_of(flight, state, digest(state))
+    quaternion_of_rows(here.rotation)  # recordings contain quaternions
     rate_ratio(state.rules, state.steering)
     for law in AUTOMATIC_LAWS:
         step(flight, state, Inputs(mode="OPR CMD", law=law, target=here, proceed=True))

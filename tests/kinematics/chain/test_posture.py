@@ -8,7 +8,8 @@ from scipy.linalg import expm
 
 import aftdeck
 from aftdeck.arrays import Array
-from aftdeck.kinematics.chain.posture import AXIS, CAPACITY, SLIDES
+from aftdeck.kinematics.chain.posture import AXIS, SLIDES
+from aftdeck.tuples import MOST_JOINTS
 from tests.kinematics.chain.chains import Chain, chain_of, posture, random_chain, random_coordinates
 from tests.kinematics.poses import legal, turned
 
@@ -41,7 +42,7 @@ def test_poses_and_jacobian_are_those_of_the_closed_forms(any_arm: aftdeck.Arm) 
     assert np.abs(np.array([one.jacobian for one in found]) - jacobian).max() < 2e-14
 
 
-@pytest.mark.parametrize("count", range(1, CAPACITY + 1))
+@pytest.mark.parametrize("count", range(1, MOST_JOINTS + 1))
 def test_tip_is_that_of_products_of_exponentials(count: int) -> None:
     rng = np.random.default_rng(count)
     for slides in range(count + 1):
@@ -52,7 +53,7 @@ def test_tip_is_that_of_products_of_exponentials(count: int) -> None:
         assert tip[3:].reshape(3, 3) == pytest.approx(witness[:3, :3], abs=1e-13)
 
 
-@pytest.mark.parametrize("count", range(1, CAPACITY + 1))
+@pytest.mark.parametrize("count", range(1, MOST_JOINTS + 1))
 def test_jacobian_is_that_of_differences(count: int) -> None:
     rng, h = np.random.default_rng(100 + count), 1e-6
     for slides in range(count + 1):

@@ -7,13 +7,13 @@ import pytest
 
 import aftdeck
 from aftdeck.arrays import Array
-from aftdeck.kinematics.chain.posture import CAPACITY
 from aftdeck.kinematics.chain.rates import Weighted, freeing_joint, rank_left, resolve, swing, weigh
+from aftdeck.tuples import MOST_JOINTS
 from tests.kinematics.chain.chains import Chain, chain_of, posture, random_chain, random_coordinates
 from tests.kinematics.poses import legal, over_the_shoulder, singular_poses
 
 ALIKE = np.ones(6)
-COUNTS = pytest.mark.parametrize("count", range(1, CAPACITY + 1))
+COUNTS = pytest.mark.parametrize("count", range(1, MOST_JOINTS + 1))
 
 
 def weights_of(chain: Chain, rng: np.random.Generator) -> Array:

@@ -11,12 +11,12 @@ from scipy.spatial.transform import Rotation
 
 import aftdeck
 from aftdeck.arrays import Array
-from aftdeck.kinematics.chain.posture import CAPACITY
 from aftdeck.kinematics.chain.search import Found, miss_of, search
+from aftdeck.tuples import MOST_JOINTS
 from tests.kinematics.chain.chains import Chain, chain_of, posture, random_chain, random_coordinates
 from tests.kinematics.poses import legal
 
-WIDE = np.array([[-4.0, 4.0]] * CAPACITY)
+WIDE = np.array([[-4.0, 4.0]] * MOST_JOINTS)
 
 
 def searched(
@@ -56,7 +56,7 @@ def test_search_finds_the_angles_of_a_pose_of_the_arms(any_arm: aftdeck.Arm) -> 
     assert missed <= 4  # a stop can be in the way of a search
 
 
-@pytest.mark.parametrize("count", range(1, CAPACITY + 1))
+@pytest.mark.parametrize("count", range(1, MOST_JOINTS + 1))
 def test_search_finds_the_pose_of_a_random_chain(count: int) -> None:
     rng, missed = np.random.default_rng(count), 0
     for n in range(60):

@@ -13,8 +13,6 @@ from aftdeck.bodies.pose import POSE, compose
 from aftdeck.elementary import sincos
 from aftdeck.law import law
 
-CAPACITY = 8
-"""Greatest number of joints."""
 PLACE = 0
 """Index of the joint's pose at coordinate 0 in the frame of the joint before it, or in L: a row of `bodies.pose`."""
 AXIS = 12
