@@ -140,7 +140,8 @@ def _size(miss: Array, follow: Array) -> float:
     """Return the weighted size of a miss."""
     square = 0.0
     for i in range(6):
-        square += (follow[i] * miss[i]) ** 2
+        part = follow[i] * miss[i]
+        square += part * part
     return sqrt(square)
 
 
