@@ -74,6 +74,7 @@ def test_both_operators_complete_every_task(name: str, kind: Kind) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "kind"), those_of_ci(WITH_PAYLOAD))
 def test_both_operators_complete_every_mission_with_rigid_bodies(name: str, kind: Kind) -> None:
     completes(name, kind, "rigid")

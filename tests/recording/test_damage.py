@@ -112,6 +112,7 @@ def test_flipped_bit_in_a_cut_file_is_an_error_or_has_no_effect(unclosed: Path, 
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("source", ["whole", "unclosed"])
 def test_every_bit_of_a_record_start_is_checked_or_has_no_effect(
     source: str, tmp_path: Path, request: pytest.FixtureRequest

@@ -70,6 +70,7 @@ def deepest(name: str, steps: int, seed: int = 1) -> DepthMeter:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", but_very_long(built_in()))
 def test_penetration_stays_within_two_steps_travel(name: str) -> None:
     meter = deepest(name, STEPS)
