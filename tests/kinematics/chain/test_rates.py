@@ -22,7 +22,7 @@ def weights_of(chain: Chain, rng: np.random.Generator) -> Array:
 
 def rates_of(matrix: Array, twist: Array, weights: Array, follow: Array = ALIKE) -> Array:
     rates = np.empty(matrix.shape[1])
-    resolve(weigh(matrix, weights, follow), weights, follow, min(matrix.shape), twist, rates)
+    resolve(weigh(matrix, weights, follow), min(matrix.shape), twist, rates)
     return rates
 
 
@@ -113,7 +113,7 @@ def test_swing_turns_the_joint_and_holds_the_tip(count: int) -> None:
         matrix, weights = posture(chain, random_coordinates(rng, chain)).jacobian, weights_of(chain, rng)
         w, rates = weigh(matrix, weights, ALIKE), np.empty(count)
         for joint in range(count):
-            if swing(w, weights, 6, joint, rates):
+            if swing(w, 6, joint, rates):
                 assert rates[joint] == pytest.approx(1.0)
                 assert matrix @ rates == pytest.approx(np.zeros(6), abs=1e-10 * np.abs(rates).max())
 
@@ -122,26 +122,26 @@ def test_chain_of_six_has_no_swing() -> None:
     rng = np.random.default_rng(6)
     chain = random_chain(rng, 6)
     w = weigh(posture(chain, random_coordinates(rng, chain)).jacobian, np.ones(6), ALIKE)
-    assert not swing(w, np.ones(6), 6, 2, np.empty(6))
+    assert not swing(w, 6, 2, np.empty(6))
 
 
-def weighed(chain: Chain, q: Array) -> tuple[Weighted, Array]:
+def weighed(chain: Chain, q: Array) -> Weighted:
     follow = np.array([1.0] * 3 + [1.0 / chain.scale] * 3)
-    return weigh(posture(chain, q).jacobian, np.ones(chain.number), follow), follow
+    return weigh(posture(chain, q).jacobian, np.ones(chain.number), follow)
 
 
 def test_arms_lose_rank_at_the_singularities_of_the_closed_forms(arm: aftdeck.Arm) -> None:
     chain = chain_of(arm)
     for q in singular_poses(arm).values():
-        assert rank_left(weighed(chain, q)[0], 6) < 1e-12
+        assert rank_left(weighed(chain, q), 6) < 1e-12
     for q in legal(arm, 23, 500):
         near = min(abs(float(one)) for one in arm.singularities(q))
-        assert (rank_left(weighed(chain, q)[0], 6) < 1e-9) == (near < 1e-8)
+        assert (rank_left(weighed(chain, q), 6) < 1e-9) == (near < 1e-8)
 
 
 def slope(chain: Chain, q: Array, rank: int, k: int, h: float = 1e-6) -> float:
     change = h * (np.arange(chain.number) == k)
-    after, before = (weighed(chain, q + sign * change)[0].values[rank - 1] for sign in (1.0, -1.0))
+    after, before = (weighed(chain, q + sign * change).values[rank - 1] for sign in (1.0, -1.0))
     return float(after - before) / (2 * h)
 
 
@@ -151,8 +151,8 @@ def test_freeing_joint_changes_the_last_singular_value_most(count: int) -> None:
     for slides in range(min(count, 3)):
         chain = random_chain(rng, count, slides)
         q = random_coordinates(rng, chain)
-        (w, follow), seen = weighed(chain, q), posture(chain, q)
-        found = freeing_joint(chain.joints, seen.joints, seen.tip, w, np.ones(count), follow, rank)
+        w, seen = weighed(chain, q), posture(chain, q)
+        found = freeing_joint(chain.joints, seen.joints, seen.tip, w, rank)
         slopes = [abs(slope(chain, q, rank, k)) for k in range(count)]
         assert slopes[found] == pytest.approx(max(slopes), abs=1e-7)
 
@@ -161,5 +161,5 @@ def test_joints_that_free_the_shuttles_arm_are_those_of_its_singularities(arm: a
     chain = chain_of(arm)
     for name, joints in (("elbow", {2}), ("wrist", {4}), ("shoulder", {1, 2, 3})):
         q = over_the_shoulder(arm) if name == "shoulder" else singular_poses(arm)[name]
-        (w, follow), seen = weighed(chain, q), posture(chain, q)
-        assert freeing_joint(chain.joints, seen.joints, seen.tip, w, np.ones(6), follow, 6) in joints
+        w, seen = weighed(chain, q), posture(chain, q)
+        assert freeing_joint(chain.joints, seen.joints, seen.tip, w, 6) in joints

@@ -7,6 +7,7 @@ accurate than QR", SIAM Journal on Matrix Analysis and Applications 13 (1992).
 from __future__ import annotations
 
 from math import copysign, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,32 +20,37 @@ SWEEPS = 40
 """Greatest number of sweeps over all pairs of columns; six to nine are usual."""
 
 
-@law
-def factorise(matrix: Array, left: Array, right: Array, values: Array) -> None:
-    """Write the factors of a matrix A (6, n): A = left diag(values) right^T.
+class Factors(NamedTuple):
+    """Factors of a matrix A (6, n): A = left diag(values) right^T.
 
-    Args:
-        matrix: (6, n), n at most 8.
-        left: (6, k) output: orthonormal columns; k is the smaller of 6 and n. A column whose value is 0 can be 0.
-        right: (n, k) output: as `left`.
-        values: (k,) output: singular values, greatest first.
+    Attributes:
+        left: (6, k) orthonormal columns; k is the smaller of 6 and n. A column whose value is 0 can be 0.
+        right: (n, k) as `left`.
+        values: (k,) singular values, greatest first.
     """
+
+    left: Array
+    right: Array
+    values: Array
+
+
+@law
+def factorise(matrix: Array) -> Factors:
+    """Return the factors of a matrix (6, n), n at most 8."""
     rows, columns = matrix.shape
     wide = columns >= rows
     # the columns of `work` become orthogonal: those of A, or of its transpose, whichever are fewer
-    work, turns = (np.empty((columns, rows)), np.empty((rows, rows))) if wide else (
-        np.empty((rows, columns)), np.empty((columns, columns))
-    )  # fmt: skip
+    work = np.empty((columns, rows) if wide else (rows, columns))
     for i in range(rows):
         for j in range(columns):
             if wide:
                 work[j, i] = matrix[i, j]
             else:
                 work[i, j] = matrix[i, j]
-    count = turns.shape[0]
-    for i in range(count):
-        for j in range(count):
-            turns[i, j] = 1.0 if i == j else 0.0
+    count = work.shape[1]
+    turns, values = np.zeros((count, count)), np.empty(count)
+    for j in range(count):
+        turns[j, j] = 1.0
     for _ in range(SWEEPS):
         if not _sweep(work, turns):
             break
@@ -52,15 +58,8 @@ def factorise(matrix: Array, left: Array, right: Array, values: Array) -> None:
     for j in range(count):
         per = 1.0 / values[j] if values[j] > 0.0 else 0.0
         for i in range(work.shape[0]):
-            if wide:
-                right[i, j] = work[i, j] * per
-            else:
-                left[i, j] = work[i, j] * per
-        for i in range(count):
-            if wide:
-                left[i, j] = turns[i, j]
-            else:
-                right[i, j] = turns[i, j]
+            work[i, j] *= per
+    return Factors(turns, work, values) if wide else Factors(work, turns, values)
 
 
 @law

@@ -25,48 +25,51 @@ FLOOR = 1e-7
 
 
 class Weighted(NamedTuple):
-    """Singular values of a Jacobian with weights: diag(follow) J diag(sqrt(weights)) = left diag(values) right^T.
+    """Jacobian J with weights, as factors: diag(follow) J diag(sqrt(weights)) = left diag(values) right^T.
 
     Attributes:
-        left: (6, k), `factors.factorise`.
+        left: as in `factors.Factors`; right and values likewise.
         right: (n, k).
-        values: (k,) greatest first.
+        values: (k,).
+        weights: (n,) weights of the joints: a joint with twice the weight takes twice the share of a motion, and one
+            without weight takes none.
+        follow: (6,) weights of the twist's components [s/rad, then s/m]; they matter only where not all can be made.
     """
 
     left: Array
     right: Array
     values: Array
+    weights: Array
+    follow: Array
 
 
 @law
 def weigh(matrix: Array, weights: Array, follow: Array) -> Weighted:
-    """Return the singular values of a Jacobian with weights.
-
-    Args:
-        matrix: (6, n) Jacobian in L.
-        weights: (n,) weights of the joints: a joint with twice the weight takes twice the share of a motion.
-        follow: (6,) weights of the twist's components [s/rad, then s/m]; they matter only where not all can be made.
-    """
-    joints = matrix.shape[1]
-    fewest = min(6, joints)
-    scaled, left, right = np.empty((6, joints)), np.empty((6, fewest)), np.empty((joints, fewest))
-    values = np.empty(fewest)
-    for j in range(joints):
+    """Return a Jacobian (6, n) in L with weights."""
+    scaled = np.empty(matrix.shape)
+    for j in range(matrix.shape[1]):
         share = sqrt(weights[j])
         for i in range(6):
             scaled[i, j] = follow[i] * matrix[i, j] * share
-    factorise(scaled, left, right, values)
-    return Weighted(left, right, values)
+    f = factorise(scaled)
+    return Weighted(f.left, f.right, f.values, weights, follow)
 
 
 @law
-def resolve(w: Weighted, weights: Array, follow: Array, rank: int, twist: Array, rates: Array) -> None:
+def part_along(w: Weighted, k: int, twist: Array) -> float:
+    """Return the part of a weighted twist, or of a displacement, along column `k` of `w.left`."""
+    part = 0.0
+    for i in range(6):
+        part += w.left[i, k] * w.follow[i] * twist[i]
+    return part
+
+
+@law
+def resolve(w: Weighted, rank: int, twist: Array, rates: Array) -> None:
     """Write the joint rates for a twist.
 
     Args:
-        w: from `weigh`, with the same weights.
-        weights: (n,) as in `weigh`; follow likewise.
-        follow: (6,).
+        w: Jacobian with weights.
         rank: rank of the chain.
         twist: (6,) angular velocity [rad/s], then translational velocity [m/s] of the tip, in L.
         rates: (n,) output [rad/s or m/s].
@@ -77,27 +80,22 @@ def resolve(w: Weighted, weights: Array, follow: Array, rank: int, twist: Array,
     if floor == 0.0:  # no joint moves the tip
         return
     for k in range(rank):
-        part = 0.0
-        for i in range(6):
-            part += w.left[i, k] * follow[i] * twist[i]
-        value = w.values[k]
-        part *= 1.0 / max(value, floor)
+        part = part_along(w, k, twist) / max(w.values[k], floor)
         for j in range(rates.shape[0]):
             rates[j] += w.right[j, k] * part
     for j in range(rates.shape[0]):
-        rates[j] *= sqrt(weights[j])
+        rates[j] *= sqrt(w.weights[j])
 
 
 @law
-def swing(w: Weighted, weights: Array, rank: int, joint: int, rates: Array) -> bool:
+def swing(w: Weighted, rank: int, joint: int, rates: Array) -> bool:
     """Write the rates that turn one joint by 1 and do not move the tip; return False if there are none.
 
     Among all such rates, these are of least weighted size. Added to those of `resolve`, a multiple of them holds the
     joint, or turns it at a wanted rate.
 
     Args:
-        w: from `weigh`.
-        weights: (n,) as in `weigh`.
+        w: Jacobian with weights.
         rank: rank of the chain.
         joint: number of the joint.
         rates: (n,) output: 1 for the joint.
@@ -112,7 +110,7 @@ def swing(w: Weighted, weights: Array, rank: int, joint: int, rates: Array) -> b
     if free < FLOOR:
         return False
     for j in range(rates.shape[0]):
-        rates[j] *= sqrt(weights[j]) / (sqrt(weights[joint]) * free)
+        rates[j] *= sqrt(w.weights[j]) / (sqrt(w.weights[joint]) * free)
     return True
 
 
@@ -123,18 +121,14 @@ def rank_left(w: Weighted, rank: int) -> float:
 
 
 @law
-def freeing_joint(
-    chain: Array, joints: Array, tip: Array, w: Weighted, weights: Array, follow: Array, rank: int
-) -> int:
+def freeing_joint(chain: Array, joints: Array, tip: Array, w: Weighted, rank: int) -> int:
     """Return the joint whose motion changes the last singular value of the rank most: at a singularity, it frees it.
 
     Args:
         chain: (n, 16) the chain.
         joints: (n, 12) poses of the joints in L.
         tip: (12,) pose of the tip in L.
-        w: from `weigh`.
-        weights: (n,) as in `weigh`; follow likewise.
-        follow: (6,).
+        w: Jacobian with weights, in this posture.
         rank: rank of the chain.
     """
     count = chain.shape[0]
@@ -144,8 +138,7 @@ def freeing_joint(
         slope = 0.0
         for j in range(count):
             _column_change(chain, joints, tip, j, k, change)
-            for i in range(6):
-                slope += w.left[i, rank - 1] * follow[i] * change[i] * sqrt(weights[j]) * w.right[j, rank - 1]
+            slope += part_along(w, rank - 1, change) * sqrt(w.weights[j]) * w.right[j, rank - 1]
         if abs(slope) > best:
             best, found = abs(slope), k
     return found

@@ -15,8 +15,8 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
 from aftdeck.elementary import atan2
-from aftdeck.kinematics.chain.factors import factorise
-from aftdeck.kinematics.chain.posture import place_joints, write_jacobian
+from aftdeck.kinematics.chain.posture import SLIDES, place_joints, write_jacobian
+from aftdeck.kinematics.chain.rates import Weighted, part_along, weigh
 from aftdeck.law import law
 
 STEPS = 200
@@ -25,6 +25,12 @@ LONGEST = 0.5
 """Greatest step of a joint [rad, or characteristic lengths]."""
 ENOUGH = 1e-13
 """Miss at which a search ends [rad, or characteristic lengths]."""
+FIRST, LEAST, MOST = 1e-3, 1e-12, 1e6
+"""Damping of the first step, the least damping, and the damping at which no step helps; each times the miss."""
+CHANGE = 8.0
+"""Factor by which a step that fails increases the damping, and one that succeeds decreases it [1]."""
+ROUNDING = 1e-15
+"""Share of the miss by which a step has to decrease it, for the search to go on [1]."""
 
 
 class Found(NamedTuple):
@@ -85,48 +91,36 @@ def search(chain: Array, hand: Array, goal: Array, limits: Array, scale: float, 
         q: (n,) coordinates at the start; those found are written into it.
     """
     count = chain.shape[0]
-    fewest = min(6, count)
-    joints, tip, trial = np.empty((count, POSE)), np.empty(POSE), np.empty(count)
-    matrix, left, right, values = (
-        np.empty((6, count)),
-        np.empty((6, fewest)),
-        np.empty((count, fewest)),
-        np.empty(fewest),
-    )
-    miss, units = np.empty(6), np.empty(count)
+    joints, tip, matrix = np.empty((count, POSE)), np.empty(POSE), np.empty((6, count))
+    miss, missed, trial, weights = np.empty(6), np.empty(6), np.empty(count), np.empty(count)
     for i in range(count):
         q[i] = min(max(q[i], limits[i, 0]), limits[i, 1])
-        units[i] = scale if chain[i, 15] != 0.0 else 1.0
     place_joints(chain, hand, q, joints, tip)
     miss_of(tip, goal, miss)
-    before, damping, steps = _size(miss, follow), 1e-3, 0
+    before, damping, steps = _size(miss, follow), FIRST, 0
     while steps < STEPS and before > ENOUGH:
         steps += 1
         write_jacobian(chain, joints, tip, matrix)
-        for j in range(count):
-            for i in range(6):
-                matrix[i, j] *= follow[i] * units[j]
-        _hold(matrix, miss, follow, q, limits)
-        factorise(matrix, left, right, values)
-        better = False
-        while damping < 1e6:
-            _step(left, right, values, miss, follow, damping * before, units, limits, q, trial)
+        _weigh_joints(chain, scale, matrix, miss, follow, q, limits, weights)
+        w = weigh(matrix, weights, follow)
+        after = before
+        while damping < MOST:
+            _step(w, miss, damping * before, limits, q, trial)
             place_joints(chain, hand, trial, joints, tip)
-            miss_of(tip, goal, miss)
-            after = _size(miss, follow)
+            miss_of(tip, goal, missed)
+            after = _size(missed, follow)
             if after < before:
-                better = True
                 break
-            place_joints(chain, hand, q, joints, tip)
-            miss_of(tip, goal, miss)
-            damping *= 8.0
-        if not better:
+            damping *= CHANGE
+        gained = before - after
+        if gained <= 0.0:
             break
         for i in range(count):
             q[i] = trial[i]
-        gained = before - after
-        before, damping = after, max(damping * 0.125, 1e-12)
-        if gained < 1e-15 * before:
+        for i in range(6):
+            miss[i] = missed[i]
+        before, damping = after, max(damping / CHANGE, LEAST)
+        if gained < ROUNDING * before:
             break
     return Found(
         sqrt(miss[0] * miss[0] + miss[1] * miss[1] + miss[2] * miss[2]),
@@ -146,45 +140,31 @@ def _size(miss: Array, follow: Array) -> float:
 
 
 @law
-def _hold(matrix: Array, miss: Array, follow: Array, q: Array, limits: Array) -> None:
-    """Take the joints out of the equations that are at a limit and would have to pass it."""
-    for j in range(matrix.shape[1]):
-        pull = 0.0
+def _weigh_joints(
+    chain: Array, scale: float, matrix: Array, miss: Array, follow: Array, q: Array, limits: Array, weights: Array
+) -> None:
+    """Write the joints' weights (n,): 0 for a joint that is at a limit and would have to pass it."""
+    for j in range(q.shape[0]):
+        unit, pull = scale if chain[j, SLIDES] != 0.0 else 1.0, 0.0
         for i in range(6):
-            pull += matrix[i, j] * follow[i] * miss[i]
-        if (q[j] <= limits[j, 0] and pull < 0.0) or (q[j] >= limits[j, 1] and pull > 0.0):
-            for i in range(6):
-                matrix[i, j] = 0.0
+            pull += matrix[i, j] * follow[i] * follow[i] * miss[i]
+        blocked = (q[j] <= limits[j, 0] and pull < 0.0) or (q[j] >= limits[j, 1] and pull > 0.0)
+        weights[j] = 0.0 if blocked else unit * unit
 
 
 @law
-def _step(
-    left: Array,
-    right: Array,
-    values: Array,
-    miss: Array,
-    follow: Array,
-    damping: float,
-    units: Array,
-    limits: Array,
-    q: Array,
-    trial: Array,
-) -> None:
+def _step(w: Weighted, miss: Array, damping: float, limits: Array, q: Array, trial: Array) -> None:
     """Write the joints' coordinates after a damped step into `trial` (n,)."""
-    count = q.shape[0]
+    count, most = q.shape[0], 0.0
     for j in range(count):
         trial[j] = 0.0
-    for k in range(values.shape[0]):
-        part = 0.0
-        for i in range(6):
-            part += left[i, k] * follow[i] * miss[i]
-        bottom = values[k] * values[k] + damping
-        part = part * values[k] / bottom if bottom > 0.0 else 0.0
+    for k in range(w.values.shape[0]):
+        bottom = w.values[k] * w.values[k] + damping
+        part = part_along(w, k, miss) * w.values[k] / bottom if bottom > 0.0 else 0.0
         for j in range(count):
-            trial[j] += right[j, k] * part
-    most = 0.0
+            trial[j] += w.right[j, k] * part
     for j in range(count):
         most = max(most, abs(trial[j]))
     share = LONGEST / most if most > LONGEST else 1.0
     for j in range(count):
-        trial[j] = min(max(q[j] + trial[j] * share * units[j], limits[j, 0]), limits[j, 1])
+        trial[j] = min(max(q[j] + trial[j] * share * sqrt(w.weights[j]), limits[j, 0]), limits[j, 1])
