@@ -12,7 +12,7 @@ import reprlib
 from typing import ClassVar
 
 from aftdeck.bounds import COORDINATE, ROTATION, Bounds
-from aftdeck.unit_sizes import symbols, unit_of
+from aftdeck.unit_sizes import size_of, symbols
 
 INCH = 0.0254
 """One inch [m], exact."""
@@ -197,17 +197,16 @@ class Time(Quantity):
 
 def _allowed(target: str) -> str:
     """Return a sentence part that lists the units for an SI unit; empty for products, which have too many."""
-    unit = unit_of(target)
-    found = symbols(unit.dimension) if unit is not None and target.isalpha() else []
-    return f"; units are {', '.join(found)}" if found else ""
+    unit = size_of(target)
+    return f"; units are {', '.join(symbols(unit[1]))}" if unit is not None and target.isalpha() else ""
 
 
 @functools.cache
 def _size(unit: str, target: str) -> float | None:
     """Return the size of `unit` in the SI unit `target`; None if it is unknown or measures something else."""
-    found, wanted = unit_of(unit), unit_of(target)
-    assert wanted is not None and wanted.size == 1.0, f"{target} is no SI unit"
-    return found.size if found is not None and found.dimension == wanted.dimension else None
+    found, wanted = size_of(unit), size_of(target)
+    assert wanted is not None and wanted[0] == 1.0, f"{target} is no SI unit"
+    return found[0] if found is not None and found[1] == wanted[1] else None
 
 
 def decode_hook(kind: type, given: object) -> object:

@@ -17,7 +17,7 @@ from aftdeck.bounds import Bounds
 from aftdeck.made_tables import renew_file
 from aftdeck.scenario.light import LightFile
 from aftdeck.scenario.schema import ScenarioFile
-from aftdeck.unit_sizes import UNITS, si_symbol
+from aftdeck.unit_sizes import TABLE, si_symbol
 from aftdeck.units import Quantity
 from aftdeck.worksite.file.schema import WorksiteFile
 
@@ -98,8 +98,8 @@ def tables() -> str:
 
 def _lines() -> Iterator[str]:
     yield "### Units\n\n| one | is | names |\n|---|---|---|"
-    for one in dict.fromkeys(UNITS.values()):
-        symbol, *other = (f"`{name}`" for name, unit in UNITS.items() if unit == one)
+    for one in TABLE:
+        symbol, *other = (f"`{name}`" for name in one.names)
         yield f"| {symbol} | {one.size:.10g} {si_symbol(one.dimension)} | {', '.join(other)} |"
     yield "\n### Every field, unless a table below gives another range\n\n| quantity | range | because |\n|---|---|---|"
     for quantity in Quantity.__subclasses__():
