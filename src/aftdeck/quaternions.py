@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import sqrt
 
+from aftdeck.elementary import atan2
 from aftdeck.law import elementary_law
 
 
@@ -37,3 +38,14 @@ def unit_quaternion(
     w, x, y, z, greatest = scaled_quaternion(a, b, c, d, e, f, g, h, i)
     scale = (0.5 if w >= 0.0 else -0.5) / sqrt(greatest)
     return scale * w, scale * x, scale * y, scale * z
+
+
+@elementary_law
+def rotation_vector(
+    a: float, b: float, c: float, d: float, e: float, f: float, g: float, h: float, i: float
+) -> tuple[float, float, float]:
+    """Return the axis times the angle, at most pi [rad], of a rotation matrix that is given row by row."""
+    w, x, y, z = unit_quaternion(a, b, c, d, e, f, g, h, i)
+    sine = sqrt(x * x + y * y + z * z)
+    scale = 2.0 * atan2(sine, w) / sine if sine > 0.0 else 2.0
+    return scale * x, scale * y, scale * z

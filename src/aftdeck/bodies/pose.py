@@ -74,6 +74,18 @@ def relative(frame: Array, body: Array, out: Array) -> None:
 
 
 @law
+def put_turn(x: float, y: float, z: float, s: float, c: float, row: Array) -> None:
+    """Write the rotation about the unit axis (x, y, z) into a pose (12,); `s` and `c`: the angle's sine and cosine.
+
+    Source: Rodrigues' formula.
+    """
+    v = 1.0 - c
+    row[3], row[4], row[5] = c + v * x * x, v * x * y - s * z, v * x * z + s * y
+    row[6], row[7], row[8] = v * x * y + s * z, c + v * y * y, v * y * z - s * x
+    row[9], row[10], row[11] = v * x * z - s * y, v * y * z + s * x, c + v * z * z
+
+
+@law
 def turned(pose: Array, v: Vector) -> Vector:
     """Convert a vector from the frame whose pose is `pose` (12,) to the frame in which that pose is given."""
     return Vector(

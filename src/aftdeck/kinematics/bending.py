@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
-from aftdeck.bodies.pose import POSE, compose, relative
+from aftdeck.bodies.pose import POSE, compose, put_turn, relative
 from aftdeck.elementary import atan2, sincos
 from aftdeck.law import law
 
@@ -83,10 +83,7 @@ def motion_of(bend: Array, end: Array, motion: Array) -> None:
     if angle > 0.0:
         x, y, z = x / angle, y / angle, z / angle
     s, c = sincos(angle)
-    v = 1.0 - c
-    motion[3], motion[4], motion[5] = c + v * x * x, v * x * y - s * z, v * x * z + s * y
-    motion[6], motion[7], motion[8] = v * x * y + s * z, c + v * y * y, v * y * z - s * x
-    motion[9], motion[10], motion[11] = v * x * z - s * y, v * y * z + s * x, c + v * z * z
+    put_turn(x, y, z, s, c, motion)
     for i in range(3):
         row = 3 + 3 * i
         turned = motion[row] * end[0] + motion[row + 1] * end[1] + motion[row + 2] * end[2]

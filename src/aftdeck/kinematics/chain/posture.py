@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose
+from aftdeck.bodies.pose import POSE, compose, put_turn
 from aftdeck.elementary import sincos
 from aftdeck.law import law
 
@@ -57,10 +57,7 @@ def _move(joint: Array, q: float, motion: Array) -> None:
     else:
         motion[0], motion[1], motion[2] = 0.0, 0.0, 0.0
         s, c = sincos(q)
-    v = 1.0 - c  # Rodrigues' formula
-    motion[3], motion[4], motion[5] = c + v * x * x, v * x * y - s * z, v * x * z + s * y
-    motion[6], motion[7], motion[8] = v * x * y + s * z, c + v * y * y, v * y * z - s * x
-    motion[9], motion[10], motion[11] = v * x * z - s * y, v * y * z + s * x, c + v * z * z
+    put_turn(x, y, z, s, c, motion)
 
 
 @law

@@ -14,10 +14,10 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE
-from aftdeck.elementary import atan2
 from aftdeck.kinematics.chain.posture import SLIDES, place_joints, write_jacobian
 from aftdeck.kinematics.chain.rates import Weighted, part_along, weigh
 from aftdeck.law import law
+from aftdeck.quaternions import rotation_vector
 
 STEPS = 200
 """Greatest number of steps of a search."""
@@ -56,23 +56,15 @@ def miss_of(tip: Array, goal: Array, miss: Array) -> None:
         goal: (12,) pose to reach.
         miss: (6,) output.
     """
-    x = y = z = trace = 0.0
-    for k in range(3):  # the matrix goal tip^T; its antisymmetric part is the axis times the sine
-        a, b, c = goal[3 + k], goal[6 + k], goal[9 + k]
-        d, e, f = tip[3 + k], tip[6 + k], tip[9 + k]
-        x += c * e - b * f
-        y += a * f - c * d
-        z += b * d - a * e
-        trace += a * d + b * e + c * f
-    size = sqrt(x * x + y * y + z * z)
-    angle = atan2(size, trace - 1.0)
-    if size > 1e-9:
-        per = angle / size
-        miss[0], miss[1], miss[2] = per * x, per * y, per * z
-    elif trace > 0.0:
-        miss[0], miss[1], miss[2] = 0.5 * x, 0.5 * y, 0.5 * z
-    else:  # half a turn, whose axis the antisymmetric part does not give: any step away from it helps
-        miss[0], miss[1], miss[2] = angle, 0.0, 0.0
+    turn = np.empty((3, 3))
+    for i in range(3):  # the rotation from the tip's axes to the goal's
+        for j in range(3):
+            turn[i, j] = 0.0
+            for k in range(3):
+                turn[i, j] += goal[3 + 3 * i + k] * tip[3 + 3 * j + k]
+    miss[0], miss[1], miss[2] = rotation_vector(
+        turn[0, 0], turn[0, 1], turn[0, 2], turn[1, 0], turn[1, 1], turn[1, 2], turn[2, 0], turn[2, 1], turn[2, 2]
+    )
     for i in range(3):
         miss[3 + i] = goal[i] - tip[i]
 
