@@ -37,10 +37,10 @@ def decode(kind: type[S], data: bytes) -> S:
     Raises:
         msgspec.MsgspecError: `data` is not a message of this type.
     """
-    return restored(kind, msgspec.json.decode(data))
+    return _restored(kind, msgspec.json.decode(data))
 
 
-def restored(kind: type[S], data: Any) -> S:
+def _restored(kind: type[S], data: Any) -> S:
     """Convert the plain form of a message to a message of the type `kind`; the plain form is used up.
 
     Raises:
@@ -57,7 +57,7 @@ def restored(kind: type[S], data: Any) -> S:
 
 def as_read(message: S) -> S:
     """Return a message with the values that a reader of the file gets: rounded to the declared decimals."""
-    return restored(type(message), plain(message))
+    return _restored(type(message), plain(message))
 
 
 @cache

@@ -55,14 +55,14 @@ def go(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     telescope = limit_motion(flight, state, inputs.telescope)
 
     # move the plant, with what disturbs it, then the worksite: contacts, captures, berths
-    disturb(flight, state, inputs)
-    move_plant(flight, state, inputs, rates, telescope)
+    disturb(flight, state, log, inputs)
+    move_plant(flight, state, log, inputs, rates, telescope)
     if state.plant.bodies is not None:
-        watch_stop(flight, state, state.plant.bodies)
+        watch_stop(flight, state, log, state.plant.bodies)
     update_worksite(flight, state, log, inputs)
 
 
-def move_plant(flight: Flight, state: State, inputs: Inputs, rates: Array, telescope: float) -> None:
+def move_plant(flight: Flight, state: State, log: Log, inputs: Inputs, rates: Array, telescope: float) -> None:
     """Move the plant. If its model diverges, nothing moves, and a script ends with "fault".
 
     Raises:
@@ -82,4 +82,4 @@ def move_plant(flight: Flight, state: State, inputs: Inputs, rates: Array, teles
         if not state.by_script:
             raise
         state.script.ended = "fault"
-        state.log(flight.scenario.control_period).add("fault", "warning", str(error))
+        log.add("fault", "warning", str(error))

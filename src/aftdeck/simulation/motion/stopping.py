@@ -37,7 +37,7 @@ _DECIMALS = {"in": 2, "mm": 1}
 """Number of decimals of a length in the log."""
 
 
-def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
+def watch_stop(flight: Flight, state: State, log: Log, bodies: Bodies) -> None:
     """Measure the stop of the arm after each command, and log it when the tip is at rest or when the stop ends.
 
     A command ends when the sticks return to zero, when an automatic motion ends, or by BRAKES or SAFING. A stop ends
@@ -53,7 +53,7 @@ def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     switched = braked != motion.braked
     if stop is not None and (driven or switched):
         if (state.tick - stop.began) * period >= WINDOW:
-            _report(stop, state.tick, state.log(period), period, units, rests=False)
+            _report(stop, state.tick, log, period, units, rests=False)
         motion.stop = None
     if not driven and (motion.driven or (switched and (stop is not None or not braked))):
         loaded = state.carried.payload is not None
@@ -62,7 +62,7 @@ def watch_stop(flight: Flight, state: State, bodies: Bodies) -> None:
     if motion.stop is not None and observe(motion.stop, state.tick, tip):
         since = window_began(motion.stop, state.tick)
         if motion.stop.cause != RELEASED or since > motion.stop.began:  # the tip moved after a release of the brakes
-            _report(motion.stop, since, state.log(period), period, units, rests=True)
+            _report(motion.stop, since, log, period, units, rests=True)
         motion.stop = None
     motion.speed = 0.0 if before is None else moved / period
     motion.place, motion.driven, motion.braked = tip, driven, braked

@@ -19,6 +19,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.frame import Wrench
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import Log
 from aftdeck.simulation.state import State
 from aftdeck.tuples import plain_vector
 from aftdeck.worksite.model import Cargo
@@ -38,7 +39,7 @@ def check_disturbances(flight: Flight, state: State, given: Iterable[Disturbance
             raise InputError(f"disturbances: on {one.on!r}, in the axes of {one.frame!r}: no payload is attached now")
 
 
-def disturb(flight: Flight, state: State, inputs: Inputs) -> None:
+def disturb(flight: Flight, state: State, log: Log, inputs: Inputs) -> None:
     """Find the disturbances that act in this step, planned ones and those of the inputs; log what begins and ends."""
     planned, before = flight.scenario.disturbances, state.disturbances
     if not (planned or inputs.disturbances or before) or state.plant.bodies is None:
@@ -46,7 +47,6 @@ def disturb(flight: Flight, state: State, inputs: Inputs) -> None:
     acting = tuple(_acting(flight, state, inputs))
     state.disturbances = acting
     now, was = {one.body for one in acting}, {one.body for one in before}
-    log = state.log(flight.scenario.control_period)
     for one in acting:
         if one.body not in was:
             was.add(one.body)

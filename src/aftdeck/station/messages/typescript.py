@@ -1,8 +1,8 @@
 """TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/link/protocol.ts``.
 
-Every struct becomes an interface. Every alias (tuple, literal or union) in a module of `NAMED` becomes a
-type of the same name. The docstrings of structs become comments; so do the descriptions or docstrings of fields. No
-field is optional, because the encoder writes default values too.
+Every struct becomes an interface. Every alias (tuple, literal or union) in a module of `NAMED` becomes a type of the
+same name. The docstrings of structs become comments; so do the descriptions or docstrings of fields. No field is
+optional, because the encoder writes default values too.
 """
 
 from __future__ import annotations
