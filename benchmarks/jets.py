@@ -24,10 +24,10 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.tip_rest import AT_REST, WINDOW, WINDOW_LOADED
 from aftdeck.simulation.run import Simulation
-from aftdeck.tuples import Vec3
+from aftdeck.tuples import plain_vector
 
 PRIMARY, VERNIER = 3870.0, 107.0
-"""Thrust of a primary and of a vernier jet [N]: 870 and 24 lbf (recalled by several manuals; confidence: high)."""
+"""Thrust of a primary and of a vernier jet [N]: 870 and 24 lbf (assumed: recalled, without a document)."""
 POSES = {
     "horizontal, aft": (0, 5, -5, 0, 0, 0),
     "horizontal, to port": (-90, 5, -5, 0, 0, 0),
@@ -110,11 +110,10 @@ joints = {np.radians(POSES[case.pose]).tolist()}
 def _push(scenario: Scenario, axis: int) -> Disturbance:
     """Return the force or torque of two primary jets; their levers are those of the vernier jets."""
     assert scenario.worksite.orbiter is not None and scenario.worksite.orbiter.jets is not None
-    about, sizes = axis < 3, [2.0 * PRIMARY] * 3
-    if about:
-        sizes = [PRIMARY / VERNIER * torque for torque in scenario.worksite.orbiter.jets.torque]
-    vector: Vec3 = tuple(size * (k == axis % 3) for k, size in enumerate(sizes))  # type: ignore[assignment]
-    return Disturbance("orbiter", torque=vector) if about else Disturbance("orbiter", force=vector)
+    along, torques = np.eye(3)[axis % 3], np.array(scenario.worksite.orbiter.jets.torque)
+    if axis < 3:
+        return Disturbance("orbiter", torque=plain_vector(PRIMARY / VERNIER * torques * along))
+    return Disturbance("orbiter", force=plain_vector(2.0 * PRIMARY * along))
 
 
 def _rest(tips: Array, window: int) -> float:

@@ -49,7 +49,7 @@ def test_processes_give_the_rows_and_errors_of_one_process(files: list[Path], mo
     several = list(read_all(files, ROW, lambda: calls.append(1)))
     monkeypatch.setattr(module, "cores", lambda: 1)
     one = list(read_all(files, ROW, lambda: calls.append(2)))
-    assert calls == [1, 2], "called once, whoever reads"
+    assert calls == [1, 2], "called once if other processes read, and once if this one does"
     assert several[::2] == one[::2] and isinstance(one[0], dict)
     assert isinstance(one[1], AftdeckError) and str(several[1]) == str(one[1])
 
